@@ -12,6 +12,7 @@ pub mod notes;
 pub mod report;
 pub mod scalar;
 pub mod source;
+pub mod suggest;
 pub mod systems;
 
 pub use error::{Error, Result};

@@ -1,0 +1,44 @@
+//! Values given by hand: the environment of a formula that has no document.
+//!
+//! A dotted symbol is given separately (`\dot\theta = 0.83`), and `d/dt` uses what was given.
+
+use crate::scalar::{Number, Series, TERMS};
+
+use super::evaluate::{Environment, Unavailable};
+use super::symbols::{SymbolId, Symbols};
+use super::value::Value;
+
+/// A value for each symbol and for each of its time derivatives that is known.
+#[derive(Clone, Debug)]
+pub struct Assignment<'a, B> {
+    symbols: &'a Symbols,
+    values: Vec<[Option<B>; TERMS]>,
+}
+
+impl<'a, B: Number> Assignment<'a, B> {
+    /// No values yet, for the names in `symbols`.
+    pub fn new(symbols: &'a Symbols) -> Self {
+        Assignment { symbols, values: vec![[None; TERMS]; symbols.len()] }
+    }
+
+    /// Gives the `order`-th time derivative of a symbol a value (0 for the symbol itself).
+    pub fn set(&mut self, id: SymbolId, order: u8, value: B) {
+        if let Some(slot) = self.values.get_mut(id.0).and_then(|known| known.get_mut(usize::from(order))) {
+            *slot = Some(value);
+        }
+    }
+}
+
+impl<B: Number> Environment<B> for Assignment<'_, B> {
+    fn symbols(&self) -> &Symbols {
+        self.symbols
+    }
+
+    fn symbol(&self, id: SymbolId, _indices: &[u8]) -> Result<Value<Series<B>>, Unavailable> {
+        let known = self.values.get(id.0).ok_or(Unavailable::Symbol(id))?;
+        let last = known.iter().rposition(Option::is_some).ok_or(Unavailable::Symbol(id))?;
+        // A gap below a known derivative is not a number, and so shows wherever it is used.
+        let derivatives: Vec<B> = known[..=last].iter().map(|value| value.unwrap_or(B::from(f64::NAN))).collect();
+        Ok(Value::Scalar(Series::from_derivatives(&derivatives)))
+    }
+}

@@ -1,0 +1,298 @@
+//! The value of a formula at a state, over any number.
+//!
+//! Everything is a Taylor series in time ([`Series`]): a dot or `d/dt` shifts it. A plain number is a series that does
+//! not change. How many derivatives are known is part of the value, so a derivative that nobody supplied is
+//! [`Unavailable`], never zero.
+
+use nalgebra::{DMatrix, Matrix3, Vector3};
+use num_dual::DualNum;
+use num_traits::Signed as _;
+
+use crate::scalar::{Number, Series};
+
+use super::symbols::{Kind, SymbolId, Symbols};
+use super::tree::{Expr, Function, Index, IndexId, Node, Sign};
+use super::value::Value;
+
+/// Why a formula has no value at a state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unavailable {
+    /// Nothing gives this symbol a value.
+    Symbol(SymbolId),
+    /// A derivative of this order is not known.
+    Derivative(u8),
+    /// An operation that is not defined: the inverse of a matrix of more than three rows.
+    Operation(&'static str),
+}
+
+/// Where symbols get their values.
+pub trait Environment<B: Number> {
+    /// The table that the formula was read with.
+    fn symbols(&self) -> &Symbols;
+    /// The value of a symbol, for given values of its indices.
+    fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Series<B>>, Unavailable>;
+    /// The matrix that an elementary rotation's symbol stands for, at an angle.
+    fn rotation(&self, id: SymbolId, _angle: Series<B>) -> Result<Matrix3<Series<B>>, Unavailable> {
+        Err(Unavailable::Symbol(id))
+    }
+}
+
+/// Evaluates a formula whose free indices have the values `free`.
+pub fn evaluate<B: Number>(
+    expr: &Expr,
+    environment: &impl Environment<B>,
+    free: &[(IndexId, u8)],
+) -> Result<Value<Series<B>>, Unavailable> {
+    Evaluator { environment, indices: free.to_vec(), number: std::marker::PhantomData }.value(expr)
+}
+
+/// The exact value of an exponent that holds numbers only.
+pub fn constant_exponent(expr: &Expr) -> Option<f64> {
+    match &expr.node {
+        Node::Number(text) => text.parse().ok(),
+        Node::Sum(terms) => terms.iter().try_fold(0.0, |sum, term| {
+            let value = constant_exponent(&term.expr)?;
+            Some(if term.sign == Sign::Plus { sum + value } else { sum - value })
+        }),
+        Node::Quotient(a, b) => Some(constant_exponent(a)? / constant_exponent(b)?),
+        _ => None,
+    }
+}
+
+struct Evaluator<'a, B, E> {
+    environment: &'a E,
+    indices: Vec<(IndexId, u8)>,
+    number: std::marker::PhantomData<B>,
+}
+
+type Evaluated<T> = Result<T, Unavailable>;
+
+impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
+    fn value(&mut self, expr: &Expr) -> Evaluated<Value<Series<B>>> {
+        Ok(match &expr.node {
+            Node::Number(text) => {
+                Value::Scalar(constant(text.parse().map_err(|_| Unavailable::Operation("a number"))?))
+            }
+            Node::Pi => Value::Scalar(constant(std::f64::consts::PI)),
+            Node::Euler => Value::Scalar(constant(std::f64::consts::E)),
+            Node::Symbol { id, indices, dots } => {
+                let value = self.symbol(*id, indices)?;
+                differentiated(value, *dots)?
+            }
+            Node::Sum(terms) => {
+                let mut total: Option<Value<Series<B>>> = None;
+                for term in terms {
+                    if terms.len() > 1 && term.expr.is_zero() {
+                        continue;
+                    }
+                    let value = self.value(&term.expr)?;
+                    let value = if term.sign == Sign::Plus { value } else { value.map(|x| -x) };
+                    total = Some(match total {
+                        None => value,
+                        Some(total) => total.plus(value).ok_or(Unavailable::Operation("a sum of different shapes"))?,
+                    });
+                }
+                total.unwrap_or(Value::Scalar(constant(0.0)))
+            }
+            Node::Product(factors) => {
+                let mut total = Value::Scalar(constant(1.0));
+                for (at, factor) in factors.iter().enumerate() {
+                    let value = self.value(factor)?;
+                    total = match at {
+                        0 => value,
+                        _ => total.times(value).ok_or(Unavailable::Operation("a product of these shapes"))?,
+                    };
+                }
+                total
+            }
+            Node::Quotient(a, b) => {
+                let divisor = self.scalar(b)?;
+                self.value(a)?.map(|x| x / divisor)
+            }
+            Node::Power(base, exponent) => Value::Scalar(self.power(base, exponent)?),
+            Node::Root(degree, radicand) => {
+                let x = self.scalar(radicand)?;
+                Value::Scalar(match degree {
+                    2 => x.sqrt(),
+                    3 => x.cbrt(),
+                    n => x.powf(1.0 / f64::from(*n)),
+                })
+            }
+            Node::Call(function, argument) => {
+                let x = self.scalar(argument)?;
+                Value::Scalar(call(*function, x))
+            }
+            Node::Apply(id, arguments) => match arguments.as_slice() {
+                [angle] => {
+                    let angle = self.scalar(angle)?;
+                    let matrix = self.environment.rotation(*id, angle)?;
+                    Value::Matrix(DMatrix::from_fn(3, 3, |i, j| matrix[(i, j)]))
+                }
+                _ => return Err(Unavailable::Operation("a function of several arguments")),
+            },
+            Node::TimeDerivative(order, inner) => {
+                let value = self.value(inner)?;
+                differentiated(value, *order)?
+            }
+            Node::Norm(inner) => Value::Scalar(match self.value(inner)? {
+                Value::Scalar(x) => x.abs(),
+                Value::Vector(v) => (v.x * v.x + v.y * v.y + v.z * v.z).sqrt(),
+                Value::Matrix(_) => return Err(Unavailable::Operation("the norm of a matrix")),
+            }),
+            Node::Cross(a, b) => {
+                let (a, b) = (self.vector(a)?, self.vector(b)?);
+                Value::Vector(a.cross(&b))
+            }
+            Node::Dot(a, b) => {
+                let (a, b) = (self.vector(a)?, self.vector(b)?);
+                Value::Scalar(a.x * b.x + a.y * b.y + a.z * b.z)
+            }
+            Node::Matrix(rows) => {
+                let mut entries = Vec::new();
+                for entry in rows.iter().flatten() {
+                    entries.push(self.scalar(entry)?);
+                }
+                match (rows.len(), entries.as_slice()) {
+                    (3, [x, y, z]) => Value::Vector(Vector3::new(*x, *y, *z)),
+                    (count, entries) => {
+                        Value::Matrix(DMatrix::from_row_slice(count, entries.len() / count.max(1), entries))
+                    }
+                }
+            }
+            Node::Transpose(inner) => match self.value(inner)? {
+                Value::Matrix(m) => Value::Matrix(m.transpose()),
+                _ => return Err(Unavailable::Operation("the transpose of something that is no matrix")),
+            },
+            Node::Inverse(inner) => {
+                self.value(inner)?.inverse().ok_or(Unavailable::Operation("the inverse of this matrix"))?
+            }
+            Node::Entry(inner, row, column) => match (self.value(inner)?, self.index(*row)?, self.index(*column)?) {
+                (Value::Matrix(m), i, j) if usize::from(i.max(1)) <= m.nrows() && usize::from(j.max(1)) <= m.ncols() => {
+                    Value::Scalar(m[(usize::from(i) - 1, usize::from(j) - 1)])
+                }
+                _ => return Err(Unavailable::Operation("an entry of something that is no matrix")),
+            },
+            Node::Epsilon([a, b, c]) => {
+                let [a, b, c] = [self.index(*a)?, self.index(*b)?, self.index(*c)?].map(i32::from);
+                Value::Scalar(constant(f64::from((a - b) * (b - c) * (c - a)) / 2.0))
+            }
+            Node::Delta([a, b]) => {
+                let equal = self.index(*a)? == self.index(*b)?;
+                Value::Scalar(constant(if equal { 1.0 } else { 0.0 }))
+            }
+            Node::SumOver { index, body, .. } => {
+                let upper = self.environment.symbols().indices[index.0].upper;
+                let mut total: Option<Value<Series<B>>> = None;
+                for value in 1..=upper {
+                    self.indices.push((*index, value));
+                    let term = self.value(body);
+                    self.indices.pop();
+                    let term = term?;
+                    total = Some(match total {
+                        None => term,
+                        Some(total) => total.plus(term).ok_or(Unavailable::Operation("a sum of different shapes"))?,
+                    });
+                }
+                total.unwrap_or(Value::Scalar(constant(0.0)))
+            }
+        })
+    }
+
+    fn scalar(&mut self, expr: &Expr) -> Evaluated<Series<B>> {
+        match self.value(expr)? {
+            Value::Scalar(value) => Ok(value),
+            _ => Err(Unavailable::Operation("a scalar where there is none")),
+        }
+    }
+
+    fn vector(&mut self, expr: &Expr) -> Evaluated<Vector3<Series<B>>> {
+        match self.value(expr)? {
+            Value::Vector(value) => Ok(value),
+            _ => Err(Unavailable::Operation("a vector where there is none")),
+        }
+    }
+
+    fn index(&self, index: Index) -> Evaluated<u8> {
+        match index {
+            Index::Fixed(value) => Ok(value),
+            Index::Letter(id) => self
+                .indices
+                .iter()
+                .rev()
+                .find(|(known, _)| *known == id)
+                .map(|(_, value)| *value)
+                .ok_or(Unavailable::Operation("an index without a value")),
+        }
+    }
+
+    fn symbol(&self, id: SymbolId, indices: &[Index]) -> Evaluated<Value<Series<B>>> {
+        let entry = self.environment.symbols().entry(id);
+        if indices.is_empty() && !entry.slots.is_empty() && entry.kind == Kind::Scalar {
+            let member = |indices: &[u8]| match self.environment.symbol(id, indices)? {
+                Value::Scalar(value) => Ok(value),
+                _ => Err(Unavailable::Symbol(id)),
+            };
+            return match entry.slots.as_slice() {
+                [_] => Ok(Value::Vector(Vector3::new(member(&[1])?, member(&[2])?, member(&[3])?))),
+                [(_, rows), (_, columns)] => {
+                    let mut entries = Vec::new();
+                    for i in 1..=*rows {
+                        for j in 1..=*columns {
+                            entries.push(member(&[i, j])?);
+                        }
+                    }
+                    Ok(Value::Matrix(DMatrix::from_row_slice((*rows).into(), (*columns).into(), &entries)))
+                }
+                _ => Err(Unavailable::Symbol(id)),
+            };
+        }
+        let values: Evaluated<Vec<u8>> = indices.iter().map(|index| self.index(*index)).collect();
+        self.environment.symbol(id, &values?)
+    }
+
+    fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<Series<B>> {
+        if base.node == Node::Euler {
+            return Ok(self.scalar(exponent)?.exp());
+        }
+        let x = self.scalar(base)?;
+        Ok(match constant_exponent(exponent) {
+            Some(n) if n.fract() == 0.0 && n.abs() <= 64.0 => x.powi(n as i32),
+            Some(0.5) => x.sqrt(),
+            Some(n) => x.powf(n),
+            None => (x.ln() * self.scalar(exponent)?).exp(),
+        })
+    }
+}
+
+fn constant<B: Number>(value: f64) -> Series<B> {
+    Series::constant(B::from(value))
+}
+
+fn differentiated<B: Number>(value: Value<Series<B>>, order: u8) -> Evaluated<Value<Series<B>>> {
+    if order == 0 {
+        return Ok(value);
+    }
+    if value.entries().iter().any(|entry| entry.known() <= usize::from(order)) {
+        return Err(Unavailable::Derivative(order));
+    }
+    Ok(value.map(|entry| (0..order).fold(entry, |entry, _| entry.derivative())))
+}
+
+fn call<B: Number>(function: Function, x: Series<B>) -> Series<B> {
+    match function {
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Tan => x.tan(),
+        Function::Cot => x.cos() / x.sin(),
+        Function::Sec => x.cos().recip(),
+        Function::Csc => x.sin().recip(),
+        Function::Arcsin => x.asin(),
+        Function::Arccos => x.acos(),
+        Function::Arctan => x.atan(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
+        Function::Exp => x.exp(),
+        Function::Ln => x.ln(),
+    }
+}

@@ -1,0 +1,304 @@
+//! One type for every formula, or a refusal: scalar, vector or matrix, and which indices are free.
+//!
+//! [`bind`] is the check: it makes every implied sum explicit (an index that a product repeats is summed over), and
+//! refuses a vector added to a scalar, two terms with different free indices, a product of two vectors side by side.
+//! It runs before any number is computed.
+
+use crate::source::{Fault, Span};
+
+use super::symbols::{Kind, Symbols};
+use super::tree::{Expr, Index, IndexId, Node};
+
+/// What kind of value a formula has, for each value of its free indices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A number.
+    Scalar,
+    /// A vector in three dimensions.
+    Vector,
+    /// Rows and columns.
+    Matrix(usize, usize),
+}
+
+impl Shape {
+    fn noun(self) -> String {
+        match self {
+            Shape::Scalar => "a scalar".to_owned(),
+            Shape::Vector => "a vector".to_owned(),
+            Shape::Matrix(rows, columns) => format!("a {rows}×{columns} matrix"),
+        }
+    }
+}
+
+/// The type of a formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Type {
+    /// Scalar, vector or matrix.
+    pub shape: Shape,
+    /// The free indices, in order.
+    pub free: Vec<IndexId>,
+}
+
+/// Types a formula and makes its implied sums explicit.
+pub fn bind(expr: Expr, symbols: &Symbols) -> Result<(Expr, Type), Fault> {
+    let mut expr = expr;
+    let found = Binder { symbols, summed: Vec::new() }.bind(&mut expr)?;
+    Ok((expr, found))
+}
+
+/// The shape of a formula that may still hold implied sums; faults as [`bind`] does, indices aside.
+pub fn shape_of(expr: &Expr, symbols: &Symbols) -> Result<Shape, Fault> {
+    let mut copy = expr.clone();
+    Binder { symbols, summed: Vec::new() }.shape(&mut copy)
+}
+
+/// Whether two members of an equation can be compared: the same type, but that 0 is any zero and 1 any unit matrix.
+pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type)) -> Result<(), Fault> {
+    for ((literal, _), (_, found)) in [(a, b), (b, a)] {
+        let unit = matches!(&literal.node, Node::Number(text) if text == "1");
+        if literal.is_zero() || unit && matches!(found.shape, Shape::Matrix(n, m) if n == m) {
+            return Ok(());
+        }
+    }
+    let span = a.0.span.to(b.0.span);
+    if a.1.shape != b.1.shape {
+        let message = format!("{} is set against {}", a.1.shape.noun(), b.1.shape.noun());
+        return Err(Fault::new(span, message));
+    }
+    if a.1.free != b.1.free {
+        return Err(Fault::new(span, "the free indices of the two sides do not match"));
+    }
+    Ok(())
+}
+
+struct Binder<'a> {
+    symbols: &'a Symbols,
+    /// Indices that an enclosing Σ sums over.
+    summed: Vec<IndexId>,
+}
+
+impl Binder<'_> {
+    fn shape(&mut self, expr: &mut Expr) -> Result<Shape, Fault> {
+        self.bind(expr).map(|found| found.shape)
+    }
+
+    fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<(), Fault> {
+        let found = self.bind(expr)?;
+        if found.shape != Shape::Scalar {
+            return Err(Fault::new(expr.span, format!("{what} must be a scalar, and this is {}", found.shape.noun())));
+        }
+        if !found.free.is_empty() {
+            return Err(Fault::new(expr.span, format!("{what} has a free index")));
+        }
+        Ok(())
+    }
+
+    fn letters(&self, indices: &[Index]) -> Vec<IndexId> {
+        let letters = indices.iter().filter_map(|index| match index {
+            Index::Letter(id) if !self.summed.contains(id) => Some(*id),
+            _ => None,
+        });
+        letters.collect()
+    }
+
+    fn bind(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
+        let span = expr.span;
+        let scalar = Type { shape: Shape::Scalar, free: Vec::new() };
+        match &mut expr.node {
+            Node::Number(_) | Node::Pi | Node::Euler => Ok(scalar),
+            Node::Symbol { id, indices, .. } => {
+                let entry = self.symbols.entry(*id);
+                let shape = match (entry.kind, entry.slots.len(), indices.len()) {
+                    (Kind::Scalar, slots, given) if slots == given => Shape::Scalar,
+                    (Kind::Scalar, 1, 0) if entry.slots[0].1 == 3 => Shape::Vector,
+                    (Kind::Scalar, 2, 0) => Shape::Matrix(entry.slots[0].1.into(), entry.slots[1].1.into()),
+                    (Kind::Vector, slots, given) if slots == given => Shape::Vector,
+                    (Kind::Matrix, slots, given) if slots == given => Shape::Matrix(3, 3),
+                    (Kind::Rotation, ..) => {
+                        return Err(Fault::new(span, format!("{} wants its angle in parentheses", entry.name)));
+                    }
+                    _ => return Err(Fault::new(span, format!("{} wants its indices", entry.name))),
+                };
+                let letters = self.letters(indices);
+                let free = self.contract(letters, expr)?;
+                Ok(Type { shape, free })
+            }
+            Node::Epsilon(indices) => {
+                let letters = self.letters(&indices[..]);
+                let free = self.contract(letters, expr)?;
+                Ok(Type { free, ..scalar })
+            }
+            Node::Delta(indices) => {
+                let letters = self.letters(&indices[..]);
+                let free = self.contract(letters, expr)?;
+                Ok(Type { free, ..scalar })
+            }
+            Node::Sum(terms) => {
+                let mut first: Option<Type> = None;
+                for term in terms {
+                    let found = self.bind(&mut term.expr)?;
+                    match &first {
+                        _ if term.expr.is_zero() => {}
+                        None => first = Some(found),
+                        Some(first) if first.shape != found.shape => {
+                            let (a, b) = (found.shape.noun(), first.shape.noun());
+                            return Err(Fault::new(term.expr.span, format!("{a} is added to {b}")));
+                        }
+                        Some(first) if first.free != found.free => {
+                            return Err(Fault::new(
+                                term.expr.span,
+                                "the free indices of this term do not match those of the terms before it",
+                            ));
+                        }
+                        Some(_) => {}
+                    }
+                }
+                Ok(first.unwrap_or(scalar))
+            }
+            Node::Product(factors) => {
+                let mut shape = Shape::Scalar;
+                let mut letters = Vec::new();
+                for factor in factors {
+                    let found = self.bind(factor)?;
+                    shape = product(shape, found.shape).ok_or_else(|| {
+                        Fault::new(factor.span, format!("{} cannot follow {}", found.shape.noun(), shape.noun()))
+                            .help("two vectors are multiplied by \\cdot or \\times")
+                    })?;
+                    letters.extend(found.free);
+                }
+                let free = self.contract(letters, expr)?;
+                Ok(Type { shape, free })
+            }
+            Node::Quotient(a, b) => {
+                let found = self.bind(a)?;
+                self.scalar(b, "a denominator")?;
+                Ok(found)
+            }
+            Node::Power(a, b) => {
+                self.scalar(b, "an exponent")?;
+                let found = self.bind(a)?;
+                if found.shape != Shape::Scalar {
+                    return Err(Fault::new(span, format!("{} has no such power", found.shape.noun())));
+                }
+                if !found.free.is_empty() {
+                    return Err(Fault::new(span, "a power of something with a free index: is it summed over?")
+                        .help("write the sum, \\sum_a, or both factors"));
+                }
+                Ok(found)
+            }
+            Node::Root(_, a) => self.scalar(a, "what stands under a root").map(|()| scalar),
+            Node::Call(function, a) => {
+                let what = format!("the argument of \\{}", function.name());
+                self.scalar(a, &what).map(|()| scalar)
+            }
+            Node::Apply(_, arguments) => {
+                for argument in arguments {
+                    self.scalar(argument, "an argument")?;
+                }
+                Ok(Type { shape: Shape::Matrix(3, 3), free: Vec::new() })
+            }
+            Node::TimeDerivative(_, a) => self.bind(a),
+            Node::Norm(a) => {
+                let found = self.bind(a)?;
+                match found.shape {
+                    Shape::Matrix(..) => Err(Fault::new(span, "the norm of a matrix is not read")),
+                    _ => Ok(Type { shape: Shape::Scalar, ..found }),
+                }
+            }
+            Node::Cross(a, b) | Node::Dot(a, b) => {
+                let (left, right) = (self.bind(a)?, self.bind(b)?);
+                for (side, found) in [(&*a, &left), (&*b, &right)] {
+                    if found.shape != Shape::Vector {
+                        let message = format!("this must be a vector, and is {}", found.shape.noun());
+                        return Err(Fault::new(side.span, message));
+                    }
+                }
+                let is_cross = matches!(expr.node, Node::Cross(..));
+                let letters = left.free.into_iter().chain(right.free).collect();
+                let free = self.contract(letters, expr)?;
+                Ok(Type { shape: if is_cross { Shape::Vector } else { Shape::Scalar }, free })
+            }
+            Node::Matrix(rows) => {
+                let columns = rows.first().map_or(0, Vec::len);
+                let count = rows.len();
+                for row in rows {
+                    if row.len() != columns {
+                        return Err(Fault::new(span, "the rows of this matrix are not equally long"));
+                    }
+                    for entry in row {
+                        self.scalar(entry, "an entry of a matrix")?;
+                    }
+                }
+                let shape = if (count, columns) == (3, 1) { Shape::Vector } else { Shape::Matrix(count, columns) };
+                Ok(Type { shape, free: Vec::new() })
+            }
+            Node::Transpose(a) | Node::Inverse(a) => {
+                let found = self.bind(a)?;
+                match found.shape {
+                    Shape::Matrix(rows, columns) => Ok(Type { shape: Shape::Matrix(columns, rows), free: found.free }),
+                    other => Err(Fault::new(span, format!("{} has no transpose or inverse", other.noun()))),
+                }
+            }
+            Node::Entry(a, row, column) => {
+                let indices = [*row, *column];
+                let found = self.bind(a)?;
+                if !matches!(found.shape, Shape::Matrix(..)) {
+                    return Err(Fault::new(span, "indices on something that is not a matrix"));
+                }
+                let letters = self.letters(&indices);
+                let free = self.contract(letters, expr)?;
+                Ok(Type { free, ..scalar })
+            }
+            Node::SumOver { index, implied, body } => {
+                if *implied {
+                    // Made here before: binding a bound formula again changes nothing.
+                    self.summed.push(*index);
+                    let found = self.bind(body);
+                    self.summed.pop();
+                    return found;
+                }
+                if self.summed.contains(index) {
+                    return Err(Fault::new(span, "this index is summed over already"));
+                }
+                self.summed.push(*index);
+                let found = self.bind(body);
+                self.summed.pop();
+                found
+            }
+        }
+    }
+
+    /// Wraps `expr` in a sum for every index that occurs twice; returns those that occur once, in order.
+    fn contract(&self, mut letters: Vec<IndexId>, expr: &mut Expr) -> Result<Vec<IndexId>, Fault> {
+        letters.sort();
+        let mut free = Vec::new();
+        for group in letters.chunk_by(|a, b| a == b) {
+            match group {
+                [index] => free.push(*index),
+                [index, _] => {
+                    let span = expr.span;
+                    let body = std::mem::replace(expr, Expr::new(Node::Pi, span));
+                    expr.node = Node::SumOver { index: *index, implied: true, body: Box::new(body) };
+                }
+                _ => return Err(self.thrice(group[0], expr.span)),
+            }
+        }
+        Ok(free)
+    }
+
+    fn thrice(&self, index: IndexId, span: Span) -> Fault {
+        let letter = &self.symbols.indices[index.0].letter;
+        Fault::new(span, format!("the index {letter} occurs more than twice in this term"))
+            .help(format!("if it is summed over, write \\sum_{letter}"))
+    }
+}
+
+/// The shape of two things side by side.
+fn product(a: Shape, b: Shape) -> Option<Shape> {
+    match (a, b) {
+        (Shape::Scalar, other) | (other, Shape::Scalar) => Some(other),
+        (Shape::Matrix(n, m), Shape::Matrix(k, l)) if m == k => Some(Shape::Matrix(n, l)),
+        (Shape::Matrix(3, 3), Shape::Vector) => Some(Shape::Vector),
+        _ => None,
+    }
+}

@@ -1,0 +1,229 @@
+//! The table of names: what each symbol of a document is, as far as reading and evaluating a formula needs to know.
+//!
+//! A name is a base (with its accents), the tokens of its subscript and its primes; overdots and powers are not part of
+//! it. A subscript that holds declared index letters makes the name a family: `\hat e_a` stands for three vectors, and
+//! then `\hat e_2` and `\hat e_b` are found as well. What a symbol *means* (a coordinate, the Lagrangian, …) is not
+//! known here; `check` keeps that beside the table, by [`SymbolId`].
+
+use std::collections::HashMap;
+use std::fmt;
+
+use crate::suggest;
+
+use super::tree::{Index, IndexId};
+
+/// A symbol, by its place in the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SymbolId(pub usize);
+
+/// What kind of thing a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A number.
+    Scalar,
+    /// A vector in three dimensions.
+    Vector,
+    /// A matrix of three rows and columns.
+    Matrix,
+    /// A function of the user's that gives a matrix: an elementary rotation of one angle.
+    Rotation,
+}
+
+/// A name as printed: what identifies a symbol.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Name {
+    /// The letter or command with its accents, in one spelling: `M`, `\lambda`, `\hat{e}`.
+    pub base: String,
+    /// The tokens of the subscript, digits and letters one by one: `["1"]`, `["a", "(", "0", ")"]`.
+    pub subscript: Vec<String>,
+    /// The number of primes.
+    pub primes: u8,
+}
+
+impl Name {
+    /// A name without subscript or primes.
+    pub fn plain(base: impl Into<String>) -> Self {
+        Name { base: base.into(), subscript: Vec::new(), primes: 0 }
+    }
+}
+
+impl fmt::Display for Name {
+    /// The name as LaTeX, in one canonical spelling.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.base)?;
+        f.write_str(&"'".repeat(self.primes.into()))?;
+        match self.subscript.as_slice() {
+            [] => Ok(()),
+            [token] => write!(f, "_{token}"),
+            tokens => {
+                let mut joined = String::new();
+                for token in tokens {
+                    let after_command = joined.rsplit('\\').next().is_some_and(|last| {
+                        joined.contains('\\') && !last.is_empty() && last.bytes().all(|b| b.is_ascii_alphabetic())
+                    });
+                    if after_command && token.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                        joined.push(' ');
+                    }
+                    joined.push_str(token);
+                }
+                write!(f, "_{{{joined}}}")
+            }
+        }
+    }
+}
+
+/// One symbol.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Its name; for a family, with the letters it was declared with.
+    pub name: Name,
+    /// What it stands for, for each value of its indices.
+    pub kind: Kind,
+    /// For each token of the subscript that is an index slot: its position and how many values it takes.
+    pub slots: Vec<(usize, u8)>,
+    /// Whether it is known to be an angle, which settles where the argument of a cosine ends.
+    pub angle: bool,
+    /// Whether it varies with time or is the time itself.
+    pub varies: bool,
+}
+
+/// A declared index letter.
+#[derive(Clone, Debug)]
+pub struct IndexEntry {
+    /// The letter, as LaTeX.
+    pub letter: String,
+    /// It runs from 1 to this.
+    pub upper: u8,
+}
+
+/// The names of a document.
+#[derive(Clone, Debug, Default)]
+pub struct Symbols {
+    entries: Vec<Entry>,
+    exact: HashMap<Name, SymbolId>,
+    /// The index letters.
+    pub indices: Vec<IndexEntry>,
+    /// The name of the independent variable, `t` unless declared.
+    pub time: Option<Name>,
+    /// Whether an unknown name becomes a real number (formulas without a file) or is refused (documents).
+    pub open: bool,
+}
+
+impl Symbols {
+    /// An empty, closed table whose independent variable is `t`.
+    pub fn new() -> Self {
+        Symbols { time: Some(Name::plain("t")), ..Symbols::default() }
+    }
+
+    /// An open table: every letter is a real number, and `t` is the time.
+    pub fn open() -> Self {
+        Symbols { open: true, ..Symbols::new() }
+    }
+
+    /// Declares an index letter that runs from 1 to `upper`.
+    pub fn add_index(&mut self, letter: &str, upper: u8) -> IndexId {
+        self.indices.push(IndexEntry { letter: letter.to_owned(), upper });
+        IndexId(self.indices.len() - 1)
+    }
+
+    /// The index that a subscript token names.
+    pub fn index(&self, token: &str) -> Option<IndexId> {
+        self.indices.iter().position(|index| index.letter == token).map(IndexId)
+    }
+
+    /// Adds a symbol; `None` when the name is taken.
+    pub fn add(&mut self, name: Name, kind: Kind) -> Option<SymbolId> {
+        if self.exact.contains_key(&name) {
+            return None;
+        }
+        let slots = name
+            .subscript
+            .iter()
+            .enumerate()
+            .filter_map(|(at, token)| self.index(token).map(|index| (at, self.indices[index.0].upper)))
+            .collect();
+        let id = SymbolId(self.entries.len());
+        self.exact.insert(name.clone(), id);
+        self.entries.push(Entry { name, kind, slots, angle: false, varies: false });
+        Some(id)
+    }
+
+    /// The symbol's entry.
+    pub fn entry(&self, id: SymbolId) -> &Entry {
+        &self.entries[id.0]
+    }
+
+    /// The symbol's entry, to complete it.
+    pub fn entry_mut(&mut self, id: SymbolId) -> &mut Entry {
+        &mut self.entries[id.0]
+    }
+
+    /// Every symbol with its entry, in the order of declaration.
+    pub fn iter(&self) -> impl Iterator<Item = (SymbolId, &Entry)> {
+        self.entries.iter().enumerate().map(|(i, entry)| (SymbolId(i), entry))
+    }
+
+    /// How many symbols there are.
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// The symbol that a printed name refers to, with the values or letters of its indices.
+    pub fn find(&self, name: &Name) -> Option<(SymbolId, Vec<Index>)> {
+        if let Some(&id) = self.exact.get(name) {
+            let slots = &self.entries[id.0].slots;
+            let letters = slots.iter().filter_map(|(at, _)| self.index(&name.subscript[*at]));
+            return Some((id, letters.map(Index::Letter).collect()));
+        }
+        self.iter().find_map(|(id, entry)| self.member(entry, name).map(|indices| (id, indices)))
+    }
+
+    /// The whole family of that base, without its indices: `R` for `R_{ab}`.
+    pub fn find_whole(&self, base: &str) -> Option<SymbolId> {
+        self.iter()
+            .find(|(_, entry)| {
+                entry.name.base == base && !entry.slots.is_empty() && entry.slots.len() == entry.name.subscript.len()
+            })
+            .map(|(id, _)| id)
+    }
+
+    fn member(&self, entry: &Entry, name: &Name) -> Option<Vec<Index>> {
+        let same = entry.name.base == name.base
+            && entry.name.primes == name.primes
+            && entry.name.subscript.len() == name.subscript.len()
+            && !entry.slots.is_empty();
+        if !same {
+            return None;
+        }
+        let mut indices = Vec::with_capacity(entry.slots.len());
+        for (at, (declared, printed)) in entry.name.subscript.iter().zip(&name.subscript).enumerate() {
+            let Some((_, upper)) = entry.slots.iter().find(|(slot, _)| *slot == at) else {
+                if declared == printed {
+                    continue;
+                }
+                return None;
+            };
+            let index = match self.index(printed) {
+                Some(letter) if self.indices[letter.0].upper == *upper => Index::Letter(letter),
+                Some(_) => return None,
+                None => match printed.parse::<u8>() {
+                    Ok(value) if (1..=*upper).contains(&value) => Index::Fixed(value),
+                    _ => return None,
+                },
+            };
+            indices.push(index);
+        }
+        Some(indices)
+    }
+
+    /// The declared name most like `name`, for "did you mean".
+    pub fn nearest(&self, name: &Name) -> Option<String> {
+        let names: Vec<String> = self.entries.iter().map(|entry| entry.name.to_string()).collect();
+        suggest::nearest(&name.to_string(), names.iter().map(String::as_str)).map(str::to_owned)
+    }
+}

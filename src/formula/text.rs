@@ -1,0 +1,252 @@
+//! The reading of a formula in plain words: every product, every argument and every power spelled out.
+//!
+//! This is what an author looks at to see whether the reader understood: `λ_1·θ̈ = λ_1·φ̇²·sin(θ)·cos(θ) − …`.
+
+use super::symbols::Symbols;
+use super::tree::{Expr, Index, Node, Sign, Statement};
+
+/// A statement in plain words.
+pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
+    let mut text = String::new();
+    for (at, member) in statement.members.iter().enumerate() {
+        if at > 0 {
+            text.push_str(&format!(" {} ", statement.relations[at - 1].0.glyph()));
+        }
+        text.push_str(&formula(member, symbols));
+    }
+    if statement.constant.is_some() {
+        text.push_str(" is constant");
+    }
+    text
+}
+
+/// A formula in plain words.
+pub fn formula(expr: &Expr, symbols: &Symbols) -> String {
+    Writer { symbols }.write(expr, 0)
+}
+
+struct Writer<'a> {
+    symbols: &'a Symbols,
+}
+
+/// How tightly a node binds: sums 1, products 2, powers 3, all else 4.
+fn binding(node: &Node) -> u8 {
+    match node {
+        Node::Sum(_) => 1,
+        Node::Product(_) | Node::Quotient(..) | Node::Cross(..) | Node::Dot(..) | Node::SumOver { .. } => 2,
+        Node::Power(..) | Node::Transpose(_) | Node::Inverse(_) => 3,
+        _ => 4,
+    }
+}
+
+impl Writer<'_> {
+    fn write(&self, expr: &Expr, outer: u8) -> String {
+        let text = self.bare(expr);
+        if binding(&expr.node) <= outer && !(outer == 1 && binding(&expr.node) == 2) {
+            format!("({text})")
+        } else {
+            text
+        }
+    }
+
+    fn bare(&self, expr: &Expr) -> String {
+        match &expr.node {
+            Node::Number(text) => text.clone(),
+            Node::Pi => "π".into(),
+            Node::Euler => "e".into(),
+            Node::Symbol { id, indices, dots } => {
+                let entry = self.symbols.entry(*id);
+                let mut name = entry.name.clone();
+                if indices.is_empty() && !entry.slots.is_empty() {
+                    name.subscript.clear();
+                } else {
+                    for ((at, _), index) in entry.slots.iter().zip(indices) {
+                        name.subscript[*at] = self.index(*index);
+                    }
+                }
+                with_dots(&name.to_string(), *dots)
+            }
+            Node::Sum(terms) => {
+                let mut text = String::new();
+                for (at, term) in terms.iter().enumerate() {
+                    text.push_str(match (term.sign, at) {
+                        (Sign::Plus, 0) => "",
+                        (Sign::Minus, 0) => "−",
+                        (Sign::Plus, _) => " + ",
+                        (Sign::Minus, _) => " − ",
+                    });
+                    text.push_str(&self.write(&term.expr, 1));
+                }
+                text
+            }
+            Node::Product(factors) => {
+                let factors: Vec<String> = factors.iter().map(|factor| self.write(factor, 2)).collect();
+                factors.join("·")
+            }
+            Node::Quotient(a, b) => format!("{}/{}", self.write(a, 2), self.write(b, 2)),
+            Node::Power(base, exponent) => {
+                let base = self.write(base, 3);
+                match &exponent.node {
+                    Node::Number(text) => format!("{base}^{text}"),
+                    _ => format!("{base}^({})", self.bare(exponent)),
+                }
+            }
+            Node::Root(2, a) => format!("√({})", self.bare(a)),
+            Node::Root(n, a) => format!("root[{n}]({})", self.bare(a)),
+            Node::Call(function, a) => format!("{}({})", function.name(), self.bare(a)),
+            Node::Apply(id, arguments) => {
+                let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
+                format!("{}({})", plain(&self.symbols.entry(*id).name.to_string()), arguments.join(", "))
+            }
+            Node::TimeDerivative(1, a) => format!("d/dt({})", self.bare(a)),
+            Node::TimeDerivative(n, a) => format!("d^{n}/dt^{n}({})", self.bare(a)),
+            Node::Norm(a) => format!("|{}|", self.bare(a)),
+            Node::Cross(a, b) => format!("{} × {}", self.write(a, 2), self.write(b, 2)),
+            Node::Dot(a, b) => format!("{} • {}", self.write(a, 2), self.write(b, 2)),
+            Node::Matrix(rows) => {
+                let rows: Vec<String> = rows
+                    .iter()
+                    .map(|row| row.iter().map(|entry| self.bare(entry)).collect::<Vec<_>>().join(", "))
+                    .collect();
+                format!("[{}]", rows.join("; "))
+            }
+            Node::Transpose(a) => format!("{}ᵀ", self.write(a, 3)),
+            Node::Inverse(a) => format!("{}⁻¹", self.write(a, 3)),
+            Node::Entry(a, i, j) => format!("({})_{}{}", self.bare(a), self.index(*i), self.index(*j)),
+            Node::Epsilon([a, b, c]) => format!("ε_{}{}{}", self.index(*a), self.index(*b), self.index(*c)),
+            Node::Delta([a, b]) => format!("δ_{}{}", self.index(*a), self.index(*b)),
+            Node::SumOver { index, body, .. } => {
+                format!("Σ_{} {}", self.symbols.indices[index.0].letter, self.write(body, 1))
+            }
+        }
+    }
+
+    fn index(&self, index: Index) -> String {
+        match index {
+            Index::Letter(id) => self.symbols.indices[id.0].letter.clone(),
+            Index::Fixed(value) => value.to_string(),
+        }
+    }
+}
+
+/// A LaTeX name as people say it: Greek letters as letters, accents as marks.
+pub fn plain(latex: &str) -> String {
+    let mut text = String::new();
+    let mut rest = latex;
+    while let Some(at) = rest.find('\\') {
+        text.push_str(&rest[..at]);
+        let command = &rest[at + 1..];
+        let length = command.bytes().take_while(u8::is_ascii_alphabetic).count();
+        let name = &command[..length];
+        rest = &command[length..];
+        if let Some(mark) = mark(name)
+            && let Some(inner) = rest.strip_prefix('{')
+            && let Some(close) = matching(inner)
+        {
+            text.push_str(&plain(&inner[..close]));
+            text.push_str(mark);
+            rest = &inner[close + 1..];
+            continue;
+        }
+        match letter(name) {
+            Some(letter) => {
+                text.push(letter);
+                rest = rest.strip_prefix(' ').unwrap_or(rest);
+            }
+            None => {
+                text.push('\\');
+                text.push_str(name);
+            }
+        }
+    }
+    text.push_str(rest);
+    text
+}
+
+fn matching(inner: &str) -> Option<usize> {
+    let mut depth = 0;
+    inner.char_indices().find_map(|(at, c)| match c {
+        '{' => {
+            depth += 1;
+            None
+        }
+        '}' if depth == 0 => Some(at),
+        '}' => {
+            depth -= 1;
+            None
+        }
+        _ => None,
+    })
+}
+
+fn mark(command: &str) -> Option<&'static str> {
+    Some(match command {
+        "vec" => "\u{20d7}",
+        "hat" => "\u{302}",
+        "bar" => "\u{304}",
+        "tilde" => "\u{303}",
+        "mathbf" | "mathrm" | "mathbb" | "mathcal" => "",
+        _ => return None,
+    })
+}
+
+fn letter(command: &str) -> Option<char> {
+    const LETTERS: [(&str, char); 41] = [
+        ("alpha", 'α'),
+        ("beta", 'β'),
+        ("gamma", 'γ'),
+        ("delta", 'δ'),
+        ("epsilon", 'ϵ'),
+        ("varepsilon", 'ε'),
+        ("zeta", 'ζ'),
+        ("eta", 'η'),
+        ("theta", 'θ'),
+        ("vartheta", 'ϑ'),
+        ("iota", 'ι'),
+        ("kappa", 'κ'),
+        ("lambda", 'λ'),
+        ("mu", 'μ'),
+        ("nu", 'ν'),
+        ("xi", 'ξ'),
+        ("pi", 'π'),
+        ("rho", 'ρ'),
+        ("sigma", 'σ'),
+        ("tau", 'τ'),
+        ("upsilon", 'υ'),
+        ("phi", 'φ'),
+        ("varphi", 'ϕ'),
+        ("chi", 'χ'),
+        ("psi", 'ψ'),
+        ("omega", 'ω'),
+        ("Gamma", 'Γ'),
+        ("Delta", 'Δ'),
+        ("Theta", 'Θ'),
+        ("Lambda", 'Λ'),
+        ("Xi", 'Ξ'),
+        ("Pi", 'Π'),
+        ("Sigma", 'Σ'),
+        ("Upsilon", 'Υ'),
+        ("Phi", 'Φ'),
+        ("Psi", 'Ψ'),
+        ("Omega", 'Ω'),
+        ("ell", 'ℓ'),
+        ("hbar", 'ħ'),
+        ("infty", '∞'),
+        ("perp", '⊥'),
+    ];
+    LETTERS.iter().find(|(name, _)| *name == command).map(|(_, letter)| *letter)
+}
+
+/// A name with its overdots, as a combining mark over the letter.
+pub fn with_dots(latex: &str, dots: u8) -> String {
+    let name = plain(latex);
+    let mark = match dots {
+        0 => return name,
+        1 => '\u{307}',
+        2 => '\u{308}',
+        3 => '\u{20db}',
+        _ => '\u{20dc}',
+    };
+    let at = name.find('_').unwrap_or(name.len());
+    format!("{}{mark}{}", &name[..at], &name[at..])
+}

@@ -1,0 +1,358 @@
+//! The tree of a formula, and the statements that a display makes of formulas.
+//!
+//! Two trees are equal when they say the same thing in the same order; where they stand ([`Expr::span`]) does not
+//! count. Sums and products are flat lists, as authors write them, so that a single term or factor can be pointed at,
+//! dropped or changed.
+
+use crate::source::Span;
+
+use super::symbols::SymbolId;
+
+/// A formula, and the bytes of the display that it was read from.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it says.
+    pub node: Node,
+    /// Where it was read.
+    pub span: Span,
+}
+
+impl PartialEq for Expr {
+    fn eq(&self, other: &Self) -> bool {
+        self.node == other.node
+    }
+}
+
+/// One node of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Node {
+    /// A literal, as written: `2`, `0.25`.
+    Number(String),
+    /// The circle constant, where π is not declared to be something else.
+    Pi,
+    /// The base of the natural logarithm, as the base of a power.
+    Euler,
+    /// A symbol, with values for the indices of a family, `dots` times differentiated by time.
+    /// A family of one or two indices without any stands for the whole vector or matrix.
+    Symbol {
+        /// Which symbol.
+        id: SymbolId,
+        /// Its indices, one for each slot of the family; empty for a plain symbol.
+        indices: Vec<Index>,
+        /// The number of overdots.
+        dots: u8,
+    },
+    /// `a + b − c`; a lone negative term is a negation.
+    Sum(Vec<Term>),
+    /// Factors side by side; at most one is a vector, matrices multiply in order.
+    Product(Vec<Expr>),
+    /// `a / b`.
+    Quotient(Box<Expr>, Box<Expr>),
+    /// `a ^ b`.
+    Power(Box<Expr>, Box<Expr>),
+    /// The n-th root; 2 for a square root.
+    Root(u32, Box<Expr>),
+    /// A named elementary function.
+    Call(Function, Box<Expr>),
+    /// A declared function of the user's, applied.
+    Apply(SymbolId, Vec<Expr>),
+    /// `dⁿ/dtⁿ` of a formula.
+    TimeDerivative(u8, Box<Expr>),
+    /// Absolute value of a scalar, norm of a vector.
+    Norm(Box<Expr>),
+    /// `a × b` of vectors.
+    Cross(Box<Expr>, Box<Expr>),
+    /// `a · b` of vectors.
+    Dot(Box<Expr>, Box<Expr>),
+    /// Rows of scalars.
+    Matrix(Vec<Vec<Expr>>),
+    /// `Mᵀ`.
+    Transpose(Box<Expr>),
+    /// `M⁻¹` of a matrix.
+    Inverse(Box<Expr>),
+    /// One entry of a matrix that is not a plain symbol: `(R^{-1})_{bc}`.
+    Entry(Box<Expr>, Index, Index),
+    /// Levi-Civita's ε.
+    Epsilon([Index; 3]),
+    /// Kronecker's δ.
+    Delta([Index; 2]),
+    /// A sum over an index, written (Σ) or implied by repetition.
+    SumOver {
+        /// The index summed over.
+        index: IndexId,
+        /// Whether it is implied by repetition.
+        implied: bool,
+        /// What is summed.
+        body: Box<Expr>,
+    },
+}
+
+/// A term of a sum with its sign.
+#[derive(Clone, Debug)]
+pub struct Term {
+    /// Added or subtracted.
+    pub sign: Sign,
+    /// Where the sign was printed, if it was.
+    pub sign_span: Option<Span>,
+    /// What is added or subtracted.
+    pub expr: Expr,
+}
+
+impl PartialEq for Term {
+    fn eq(&self, other: &Self) -> bool {
+        self.sign == other.sign && self.expr == other.expr
+    }
+}
+
+/// The sign of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// Added.
+    Plus,
+    /// Subtracted.
+    Minus,
+}
+
+impl Sign {
+    /// The other sign.
+    pub fn flipped(self) -> Sign {
+        match self {
+            Sign::Plus => Sign::Minus,
+            Sign::Minus => Sign::Plus,
+        }
+    }
+}
+
+/// An index: a letter that runs, or a value (from 1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Index {
+    /// A declared index letter.
+    Letter(IndexId),
+    /// A fixed value.
+    Fixed(u8),
+}
+
+/// A declared index letter, by its place in [`super::Symbols::indices`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct IndexId(pub usize);
+
+/// The elementary functions that a formula may call by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "each is the function of its name")]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Cot,
+    Sec,
+    Csc,
+    Arcsin,
+    Arccos,
+    Arctan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Exp,
+    Ln,
+}
+
+impl Function {
+    /// Every function, with the LaTeX command that names it.
+    pub const ALL: [(Function, &'static str); 14] = [
+        (Function::Sin, "sin"),
+        (Function::Cos, "cos"),
+        (Function::Tan, "tan"),
+        (Function::Cot, "cot"),
+        (Function::Sec, "sec"),
+        (Function::Csc, "csc"),
+        (Function::Arcsin, "arcsin"),
+        (Function::Arccos, "arccos"),
+        (Function::Arctan, "arctan"),
+        (Function::Sinh, "sinh"),
+        (Function::Cosh, "cosh"),
+        (Function::Tanh, "tanh"),
+        (Function::Exp, "exp"),
+        (Function::Ln, "ln"),
+    ];
+
+    /// The function that a command (without its backslash) names.
+    pub fn named(command: &str) -> Option<Function> {
+        Self::ALL.iter().find(|(_, name)| *name == command).map(|(function, _)| *function)
+    }
+
+    /// Its usual name, which is also its LaTeX command.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(function, _)| *function == self).map_or("", |(_, name)| *name)
+    }
+}
+
+/// How two members of a chain are related.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "each is the relation of its name")]
+pub enum Relation {
+    Equal,
+    /// `\equiv`, `:=`: a definition, unless the symbol is known.
+    Identical,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    NotEqual,
+    /// `\approx`, `\simeq`.
+    Approximately,
+    Proportional,
+}
+
+impl Relation {
+    /// The relation as one character.
+    pub fn glyph(self) -> &'static str {
+        match self {
+            Relation::Equal => "=",
+            Relation::Identical => "≡",
+            Relation::Less => "<",
+            Relation::LessEqual => "≤",
+            Relation::Greater => ">",
+            Relation::GreaterEqual => "≥",
+            Relation::NotEqual => "≠",
+            Relation::Approximately => "≈",
+            Relation::Proportional => "∝",
+        }
+    }
+}
+
+/// One statement of a display: a chain of formulas with a relation between each two.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// The formulas, one or more.
+    pub members: Vec<Expr>,
+    /// The relations between them and where each stands; one fewer than the members.
+    pub relations: Vec<(Relation, Span)>,
+    /// Whether the display adds that the last member "is constant".
+    pub constant: Option<Span>,
+    /// The branch of a `±` that this reading takes.
+    pub branch: Option<Sign>,
+    /// The row of the display, from 1.
+    pub row: usize,
+    /// All of it.
+    pub span: Span,
+}
+
+impl Expr {
+    /// A formula read at `span`.
+    pub fn new(node: Node, span: Span) -> Self {
+        Expr { node, span }
+    }
+
+    /// A whole number.
+    pub fn integer(value: u32, span: Span) -> Self {
+        Expr::new(Node::Number(value.to_string()), span)
+    }
+
+    /// `−self`.
+    pub fn negated(self) -> Self {
+        let span = self.span;
+        Expr::new(Node::Sum(vec![Term { sign: Sign::Minus, sign_span: None, expr: self }]), span)
+    }
+
+    /// `self − other`.
+    pub fn minus(self, other: Expr) -> Self {
+        let span = self.span.to(other.span);
+        let plus = Term { sign: Sign::Plus, sign_span: None, expr: self };
+        let minus = Term { sign: Sign::Minus, sign_span: None, expr: other };
+        Expr::new(Node::Sum(vec![plus, minus]), span)
+    }
+
+    /// The symbol, if the formula is one, without indices or dots.
+    pub fn as_plain_symbol(&self) -> Option<SymbolId> {
+        match &self.node {
+            Node::Symbol { id, indices, dots: 0 } if indices.is_empty() => Some(*id),
+            _ => None,
+        }
+    }
+
+    /// Whether it is the literal 0.
+    pub fn is_zero(&self) -> bool {
+        matches!(&self.node, Node::Number(text) if text.bytes().all(|b| b == b'0' || b == b'.'))
+    }
+
+    /// The digits of a whole number.
+    pub fn as_digits(&self) -> Option<&str> {
+        match &self.node {
+            Node::Number(text) if text.bytes().all(|b| b.is_ascii_digit()) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The formulas directly inside this one, in reading order.
+    pub fn children(&self) -> Vec<&Expr> {
+        match &self.node {
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Symbol { .. }
+            | Node::Epsilon(_)
+            | Node::Delta(_) => vec![],
+            Node::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
+            Node::Product(factors) | Node::Apply(_, factors) => factors.iter().collect(),
+            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) => vec![a, b],
+            Node::Matrix(rows) => rows.iter().flatten().collect(),
+            Node::Root(_, a)
+            | Node::Call(_, a)
+            | Node::TimeDerivative(_, a)
+            | Node::Norm(a)
+            | Node::Transpose(a)
+            | Node::Inverse(a)
+            | Node::Entry(a, _, _)
+            | Node::SumOver { body: a, .. } => vec![a],
+        }
+    }
+
+    /// The same, to change them.
+    pub fn children_mut(&mut self) -> Vec<&mut Expr> {
+        match &mut self.node {
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Symbol { .. }
+            | Node::Epsilon(_)
+            | Node::Delta(_) => vec![],
+            Node::Sum(terms) => terms.iter_mut().map(|term| &mut term.expr).collect(),
+            Node::Product(factors) | Node::Apply(_, factors) => factors.iter_mut().collect(),
+            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) => vec![a, b],
+            Node::Matrix(rows) => rows.iter_mut().flatten().collect(),
+            Node::Root(_, a)
+            | Node::Call(_, a)
+            | Node::TimeDerivative(_, a)
+            | Node::Norm(a)
+            | Node::Transpose(a)
+            | Node::Inverse(a)
+            | Node::Entry(a, _, _)
+            | Node::SumOver { body: a, .. } => vec![a],
+        }
+    }
+
+    /// Calls `visit` on this formula and on all inside it, outermost first.
+    pub fn walk<'a>(&'a self, visit: &mut impl FnMut(&'a Expr)) {
+        visit(self);
+        for child in self.children() {
+            child.walk(visit);
+        }
+    }
+
+    /// Every symbol in it, each once, in order of first appearance, with the most dots it carries.
+    pub fn symbols(&self) -> Vec<(SymbolId, u8)> {
+        let mut found: Vec<(SymbolId, u8)> = Vec::new();
+        self.walk(&mut |expr| {
+            let (id, dots) = match &expr.node {
+                Node::Symbol { id, dots, .. } => (*id, *dots),
+                Node::Apply(id, _) => (*id, 0),
+                _ => return,
+            };
+            match found.iter_mut().find(|(known, _)| *known == id) {
+                Some((_, most)) => *most = dots.max(*most),
+                None => found.push((id, dots)),
+            }
+        });
+        found
+    }
+}

@@ -1,0 +1,121 @@
+//! What a formula evaluates to: a number, a vector in three dimensions, or a matrix, over any number.
+
+use nalgebra::{DMatrix, Vector3};
+
+use crate::scalar::Number;
+
+use super::shape::Shape;
+
+/// The value of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value<D: Number> {
+    /// A number.
+    Scalar(D),
+    /// A vector, by its components along the fixed axes.
+    Vector(Vector3<D>),
+    /// A matrix.
+    Matrix(DMatrix<D>),
+}
+
+impl<D: Number> Value<D> {
+    /// Its numbers: one, three, or row by row.
+    pub fn entries(&self) -> Vec<D> {
+        match self {
+            Value::Scalar(value) => vec![*value],
+            Value::Vector(vector) => vector.iter().copied().collect(),
+            Value::Matrix(matrix) => matrix.transpose().iter().copied().collect(),
+        }
+    }
+
+    /// The shape of the value.
+    pub fn shape(&self) -> Shape {
+        match self {
+            Value::Scalar(_) => Shape::Scalar,
+            Value::Vector(_) => Shape::Vector,
+            Value::Matrix(matrix) => Shape::Matrix(matrix.nrows(), matrix.ncols()),
+        }
+    }
+
+    /// What the k-th entry is called, for messages: `component 2`, `entry (1,3)`; nothing for a number.
+    pub fn entry_name(shape: Shape, k: usize) -> Option<String> {
+        match shape {
+            Shape::Scalar => None,
+            Shape::Vector => Some(format!("component {}", k + 1)),
+            Shape::Matrix(_, columns) => Some(format!("entry ({},{})", k / columns + 1, k % columns + 1)),
+        }
+    }
+
+    /// Applies `f` to every number in it.
+    pub fn map(self, f: impl Fn(D) -> D) -> Self {
+        match self {
+            Value::Scalar(value) => Value::Scalar(f(value)),
+            Value::Vector(vector) => Value::Vector(vector.map(f)),
+            Value::Matrix(matrix) => Value::Matrix(matrix.map(f)),
+        }
+    }
+
+    /// The sum, where both have the same shape.
+    pub fn plus(self, other: Self) -> Option<Self> {
+        match (self, other) {
+            (Value::Scalar(a), Value::Scalar(b)) => Some(Value::Scalar(a + b)),
+            (Value::Vector(a), Value::Vector(b)) => Some(Value::Vector(a + b)),
+            (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => Some(Value::Matrix(a + b)),
+            _ => None,
+        }
+    }
+
+    /// The product of two things side by side, where there is one.
+    pub fn times(self, other: Self) -> Option<Self> {
+        match (self, other) {
+            (Value::Scalar(a), other) => Some(other.map(|b| a * b)),
+            (other, Value::Scalar(b)) => Some(other.map(|a| a * b)),
+            (Value::Matrix(a), Value::Matrix(b)) if a.ncols() == b.nrows() => Some(Value::Matrix(a * b)),
+            (Value::Matrix(a), Value::Vector(b)) if a.shape() == (3, 3) => {
+                Some(Value::Vector(a.fixed_view::<3, 3>(0, 0) * b))
+            }
+            _ => None,
+        }
+    }
+
+    /// The inverse of a matrix of up to three rows, by Cramer's rule.
+    pub fn inverse(&self) -> Option<Self> {
+        let Value::Matrix(m) = self else { return None };
+        let n = m.nrows();
+        if n != m.ncols() || n > 3 {
+            return None;
+        }
+        let determinant = determinant(m);
+        let cofactor = |i: usize, j: usize| {
+            let minor = m.clone().remove_row(i).remove_column(j);
+            let value = if n == 1 { D::one() } else { self::determinant(&minor) };
+            if (i + j).is_multiple_of(2) { value } else { -value }
+        };
+        Some(Value::Matrix(DMatrix::from_fn(n, n, |i, j| cofactor(j, i) / determinant)))
+    }
+}
+
+fn determinant<D: Number>(m: &DMatrix<D>) -> D {
+    match m.nrows() {
+        1 => m[(0, 0)],
+        2 => m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)],
+        _ => (0..3).map(|j| {
+            let (a, b) = ((j + 1) % 3, (j + 2) % 3);
+            m[(0, j)] * (m[(1, a)] * m[(2, b)] - m[(1, b)] * m[(2, a)])
+        }).sum(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_matrix_times_its_inverse_is_the_unit_matrix() {
+        let m = DMatrix::from_row_slice(3, 3, &[2.0, 1.0, 0.5, -1.0, 3.0, 0.2, 0.7, 0.1, -1.5]);
+        let inverse = Value::Matrix(m.clone()).inverse().unwrap();
+        let Some(Value::Matrix(unit)) = Value::Matrix(m.clone()).times(inverse) else { panic!() };
+        approx::assert_relative_eq!(unit, DMatrix::identity(3, 3), epsilon = 1e-14);
+        let Some(Value::Matrix(not_unit)) = Value::Matrix(m.clone()).times(Value::Matrix(m.transpose())) else { panic!() };
+        approx::assert_relative_ne!(not_unit, DMatrix::identity(3, 3), epsilon = 1e-3);
+    }
+}

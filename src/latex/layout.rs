@@ -1,0 +1,493 @@
+//! Tokens to what is typeset: groups, fences, fractions, scripts, accents, environments.
+//!
+//! This step gives nothing a meaning, and it cannot fail: a fence without its partner, a fraction without a
+//! denominator, a group nested too deeply becomes a [`Layout::Fault`] where it stands.
+
+use crate::source::{Fault, Span};
+
+use super::lexer::{Space, Token, TokenKind};
+
+/// Groups inside groups are read this deep; nobody's equation comes near.
+const DEEPEST: usize = 64;
+
+/// One typeset thing and its bytes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// What it is.
+    pub layout: Layout,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What is typeset.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Layout {
+    /// A single letter.
+    Letter(char),
+    /// Digits, with a decimal point perhaps.
+    Number(String),
+    /// A command without arguments: `\theta`, `\sin`, `\cdot`, `\{`.
+    Command(String),
+    /// A single other character: `+`, `=`, `,`.
+    Other(char),
+    /// A typeset space.
+    Space(Space),
+    /// `{ … }`
+    Group(Vec<Item>),
+    /// `( … )`, `[ … ]`, `\{ … \}`, `| … |`, with or without `\left`, `\right`.
+    Fence(Delimiter, Vec<Item>),
+    /// A nucleus with scripts; at least one of them is there.
+    Scripts {
+        /// What carries the scripts.
+        nucleus: Box<Item>,
+        /// `_ …`
+        sub: Option<Box<Item>>,
+        /// `^ …`
+        sup: Option<Box<Item>>,
+        /// The number of primes.
+        primes: u8,
+    },
+    /// `\frac`
+    Fraction(Box<Item>, Box<Item>),
+    /// `\sqrt`, with its index.
+    Root(Option<Box<Item>>, Box<Item>),
+    /// `\dot`, `\vec`, `\hat`, …: the command and what is under the accent.
+    Accent(String, Box<Item>),
+    /// `\mathbf`, `\mathrm`, …: the command and what is set in that style.
+    Style(String, Box<Item>),
+    /// `\text{…}`: its letters, without spaces.
+    Text(String),
+    /// `\begin{name} … \end{name}`: rows of cells.
+    Environment(String, Vec<Vec<Vec<Item>>>),
+    /// `\\`
+    Row,
+    /// `&`
+    Align,
+    /// Something that was not understood.
+    Fault(Fault),
+}
+
+/// A pair of delimiters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Delimiter {
+    /// `( )`
+    Round,
+    /// `[ ]`
+    Square,
+    /// `\{ \}`
+    Curly,
+    /// `| |`
+    Bar,
+    /// `\| \|`
+    DoubleBar,
+    /// `\langle \rangle`
+    Angle,
+}
+
+/// What ends the list that is being read.
+#[derive(Clone, Copy, PartialEq)]
+enum Until {
+    End,
+    Brace,
+    Bracket,
+    Fence(Delimiter),
+    Right,
+    Cell,
+}
+
+/// Gathers tokens into what is typeset; `length` is the length of the text, where faults of missing ends are put.
+pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
+    let mut parser = Parser { tokens, at: 0, depth: 0, length };
+    let mut items = parser.list(Until::End);
+    while let Some(token) = parser.next() {
+        items.push(fault(token.span, "this closes something that was never opened"));
+        items.extend(parser.list(Until::End));
+    }
+    items
+}
+
+fn fault(span: Span, message: impl Into<String>) -> Item {
+    Item { layout: Layout::Fault(Fault::new(span, message)), span }
+}
+
+struct Parser<'a> {
+    tokens: &'a [Token],
+    at: usize,
+    depth: usize,
+    length: usize,
+}
+
+impl<'a> Parser<'a> {
+    fn peek(&self) -> Option<&'a Token> {
+        self.tokens.get(self.at)
+    }
+
+    fn next(&mut self) -> Option<&'a Token> {
+        let token = self.peek();
+        self.at += usize::from(token.is_some());
+        token
+    }
+
+    fn end(&self) -> Span {
+        self.peek().map_or(Span::at(self.length), |token| Span::at(token.span.start))
+    }
+
+    fn previous_end(&self) -> usize {
+        self.at.checked_sub(1).map_or(0, |at| self.tokens[at].span.end)
+    }
+
+    /// Items up to, and without, the token that ends the list (or one that can only end an outer list).
+    fn list(&mut self, until: Until) -> Vec<Item> {
+        let mut items = Vec::new();
+        if self.depth >= DEEPEST {
+            let start = self.end().start;
+            self.at = self.tokens.len();
+            let message = format!("groups are nested more than {DEEPEST} deep");
+            return vec![fault(Span::new(start, self.length.max(start)), message)];
+        }
+        self.depth += 1;
+        while let Some(token) = self.peek() {
+            if self.ends(token, until) {
+                break;
+            }
+            let item = self.scripted(false);
+            items.push(item);
+        }
+        self.depth -= 1;
+        items
+    }
+
+    fn ends(&self, token: &Token, until: Until) -> bool {
+        match &token.kind {
+            TokenKind::Close => true,
+            TokenKind::Align | TokenKind::Row => until == Until::Cell,
+            TokenKind::Other('|') => until == Until::Fence(Delimiter::Bar),
+            TokenKind::Other(']') if until == Until::Bracket => true,
+            TokenKind::Other(')' | ']') => true,
+            TokenKind::Command(name) => match name.as_str() {
+                "\\right" | "\\end" | "\\}" | "\\rvert" | "\\rVert" | "\\rangle" => true,
+                "\\|" => until == Until::Fence(Delimiter::DoubleBar),
+                _ => false,
+            },
+            _ => false,
+        }
+    }
+
+    /// An item with the scripts that follow it.
+    fn scripted(&mut self, single_digit: bool) -> Item {
+        let nucleus = match self.peek() {
+            Some(token) if matches!(token.kind, TokenKind::Sub | TokenKind::Super | TokenKind::Prime) => {
+                fault(Span::at(token.span.start), "this script has nothing to stand on")
+            }
+            _ => self.item(single_digit),
+        };
+        let (mut sub, mut sup, mut primes) = (None, None, 0u8);
+        let mut problem = None;
+        while let Some(token) = self.peek() {
+            let slot = match token.kind {
+                TokenKind::Prime => {
+                    self.next();
+                    primes = primes.saturating_add(1);
+                    continue;
+                }
+                TokenKind::Sub => &mut sub,
+                TokenKind::Super => &mut sup,
+                _ => break,
+            };
+            if slot.is_some() && problem.is_none() {
+                problem = Some(fault(token.span, "a second script in the same place: put braces where it belongs"));
+            }
+            self.next();
+            *slot = Some(Box::new(self.argument(token.span)));
+        }
+        if let Some(problem) = problem {
+            return problem;
+        }
+        if sub.is_none() && sup.is_none() && primes == 0 {
+            return nucleus;
+        }
+        let span = Span::new(nucleus.span.start, self.previous_end());
+        Item { layout: Layout::Scripts { nucleus: Box::new(nucleus), sub, sup, primes }, span }
+    }
+
+    /// The argument of a command or a script: a group, or one item.
+    fn argument(&mut self, command: Span) -> Item {
+        match self.peek() {
+            None => fault(command, "an argument is missing here"),
+            Some(token) => match &token.kind {
+                TokenKind::Close | TokenKind::Align | TokenKind::Row | TokenKind::Sub | TokenKind::Super => {
+                    fault(command, "an argument is missing here")
+                }
+                TokenKind::Other(')' | ']' | '=' | '+') => fault(command, "an argument is missing here"),
+                TokenKind::Command(name) if name == "\\right" || name == "\\end" => {
+                    fault(command, "an argument is missing here")
+                }
+                TokenKind::Space(_) => {
+                    self.next();
+                    self.argument(command)
+                }
+                _ => self.item(true),
+            },
+        }
+    }
+
+    fn item(&mut self, single_digit: bool) -> Item {
+        let Some(token) = self.next() else {
+            return fault(self.end(), "something is missing here");
+        };
+        let span = token.span;
+        let layout = match &token.kind {
+            TokenKind::Letter(c) => Layout::Letter(*c),
+            TokenKind::Digit(c) => return self.number(*c, span, single_digit),
+            TokenKind::Space(space) => Layout::Space(*space),
+            TokenKind::Align => Layout::Align,
+            TokenKind::Row => Layout::Row,
+            TokenKind::Open => return self.group(span),
+            TokenKind::Command(name) => return self.command(name, span),
+            TokenKind::Other('(') => return self.fence(Delimiter::Round, span),
+            TokenKind::Other('[') => return self.fence(Delimiter::Square, span),
+            TokenKind::Other('|') => return self.fence(Delimiter::Bar, span),
+            TokenKind::Other(c) => Layout::Other(*c),
+            TokenKind::Parameter(n) => return fault(span, format!("#{n} belongs in a macro")),
+            TokenKind::Close | TokenKind::Sub | TokenKind::Super | TokenKind::Prime => {
+                return fault(span, "this stands in the wrong place");
+            }
+        };
+        Item { layout, span }
+    }
+
+    fn number(&mut self, first: char, span: Span, single_digit: bool) -> Item {
+        let mut digits = String::from(first);
+        let mut end = span.end;
+        while !single_digit && let Some(token) = self.peek() {
+            match token.kind {
+                TokenKind::Digit(c) if token.span.start == end && !(c == '.' && digits.contains('.')) => {
+                    digits.push(c);
+                    end = token.span.end;
+                    self.next();
+                }
+                _ => break,
+            }
+        }
+        Item { layout: Layout::Number(digits), span: Span::new(span.start, end) }
+    }
+
+    fn group(&mut self, open: Span) -> Item {
+        let items = self.list(Until::Brace);
+        match self.peek() {
+            Some(token) if token.kind == TokenKind::Close => {
+                self.next();
+                Item { layout: Layout::Group(items), span: open.to(token.span) }
+            }
+            _ => self.unclosed(open, "{", items),
+        }
+    }
+
+    /// A fence or group without its end: the deepest fault wins, since it was probably the cause.
+    fn unclosed(&self, open: Span, what: &str, items: Vec<Item>) -> Item {
+        match items.into_iter().rev().find(|item| matches!(item.layout, Layout::Fault(_))) {
+            Some(inner) => inner,
+            None => fault(open, format!("this {what} is never closed")),
+        }
+    }
+
+    fn fence(&mut self, delimiter: Delimiter, open: Span) -> Item {
+        let items = self.list(Until::Fence(delimiter));
+        match self.peek() {
+            Some(token) if closing(token) == Some(delimiter) => {
+                self.next();
+                Item { layout: Layout::Fence(delimiter, items), span: open.to(token.span) }
+            }
+            _ => {
+                let glyph = match delimiter {
+                    Delimiter::Round => "(",
+                    Delimiter::Square => "[",
+                    Delimiter::Curly => "\\{",
+                    Delimiter::Bar => "|",
+                    Delimiter::DoubleBar => "\\|",
+                    Delimiter::Angle => "\\langle",
+                };
+                self.unclosed(open, glyph, items)
+            }
+        }
+    }
+
+    fn command(&mut self, name: &str, span: Span) -> Item {
+        let boxed = |item| Box::new(item);
+        let layout = match name {
+            "\\frac" => {
+                let numerator = self.argument(span);
+                let denominator = self.argument(span);
+                Layout::Fraction(boxed(numerator), boxed(denominator))
+            }
+            "\\sqrt" => {
+                let index = match self.peek() {
+                    Some(token) if token.kind == TokenKind::Other('[') => {
+                        self.next();
+                        let inside = self.list(Until::Bracket);
+                        if self.next().is_none_or(|token| token.kind != TokenKind::Other(']')) {
+                            return fault(token.span, "this [ is never closed");
+                        }
+                        Some(Box::new(Item { layout: Layout::Group(inside), span: token.span }))
+                    }
+                    _ => None,
+                };
+                Layout::Root(index, Box::new(self.argument(span)))
+            }
+            "\\dot" | "\\ddot" | "\\dddot" | "\\vec" | "\\hat" | "\\bar" | "\\tilde" | "\\check" | "\\breve"
+            | "\\acute" | "\\grave" | "\\underline" => Layout::Accent(name.to_owned(), Box::new(self.argument(span))),
+            "\\mathbf" | "\\mathrm" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
+                Layout::Style(name.to_owned(), Box::new(self.argument(span)))
+            }
+            "\\text" => {
+                let argument = self.argument(span);
+                Layout::Text(letters(&argument))
+            }
+            "\\tag" | "\\label" => {
+                self.argument(span);
+                Layout::Space(Space::Thin)
+            }
+            "\\left" => return self.left(span),
+            "\\begin" => return self.environment(span),
+            "\\{" => return self.fence(Delimiter::Curly, span),
+            "\\lvert" => return self.fence(Delimiter::Bar, span),
+            "\\|" | "\\lVert" => return self.fence(Delimiter::DoubleBar, span),
+            "\\langle" => return self.fence(Delimiter::Angle, span),
+            _ => Layout::Command(name.to_owned()),
+        };
+        Item { layout, span: Span::new(span.start, self.previous_end().max(span.end)) }
+    }
+
+    fn left(&mut self, span: Span) -> Item {
+        let Some(token) = self.next() else {
+            return fault(span, "\\left wants a delimiter");
+        };
+        let opening = opening(token);
+        let items = self.list(Until::Right);
+        match self.peek() {
+            Some(right) if right.kind == TokenKind::Command("\\right".into()) => self.next(),
+            _ => return self.unclosed(span, "\\left", items),
+        };
+        let Some(close) = self.next() else {
+            return fault(span, "the \\right of this \\left wants a delimiter");
+        };
+        let whole = span.to(close.span);
+        match (opening, closing(close)) {
+            (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
+            _ => fault(whole, "the delimiters of this \\left and \\right do not make a pair that has a meaning here"),
+        }
+    }
+
+    fn environment(&mut self, span: Span) -> Item {
+        let name = letters(&self.argument(span));
+        // Column specifications and numbers of columns set nothing that matters.
+        if matches!(name.as_str(), "array" | "alignedat" | "alignat" | "alignat*") {
+            self.argument(span);
+        }
+        let mut rows = vec![Vec::new()];
+        loop {
+            let cell = self.list(Until::Cell);
+            if let Some(row) = rows.last_mut() {
+                row.push(cell);
+            }
+            let Some(token) = self.next() else {
+                let deepest = rows.into_iter().flatten().flatten().collect();
+                return self.unclosed(span, &format!("\\begin{{{name}}}"), deepest);
+            };
+            match &token.kind {
+                TokenKind::Align => {}
+                TokenKind::Row => rows.push(Vec::new()),
+                TokenKind::Command(command) if command == "\\end" => {
+                    let closed = letters(&self.argument(token.span));
+                    if closed != name {
+                        return fault(token.span, format!("\\end{{{closed}}} does not close \\begin{{{name}}}"));
+                    }
+                    break;
+                }
+                _ => return fault(token.span, format!("this stands in the wrong place inside {name}")),
+            }
+        }
+        if rows.len() > 1 && rows.last().is_some_and(|row| row.iter().all(Vec::is_empty)) {
+            rows.pop();
+        }
+        Item { layout: Layout::Environment(name, rows), span: Span::new(span.start, self.previous_end()) }
+    }
+}
+
+fn opening(token: &Token) -> Option<Delimiter> {
+    match &token.kind {
+        TokenKind::Other('(') => Some(Delimiter::Round),
+        TokenKind::Other('[') => Some(Delimiter::Square),
+        TokenKind::Other('|') => Some(Delimiter::Bar),
+        TokenKind::Command(name) => match name.as_str() {
+            "\\{" => Some(Delimiter::Curly),
+            "\\lvert" | "\\vert" => Some(Delimiter::Bar),
+            "\\|" | "\\lVert" | "\\Vert" => Some(Delimiter::DoubleBar),
+            "\\langle" => Some(Delimiter::Angle),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn closing(token: &Token) -> Option<Delimiter> {
+    match &token.kind {
+        TokenKind::Other(')') => Some(Delimiter::Round),
+        TokenKind::Other(']') => Some(Delimiter::Square),
+        TokenKind::Other('|') => Some(Delimiter::Bar),
+        TokenKind::Command(name) => match name.as_str() {
+            "\\}" => Some(Delimiter::Curly),
+            "\\rvert" | "\\vert" => Some(Delimiter::Bar),
+            "\\|" | "\\rVert" | "\\Vert" => Some(Delimiter::DoubleBar),
+            "\\rangle" => Some(Delimiter::Angle),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The letters, digits and signs of an item, run together: the words of a `\text`, the name of an environment.
+fn letters(item: &Item) -> String {
+    match &item.layout {
+        Layout::Letter(c) | Layout::Other(c) => c.to_string(),
+        Layout::Number(digits) => digits.clone(),
+        Layout::Group(items) | Layout::Fence(_, items) => items.iter().map(letters).collect(),
+        Layout::Style(_, inner) | Layout::Accent(_, inner) => letters(inner),
+        Layout::Command(name) => name.clone(),
+        Layout::Text(text) => text.clone(),
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::lexer::tokens;
+    use super::*;
+
+    fn faults(text: &str) -> usize {
+        let items = layout(&tokens(text), text.len());
+        items.iter().filter(|item| matches!(item.layout, Layout::Fault(_))).count()
+    }
+
+    #[test]
+    fn braceless_arguments_take_one_token() {
+        let items = layout(&tokens("\\frac12m"), 8);
+        assert_eq!(items.len(), 2);
+        assert!(matches!(&items[0].layout, Layout::Fraction(a, b)
+            if a.layout == Layout::Number("1".into()) && b.layout == Layout::Number("2".into())));
+    }
+
+    #[test]
+    fn what_is_open_must_be_closed() {
+        assert_eq!(faults("\\left(a+b\\right)"), 0);
+        for text in ["(a+b", "a)", "{a", "\\left(a", "\\frac1", "|a", "\\begin{pmatrix}a", "x^", "x^1^2"] {
+            assert!(faults(text) > 0, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_hundred_thousand_braces_are_one_fault() {
+        assert_eq!(faults(&"{".repeat(100_000)), 1);
+        assert_eq!(faults(&"(".repeat(100_000)), 1);
+    }
+}

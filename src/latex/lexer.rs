@@ -1,0 +1,227 @@
+//! Text to tokens. Total: every byte ends up in a token or in white space.
+//!
+//! Commands that only set spacing, size or style leave no token, but for the spaces that an author uses to end the
+//! argument of a function (`\cos\theta\,p_\psi`) or to set statements apart (`\quad`).
+
+use crate::source::Span;
+
+/// One token and its bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Token {
+    /// What it is.
+    pub kind: TokenKind,
+    /// Where it stands; after macro expansion, where the macro was called.
+    pub span: Span,
+}
+
+/// What a token is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TokenKind {
+    /// `{`
+    Open,
+    /// `}`
+    Close,
+    /// `_`
+    Sub,
+    /// `^`
+    Super,
+    /// `'`
+    Prime,
+    /// `&`
+    Align,
+    /// `\\`
+    Row,
+    /// A command with its backslash: `\theta`, `\frac`.
+    Command(String),
+    /// A single letter.
+    Letter(char),
+    /// A single digit or the point of a decimal number.
+    Digit(char),
+    /// A space that is typeset: thin (`\,`), or wide (`\quad`).
+    Space(Space),
+    /// The number of a macro's argument, `#1`.
+    Parameter(u8),
+    /// Any other character: `+`, `=`, `(`, `|`, `,`.
+    Other(char),
+}
+
+/// The spaces that mean something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Space {
+    /// Ends the argument of a function.
+    Thin,
+    /// Sets statements apart.
+    Wide,
+}
+
+/// Commands without meaning: style, sizes of delimiters, line breaking hints.
+const IGNORED: [&str; 28] = [
+    "displaystyle", "textstyle", "scriptstyle", "scriptscriptstyle", "limits", "nolimits", "nonumber", "notag", "big",
+    "Big", "bigg", "Bigg", "bigl", "Bigl", "biggl", "Biggl", "bigr", "Bigr", "biggr", "Biggr", "bigm", "Bigm",
+    "noindent", "allowbreak", "strut", "mathstrut", "relax", "normalsize",
+];
+
+/// Cuts a text into tokens.
+pub fn tokens(text: &str) -> Vec<Token> {
+    let mut tokens = Vec::with_capacity(text.len() / 2);
+    let mut chars = text.char_indices().peekable();
+    while let Some((start, c)) = chars.next() {
+        let mut end = start + c.len_utf8();
+        let kind = match c {
+            '{' => TokenKind::Open,
+            '}' => TokenKind::Close,
+            '_' => TokenKind::Sub,
+            '^' => TokenKind::Super,
+            '\'' | '’' | '′' => TokenKind::Prime,
+            '&' => TokenKind::Align,
+            '~' => TokenKind::Space(Space::Thin),
+            '\\' => match chars.peek().copied() {
+                Some((_, letter)) if letter.is_ascii_alphabetic() => {
+                    while let Some((at, letter)) = chars.next_if(|(_, c)| c.is_ascii_alphabetic()) {
+                        end = at + letter.len_utf8();
+                    }
+                    match &text[start + 1..end] {
+                        "quad" | "qquad" => TokenKind::Space(Space::Wide),
+                        "thinspace" | "enspace" => TokenKind::Space(Space::Thin),
+                        "negthinspace" => continue,
+                        "cr" | "newline" => TokenKind::Row,
+                        name if IGNORED.contains(&name) => continue,
+                        name => TokenKind::Command(format!("\\{}", spelling(name))),
+                    }
+                }
+                Some((at, symbol)) => {
+                    chars.next();
+                    end = at + symbol.len_utf8();
+                    match symbol {
+                        '\\' => {
+                            end = after_row_break(text, end);
+                            while chars.next_if(|(at, _)| *at < end).is_some() {}
+                            TokenKind::Row
+                        }
+                        ',' | ';' | ':' | '>' | ' ' | '\n' | '\t' => TokenKind::Space(Space::Thin),
+                        '!' | '/' => continue,
+                        symbol => TokenKind::Command(format!("\\{symbol}")),
+                    }
+                }
+                None => TokenKind::Other('\\'),
+            },
+            '#' => match chars.peek().copied() {
+                Some((at, digit)) if digit.is_ascii_digit() => {
+                    chars.next();
+                    end = at + 1;
+                    TokenKind::Parameter(digit as u8 - b'0')
+                }
+                _ => TokenKind::Other('#'),
+            },
+            c if c.is_whitespace() => continue,
+            c if c.is_ascii_alphabetic() => TokenKind::Letter(c),
+            c if c.is_ascii_digit() => TokenKind::Digit(c),
+            '.' if text[end..].starts_with(|c: char| c.is_ascii_digit()) => TokenKind::Digit('.'),
+            '−' => TokenKind::Other('-'),
+            c => match greek(c) {
+                Some(name) => TokenKind::Command(format!("\\{name}")),
+                None => TokenKind::Other(c),
+            },
+        };
+        tokens.push(Token { kind, span: Span::new(start, end) });
+    }
+    tokens
+}
+
+/// One spelling for commands that are synonyms.
+fn spelling(name: &str) -> &str {
+    match name {
+        "dfrac" | "tfrac" | "cfrac" => "frac",
+        "le" | "leqslant" => "leq",
+        "ge" | "geqslant" => "geq",
+        "ne" => "neq",
+        "simeq" | "thickapprox" => "approx",
+        "implies" | "Longrightarrow" => "Rightarrow",
+        "iff" | "Longleftrightarrow" => "Leftrightarrow",
+        "to" => "rightarrow",
+        "overrightarrow" => "vec",
+        "widehat" => "hat",
+        "overline" => "bar",
+        "widetilde" => "tilde",
+        "bm" | "boldsymbol" | "pmb" | "symbf" | "mathbfit" => "mathbf",
+        "operatorname" | "rm" | "mathrm" | "mathit" | "mathsf" | "textrm" | "textit" | "mathnormal" => "mathrm",
+        "mbox" | "hbox" | "textnormal" | "textup" => "text",
+        "lbrace" => "{",
+        "rbrace" => "}",
+        other => other,
+    }
+}
+
+/// Skips the star and the optional height of a row break, `\\*[2pt]`.
+fn after_row_break(text: &str, mut end: usize) -> usize {
+    if text[end..].starts_with('*') {
+        end += 1;
+    }
+    if text[end..].starts_with('[')
+        && let Some(close) = text[end..].find(']')
+    {
+        let inside = &text[end + 1..end + close];
+        let is_length = inside.trim().len() <= 12 && inside.trim().ends_with(|c: char| c.is_ascii_alphabetic());
+        if is_length && inside.trim().starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '.') {
+            return end + close + 1;
+        }
+    }
+    end
+}
+
+/// The command for a Greek letter typed directly.
+fn greek(c: char) -> Option<&'static str> {
+    Some(match c {
+        'α' => "alpha",
+        'β' => "beta",
+        'γ' => "gamma",
+        'δ' => "delta",
+        'ε' => "epsilon",
+        'ζ' => "zeta",
+        'η' => "eta",
+        'θ' => "theta",
+        'ι' => "iota",
+        'κ' => "kappa",
+        'λ' => "lambda",
+        'μ' => "mu",
+        'ν' => "nu",
+        'ξ' => "xi",
+        'π' => "pi",
+        'ρ' => "rho",
+        'σ' => "sigma",
+        'τ' => "tau",
+        'φ' => "phi",
+        'χ' => "chi",
+        'ψ' => "psi",
+        'ω' => "omega",
+        'Γ' => "Gamma",
+        'Δ' => "Delta",
+        'Θ' => "Theta",
+        'Λ' => "Lambda",
+        'Ξ' => "Xi",
+        'Π' => "Pi",
+        'Σ' => "Sigma",
+        'Φ' => "Phi",
+        'Ψ' => "Psi",
+        'Ω' => "Omega",
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_span_is_the_text_of_its_token() {
+        let text = "\\frac12 m\\,v^2 \\\\[2pt] θ";
+        let spans: Vec<&str> = tokens(text).iter().map(|t| &text[t.span.range()]).collect();
+        assert_eq!(spans, ["\\frac", "1", "2", "m", "\\,", "v", "^", "2", "\\\\[2pt]", "θ"]);
+    }
+
+    #[test]
+    fn a_bracket_after_a_row_break_is_skipped_only_when_it_is_a_length() {
+        assert_eq!(tokens("\\\\[x]").len(), 4);
+        assert_eq!(tokens("\\\\[-.5em]").len(), 1);
+    }
+}

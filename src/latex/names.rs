@@ -1,0 +1,201 @@
+//! Which name a typeset item is: its base with accents, its subscript, its primes, its overdots.
+//!
+//! One name has one spelling here however it was typed: `\vec{r_i}` is `\vec{r}_i`, `p_{\psi}` is `p_\psi`,
+//! `T_{\mathrm{rot}}` is `T_{rot}`, `\dot{\hat{e}_a}` is `\dot{\hat e}_a`, `x^\prime` is `x'`. Overdots and powers are
+//! not part of a name.
+
+use crate::formula::symbols::Name;
+use crate::formula::tree::Sign;
+
+use super::layout::{Delimiter, Item, Layout, layout};
+use super::lexer::tokens;
+
+/// A name as it was printed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Printed<'a> {
+    /// The name itself.
+    pub name: Name,
+    /// The number of overdots.
+    pub dots: u8,
+    /// What stands above the line, if it is not a prime.
+    pub sup: Option<&'a Item>,
+}
+
+/// Reads an item as a name, if it is one. `branch` is the sign that `\pm` stands for in a subscript.
+pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
+    match &item.layout {
+        Layout::Letter(c) => Some(plain(c.to_string())),
+        Layout::Command(command) if is_letter(command) => Some(plain(command.clone())),
+        Layout::Group(items) => match items.as_slice() {
+            [single] => printed(single, branch),
+            _ => None,
+        },
+        Layout::Accent(command, inner) => {
+            let mut inner = printed(inner, branch).filter(|inner| inner.sup.is_none())?;
+            match command.as_str() {
+                "\\dot" => inner.dots += 1,
+                "\\ddot" => inner.dots += 2,
+                "\\dddot" => inner.dots += 3,
+                accent => inner.name.base = format!("{accent}{{{}}}", inner.name.base),
+            }
+            Some(inner)
+        }
+        Layout::Style(style, inner) => match &inner.layout {
+            Layout::Group(items) if items.len() > 1 && style == "\\mathrm" => {
+                let word: Option<String> = items.iter().map(word_letter).collect();
+                Some(plain(format!("\\mathrm{{{}}}", word?)))
+            }
+            _ => {
+                let mut inner = printed(inner, branch).filter(|inner| inner.sup.is_none())?;
+                inner.name.base = format!("{style}{{{}}}", inner.name.base);
+                Some(inner)
+            }
+        },
+        Layout::Scripts { nucleus, sub, sup, primes } => {
+            let mut printed = printed(nucleus, branch).filter(|nucleus| nucleus.sup.is_none())?;
+            if let Some(sub) = sub {
+                if !printed.name.subscript.is_empty() {
+                    return None;
+                }
+                subscript(sub, branch, &mut printed.name.subscript)?;
+            }
+            printed.name.primes = printed.name.primes.saturating_add(*primes);
+            match sup {
+                Some(sup) => match prime_marks(sup) {
+                    Some(marks) => printed.name.primes = printed.name.primes.saturating_add(marks),
+                    None => printed.sup = Some(sup),
+                },
+                None => {}
+            }
+            Some(printed)
+        }
+        _ => None,
+    }
+}
+
+/// A name alone, as a claims file or a command line gives it, with its overdots.
+pub fn parse(text: &str) -> Option<(Name, u8)> {
+    let items = layout(&tokens(text), text.len());
+    let item = match items.as_slice() {
+        [only] => only,
+        [difference, rest] => {
+            let Layout::Command(command) = &difference.layout else { return None };
+            let mut printed = printed(rest, None).filter(|printed| printed.sup.is_none())?;
+            printed.name.base = format!("{command} {}", printed.name.base);
+            return matches!(command.as_str(), "\\Delta" | "\\delta").then_some((printed.name, printed.dots));
+        }
+        _ => return None,
+    };
+    let printed = printed(item, None).filter(|printed| printed.sup.is_none())?;
+    Some((printed.name, printed.dots))
+}
+
+fn plain(base: String) -> Printed<'static> {
+    Printed { name: Name::plain(base), dots: 0, sup: None }
+}
+
+fn word_letter(item: &Item) -> Option<char> {
+    match item.layout {
+        Layout::Letter(c) => Some(c),
+        _ => None,
+    }
+}
+
+/// `^\prime`, `^{\prime\prime}`.
+fn prime_marks(sup: &Item) -> Option<u8> {
+    match &sup.layout {
+        Layout::Command(name) if name == "\\prime" => Some(1),
+        Layout::Group(items) if !items.is_empty() => items.iter().map(prime_marks).sum(),
+        _ => None,
+    }
+}
+
+/// Appends the tokens of a subscript; `None` where it holds something that no name does.
+fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Option<()> {
+    match &item.layout {
+        Layout::Letter(c) | Layout::Other(c) => tokens.push(c.to_string()),
+        Layout::Number(digits) => tokens.extend(digits.chars().map(String::from)),
+        Layout::Command(name) => match (name.as_str(), branch) {
+            ("\\pm", Some(sign)) => tokens.push(glyph(sign).to_owned()),
+            ("\\mp", Some(sign)) => tokens.push(glyph(sign.flipped()).to_owned()),
+            ("\\pm" | "\\mp", None) => return None,
+            ("\\prime", _) => tokens.push("'".to_owned()),
+            _ => tokens.push(name.clone()),
+        },
+        Layout::Space(_) => {}
+        Layout::Group(items) => items.iter().try_for_each(|inner| subscript(inner, branch, tokens))?,
+        Layout::Fence(Delimiter::Round, items) => {
+            tokens.push("(".to_owned());
+            items.iter().try_for_each(|inner| subscript(inner, branch, tokens))?;
+            tokens.push(")".to_owned());
+        }
+        Layout::Style(style, inner) if style == "\\mathrm" => subscript(inner, branch, tokens)?,
+        Layout::Text(word) => tokens.extend(word.chars().map(String::from)),
+        Layout::Accent(..) | Layout::Style(..) => {
+            let inner = printed(item, branch).filter(|inner| inner.sup.is_none())?;
+            let dots = ["", "\\dot", "\\ddot", "\\dddot"].get(usize::from(inner.dots))?;
+            tokens.push(if inner.dots == 0 { inner.name.to_string() } else { format!("{dots}{{{}}}", inner.name) });
+        }
+        Layout::Scripts { nucleus, sub, sup: None, primes } => {
+            subscript(nucleus, branch, tokens)?;
+            tokens.extend((0..*primes).map(|_| "'".to_owned()));
+            if let Some(sub) = sub {
+                tokens.extend(["_".to_owned(), "{".to_owned()]);
+                subscript(sub, branch, tokens)?;
+                tokens.push("}".to_owned());
+            }
+        }
+        _ => return None,
+    }
+    Some(())
+}
+
+fn glyph(sign: Sign) -> &'static str {
+    match sign {
+        Sign::Plus => "+",
+        Sign::Minus => "-",
+    }
+}
+
+/// Whether a command is a letter that can name something.
+pub fn is_letter(command: &str) -> bool {
+    const LETTERS: [&str; 46] = [
+        "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "vartheta", "iota", "kappa",
+        "varkappa", "lambda", "mu", "nu", "xi", "omicron", "pi", "varpi", "rho", "varrho", "sigma", "varsigma", "tau",
+        "upsilon", "phi", "varphi", "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma",
+        "Upsilon", "Phi", "Psi", "Omega", "ell", "hbar", "imath", "jmath",
+    ];
+    command.strip_prefix('\\').is_some_and(|name| LETTERS.contains(&name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(text: &str) -> (String, u8) {
+        let items = layout(&tokens(text), text.len());
+        let printed = printed(&items[0], Some(Sign::Minus)).unwrap();
+        (printed.name.to_string(), printed.dots)
+    }
+
+    #[test]
+    fn one_name_has_one_spelling() {
+        for (a, b) in [
+            ("\\vec{r_i}", "\\vec r_{i}"),
+            ("p_{\\psi}", "p_\\psi"),
+            ("T_{\\mathrm{rot}}", "T_{rot}"),
+            ("\\dot{\\hat{e}_a}", "\\dot{\\hat e}_a"),
+            ("x^\\prime", "x'"),
+            ("\\Omega_\\pm", "\\Omega_{-}"),
+        ] {
+            assert_eq!(name(a), name(b));
+        }
+    }
+
+    #[test]
+    fn different_names_stay_different() {
+        for (a, b) in [("\\phi", "\\varphi"), ("M", "m"), ("\\vec r", "r"), ("r_1", "r_2"), ("x'", "x"), ("\\dot x", "x")] {
+            assert_ne!(name(a), name(b));
+        }
+    }
+}

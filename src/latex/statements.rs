@@ -1,0 +1,293 @@
+//! A display to its statements: rows, commas, `\Rightarrow`, chains of relations, ± branches, "is constant".
+//!
+//! Rows, `\quad`, commas between statements and arrows set statements apart; a row that starts with a relation
+//! continues the one before. A statement with `±` is read twice, top signs with top signs. A name that is not known, alone
+//! on the left of the first relation, is *introduced* by the statement.
+
+use crate::formula::shape::{self, Shape, Type};
+use crate::formula::symbols::{Kind, SymbolId, Symbols};
+use crate::formula::tree::{Expr, Node, Relation, Sign, Statement};
+use crate::source::{Fault, Span};
+
+use super::layout::{Item, Layout};
+use super::lexer::Space;
+use super::macros::Macros;
+use super::names;
+use super::reader::{Reader, extent, typeset_items};
+
+/// A display, read.
+#[derive(Clone, Debug, Default)]
+pub struct Reading {
+    /// Its statements in order, or why one of them cannot be read.
+    pub statements: Vec<Result<Statement, Fault>>,
+    /// The symbols that its statements introduce, each with the place of its statement in the list above.
+    pub introduced: Vec<(SymbolId, usize)>,
+}
+
+/// Reads a display: the text between its delimiters.
+pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
+    let mut reading = Reading::default();
+    let items = match typeset_items(text, macros) {
+        Ok(items) => items,
+        Err(fault) => {
+            reading.statements.push(Err(fault));
+            return reading;
+        }
+    };
+    let mut pieces: Vec<Piece> = Vec::new();
+    for (row, items) in rows(&items).into_iter().enumerate() {
+        split(items, row + 1, &mut pieces);
+    }
+    if pieces.is_empty() {
+        let fault = Fault::new(Span::new(0, text.len()), "this display is empty");
+        reading.statements.push(Err(fault));
+    }
+    for piece in pieces {
+        let branches: &[Option<Sign>] = match piece.links.iter().any(|link| link.items.iter().any(has_branch)) {
+            true => &[Some(Sign::Plus), Some(Sign::Minus)],
+            false => &[None],
+        };
+        for branch in branches {
+            let at = reading.statements.len();
+            let statement = piece.read(symbols, *branch).map(|(statement, introduced)| {
+                reading.introduced.extend(introduced.map(|id| (id, at)));
+                statement
+            });
+            reading.statements.push(statement);
+        }
+    }
+    reading
+}
+
+/// A statement as items: members with the relation before each (none before the first).
+struct Piece<'a> {
+    links: Vec<Link<'a>>,
+    constant: Option<Span>,
+    row: usize,
+}
+
+struct Link<'a> {
+    relation: Option<(Relation, Span)>,
+    items: Vec<&'a Item>,
+}
+
+/// The rows of a display; an `aligned` or `split` that is all of it is opened.
+fn rows(items: &[Item]) -> Vec<Vec<&Item>> {
+    let significant: Vec<&Item> =
+        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','))).collect();
+    if let [Item { layout: Layout::Environment(name, rows), .. }] = significant.as_slice()
+        && matches!(name.trim_end_matches('*'), "aligned" | "split" | "gathered" | "align" | "gather" | "alignedat" | "equation" | "eqnarray")
+    {
+        return rows.iter().map(|row| row.iter().flatten().collect()).collect();
+    }
+    items
+        .split(|item| item.layout == Layout::Row)
+        .map(|row| row.iter().filter(|item| item.layout != Layout::Align).collect())
+        .collect()
+}
+
+/// Cuts a row into statements and appends them.
+fn split<'a>(items: Vec<&'a Item>, row: usize, pieces: &mut Vec<Piece<'a>>) {
+    let mut current: Option<Piece<'a>> = None;
+    let mut starts_row = true;
+    let mut at = 0;
+    while at < items.len() {
+        let item = items[at];
+        let mut close = |current: &mut Option<Piece<'a>>| pieces.extend(current.take());
+        if separates(item) {
+            // A wide space inside a statement is only layout: `a \quad = b`, `= 0 \quad \Rightarrow`.
+            let relation_follows = items[at + 1..]
+                .iter()
+                .find(|next| !matches!(next.layout, Layout::Space(_)))
+                .is_some_and(|next| relation(next).is_some());
+            if !(matches!(item.layout, Layout::Space(Space::Wide)) && relation_follows) {
+                close(&mut current);
+            }
+            at += 1;
+            continue;
+        }
+        if let Some(span) = says_constant(item) {
+            if let Some(piece) = &mut current {
+                piece.constant = Some(span);
+                if piece.links.last().is_some_and(|link| link.items.is_empty()) {
+                    piece.links.pop();
+                }
+            }
+            at += 1;
+            continue;
+        }
+        let found = match (&item.layout, items.get(at + 1).map(|next| &next.layout)) {
+            (Layout::Other(':'), Some(Layout::Other('='))) => {
+                at += 1;
+                Some(Relation::Identical)
+            }
+            _ => relation(item),
+        };
+        at += 1;
+        if let Some(found) = found {
+            let link = Link { relation: Some((found, item.span)), items: Vec::new() };
+            if current.is_none() && starts_row && !pieces.is_empty() {
+                current = pieces.pop();
+            }
+            let piece = current.get_or_insert_with(|| Piece { links: Vec::new(), constant: None, row });
+            if piece.links.is_empty() {
+                piece.links.push(Link { relation: None, items: Vec::new() });
+            }
+            piece.links.push(link);
+            starts_row = false;
+            continue;
+        }
+        if matches!(item.layout, Layout::Space(_)) && current.is_none() {
+            continue;
+        }
+        let piece = current.get_or_insert_with(|| Piece { links: Vec::new(), constant: None, row });
+        if piece.links.is_empty() {
+            piece.links.push(Link { relation: None, items: Vec::new() });
+        }
+        if let Some(link) = piece.links.last_mut() {
+            link.items.push(item);
+        }
+        starts_row = false;
+    }
+    pieces.extend(current);
+}
+
+fn separates(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
+        Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
+        Layout::Text(word) => matches!(
+            word.trim_matches(|c: char| c == ',' || c == '.'),
+            "and" | "or" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
+        ),
+        _ => false,
+    }
+}
+
+/// `\text{ is constant}`, `\mathrm{const}`.
+fn says_constant(item: &Item) -> Option<Span> {
+    let word = match &item.layout {
+        Layout::Text(word) => word.clone(),
+        Layout::Style(style, _) if style == "\\mathrm" => names::printed(item, None)?.name.base,
+        Layout::Scripts { .. } => return None,
+        _ => return None,
+    };
+    let word = word.trim_start_matches("\\mathrm{").trim_end_matches(['}', '.', ',']);
+    matches!(word, "isconstant" | "isconserved" | "const" | "constant" | "=const").then_some(item.span)
+}
+
+fn relation(item: &Item) -> Option<Relation> {
+    Some(match &item.layout {
+        Layout::Other('=') => Relation::Equal,
+        Layout::Other('<') => Relation::Less,
+        Layout::Other('>') => Relation::Greater,
+        Layout::Other('≈') => Relation::Approximately,
+        Layout::Other('≡') => Relation::Identical,
+        Layout::Other('≤') => Relation::LessEqual,
+        Layout::Other('≥') => Relation::GreaterEqual,
+        Layout::Other('≠') => Relation::NotEqual,
+        Layout::Command(name) => match name.as_str() {
+            "\\equiv" | "\\coloneqq" => Relation::Identical,
+            "\\lt" => Relation::Less,
+            "\\gt" => Relation::Greater,
+            "\\leq" => Relation::LessEqual,
+            "\\geq" => Relation::GreaterEqual,
+            "\\neq" => Relation::NotEqual,
+            "\\approx" => Relation::Approximately,
+            "\\propto" => Relation::Proportional,
+            _ => return None,
+        },
+        _ => return None,
+    })
+}
+
+fn has_branch(item: &&Item) -> bool {
+    fn inside(item: &Item) -> bool {
+        match &item.layout {
+            Layout::Command(name) => name == "\\pm" || name == "\\mp",
+            Layout::Group(items) | Layout::Fence(_, items) => items.iter().any(inside),
+            Layout::Fraction(a, b) => inside(a) || inside(b),
+            Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => inside(a),
+            Layout::Scripts { nucleus, sub, sup, .. } => {
+                inside(nucleus) || sub.as_deref().is_some_and(inside) || sup.as_deref().is_some_and(inside)
+            }
+            Layout::Environment(_, rows) => rows.iter().flatten().flatten().any(inside),
+            _ => false,
+        }
+    }
+    inside(item)
+}
+
+impl Piece<'_> {
+    fn span(&self) -> Span {
+        let spans = self.links.iter().flat_map(|link| {
+            link.relation.iter().map(|(_, span)| *span).chain(link.items.iter().map(|item| item.span))
+        });
+        spans.reduce(Span::to).unwrap_or_default()
+    }
+
+    fn read(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<(Statement, Option<SymbolId>), Fault> {
+        let span = self.span();
+        let (mut members, mut types, mut relations) = (Vec::new(), Vec::new(), Vec::new());
+        let links: Vec<(Option<(Relation, Span)>, Vec<Item>)> = self
+            .links
+            .iter()
+            .map(|link| (link.relation, link.items.iter().map(|item| (*item).clone()).collect()))
+            .collect();
+        let unknown = links.first().and_then(|(_, items)| unknown_name(items, symbols, branch));
+        let defines = matches!(links.get(1), Some((Some((Relation::Equal | Relation::Identical, _)), _)));
+        for (at, (relation, items)) in links.iter().enumerate() {
+            relations.extend(*relation);
+            if at == 0 && unknown.is_some() && defines {
+                continue;
+            }
+            let place = relation.map_or(span, |(_, span)| span);
+            let mut reader = Reader { symbols, branch };
+            let expr = reader.sum(items, place)?;
+            let (expr, found) = shape::bind(expr, symbols)?;
+            members.push(expr);
+            types.push(found);
+        }
+        let mut introduced = None;
+        if let (Some(name), true) = (unknown, defines) {
+            let items = &links[0].1;
+            let place = extent(items).unwrap_or(span);
+            let undeclared = || Fault::new(place, format!("{name} is not declared"));
+            let Some(Type { shape, free }) = types.first().filter(|found| found.free.is_empty()) else {
+                return Err(undeclared());
+            };
+            let (kind, free) = match shape {
+                Shape::Scalar => (Kind::Scalar, free.clone()),
+                Shape::Vector => (Kind::Vector, free.clone()),
+                Shape::Matrix(3, 3) => (Kind::Matrix, free.clone()),
+                Shape::Matrix(..) => return Err(undeclared()),
+            };
+            let id = symbols.add(name.clone(), kind).ok_or_else(undeclared)?;
+            symbols.entry_mut(id).varies = true;
+            members.insert(0, Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, place));
+            types.insert(0, Type { shape: *shape, free });
+            introduced = Some(id);
+        }
+        for pair in 1..members.len() {
+            let (a, b) = (&members[pair - 1], &members[pair]);
+            shape::comparable((a, &types[pair - 1]), (b, &types[pair]))?;
+        }
+        let statement = Statement { members, relations, constant: self.constant, branch, row: self.row, span };
+        Ok((statement, introduced))
+    }
+}
+
+/// The name that these items are, if it is one, is not known, and could be introduced.
+fn unknown_name(items: &[Item], symbols: &Symbols, branch: Option<Sign>) -> Option<crate::formula::symbols::Name> {
+    if symbols.open {
+        return None;
+    }
+    let mut significant = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let (Some(only), None) = (significant.next(), significant.next()) else {
+        return None;
+    };
+    let printed = names::printed(only, branch)?;
+    let known = symbols.find(&printed.name).is_some() || symbols.find_whole(&printed.name.base).is_some();
+    let reserved = ["e", "i", "d", "\\pi"].contains(&printed.name.base.as_str());
+    (!known && !reserved && printed.dots == 0 && printed.sup.is_none()).then_some(printed.name)
+}

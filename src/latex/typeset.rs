@@ -1,0 +1,144 @@
+//! A formula back to LaTeX, so that it reads back as the same formula.
+//!
+//! Arguments of functions are always enclosed, factors are set apart by a thin space where they could run together, and
+//! a product within a product keeps its parentheses: the text is unambiguous before it is pretty.
+
+use crate::formula::symbols::Symbols;
+use crate::formula::tree::{Expr, Index, Node, Sign};
+
+/// Typesets a formula.
+pub fn typeset(expr: &Expr, symbols: &Symbols) -> String {
+    Typesetter { symbols }.bare(expr)
+}
+
+struct Typesetter<'a> {
+    symbols: &'a Symbols,
+}
+
+impl Typesetter<'_> {
+    /// As a factor of a product, or the base of a power where `raised`.
+    fn factor(&self, expr: &Expr, raised: bool) -> String {
+        let text = self.bare(expr);
+        let enclose = match &expr.node {
+            Node::Sum(_) | Node::Product(_) | Node::Cross(..) | Node::Dot(..) | Node::SumOver { .. } => true,
+            Node::TimeDerivative(..) | Node::Quotient(..) | Node::Power(..) | Node::Call(..) => raised,
+            Node::Transpose(_) | Node::Inverse(_) | Node::Entry(..) | Node::Root(..) | Node::Matrix(_) => raised,
+            _ => false,
+        };
+        if enclose { format!("\\left({text}\\right)") } else { text }
+    }
+
+    fn bare(&self, expr: &Expr) -> String {
+        match &expr.node {
+            Node::Number(text) => text.clone(),
+            Node::Pi => "\\pi".into(),
+            Node::Euler => "e".into(),
+            Node::Symbol { id, indices, dots } => self.symbol(*id, indices, *dots),
+            Node::Sum(terms) => {
+                let mut text = String::new();
+                for (at, term) in terms.iter().enumerate() {
+                    text.push_str(match (term.sign, at) {
+                        (Sign::Plus, 0) => "",
+                        (Sign::Minus, 0) => "-",
+                        (Sign::Plus, _) => " + ",
+                        (Sign::Minus, _) => " - ",
+                    });
+                    let inner = self.bare(&term.expr);
+                    match &term.expr.node {
+                        Node::Sum(_) => text.push_str(&format!("\\left({inner}\\right)")),
+                        _ => text.push_str(&inner),
+                    }
+                }
+                text
+            }
+            Node::Product(factors) => {
+                let mut text = String::new();
+                for (at, factor) in factors.iter().enumerate() {
+                    let piece = self.factor(factor, false);
+                    if at > 0 {
+                        // A number must not run on into the one before, nor a name into a command or a call.
+                        let digits = piece.starts_with(|c: char| c.is_ascii_digit());
+                        text.push_str(if digits { " \\cdot " } else { " \\, " });
+                    }
+                    text.push_str(&piece);
+                }
+                text
+            }
+            Node::Quotient(a, b) => format!("\\frac{{{}}}{{{}}}", self.bare(a), self.bare(b)),
+            Node::Power(base, exponent) => match &base.node {
+                Node::Call(function, argument) if exponent.as_digits().is_some() => {
+                    format!("\\{}^{{{}}}\\left({}\\right)", function.name(), self.bare(exponent), self.bare(argument))
+                }
+                _ => format!("{}^{{{}}}", self.factor(base, true), self.bare(exponent)),
+            },
+            Node::Root(2, a) => format!("\\sqrt{{{}}}", self.bare(a)),
+            Node::Root(n, a) => format!("\\sqrt[{n}]{{{}}}", self.bare(a)),
+            Node::Call(function, a) => format!("\\{}\\left({}\\right)", function.name(), self.bare(a)),
+            Node::Apply(id, arguments) => {
+                let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
+                format!("{}({})", self.symbols.entry(*id).name, arguments.join(", "))
+            }
+            Node::TimeDerivative(1, a) => format!("\\frac{{d}}{{dt}}\\left({}\\right)", self.bare(a)),
+            Node::TimeDerivative(n, a) => format!("\\frac{{d^{n}}}{{dt^{n}}}\\left({}\\right)", self.bare(a)),
+            Node::Norm(a) => format!("\\left|{}\\right|", self.bare(a)),
+            Node::Cross(a, b) => format!("{} \\times {}", self.factor(a, false), self.factor(b, false)),
+            Node::Dot(a, b) => format!("{} \\cdot {}", self.factor(a, false), self.factor(b, false)),
+            Node::Matrix(rows) => {
+                let rows: Vec<String> = rows
+                    .iter()
+                    .map(|row| row.iter().map(|entry| self.bare(entry)).collect::<Vec<_>>().join(" & "))
+                    .collect();
+                format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.join(" \\\\ "))
+            }
+            Node::Transpose(a) => format!("{}^{{T}}", self.factor(a, true)),
+            Node::Inverse(a) => format!("{}^{{-1}}", self.factor(a, true)),
+            Node::Entry(a, i, j) => match &a.node {
+                Node::Transpose(inner) | Node::Inverse(inner) => {
+                    let above = if matches!(a.node, Node::Transpose(_)) { "T" } else { "-1" };
+                    match &inner.node {
+                        Node::Symbol { id, dots, .. } => format!("{}^{{{above}}}", self.symbol(*id, &[*i, *j], *dots)),
+                        _ => self.bare(inner),
+                    }
+                }
+                _ => self.bare(a),
+            },
+            Node::Epsilon(indices) => format!("\\epsilon_{{{}}}", self.indices(indices)),
+            Node::Delta(indices) => format!("\\delta_{{{}}}", self.indices(indices)),
+            Node::SumOver { body, implied: true, .. } => self.bare(body),
+            Node::SumOver { index, body, .. } => {
+                format!("\\sum_{{{}}} {}", self.symbols.indices[index.0].letter, self.bare(body))
+            }
+        }
+    }
+
+    fn symbol(&self, id: crate::formula::SymbolId, indices: &[Index], dots: u8) -> String {
+        let entry = self.symbols.entry(id);
+        let mut name = entry.name.clone();
+        if indices.is_empty() && !entry.slots.is_empty() {
+            name.subscript.clear();
+        }
+        for ((at, _), index) in entry.slots.iter().zip(indices) {
+            name.subscript[*at] = self.index(*index);
+        }
+        let accent = ["", "\\dot", "\\ddot", "\\dddot"].get(usize::from(dots));
+        match accent {
+            Some(&"") => name.to_string(),
+            Some(accent) => {
+                name.base = format!("{accent}{{{}}}", name.base);
+                name.to_string()
+            }
+            None => format!("\\frac{{d^{dots}}}{{dt^{dots}}}\\left({name}\\right)"),
+        }
+    }
+
+    fn indices(&self, indices: &[Index]) -> String {
+        indices.iter().map(|index| self.index(*index)).collect()
+    }
+
+    fn index(&self, index: Index) -> String {
+        match index {
+            Index::Letter(id) => self.symbols.indices[id.0].letter.clone(),
+            Index::Fixed(value) => value.to_string(),
+        }
+    }
+}
