@@ -1,1 +1,47 @@
-//! (to be written)
+//! Named systems, a file each, and the open registry in which a claims file's `"system"` is looked up.
+//!
+//! Nothing here contains a closed form that is checked somewhere: a rigid body starts from its rotation matrix.
+
+use crate::mechanics::{Lagrangian, System, of};
+
+mod free_rigid_body;
+mod heavy_top;
+
+pub use free_rigid_body::FreeRigidBody;
+pub use heavy_top::HeavyTop;
+
+/// The systems that claims may name. Start from [`Registry::standard`] and add your own.
+pub struct Registry {
+    systems: Vec<Box<dyn System>>,
+}
+
+impl Registry {
+    /// No systems at all.
+    pub fn empty() -> Self {
+        Registry { systems: Vec::new() }
+    }
+
+    /// The systems of this crate.
+    pub fn standard() -> Self {
+        let mut registry = Registry::empty();
+        registry.add(HeavyTop).add(FreeRigidBody);
+        registry
+    }
+
+    /// Adds a Lagrangian; it takes the place of one that has the same name.
+    pub fn add<L: Lagrangian<N, P>, const N: usize, const P: usize>(&mut self, lagrangian: L) -> &mut Self {
+        self.systems.retain(|system| system.name() != lagrangian.name());
+        self.systems.push(Box::new(of(lagrangian)));
+        self
+    }
+
+    /// The system of that name.
+    pub fn get(&self, name: &str) -> Option<&dyn System> {
+        self.systems.iter().find(|system| system.name() == name).map(Box::as_ref)
+    }
+
+    /// All names, in the order in which they were added.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.systems.iter().map(|system| system.name())
+    }
+}
