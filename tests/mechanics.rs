@@ -34,3 +34,9 @@ fn smoke() {
     let e = world.quantities(Series::time(Measured::new(0.0)), &motion, &v, &s(&p)).energy;
     println!("{:?} {e}", start.elapsed());
 }
+#[test]
+fn ops() {
+    for world in [of(HeavyTop).world().unwrap(), of(FreeRigidBody).world().unwrap()] {
+        println!("{:?}", world.operations());
+    }
+}

@@ -143,6 +143,11 @@ impl World {
         self.traced.certainly_cyclic.get(i).copied().unwrap_or(false)
     }
 
+    /// How many operations the accelerations take: the length of the tape behind [`World::accelerations_of_many`].
+    pub fn operations(&self) -> usize {
+        self.traced.accelerations.ops().len()
+    }
+
     fn force_vanishes(&self, i: usize) -> bool {
         const STATES: usize = 24;
         let mut random = Pcg64Mcg::seed_from_u64(0x0c1c_11c0);

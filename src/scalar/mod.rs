@@ -15,7 +15,7 @@ mod symbol;
 
 pub use arithmetic::{Arithmetic, Function};
 pub use measured::Measured;
-pub use polynomial::{simplify, simplify_all};
+pub use polynomial::simplify_all;
 pub use series::{Series, TERMS};
 pub use symbol::{Graph, Node, Symbol};
 
