@@ -5,7 +5,7 @@
 //! A new number implements the dozen functions of [`Arithmetic`] and calls the macro `dual_number!`; nothing else.
 //! This floor knows nothing of mechanics, formulas or files.
 
-use num_dual::DualNum;
+pub use num_dual::DualNum;
 
 mod arithmetic;
 mod measured;

@@ -4,11 +4,19 @@
 
 use crate::mechanics::{Lagrangian, System, of};
 
+mod damped_oscillator;
 mod free_rigid_body;
 mod heavy_top;
+mod kepler;
+mod pendulum;
+mod relativistic_particle;
 
+pub use damped_oscillator::DampedOscillator;
 pub use free_rigid_body::FreeRigidBody;
 pub use heavy_top::HeavyTop;
+pub use kepler::Kepler;
+pub use pendulum::Pendulum;
+pub use relativistic_particle::RelativisticParticle;
 
 /// The systems that claims may name. Start from [`Registry::standard`] and add your own.
 pub struct Registry {
@@ -24,7 +32,8 @@ impl Registry {
     /// The systems of this crate.
     pub fn standard() -> Self {
         let mut registry = Registry::empty();
-        registry.add(HeavyTop).add(FreeRigidBody);
+        registry.add(HeavyTop).add(FreeRigidBody).add(Pendulum::<1>::new()).add(Pendulum::<2>::new());
+        registry.add(Kepler).add(DampedOscillator).add(RelativisticParticle);
         registry
     }
 
@@ -43,5 +52,35 @@ impl Registry {
     /// All names, in the order in which they were added.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.systems.iter().map(|system| system.name())
+    }
+}
+
+impl Default for Registry {
+    fn default() -> Self {
+        Registry::standard()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_system_can_be_traced() {
+        let registry = Registry::standard();
+        assert_eq!(registry.names().count(), 7);
+        for name in registry.names() {
+            let world = registry.get(name).map(System::world).unwrap().unwrap();
+            assert_eq!(world.name(), name);
+        }
+        assert!(registry.get("heavy_tpo").is_none());
+    }
+
+    #[test]
+    fn a_system_of_the_same_name_takes_the_place() {
+        let mut registry = Registry::standard();
+        let before = registry.names().count();
+        registry.add(HeavyTop);
+        assert_eq!(registry.names().count(), before);
     }
 }
