@@ -22,10 +22,8 @@ where
         let mut along = at.map(HyperDual::from_re);
         along.v[i] = along.v[i].derivative1();
         along.time.eps2 = D::one();
-        for j in 0..N {
-            along.q[j].eps2 = at.v[j];
-            along.v[j].eps2 = a[j];
-        }
+        along.q.iter_mut().zip(at.v).for_each(|(q, v)| q.eps2 = v);
+        along.v.iter_mut().zip(a).for_each(|(v, &a)| v.eps2 = a);
         l.lagrangian(&along).eps1eps2 - force[i]
     })
 }

@@ -42,8 +42,7 @@ pub(crate) fn solve<D: Number>(what: &str, matrix: DMatrix<D>, right: Vec<D>) ->
         };
         Error::new(message).help("a velocity that L does not depend on, or a place where the coordinates degenerate")
     };
-    // written so that a NaN is refused too
-    if !(condition <= MAX_CONDITION) {
+    if condition.is_nan() || condition > MAX_CONDITION {
         return Err(refused());
     }
     let solution = LU::<D, Dyn>::new(matrix).map_err(|_| refused())?.solve(&DVector::from_vec(right));

@@ -9,6 +9,7 @@
 //! This floor knows numbers ([`crate::scalar`]) and nothing of formulas or notes: no closed form that is printed
 //! somewhere may enter here.
 
+mod cyclic;
 pub mod euler_lagrange;
 mod lagrangian;
 pub mod legendre;

@@ -27,7 +27,7 @@ impl World {
     /// As [`World::routhian`].
     pub fn effective_potential<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<D> {
         let p = self.quantities(time, q, v, parameters).momenta;
-        self.routhian(time, q, &vec![D::zero(); q.len()], &p, parameters)
+        self.routhian(time, q, &self.at_rest(), &p, parameters)
     }
 
     /// The Hamiltonian H(q, p, t) = Σ pᵢ q̇ᵢ − L.
@@ -35,8 +35,8 @@ impl World {
     /// # Errors
     /// When the mass matrix is singular, or no velocities have these momenta.
     pub fn hamiltonian<D: Number>(&self, time: D, q: &[D], p: &[D], parameters: &[D]) -> Result<D> {
-        let all: Vec<usize> = (0..q.len()).collect();
-        self.transformed(&all, time, q, &vec![D::zero(); q.len()], p, parameters).map(|(value, _)| value)
+        let all: Vec<usize> = (0..self.coordinates().len()).collect();
+        self.transformed(&all, time, q, &self.at_rest(), p, parameters).map(|(value, _)| value)
     }
 
     /// The velocities that belong to momenta.
@@ -44,8 +44,8 @@ impl World {
     /// # Errors
     /// As [`World::hamiltonian`].
     pub fn velocities<D: Number>(&self, time: D, q: &[D], p: &[D], parameters: &[D]) -> Result<Vec<D>> {
-        let all: Vec<usize> = (0..q.len()).collect();
-        self.transformed(&all, time, q, &vec![D::zero(); q.len()], p, parameters).map(|(_, v)| v)
+        let all: Vec<usize> = (0..self.coordinates().len()).collect();
+        self.transformed(&all, time, q, &self.at_rest(), p, parameters).map(|(_, v)| v)
     }
 
     /// Hamilton's equations: (q̇, ṗ) = (∂H/∂p, −∂H/∂q), by differentiating the Hamiltonian.
@@ -54,7 +54,8 @@ impl World {
     /// As [`World::hamiltonian`].
     pub fn hamilton<D: Number>(&self, time: D, q: &[D], p: &[D], parameters: &[D]) -> Result<(Vec<D>, Vec<D>)> {
         let lift = |x: &[D]| x.iter().copied().map(Dual::from_re).collect::<Vec<_>>();
-        let (time, q, p, parameters) = (Dual::from_re(time), lift(q), lift(p), lift(parameters));
+        let (time, q, p, parameters) =
+            (Dual::from_re(time), lift(&self.each_coordinate(q)), lift(&self.each_coordinate(p)), lift(parameters));
         let (mut q_rate, mut p_rate) = (Vec::new(), Vec::new());
         for i in 0..q.len() {
             let along = |x: &[Dual<D>]| {
@@ -68,6 +69,10 @@ impl World {
         Ok((q_rate, p_rate))
     }
 
+    fn at_rest<D: Number>(&self) -> Vec<D> {
+        vec![D::zero(); self.coordinates().len()]
+    }
+
     /// Σ pᵢ q̇ᵢ − L over `over`, with the velocities there such that they have these momenta; and all velocities.
     fn transformed<D: Number>(
         &self,
@@ -78,16 +83,18 @@ impl World {
         p: &[D],
         parameters: &[D],
     ) -> Result<(D, Vec<D>)> {
+        let (v, p) = (self.each_coordinate(v), self.each_coordinate(p));
         let with = |solved: &[D]| {
-            let mut v = v.to_vec();
+            let mut v = v.clone();
             for (&i, &value) in over.iter().zip(solved) {
                 v[i] = value;
             }
             v
         };
+        let what = if over.len() == v.len() { "mass matrix" } else { "mass matrix of the cyclic velocities" };
         let wanted: Vec<D> = over.iter().map(|&i| p[i]).collect();
         let start: Vec<D> = over.iter().map(|&i| v[i]).collect();
-        let solved = invert("mass matrix of the cyclic velocities", start, &wanted, |solved| {
+        let solved = invert(what, start, &wanted, |solved| {
             let (momenta, mass) = self.momenta_and_mass(time, q, &with(solved), parameters);
             let momenta = over.iter().map(|&i| momenta[i]).collect();
             Ok((momenta, DMatrix::from_fn(over.len(), over.len(), |i, j| mass[(over[i], over[j])])))

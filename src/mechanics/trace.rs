@@ -191,7 +191,7 @@ fn eliminate<D: Number>(n: usize, mass: &[D], bias: &[D]) -> Vec<D> {
         }
     }
     for i in 0..n {
-        a[i] = a[i] * inverse[i];
+        a[i] *= inverse[i];
     }
     for i in (0..n).rev() {
         for j in i + 1..n {

@@ -1,12 +1,10 @@
 //! A system as others use it: traced once, object-safe where it is a [`System`], fast where it is a [`World`].
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use super::trace::{Layout, Traced, trace, upper};
 use super::{LANES, Lagrangian, linear, motion};
-use crate::scalar::{Measured, Number, Series};
+use crate::scalar::{Number, Series};
 use crate::{Error, Result};
 
 /// A mechanical system by name, whatever its number of coordinates. Any [`Lagrangian`] becomes one with [`of`].
@@ -77,8 +75,8 @@ pub struct World {
     name: String,
     coordinates: Vec<String>,
     parameters: Vec<String>,
-    cyclic: Vec<bool>,
-    traced: Traced,
+    pub(super) cyclic: Vec<bool>,
+    pub(super) traced: Traced,
 }
 
 impl World {
@@ -132,49 +130,19 @@ impl World {
         self.traced.lagrangian.reads(0)
     }
 
-    /// Whether ∂L/∂qᵢ ≡ 0, so that pᵢ is conserved: because it is the constant 0 once traced, or else because it
-    /// vanishes to rounding at 24 random states.
-    pub fn is_cyclic(&self, i: usize) -> bool {
-        self.cyclic.get(i).copied().unwrap_or(false)
-    }
-
-    /// Whether ∂L/∂qᵢ ≡ 0 is certain: the traced derivative is the constant 0.
-    pub fn is_certainly_cyclic(&self, i: usize) -> bool {
-        self.traced.certainly_cyclic.get(i).copied().unwrap_or(false)
-    }
-
     /// How many operations the accelerations take: the length of the tape behind [`World::accelerations_of_many`].
     pub fn operations(&self) -> usize {
         self.traced.accelerations.ops().len()
     }
 
-    fn force_vanishes(&self, i: usize) -> bool {
-        const STATES: usize = 24;
-        let mut random = Pcg64Mcg::seed_from_u64(0x0c1c_11c0);
-        let mut draw = |low: f64, high: f64| {
-            let share = (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-            Measured::new(low + (high - low) * share)
-        };
-        let mut seen = 0;
-        for _ in 0..STATES {
-            let time = draw(0.1, 2.0);
-            let q: Vec<_> = self.coordinates.iter().map(|_| draw(0.2, 2.9)).collect();
-            let v: Vec<_> = self.coordinates.iter().map(|_| draw(-1.5, 1.5)).collect();
-            let parameters: Vec<_> = self.parameters.iter().map(|_| draw(0.3, 3.0)).collect();
-            let force = self.quantities(time, &q, &v, &parameters).forces[i];
-            if force.value.abs() > 64.0 * f64::EPSILON * force.magnitude {
-                return false;
-            }
-            seen += usize::from(force.value.is_finite());
-        }
-        seen >= STATES / 3
+    /// One entry a coordinate.
+    pub(super) fn each_coordinate<D: Number>(&self, x: &[D]) -> Vec<D> {
+        exactly(x, self.coordinates.len())
     }
 
     fn inputs<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Vec<D> {
-        let n = self.coordinates.len();
-        let missing = D::from(f64::NAN);
-        let exactly = |x: &[D], n: usize| (0..n).map(|i| x.get(i).copied().unwrap_or(missing)).collect::<Vec<D>>();
-        [vec![time], exactly(q, n), exactly(v, n), exactly(parameters, self.parameters.len())].concat()
+        let parameters = exactly(parameters, self.parameters.len());
+        [vec![time], self.each_coordinate(q), self.each_coordinate(v), parameters].concat()
     }
 
     /// L.
@@ -210,8 +178,7 @@ impl World {
     /// The Euler–Lagrange residuals d/dt ∂L/∂q̇ − ∂L/∂q = M a + h for given accelerations, on shell or off.
     pub fn euler_lagrange<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D], a: &[D]) -> Vec<D> {
         let (mass, bias) = self.dynamics(&self.inputs(time, q, v, parameters));
-        let missing = D::from(f64::NAN);
-        let a: Vec<D> = (0..bias.len()).map(|j| a.get(j).copied().unwrap_or(missing)).collect();
+        let a = self.each_coordinate(a);
         (0..bias.len()).map(|i| a.iter().enumerate().fold(bias[i], |sum, (j, &a)| sum + mass[(i, j)] * a)).collect()
     }
 
@@ -325,4 +292,9 @@ impl World {
         }
         Ok(())
     }
+}
+
+/// The first `n` entries; one that is missing is NaN.
+fn exactly<D: Number>(x: &[D], n: usize) -> Vec<D> {
+    (0..n).map(|i| x.get(i).copied().unwrap_or(D::from(f64::NAN))).collect()
 }

@@ -103,7 +103,7 @@ impl<B: Number> Series<B> {
     }
 
     /// f(x) from its value and the series of f′(x): f(x) = f(x₀) + ∫ f′(x) dx.
-    fn from_slope(&self, value: B, slope: Self) -> Self {
+    fn integrate(&self, value: B, slope: Self) -> Self {
         Series::build(self.known(), |k, _| match k {
             0 => value,
             _ => Self::integral_step(k, &self.coefficients, &slope.coefficients),
@@ -196,9 +196,9 @@ impl<B: Number> Arithmetic for Series<B> {
                 0 => value(),
                 _ => Self::integral_step(k, &self.coefficients, y),
             }),
-            Function::ExpM1 => self.from_slope(value(), self.apply(Function::Exp)),
-            Function::Ln => self.from_slope(value(), one.over(self)),
-            Function::Ln1p => self.from_slope(value(), one.over(one + self)),
+            Function::ExpM1 => self.integrate(value(), self.apply(Function::Exp)),
+            Function::Ln => self.integrate(value(), one.over(self)),
+            Function::Ln1p => self.integrate(value(), one.over(one + self)),
             Function::Sin => self.sine_cosine().0,
             Function::Cos => self.sine_cosine().1,
             Function::Tan => {
@@ -211,12 +211,12 @@ impl<B: Number> Arithmetic for Series<B> {
                 let (sine, cosine) = self.coupled(x0.sinh(), x0.cosh(), 1.0);
                 sine.over(cosine)
             }
-            Function::Asin => self.from_slope(value(), one.over((one - self * self).apply(Function::Sqrt))),
-            Function::Acos => self.from_slope(value(), -one.over((one - self * self).apply(Function::Sqrt))),
-            Function::Atan => self.from_slope(value(), one.over(one + self * self)),
-            Function::Asinh => self.from_slope(value(), one.over((self * self + one).apply(Function::Sqrt))),
-            Function::Acosh => self.from_slope(value(), one.over((self * self - one).apply(Function::Sqrt))),
-            Function::Atanh => self.from_slope(value(), one.over(one - self * self)),
+            Function::Asin => self.integrate(value(), one.over((one - self * self).apply(Function::Sqrt))),
+            Function::Acos => self.integrate(value(), -one.over((one - self * self).apply(Function::Sqrt))),
+            Function::Atan => self.integrate(value(), one.over(one + self * self)),
+            Function::Asinh => self.integrate(value(), one.over((self * self + one).apply(Function::Sqrt))),
+            Function::Acosh => self.integrate(value(), one.over((self * self - one).apply(Function::Sqrt))),
+            Function::Atanh => self.integrate(value(), one.over(one - self * self)),
         }
     }
     fn sine_cosine(self) -> (Self, Self) {
