@@ -1,1 +1,28 @@
-//! (to be written)
+//! What is true: mechanics derived from a Lagrangian by automatic differentiation.
+//!
+//! A [`Lagrangian`] is a Rust function, generic in the number. From it follow the Euler–Lagrange equations
+//! ([`euler_lagrange`]), momenta and energy ([`momenta`]), the Hamiltonian ([`legendre`]), time derivatives along a
+//! motion ([`motion`]), cyclic coordinates ([`World::is_cyclic`]) and the effective potential of Routh
+//! ([`World::effective_potential`]). [`World`] has all of it traced once, for many evaluations; the generic functions
+//! of the other modules run the Lagrangian itself, and the two are tested against each other.
+//!
+//! This floor knows numbers ([`crate::scalar`]) and nothing of formulas or notes: no closed form that is printed
+//! somewhere may enter here.
+
+mod cyclic;
+pub mod euler_lagrange;
+mod lagrangian;
+pub mod legendre;
+mod linear;
+pub mod momenta;
+pub mod motion;
+pub mod rotations;
+mod routh;
+mod tape;
+mod trace;
+mod world;
+
+pub use lagrangian::{Lagrangian, State};
+pub use linear::{MAX_CONDITION, condition_number};
+pub use tape::{LANES, Op, Tape};
+pub use world::{Quantities, System, World, of};

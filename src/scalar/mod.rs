@@ -1,1 +1,84 @@
-//! (to be written)
+//! Numbers to evaluate on. Each is a [`num_dual::DualNum`], so that one Rust function of mechanics, or one formula read
+//! from the notes, runs over all of them: `f64` and num-dual's own dual numbers, a Taylor series in time ([`Series`]),
+//! a value that remembers its rounding ([`Measured`]), a node of a graph ([`Symbol`]).
+//!
+//! A new number implements the dozen functions of [`Arithmetic`] and calls the macro `dual_number!`; nothing else.
+//! This floor knows nothing of mechanics, formulas or files.
+
+pub use num_dual::DualNum;
+
+mod arithmetic;
+mod measured;
+mod polynomial;
+mod series;
+mod symbol;
+
+pub use arithmetic::{Arithmetic, Function};
+pub use measured::Measured;
+pub use polynomial::simplify_all;
+pub use series::{Series, TERMS};
+pub use symbol::{Graph, Node, Symbol};
+
+/// A number that mechanics and formulas are evaluated on: any `Copy` dual number over `f64` that may cross threads.
+///
+/// Implemented for everything that qualifies; it is a short name for a bound.
+pub trait Number: DualNum<Primitive = f64> + Copy + Send + Sync {}
+
+impl<D: DualNum<Primitive = f64> + Copy + Send + Sync> Number for D {}
+
+#[cfg(test)]
+mod tests {
+    use num_dual::third_derivative;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// One of many functions of one variable, by its number.
+    fn function<D: DualNum<Primitive = f64> + Copy>(which: usize, t: D) -> D {
+        let x = t * t * 0.3 + 0.2; // within every domain for 0 < t < 1.2
+        match which {
+            0 => x.exp() * x.ln(),
+            1 => x.sqrt() + x.cbrt(),
+            2 => x.powf(2.7) - x.powf(3.0) / x.powi(-2),
+            3 => x.powi(5) + x.powi(-3),
+            4 => x.sin() * x.cos() + x.tan(),
+            5 => x.asin() - x.acos() * x,
+            6 => x.atan() + t.atan2(x),
+            7 => x.sinh() * x.cosh() - x.tanh(),
+            8 => x.asinh() + (x + 1.0).acosh() + x.atanh(),
+            9 => x.exp_m1() * x.ln_1p(),
+            10 => x.exp2() + x.log2() + x.log10() - x.log(3.0),
+            11 => x.recip() / (x + t) - x.powd(t),
+            12 => x.sph_j0() + x.sph_j1() * x.sph_j2(),
+            _ => x.abs() + x.signum() - (t - 2.0).abs() + x.mul_add(t, x),
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn series_have_the_derivatives_of_num_dual(t in 0.2..1.2_f64, which in 0..14_usize) {
+            let series = function(which, Series::time(t));
+            let (f0, f1, f2, f3) = third_derivative(|t| function(which, t), t);
+            let derivatives: Vec<f64> = (0..4).map(|k| series.nth_derivative_value(k).unwrap()).collect();
+            for (k, (a, b)) in derivatives.iter().zip([f0, f1, f2, f3]).enumerate() {
+                prop_assert!((a - b).abs() <= 1e-10 * (1.0 + b.abs()), "function {which}, order {k}: {a} {b}");
+            }
+            // the derivative of the series is the series of the derivative, to the orders that num-dual has not
+            let fifth = series.derivative().derivative().nth_derivative_value(3).unwrap();
+            prop_assert!((fifth - series.nth_derivative_value(5).unwrap()).abs() <= 1e-12 * (1.0 + fifth.abs()));
+            // the twin: an order off is noticed
+            prop_assert!(which == 13 || derivatives[2] != derivatives[3]);
+        }
+
+        #[test]
+        fn a_measured_number_has_the_value_of_the_plain_one(t in 0.2..1.2_f64, which in 0..14_usize) {
+            let (plain, measured) = (function(which, t), function(which, Measured::new(t)));
+            prop_assert!((plain - measured.value).abs() <= 8.0 * f64::EPSILON * measured.magnitude);
+            prop_assert!(measured.magnitude >= measured.value.abs());
+            // and it does not cry wolf
+            prop_assert!(measured.magnitude <= 1e4 * (1.0 + plain.abs()), "function {which}: {measured}");
+        }
+    }
+}

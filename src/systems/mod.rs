@@ -1,1 +1,86 @@
-//! (to be written)
+//! Named systems, a file each, and the open registry in which a claims file's `"system"` is looked up.
+//!
+//! Nothing here contains a closed form that is checked somewhere: a rigid body starts from its rotation matrix.
+
+use crate::mechanics::{Lagrangian, System, of};
+
+mod damped_oscillator;
+mod free_rigid_body;
+mod heavy_top;
+mod kepler;
+mod pendulum;
+mod relativistic_particle;
+
+pub use damped_oscillator::DampedOscillator;
+pub use free_rigid_body::FreeRigidBody;
+pub use heavy_top::HeavyTop;
+pub use kepler::Kepler;
+pub use pendulum::Pendulum;
+pub use relativistic_particle::RelativisticParticle;
+
+/// The systems that claims may name. Start from [`Registry::standard`] and add your own.
+pub struct Registry {
+    systems: Vec<Box<dyn System>>,
+}
+
+impl Registry {
+    /// No systems at all.
+    pub fn empty() -> Self {
+        Registry { systems: Vec::new() }
+    }
+
+    /// The systems of this crate.
+    pub fn standard() -> Self {
+        let mut registry = Registry::empty();
+        registry.add(HeavyTop).add(FreeRigidBody).add(Pendulum::<1>::new()).add(Pendulum::<2>::new());
+        registry.add(Kepler).add(DampedOscillator).add(RelativisticParticle);
+        registry
+    }
+
+    /// Adds a Lagrangian; it takes the place of one that has the same name.
+    pub fn add<L: Lagrangian<N, P>, const N: usize, const P: usize>(&mut self, lagrangian: L) -> &mut Self {
+        self.systems.retain(|system| system.name() != lagrangian.name());
+        self.systems.push(Box::new(of(lagrangian)));
+        self
+    }
+
+    /// The system of that name.
+    pub fn get(&self, name: &str) -> Option<&dyn System> {
+        self.systems.iter().find(|system| system.name() == name).map(Box::as_ref)
+    }
+
+    /// All names, in the order in which they were added.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.systems.iter().map(|system| system.name())
+    }
+}
+
+impl Default for Registry {
+    fn default() -> Self {
+        Registry::standard()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_system_can_be_traced() {
+        let registry = Registry::standard();
+        assert_eq!(registry.names().count(), 7);
+        for name in registry.names() {
+            let world = registry.get(name).map(System::world).unwrap().unwrap();
+            assert_eq!(world.name(), name);
+        }
+        assert!(registry.get("heavy_tpo").is_none());
+    }
+
+    #[test]
+    fn a_system_of_the_same_name_takes_the_place() {
+        let mut registry = Registry::standard();
+        let before = registry.names().count();
+        registry.add(HeavyTop);
+        assert_eq!(registry.names().count(), before);
+    }
+}

@@ -1,0 +1,177 @@
+//! The Legendre transform: from L(q, q̇) to the Hamiltonian H(q, p) = Σ pᵢ q̇ᵢ − L and back, and Hamilton's equations.
+//!
+//! The velocities that belong to given momenta are found by Newton's method on ∂L/∂q̇ = p. Where L is quadratic in the
+//! velocities, one step is exact. Derivatives come through, since the steps are taken over the number at hand.
+
+use nalgebra::DMatrix;
+use num_dual::{Dual, HyperDual};
+
+use super::euler_lagrange::mass_matrix;
+use super::momenta::momenta;
+use super::{Lagrangian, State, linear};
+use crate::scalar::Number;
+use crate::{Error, Result};
+
+/// A point of phase space: time, coordinates q, momenta p, parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phase<D, const N: usize, const P: usize> {
+    /// The time t.
+    pub time: D,
+    /// The coordinates q.
+    pub q: [D; N],
+    /// The generalized momenta p.
+    pub p: [D; N],
+    /// The parameters, in the order of [`Lagrangian::parameters`].
+    pub parameters: [D; P],
+}
+
+impl<D: Number, const N: usize, const P: usize> Phase<D, N, P> {
+    /// The same point over another number.
+    pub fn map<E: Number>(&self, lift: impl Fn(D) -> E) -> Phase<E, N, P> {
+        Phase {
+            time: lift(self.time),
+            q: self.q.map(&lift),
+            p: self.p.map(&lift),
+            parameters: self.parameters.map(&lift),
+        }
+    }
+
+    fn moving_with(&self, v: [D; N]) -> State<D, N, P> {
+        State { time: self.time, q: self.q, v, parameters: self.parameters }
+    }
+}
+
+/// The velocities with ∂L/∂q̇ = p.
+///
+/// # Errors
+/// When the mass matrix is singular, or no velocities are found.
+pub fn velocities<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<[D; N]>
+where
+    L: Lagrangian<N, P>,
+    D: Number,
+{
+    let v = invert("mass matrix", vec![D::zero(); N], &at.p, |v| {
+        let state = at.moving_with(std::array::from_fn(|i| v[i]));
+        Ok((momenta(l, &state).to_vec(), mass_matrix(l, &state)))
+    })?;
+    Ok(std::array::from_fn(|i| v[i]))
+}
+
+/// The Hamiltonian H(q, p, t) = Σ pᵢ q̇ᵢ − L.
+///
+/// # Errors
+/// As [`velocities`].
+pub fn hamiltonian<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<D>
+where
+    L: Lagrangian<N, P>,
+    D: Number,
+{
+    let v = velocities(l, at)?;
+    let pv: D = at.p.iter().zip(&v).map(|(&p, &v)| p * v).sum();
+    Ok(pv - l.lagrangian(&at.moving_with(v)))
+}
+
+/// Hamilton's equations: (q̇, ṗ) = (∂H/∂p, −∂H/∂q), by differentiating the Hamiltonian.
+///
+/// # Errors
+/// As [`velocities`].
+pub fn hamilton<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<([D; N], [D; N])>
+where
+    L: Lagrangian<N, P>,
+    D: Number,
+{
+    let (mut q_rate, mut p_rate) = ([D::zero(); N], [D::zero(); N]);
+    for i in 0..N {
+        let mut along = at.map(Dual::from_re);
+        along.p[i] = along.p[i].derivative();
+        q_rate[i] = hamiltonian(l, &along)?.eps;
+        let mut along = at.map(Dual::from_re);
+        along.q[i] = along.q[i].derivative();
+        p_rate[i] = -hamiltonian(l, &along)?.eps;
+    }
+    Ok((q_rate, p_rate))
+}
+
+/// The transform once more, from H back: Σ pᵢ q̇ᵢ − H at the momenta with ∂H/∂p = q̇. It gives L again: the Legendre
+/// transform is an involution.
+///
+/// # Errors
+/// As [`velocities`].
+pub fn lagrangian_again<L, D, const N: usize, const P: usize>(l: &L, at: &State<D, N, P>) -> Result<D>
+where
+    L: Lagrangian<N, P>,
+    D: Number,
+{
+    let phase = |p: &[D]| Phase {
+        time: at.time,
+        q: at.q,
+        p: std::array::from_fn::<D, N, _>(|i| p[i]),
+        parameters: at.parameters,
+    };
+    let p = invert("Hessian of H in the momenta", vec![D::zero(); N], &at.v, |p| {
+        let (mut gradient, mut hessian) = (vec![D::zero(); N], DMatrix::zeros(N, N));
+        for i in 0..N {
+            for j in i..N {
+                let mut along = phase(p).map(HyperDual::from_re);
+                along.p[i] = along.p[i].derivative1();
+                along.p[j] = along.p[j].derivative2();
+                let h = hamiltonian(l, &along)?;
+                gradient[i] = h.eps1;
+                (hessian[(i, j)], hessian[(j, i)]) = (h.eps1eps2, h.eps1eps2);
+            }
+        }
+        Ok((gradient, hessian))
+    })?;
+    let pv: D = p.iter().zip(&at.v).map(|(&p, &v)| p * v).sum();
+    Ok(pv - hamiltonian(l, &phase(&p))?)
+}
+
+/// Solves gradient(x) = target by Newton's method with the exact Hessian, damped while the residual does not shrink.
+pub(super) fn invert<D: Number>(
+    what: &str,
+    start: Vec<D>,
+    target: &[D],
+    gradient: impl Fn(&[D]) -> Result<(Vec<D>, DMatrix<D>)>,
+) -> Result<Vec<D>> {
+    const STEPS: usize = 60;
+    let nothing = || Error::new("no velocities belong to these momenta: Newton's method finds none");
+    let residual = |g: &[D]| g.iter().zip(target).map(|(&g, &t)| t - g).collect::<Vec<D>>();
+    let size = |r: &[D]| r.iter().map(|r| r.re() * r.re()).sum::<f64>();
+    let mut x = start;
+    let (mut slope, mut hessian) = gradient(&x)?;
+    // once the value has converged, every step doubles the order to which its derivatives are right
+    let mut polish = usize::BITS - D::NDERIV.leading_zeros();
+    for _ in 0..STEPS {
+        let left = residual(&slope);
+        let step = linear::solve(what, hessian.clone(), left.clone())?;
+        let mut share = 1.0;
+        let before = size(&left);
+        let moved = loop {
+            let trial: Vec<D> = x.iter().zip(&step).map(|(&x, &s)| x + s * share).collect();
+            let (g, h) = gradient(&trial)?;
+            let after = size(&residual(&g));
+            let (scale, tiny) = (size(&g) + size(target), f64::EPSILON * 16.0);
+            if after <= scale * tiny * tiny {
+                (x, slope, hessian) = (trial, g, h);
+                if polish == 0 {
+                    return Ok(x);
+                }
+                polish -= 1;
+                break true;
+            }
+            if after < before {
+                (x, slope, hessian) = (trial, g, h);
+                break true;
+            }
+            share *= 0.5;
+            if share < 1e-12 {
+                break false;
+            }
+        };
+        if !moved {
+            // the last digits may never settle: what is left is rounding, or it is no solution
+            return if before.sqrt() <= 1e-11 * (size(&slope) + size(target)).sqrt() { Ok(x) } else { Err(nothing()) };
+        }
+    }
+    Err(nothing())
+}

@@ -1,0 +1,300 @@
+//! A system as others use it: traced once, object-safe where it is a [`System`], fast where it is a [`World`].
+
+use nalgebra::{DMatrix, Matrix3, Vector3};
+
+use super::trace::{Layout, Traced, trace, upper};
+use super::{LANES, Lagrangian, linear, motion};
+use crate::scalar::{Number, Series};
+use crate::{Error, Result};
+
+/// A mechanical system by name, whatever its number of coordinates. Any [`Lagrangian`] becomes one with [`of`].
+pub trait System: Send + Sync {
+    /// The name that claims files use.
+    fn name(&self) -> &str;
+    /// The coordinates as LaTeX spells them.
+    fn coordinates(&self) -> Vec<String>;
+    /// The parameters as LaTeX spells them.
+    fn parameters(&self) -> Vec<String>;
+    /// Everything that follows from it.
+    ///
+    /// # Errors
+    /// When the Lagrangian branches on a value, so that it cannot be traced.
+    fn world(&self) -> Result<World>;
+}
+
+/// A Lagrangian as a [`System`].
+pub fn of<L: Lagrangian<N, P>, const N: usize, const P: usize>(lagrangian: L) -> impl System + 'static {
+    Of(lagrangian)
+}
+
+struct Of<L, const N: usize, const P: usize>(L);
+
+impl<L: Lagrangian<N, P>, const N: usize, const P: usize> System for Of<L, N, P> {
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+    fn coordinates(&self) -> Vec<String> {
+        self.0.coordinates().map(str::to_owned).into()
+    }
+    fn parameters(&self) -> Vec<String> {
+        self.0.parameters().map(str::to_owned).into()
+    }
+    fn world(&self) -> Result<World> {
+        World::new(&self.0)
+    }
+}
+
+/// What a state has, all at once.
+#[derive(Clone, Debug)]
+pub struct Quantities<D> {
+    /// L.
+    pub lagrangian: D,
+    /// T = L + U, if the system has a potential.
+    pub kinetic: Option<D>,
+    /// U, if the system has one.
+    pub potential: Option<D>,
+    /// The generalized momenta pᵢ = ∂L/∂q̇ᵢ.
+    pub momenta: Vec<D>,
+    /// Σ pᵢ q̇ᵢ − L: the value of the Hamiltonian.
+    pub energy: D,
+    /// The generalized forces ∂L/∂qᵢ.
+    pub forces: Vec<D>,
+    /// R of a rigid body: the rows are the body's axes in space components.
+    pub orientation: Option<Matrix3<D>>,
+    /// ω in space components.
+    pub angular_velocity: Option<Vector3<D>>,
+    /// ωₐ = ω·êₐ along the body's axes.
+    pub body_rates: Option<Vector3<D>>,
+}
+
+/// A traced system: all that follows from its Lagrangian, over any number.
+///
+/// States are slices: `q`, `v` and (where asked for) `a` have one entry a coordinate, `parameters` one a parameter; an
+/// entry that is missing counts as NaN.
+pub struct World {
+    name: String,
+    coordinates: Vec<String>,
+    parameters: Vec<String>,
+    pub(super) cyclic: Vec<bool>,
+    pub(super) traced: Traced,
+}
+
+impl World {
+    /// Traces a Lagrangian.
+    ///
+    /// # Errors
+    /// When it branches on a value.
+    pub fn new<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) -> Result<World> {
+        let traced = trace(l).map_err(|error| {
+            let help = error.advice().unwrap_or_default().to_owned();
+            Error::new(format!("the Lagrangian \"{}\": {}", l.name(), error.message())).help(help)
+        })?;
+        let mut world = World {
+            name: l.name().to_owned(),
+            coordinates: l.coordinates().map(str::to_owned).into(),
+            parameters: l.parameters().map(str::to_owned).into(),
+            cyclic: traced.certainly_cyclic.clone(),
+            traced,
+        };
+        world.cyclic = (0..N).map(|i| world.cyclic[i] || world.force_vanishes(i)).collect();
+        Ok(world)
+    }
+
+    /// The system's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The coordinates as LaTeX spells them, in the order of all slices.
+    pub fn coordinates(&self) -> &[String] {
+        &self.coordinates
+    }
+
+    /// The parameters as LaTeX spells them, in the order of all slices.
+    pub fn parameters(&self) -> &[String] {
+        &self.parameters
+    }
+
+    /// Whether L = T − U with a potential energy U.
+    pub fn has_potential(&self) -> bool {
+        self.traced.has_potential
+    }
+
+    /// Whether there is a rigid body with an orientation.
+    pub fn has_orientation(&self) -> bool {
+        self.traced.has_orientation
+    }
+
+    /// Whether L depends on the time explicitly.
+    pub fn depends_on_time(&self) -> bool {
+        self.traced.lagrangian.reads(0)
+    }
+
+    /// How many operations the accelerations take: the length of the tape behind [`World::accelerations_of_many`].
+    pub fn operations(&self) -> usize {
+        self.traced.accelerations.ops().len()
+    }
+
+    /// One entry a coordinate.
+    pub(super) fn each_coordinate<D: Number>(&self, x: &[D]) -> Vec<D> {
+        exactly(x, self.coordinates.len())
+    }
+
+    fn inputs<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Vec<D> {
+        let parameters = exactly(parameters, self.parameters.len());
+        [vec![time], self.each_coordinate(q), self.each_coordinate(v), parameters].concat()
+    }
+
+    /// L.
+    pub fn lagrangian<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> D {
+        self.traced.lagrangian.evaluate(&self.inputs(time, q, v, parameters))[0]
+    }
+
+    /// Every quantity of a state at once.
+    pub fn quantities<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Quantities<D> {
+        let n = self.coordinates.len();
+        let values = self.traced.quantities.evaluate(&self.inputs(time, q, v, parameters));
+        let (momenta, rest) = values[1..].split_at(n);
+        let (forces, mut rest) = rest[1..].split_at(n);
+        let (mut potential, mut kinetic) = (None, None);
+        if self.has_potential() {
+            (potential, kinetic) = (Some(rest[0]), Some(rest[1]));
+            rest = &rest[2..];
+        }
+        let turning = |from: usize| self.has_orientation().then(|| Vector3::from_row_slice(&rest[from..from + 3]));
+        Quantities {
+            lagrangian: values[0],
+            kinetic,
+            potential,
+            momenta: momenta.to_vec(),
+            energy: values[1 + n],
+            forces: forces.to_vec(),
+            orientation: self.has_orientation().then(|| Matrix3::from_row_slice(&rest[..9])),
+            angular_velocity: turning(9),
+            body_rates: turning(12),
+        }
+    }
+
+    /// The Euler–Lagrange residuals d/dt ∂L/∂q̇ − ∂L/∂q = M a + h for given accelerations, on shell or off.
+    pub fn euler_lagrange<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D], a: &[D]) -> Vec<D> {
+        let (mass, bias) = self.dynamics(&self.inputs(time, q, v, parameters));
+        let a = self.each_coordinate(a);
+        (0..bias.len()).map(|i| a.iter().enumerate().fold(bias[i], |sum, (j, &a)| sum + mass[(i, j)] * a)).collect()
+    }
+
+    /// The mass matrix M_ij = ∂²L/∂q̇ᵢ∂q̇ⱼ.
+    pub fn mass_matrix<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> DMatrix<D> {
+        self.dynamics(&self.inputs(time, q, v, parameters)).0
+    }
+
+    fn dynamics<D: Number>(&self, inputs: &[D]) -> (DMatrix<D>, Vec<D>) {
+        let n = self.coordinates.len();
+        let mut values = self.traced.dynamics.evaluate(inputs);
+        let bias = values.split_off(n * (n + 1) / 2);
+        (DMatrix::from_fn(n, n, |i, j| values[upper(n, i, j)]), bias)
+    }
+
+    pub(super) fn momenta_and_mass<D: Number>(
+        &self,
+        time: D,
+        q: &[D],
+        v: &[D],
+        parameters: &[D],
+    ) -> (Vec<D>, DMatrix<D>) {
+        let n = self.coordinates.len();
+        let mut momenta = self.traced.momenta_and_mass.evaluate(&self.inputs(time, q, v, parameters));
+        let mass = momenta.split_off(n);
+        (momenta, DMatrix::from_fn(n, n, |i, j| mass[upper(n, i, j)]))
+    }
+
+    /// The accelerations on shell.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular or ill-conditioned; the message has the condition number.
+    pub fn accelerations<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<Vec<D>> {
+        let (mass, bias) = self.dynamics(&self.inputs(time, q, v, parameters));
+        linear::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect())
+    }
+
+    /// The motion through a state on shell: each coordinate with its time derivatives up to `order`.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular or ill-conditioned, or `order` is beyond what a [`Series`] holds.
+    pub fn motion<D: Number>(
+        &self,
+        time: D,
+        q: &[D],
+        v: &[D],
+        parameters: &[D],
+        order: usize,
+    ) -> Result<Vec<Series<D>>> {
+        let time = Series::time(time);
+        let parameters: Vec<_> = parameters.iter().copied().map(Series::constant).collect();
+        motion::complete(q, v, order, |q, v| self.accelerations(time, q, v, &parameters))
+    }
+
+    /// The accelerations of many states, in blocks.
+    ///
+    /// `columns` are the inputs in the order time, coordinates, velocities, parameters: each with one entry a state, or
+    /// with a single one for all. The result has one column a coordinate.
+    ///
+    /// # Errors
+    /// When a column is missing or has another length, or a mass matrix is singular: the message says which state's.
+    pub fn accelerations_of_many(&self, columns: &[&[f64]]) -> Result<Vec<Vec<f64>>> {
+        let n = self.coordinates.len();
+        let inputs = Layout { coordinates: n, parameters: self.parameters.len() }.inputs();
+        let states = columns.iter().map(|column| column.len()).find(|&len| len != 1).unwrap_or(1);
+        if columns.len() != inputs || columns.iter().any(|column| column.len() != 1 && column.len() != states) {
+            return Err(Error::new(format!(
+                "the states of \"{}\" need {inputs} columns of one length: time, coordinates, velocities, parameters",
+                self.name
+            )));
+        }
+        let tape = &self.traced.accelerations;
+        let mut registers = tape.registers();
+        for (register, column) in registers.iter_mut().zip(columns).filter(|(_, column)| column.len() == 1) {
+            *register = [column[0]; LANES];
+        }
+        let mut result = vec![vec![0.0; states]; n];
+        for first in (0..states).step_by(LANES) {
+            let block = LANES.min(states - first);
+            for (register, column) in registers.iter_mut().zip(columns).filter(|(_, column)| column.len() > 1) {
+                register[..block].copy_from_slice(&column[first..first + block]);
+            }
+            tape.evaluate_block(&mut registers);
+            for (i, column) in result.iter_mut().enumerate() {
+                column[first..first + block].copy_from_slice(&registers[tape.output_register(i)][..block]);
+            }
+            let doubtful = (0..n).any(|k| {
+                let pivot = &registers[tape.output_register(n + 2 * k)];
+                let diagonal = &registers[tape.output_register(n + 2 * k + 1)];
+                // without a branch a lane; a NaN is doubtful too
+                !pivot.iter().zip(diagonal).fold(true, |good, (d, m)| good & (d.abs() > 1e-9 * m.abs()))
+            });
+            if doubtful {
+                self.redo(columns, first..first + block, &mut result)?;
+            }
+        }
+        Ok(result)
+    }
+
+    /// States whose elimination met a small pivot, once more with exchange of rows and a look at the condition number.
+    fn redo(&self, columns: &[&[f64]], states: std::ops::Range<usize>, result: &mut [Vec<f64>]) -> Result<()> {
+        for state in states {
+            let inputs: Vec<f64> =
+                columns.iter().map(|column| column[if column.len() == 1 { 0 } else { state }]).collect();
+            let (mass, bias) = self.dynamics(&inputs);
+            let a = linear::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect())
+                .map_err(|error| Error::new(format!("state {state}: {}", error.message())))?;
+            for (column, a) in result.iter_mut().zip(a) {
+                column[state] = a;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The first `n` entries; one that is missing is NaN.
+fn exactly<D: Number>(x: &[D], n: usize) -> Vec<D> {
+    (0..n).map(|i| x.get(i).copied().unwrap_or(D::from(f64::NAN))).collect()
+}

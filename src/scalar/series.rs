@@ -1,0 +1,281 @@
+//! Truncated Taylor series in time: a motion near an instant, to fifth order.
+//!
+//! Feed the coordinates of a motion in as series and any quantity comes out as a series: dots on a symbol, d/dt of a
+//! bracket and chains of either are then read off. A series also says how many of its coefficients are known, so that
+//! a derivative that the motion does not determine is absent, not wrong.
+
+use std::fmt;
+
+use super::arithmetic::{dual_number, power_by_squaring};
+use super::{Arithmetic, Function, Number};
+
+/// How many coefficients a [`Series`] holds: the value and the derivatives up to `TERMS - 1`.
+pub const TERMS: usize = 6;
+
+/// x(t) = Σₖ cₖ τᵏ with τ the time since the instant; the k-th derivative is k!·cₖ.
+///
+/// Sums, products and functions are known as far as all that went in; a constant is known to all orders.
+#[derive(Clone, Copy, Debug)]
+pub struct Series<B> {
+    coefficients: [B; TERMS],
+    known: u8,
+}
+
+impl<B: Number> Series<B> {
+    /// A value that does not vary.
+    pub fn constant(value: B) -> Self {
+        let mut coefficients = [B::zero(); TERMS];
+        coefficients[0] = value;
+        Series { coefficients, known: TERMS as u8 }
+    }
+
+    /// The time itself, at an instant.
+    pub fn time(now: B) -> Self {
+        let mut series = Series::constant(now);
+        series.coefficients[1] = B::one();
+        series
+    }
+
+    /// From the value, the first derivative, the second …: as many as are known (those beyond [`TERMS`] are dropped).
+    pub fn from_derivatives(derivatives: &[B]) -> Self {
+        let mut factorial = 1.0;
+        Series::build(derivatives.len().min(TERMS), |k, _| {
+            factorial *= k.max(1) as f64;
+            derivatives[k] / factorial
+        })
+    }
+
+    /// The value at the instant; NaN if not even that is known.
+    pub fn value(&self) -> B {
+        self.coefficients[0]
+    }
+
+    /// How many derivatives are known, the zeroth (the value) included.
+    pub fn known(&self) -> usize {
+        self.known as usize
+    }
+
+    /// The k-th time derivative at the instant, if it is known.
+    pub fn nth_derivative_value(&self, k: usize) -> Option<B> {
+        let factorial: f64 = (1..=k).map(|j| j as f64).product();
+        (k < self.known()).then(|| self.coefficients[k] * factorial)
+    }
+
+    /// The series of the time derivative; it knows one order less.
+    ///
+    /// ```
+    /// use onshell::scalar::Series;
+    /// let t = Series::time(2.0);
+    /// assert_eq!((t * t * t).derivative().value(), 12.0);
+    /// ```
+    pub fn derivative(&self) -> Self {
+        Series::build(self.known().saturating_sub(1), |k, _| self.coefficients[k + 1] * (k + 1) as f64)
+    }
+
+    /// The same series, known to no more than `known` coefficients.
+    pub fn truncated(&self, known: usize) -> Self {
+        Series::build(known.min(self.known()), |k, _| self.coefficients[k])
+    }
+
+    /// Coefficient after coefficient, each from those before it.
+    fn build(known: usize, mut next: impl FnMut(usize, &[B; TERMS]) -> B) -> Self {
+        let mut coefficients = [B::zero(); TERMS];
+        if known == 0 {
+            coefficients[0] = B::from(f64::NAN); // nothing is known: whoever looks shall not find a number
+        }
+        for k in 0..known {
+            coefficients[k] = next(k, &coefficients);
+        }
+        Series { coefficients, known: known as u8 }
+    }
+
+    fn common(&self, other: &Self) -> usize {
+        self.known.min(other.known) as usize
+    }
+
+    /// Σⱼ j·aⱼ·b₍ₖ₋ⱼ₎ / k: the k-th coefficient of ∫ b da.
+    fn integral_step(k: usize, a: &[B; TERMS], b: &[B; TERMS]) -> B {
+        let mut sum = a[1] * b[k - 1];
+        for j in 2..=k {
+            sum += a[j] * b[k - j] * j as f64;
+        }
+        sum / k as f64
+    }
+
+    /// f(x) from its value and the series of f′(x): f(x) = f(x₀) + ∫ f′(x) dx.
+    fn integrate(&self, value: B, slope: Self) -> Self {
+        Series::build(self.known(), |k, _| match k {
+            0 => value,
+            _ => Self::integral_step(k, &self.coefficients, &slope.coefficients),
+        })
+    }
+
+    /// Two functions, each the other's derivative up to a sign: sine and cosine (−1), their hyperbolic sisters (+1).
+    fn coupled(&self, first: B, second: B, sign: f64) -> (Self, Self) {
+        let (x, known) = (&self.coefficients, self.known());
+        let (mut s, mut c) = ([B::zero(); TERMS], [B::zero(); TERMS]);
+        (s[0], c[0]) = (first, second);
+        for k in 1..known {
+            s[k] = Self::integral_step(k, x, &c);
+            c[k] = Self::integral_step(k, x, &s) * sign;
+        }
+        (Series { coefficients: s, known: self.known }, Series { coefficients: c, known: self.known })
+    }
+}
+
+impl<B: Number> Arithmetic for Series<B> {
+    type Inner = B;
+    const DERIVATIVES: usize = B::NDERIV + TERMS - 1;
+
+    fn constant(value: B) -> Self {
+        Series::constant(value)
+    }
+    fn real(self) -> f64 {
+        self.coefficients[0].re()
+    }
+    fn plus(self, other: Self) -> Self {
+        Series::build(self.common(&other), |k, _| self.coefficients[k] + other.coefficients[k])
+    }
+    fn minus(self, other: Self) -> Self {
+        Series::build(self.common(&other), |k, _| self.coefficients[k] - other.coefficients[k])
+    }
+    fn times(self, other: Self) -> Self {
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        Series::build(self.common(&other), |k, _| {
+            let mut sum = a[0] * b[k];
+            for j in 1..=k {
+                sum += a[j] * b[k - j];
+            }
+            sum
+        })
+    }
+    fn over(self, other: Self) -> Self {
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        Series::build(self.common(&other), |k, quotient| {
+            let mut left = a[k];
+            for j in 1..=k {
+                left -= b[j] * quotient[k - j];
+            }
+            left / b[0]
+        })
+    }
+    fn negated(self) -> Self {
+        Series::build(self.known(), |k, _| -self.coefficients[k])
+    }
+    fn power(self, n: i32) -> Self {
+        power_by_squaring(self, n)
+    }
+    fn real_power(self, n: f64) -> Self {
+        if n.fract() == 0.0 && n.abs() <= 64.0 {
+            return self.power(n as i32);
+        }
+        // x·y′ = n·y·x′
+        let x = &self.coefficients;
+        Series::build(self.known(), |k, y| match k {
+            0 => x[0].powf(n),
+            _ => {
+                let sum = (1..=k).map(|j| x[j] * y[k - j] * (n * j as f64 - (k - j) as f64));
+                sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / (x[0] * k as f64)
+            }
+        })
+    }
+    fn apply(self, function: Function) -> Self {
+        let (one, x0) = (Series::constant(B::one()), self.coefficients[0]);
+        let value = || function.of(x0);
+        match function {
+            Function::Sqrt => self.real_power(0.5),
+            Function::Cbrt => {
+                let root = value();
+                let slope = |k: usize, y: &[B; TERMS]| {
+                    let sum = (1..=k).map(|j| self.coefficients[j] * y[k - j] * (j as f64 / 3.0 - (k - j) as f64));
+                    sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / (x0 * k as f64)
+                };
+                Series::build(self.known(), |k, y| if k == 0 { root } else { slope(k, y) })
+            }
+            Function::Exp => Series::build(self.known(), |k, y| match k {
+                0 => value(),
+                _ => Self::integral_step(k, &self.coefficients, y),
+            }),
+            Function::ExpM1 => self.integrate(value(), self.apply(Function::Exp)),
+            Function::Ln => self.integrate(value(), one.over(self)),
+            Function::Ln1p => self.integrate(value(), one.over(one + self)),
+            Function::Sin => self.sine_cosine().0,
+            Function::Cos => self.sine_cosine().1,
+            Function::Tan => {
+                let (sine, cosine) = self.sine_cosine();
+                sine.over(cosine)
+            }
+            Function::Sinh => self.coupled(x0.sinh(), x0.cosh(), 1.0).0,
+            Function::Cosh => self.coupled(x0.sinh(), x0.cosh(), 1.0).1,
+            Function::Tanh => {
+                let (sine, cosine) = self.coupled(x0.sinh(), x0.cosh(), 1.0);
+                sine.over(cosine)
+            }
+            Function::Asin => self.integrate(value(), one.over((one - self * self).apply(Function::Sqrt))),
+            Function::Acos => self.integrate(value(), -one.over((one - self * self).apply(Function::Sqrt))),
+            Function::Atan => self.integrate(value(), one.over(one + self * self)),
+            Function::Asinh => self.integrate(value(), one.over((self * self + one).apply(Function::Sqrt))),
+            Function::Acosh => self.integrate(value(), one.over((self * self - one).apply(Function::Sqrt))),
+            Function::Atanh => self.integrate(value(), one.over(one - self * self)),
+        }
+    }
+    fn sine_cosine(self) -> (Self, Self) {
+        let (sine, cosine) = self.coefficients[0].sin_cos();
+        self.coupled(sine, cosine, -1.0)
+    }
+    fn angle_from(self, x: Self) -> Self {
+        // d(angle) = (x dy − y dx) / (x² + y²)
+        let square = x * x + self * self;
+        let (along_y, along_x) = (x.over(square), self.over(square));
+        let value = self.coefficients[0].atan2(x.coefficients[0]);
+        Series::build(self.common(&x), |k, _| match k {
+            0 => value,
+            _ => {
+                Self::integral_step(k, &self.coefficients, &along_y.coefficients)
+                    - Self::integral_step(k, &x.coefficients, &along_x.coefficients)
+            }
+        })
+    }
+}
+
+impl<B: Number> fmt::Display for Series<B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, coefficient) in self.coefficients[..self.known()].iter().enumerate() {
+            if k > 0 {
+                write!(f, " + ")?;
+            }
+            write!(f, "({coefficient})τ^{k}")?;
+        }
+        write!(f, " + O(τ^{})", self.known)
+    }
+}
+
+dual_number!(Series<B: Number>);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_dual::DualNum;
+
+    #[test]
+    fn a_power_of_zero_has_finite_derivatives() {
+        let t = Series::time(0.0_f64);
+        let square = t.powi(2);
+        assert_eq!(square.nth_derivative_value(2), Some(2.0));
+        assert_eq!(square.nth_derivative_value(3), Some(0.0));
+        assert_eq!(t.powf(3.0).nth_derivative_value(3), Some(6.0));
+        assert_eq!(t.powi(0).nth_derivative_value(1), Some(0.0));
+    }
+
+    #[test]
+    fn what_is_not_known_is_absent() {
+        let x = Series::from_derivatives(&[1.0_f64, 2.0]);
+        assert_eq!((x * x).nth_derivative_value(1), Some(4.0));
+        assert_eq!((x * x).nth_derivative_value(2), None);
+        assert_eq!((x * 3.0).known(), 2);
+        assert_eq!(x.derivative().known(), 1);
+        assert!(x.derivative().derivative().value().is_nan());
+        // the twin: a constant is known to all orders
+        assert_eq!(Series::constant(3.0_f64).derivative().nth_derivative_value(4), Some(0.0));
+    }
+}
