@@ -1,5 +1,9 @@
 //! The `onshell` command: arguments in, exit code out.
 
-fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+use std::process::ExitCode;
+
+use onshell::systems::Registry;
+
+fn main() -> ExitCode {
+    onshell::cli::run(&Registry::standard())
 }

@@ -1,1 +1,27 @@
-//! (to be written)
+//! Where the printed and the derived meet: each equation of a document against what is true.
+//!
+//! [`check_document`] reads every numbered display, builds the [`model`] of its symbols, and gives each claim a
+//! [`Verdict`] with its evidence. A claim between two formulas is tested in [`identity`]; [`solves`], [`limit`] and
+//! [`generates`] are the other kinds; [`functions`] tests what sentences say about the shape of a function. States are
+//! made in [`ensemble`] (drawn, and moved onto the hypotheses), evaluated in [`scene`], judged in [`judge`]; and every
+//! pass is held against its [`twins`].
+
+pub mod document;
+pub mod draw;
+pub mod ensemble;
+pub mod functions;
+pub mod generates;
+pub mod identity;
+pub mod judge;
+pub mod limit;
+pub mod model;
+pub mod plain;
+pub mod scene;
+mod sentences;
+pub mod solves;
+pub mod twins;
+pub mod verdict;
+
+pub use document::{check_document, unclaimed};
+pub use identity::Options;
+pub use verdict::{Counterexample, Document, Equation, Finding, Part, Report, Verdict};

@@ -167,7 +167,9 @@ impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
                 self.value(inner)?.inverse().ok_or(Unavailable::Operation("the inverse of this matrix"))?
             }
             Node::Entry(inner, row, column) => match (self.value(inner)?, self.index(*row)?, self.index(*column)?) {
-                (Value::Matrix(m), i, j) if usize::from(i.max(1)) <= m.nrows() && usize::from(j.max(1)) <= m.ncols() => {
+                (Value::Matrix(m), i, j)
+                    if usize::from(i.max(1)) <= m.nrows() && usize::from(j.max(1)) <= m.ncols() =>
+                {
                     Value::Scalar(m[(usize::from(i) - 1, usize::from(j) - 1)])
                 }
                 _ => return Err(Unavailable::Operation("an entry of something that is no matrix")),

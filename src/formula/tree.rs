@@ -286,12 +286,9 @@ impl Expr {
     /// The formulas directly inside this one, in reading order.
     pub fn children(&self) -> Vec<&Expr> {
         match &self.node {
-            Node::Number(_)
-            | Node::Pi
-            | Node::Euler
-            | Node::Symbol { .. }
-            | Node::Epsilon(_)
-            | Node::Delta(_) => vec![],
+            Node::Number(_) | Node::Pi | Node::Euler | Node::Symbol { .. } | Node::Epsilon(_) | Node::Delta(_) => {
+                vec![]
+            }
             Node::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
             Node::Product(factors) | Node::Apply(_, factors) => factors.iter().collect(),
             Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) => vec![a, b],
@@ -310,12 +307,9 @@ impl Expr {
     /// The same, to change them.
     pub fn children_mut(&mut self) -> Vec<&mut Expr> {
         match &mut self.node {
-            Node::Number(_)
-            | Node::Pi
-            | Node::Euler
-            | Node::Symbol { .. }
-            | Node::Epsilon(_)
-            | Node::Delta(_) => vec![],
+            Node::Number(_) | Node::Pi | Node::Euler | Node::Symbol { .. } | Node::Epsilon(_) | Node::Delta(_) => {
+                vec![]
+            }
             Node::Sum(terms) => terms.iter_mut().map(|term| &mut term.expr).collect(),
             Node::Product(factors) | Node::Apply(_, factors) => factors.iter_mut().collect(),
             Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) => vec![a, b],

@@ -98,10 +98,12 @@ fn determinant<D: Number>(m: &DMatrix<D>) -> D {
     match m.nrows() {
         1 => m[(0, 0)],
         2 => m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)],
-        _ => (0..3).map(|j| {
-            let (a, b) = ((j + 1) % 3, (j + 2) % 3);
-            m[(0, j)] * (m[(1, a)] * m[(2, b)] - m[(1, b)] * m[(2, a)])
-        }).sum(),
+        _ => (0..3)
+            .map(|j| {
+                let (a, b) = ((j + 1) % 3, (j + 2) % 3);
+                m[(0, j)] * (m[(1, a)] * m[(2, b)] - m[(1, b)] * m[(2, a)])
+            })
+            .sum(),
     }
 }
 
@@ -115,7 +117,9 @@ mod tests {
         let inverse = Value::Matrix(m.clone()).inverse().unwrap();
         let Some(Value::Matrix(unit)) = Value::Matrix(m.clone()).times(inverse) else { panic!() };
         approx::assert_relative_eq!(unit, DMatrix::identity(3, 3), epsilon = 1e-14);
-        let Some(Value::Matrix(not_unit)) = Value::Matrix(m.clone()).times(Value::Matrix(m.transpose())) else { panic!() };
+        let Some(Value::Matrix(not_unit)) = Value::Matrix(m.clone()).times(Value::Matrix(m.transpose())) else {
+            panic!()
+        };
         approx::assert_relative_ne!(not_unit, DMatrix::identity(3, 3), epsilon = 1e-3);
     }
 }

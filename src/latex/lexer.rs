@@ -56,9 +56,34 @@ pub enum Space {
 
 /// Commands without meaning: style, sizes of delimiters, line breaking hints.
 const IGNORED: [&str; 28] = [
-    "displaystyle", "textstyle", "scriptstyle", "scriptscriptstyle", "limits", "nolimits", "nonumber", "notag", "big",
-    "Big", "bigg", "Bigg", "bigl", "Bigl", "biggl", "Biggl", "bigr", "Bigr", "biggr", "Biggr", "bigm", "Bigm",
-    "noindent", "allowbreak", "strut", "mathstrut", "relax", "normalsize",
+    "displaystyle",
+    "textstyle",
+    "scriptstyle",
+    "scriptscriptstyle",
+    "limits",
+    "nolimits",
+    "nonumber",
+    "notag",
+    "big",
+    "Big",
+    "bigg",
+    "Bigg",
+    "bigl",
+    "Bigl",
+    "biggl",
+    "Biggl",
+    "bigr",
+    "Bigr",
+    "biggr",
+    "Biggr",
+    "bigm",
+    "Bigm",
+    "noindent",
+    "allowbreak",
+    "strut",
+    "mathstrut",
+    "relax",
+    "normalsize",
 ];
 
 /// Cuts a text into tokens.

@@ -52,14 +52,16 @@ impl Macros {
             };
             let mut values = Vec::with_capacity(*arguments);
             for n in 1..=*arguments {
-                let missing = || Fault::new(token.span, format!("{name} wants {arguments} arguments; number {n} is missing"));
+                let missing =
+                    || Fault::new(token.span, format!("{name} wants {arguments} arguments; number {n} is missing"));
                 values.push(argument(&mut pending).ok_or_else(missing)?);
             }
             let expansion: Vec<Token> = substitute(body, &values, token.span);
             produced += expansion.len() + 1;
             if produced > LARGEST_EXPANSION {
-                return Err(Fault::new(token.span, format!("{name} expands without end"))
-                    .help("a macro may not call itself"));
+                return Err(
+                    Fault::new(token.span, format!("{name} expands without end")).help("a macro may not call itself")
+                );
             }
             pending.extend(expansion.into_iter().rev());
         }
@@ -93,7 +95,9 @@ fn substitute(body: &[Token], values: &[Vec<Token>], call: Span) -> Vec<Token> {
     let mut result = Vec::with_capacity(body.len());
     for token in body {
         match token.kind {
-            TokenKind::Parameter(n) if n >= 1 => result.extend(values.get(usize::from(n) - 1).into_iter().flatten().cloned()),
+            TokenKind::Parameter(n) if n >= 1 => {
+                result.extend(values.get(usize::from(n) - 1).into_iter().flatten().cloned())
+            }
             _ => result.push(Token { kind: token.kind.clone(), span: call }),
         }
     }

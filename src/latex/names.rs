@@ -160,10 +160,52 @@ fn glyph(sign: Sign) -> &'static str {
 /// Whether a command is a letter that can name something.
 pub fn is_letter(command: &str) -> bool {
     const LETTERS: [&str; 46] = [
-        "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "vartheta", "iota", "kappa",
-        "varkappa", "lambda", "mu", "nu", "xi", "omicron", "pi", "varpi", "rho", "varrho", "sigma", "varsigma", "tau",
-        "upsilon", "phi", "varphi", "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma",
-        "Upsilon", "Phi", "Psi", "Omega", "ell", "hbar", "imath", "jmath",
+        "alpha",
+        "beta",
+        "gamma",
+        "delta",
+        "epsilon",
+        "varepsilon",
+        "zeta",
+        "eta",
+        "theta",
+        "vartheta",
+        "iota",
+        "kappa",
+        "varkappa",
+        "lambda",
+        "mu",
+        "nu",
+        "xi",
+        "omicron",
+        "pi",
+        "varpi",
+        "rho",
+        "varrho",
+        "sigma",
+        "varsigma",
+        "tau",
+        "upsilon",
+        "phi",
+        "varphi",
+        "chi",
+        "psi",
+        "omega",
+        "Gamma",
+        "Delta",
+        "Theta",
+        "Lambda",
+        "Xi",
+        "Pi",
+        "Sigma",
+        "Upsilon",
+        "Phi",
+        "Psi",
+        "Omega",
+        "ell",
+        "hbar",
+        "imath",
+        "jmath",
     ];
     command.strip_prefix('\\').is_some_and(|name| LETTERS.contains(&name))
 }
@@ -194,7 +236,9 @@ mod tests {
 
     #[test]
     fn different_names_stay_different() {
-        for (a, b) in [("\\phi", "\\varphi"), ("M", "m"), ("\\vec r", "r"), ("r_1", "r_2"), ("x'", "x"), ("\\dot x", "x")] {
+        for (a, b) in
+            [("\\phi", "\\varphi"), ("M", "m"), ("\\vec r", "r"), ("r_1", "r_2"), ("x'", "x"), ("\\dot x", "x")]
+        {
             assert_ne!(name(a), name(b));
         }
     }

@@ -29,7 +29,10 @@ use super::names::{self, Printed};
 
 /// Reads one formula, without relations, and checks its type.
 pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Result<Expr, Fault> {
-    let items = typeset_items(text, macros)?;
+    let mut items = typeset_items(text, macros)?;
+    while items.last().is_some_and(|item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ',' | ';'))) {
+        items.pop();
+    }
     let mut reader = Reader { symbols, branch: None };
     let expr = reader.sum(&items, Span::at(text.len()))?;
     shape::bind(expr, symbols).map(|(expr, _)| expr)
@@ -82,7 +85,7 @@ impl Reader<'_> {
             let length = self.term_length(&items[at..])?;
             let slice = &items[at..at + length];
             at += length;
-            if slice.iter().all(|item| matches!(item.layout, Layout::Space(_) | Layout::Align)) {
+            if slice.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
                 continue;
             }
             if pending.is_none() && !terms.is_empty() {
@@ -122,7 +125,9 @@ impl Reader<'_> {
         for (at, item) in items.iter().enumerate() {
             if self.sign(item)?.is_some() {
                 if after_operator {
-                    return Err(Fault::new(item.span, "a sign after an operator").help("put the signed factor in parentheses"));
+                    return Err(
+                        Fault::new(item.span, "a sign after an operator").help("put the signed factor in parentheses")
+                    );
                 }
                 return Ok(at);
             }
@@ -146,7 +151,7 @@ impl Reader<'_> {
         let mut cursor = 0;
         while cursor < items.len() {
             let item = &items[cursor];
-            if matches!(item.layout, Layout::Space(_) | Layout::Align) {
+            if matches!(item.layout, Layout::Space(_)) {
                 cursor += 1;
                 continue;
             }
@@ -157,8 +162,11 @@ impl Reader<'_> {
                 }
                 if found == Joint::Slash {
                     if let Some(function) = open_function {
-                        return Err(Fault::new(function.to(item.span), "does this divide the function or its argument?")
-                            .help("put the argument in parentheses, or use \\frac"));
+                        return Err(Fault::new(
+                            function.to(item.span),
+                            "does this divide the function or its argument?",
+                        )
+                        .help("put the argument in parentheses, or use \\frac"));
                     }
                     if after_slash.is_some() {
                         return Err(two_ways(item.span, "a/b/c"));
@@ -174,6 +182,12 @@ impl Reader<'_> {
             }
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
+            if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
+                return Err(two_ways(factor.span, "a sum in braces, which do not print").help("use parentheses"));
+            }
+            if next == Joint::Beside && !runs.last().is_none_or(|(_, run)| run.is_empty()) {
+                self.run_together(items, start)?;
+            }
             open_function = (!enclosed).then_some(factor.span);
             let run = match runs.last_mut() {
                 Some((_, run)) if matches!(next, Joint::Beside | Joint::Slash) => run,
@@ -198,6 +212,22 @@ impl Reader<'_> {
             return Err(Fault::new(span, "nothing follows this operator"));
         }
         self.join(runs, whole)
+    }
+
+    /// Refuses factors side by side that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
+    fn run_together(&self, items: &[Item], at: usize) -> Read<()> {
+        let before = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
+        let Some(before) = before else { return Ok(()) };
+        let item = &items[at];
+        let span = before.span.to(item.span);
+        if matches!(before.layout, Layout::Number(_)) && (is_numeric_item(item) || is_number(item)) {
+            return Err(two_ways(span, "a number beside a number").help("write \\cdot between them"));
+        }
+        let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
+        if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
+            return Err(two_ways(span, "which of these bars belong together").help("use \\left| and \\right|"));
+        }
+        Ok(())
     }
 
     /// Joins runs of factors by `\times` (first) and `\cdot`; of numbers both are plain products.
@@ -328,6 +358,9 @@ impl Reader<'_> {
             Layout::Environment(name, rows) => self.matrix(name, rows, span),
             Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
                 let base = self.item(nucleus)?;
+                if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
+                    return Err(two_ways(span, "a power of braces, which do not print").help("use parentheses"));
+                }
                 self.raised(base, sup, span)
             }
             Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
@@ -359,7 +392,7 @@ impl Reader<'_> {
                 inner.span = span;
                 Ok(inner)
             }
-            Delimiter::Bar | Delimiter::DoubleBar => {
+            Delimiter::Bar | Delimiter::PlainBar | Delimiter::DoubleBar => {
                 Ok(Expr::new(Node::Norm(Box::new(self.sum(items, span)?)), span))
             }
             Delimiter::Angle => Err(Fault::new(span, "angle brackets have no meaning here")),
@@ -504,7 +537,14 @@ impl Reader<'_> {
     }
 
     /// A symbol with its power; a parenthesis after it is a factor of its own, unless that could be a call.
-    fn applied(&mut self, node: Node, sup: Option<&Item>, span: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+    fn applied(
+        &mut self,
+        node: Node,
+        sup: Option<&Item>,
+        span: Span,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Expr> {
         if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor)
             && let Node::Symbol { id, .. } = &node
         {
@@ -622,7 +662,9 @@ impl Reader<'_> {
         while let Some(item) = items.get(at) {
             let is_number = match &item.layout {
                 Layout::Number(_) => true,
-                Layout::Fraction(a, b) => symbols.is_empty() && numbers == 0 && (at == start || is_numeric(a) && is_numeric(b)),
+                Layout::Fraction(a, b) => {
+                    symbols.is_empty() && numbers == 0 && (at == start || is_numeric(a) && is_numeric(b))
+                }
                 Layout::Root(..) => at == start,
                 Layout::Command(name) => name == "\\pi" && self.symbols.find(&Name::plain("\\pi")).is_none(),
                 _ => false,
@@ -643,7 +685,10 @@ impl Reader<'_> {
                 break;
             }
             if printed.sup.is_some() {
-                if at == start || !symbols.is_empty() && !symbols.iter().any(|(_, angle, _)| *angle) || numbers > 0 && symbols.is_empty() {
+                if at == start
+                    || !symbols.is_empty() && !symbols.iter().any(|(_, angle, _)| *angle)
+                    || numbers > 0 && symbols.is_empty()
+                {
                     return Err(two_ways(head.to(item.span), "a power at the end of an argument")
                         .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
                 }
@@ -676,11 +721,10 @@ impl Reader<'_> {
             _ => false,
         };
         let last_is_angle = symbols.last().is_some_and(|(_, angle, _)| *angle);
-        let fence_follows = matches!(
-            items.get(end).map(|item| &item.layout),
-            Some(Layout::Fence(..)) | Some(Layout::Scripts { .. })
-        ) && items.get(end).is_some_and(|item| names::printed(item, self.branch).is_none())
-            && function_head(&items[end])?.is_none();
+        let fence_follows =
+            matches!(items.get(end).map(|item| &item.layout), Some(Layout::Fence(..)) | Some(Layout::Scripts { .. }))
+                && items.get(end).is_some_and(|item| names::printed(item, self.branch).is_none())
+                && function_head(&items[end])?.is_none();
         if !sure || fence_follows && !last_is_angle {
             let span = head.to(items[end.min(items.len() - 1)].span);
             let shown = function.name();
@@ -852,10 +896,8 @@ fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>)>> {
     let named = |item: &Item| match &item.layout {
         Layout::Command(name) => name.strip_prefix('\\').and_then(Function::named),
         Layout::Style(style, inner) if style == "\\mathrm" => {
-            let word: String = contents(inner)
-                .iter()
-                .map(|item| if let Layout::Letter(c) = item.layout { c } else { ' ' })
-                .collect();
+            let word: String =
+                contents(inner).iter().map(|item| if let Layout::Letter(c) = item.layout { c } else { ' ' }).collect();
             Function::named(&word)
         }
         _ => None,
@@ -939,6 +981,14 @@ fn is_numeric(item: &Item) -> bool {
         Layout::Command(name) => name == "\\pi",
         _ => false,
     })
+}
+
+fn is_number(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Number(_) => true,
+        Layout::Scripts { nucleus, .. } => is_number(nucleus),
+        _ => false,
+    }
 }
 
 fn is_numeric_item(item: &Item) -> bool {

@@ -76,7 +76,10 @@ fn rows(items: &[Item]) -> Vec<Vec<&Item>> {
     let significant: Vec<&Item> =
         items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','))).collect();
     if let [Item { layout: Layout::Environment(name, rows), .. }] = significant.as_slice()
-        && matches!(name.trim_end_matches('*'), "aligned" | "split" | "gathered" | "align" | "gather" | "alignedat" | "equation" | "eqnarray")
+        && matches!(
+            name.trim_end_matches('*'),
+            "aligned" | "split" | "gathered" | "align" | "gather" | "alignedat" | "equation" | "eqnarray"
+        )
     {
         return rows.iter().map(|row| row.iter().flatten().collect()).collect();
     }

@@ -1,0 +1,158 @@
+//! Numbers for a state: independent values over the declared ranges, away from the places where faults hide.
+//!
+//! Angles stay away from the multiples of π/2, numbers from zero, and symbols that are alike from each other. The
+//! stream depends on the seed and on the claim alone, so that `--only` and the number of threads change nothing.
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+
+use crate::notes::claims::{Count, Range};
+
+use super::model::is_angle;
+use super::scene::Slot;
+
+/// How far |sin| and |cos| of a drawn angle stay from zero.
+const MARGIN: f64 = 0.1;
+
+/// A seeded stream of numbers.
+pub struct Draw {
+    generator: Pcg64Mcg,
+}
+
+impl Draw {
+    /// The stream of a claim, named by `topic`.
+    pub fn new(seed: u64, topic: &str) -> Self {
+        // FNV-1a: any fixed mixing of the name into the seed will do.
+        let mix = topic
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
+        Draw { generator: Pcg64Mcg::seed_from_u64(seed ^ mix) }
+    }
+
+    /// A number between 0 and 1.
+    pub fn unit(&mut self) -> f64 {
+        (self.generator.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A magnitude of order one, spread over `decade` factors of e either way.
+    fn magnitude(&mut self, low: f64, high: f64) -> f64 {
+        self.between(low.ln(), high.ln()).exp()
+    }
+
+    /// A value of a range; `relaxed` reaches beyond it.
+    pub fn value(&mut self, range: &Range, relaxed: bool) -> f64 {
+        let (small, large) = if relaxed { (0.1, 10.0) } else { (0.3, 3.0) };
+        match range {
+            Range::Positive => self.magnitude(small, large),
+            Range::Negative => -self.magnitude(small, large),
+            Range::Any => {
+                let size = self.magnitude(small, large);
+                if self.unit() < 0.5 { -size } else { size }
+            }
+            Range::Angle => self.angle(-std::f64::consts::PI, std::f64::consts::PI),
+            Range::Interval { low, high, low_open, high_open } => {
+                let width = high - low;
+                if relaxed && !is_angle(range) {
+                    return self.between(low - width, high + width);
+                }
+                let keep = |open: bool| if open { 0.05 * width } else { 0.0 };
+                let (low, high) = (low + keep(*low_open), high - keep(*high_open));
+                if is_angle(range) { self.angle(low, high) } else { self.between(low, high) }
+            }
+            Range::Integer { low, high } => {
+                let high = last(high, *low);
+                (*low as f64 + (self.unit() * (high - low + 1) as f64).floor()).min(high as f64)
+            }
+        }
+    }
+
+    fn angle(&mut self, low: f64, high: f64) -> f64 {
+        let mut angle = self.between(low, high);
+        for _ in 0..32 {
+            if angle.sin().abs() >= MARGIN && angle.cos().abs() >= MARGIN {
+                break;
+            }
+            angle = self.between(low, high);
+        }
+        angle
+    }
+
+    /// A base: a value for each slot, like ones apart from each other.
+    pub fn base(&mut self, slots: &[Slot], relaxed: bool) -> Vec<f64> {
+        let mut base: Vec<f64> = Vec::with_capacity(slots.len());
+        for slot in slots {
+            let mut value = self.value(&slot.range, relaxed);
+            for _ in 0..16 {
+                let near = |other: &f64| (value - other).abs() < 0.05 * value.abs().max(other.abs());
+                let alike = slots.iter().zip(&base).filter(|(other, _)| other.order == slot.order);
+                if !alike.map(|(_, other)| other).any(near) {
+                    break;
+                }
+                value = self.value(&slot.range, relaxed);
+            }
+            base.push(value);
+        }
+        base
+    }
+}
+
+/// The last number of an integer range; a count that is a symbol is three or four.
+pub fn last(high: &Count, low: i64) -> i64 {
+    match high {
+        Count::Number(high) => *high,
+        Count::Symbol(_) => low + 3,
+    }
+}
+
+/// Whether a value lies in a range; how it is spread there does not count.
+pub fn contains(range: &Range, value: f64) -> bool {
+    match range {
+        Range::Positive => value > 0.0,
+        Range::Negative => value < 0.0,
+        Range::Any | Range::Angle => value.is_finite(),
+        Range::Interval { low, high, low_open, high_open } => {
+            let above = if *low_open { value > *low } else { value >= *low };
+            let below = if *high_open { value < *high } else { value <= *high };
+            above && below
+        }
+        Range::Integer { low, high } => {
+            value.fract() == 0.0 && (*low as f64..=last(high, *low) as f64).contains(&value)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_drawn_lies_in_its_range() {
+        let pi = std::f64::consts::PI;
+        let ranges = [
+            Range::Positive,
+            Range::Negative,
+            Range::Any,
+            Range::Interval { low: 0.0, high: pi, low_open: true, high_open: true },
+            Range::Interval { low: 0.2, high: 0.3, low_open: false, high_open: false },
+            Range::Integer { low: 2, high: Count::Number(5) },
+        ];
+        let mut draw = Draw::new(1, "test");
+        for range in &ranges {
+            for _ in 0..200 {
+                assert!(contains(range, draw.value(range, false)), "{range:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_stream_depends_on_seed_and_topic_alone() {
+        let first = |seed, topic| Draw::new(seed, topic).unit();
+        assert_eq!(first(1, "6.73"), first(1, "6.73"));
+        assert_ne!(first(1, "6.73"), first(2, "6.73"));
+        assert_ne!(first(1, "6.73"), first(1, "6.74"));
+    }
+}

@@ -1,0 +1,274 @@
+//! The states at which a claim is tested: drawn, and moved onto the claim's hypotheses.
+//!
+//! A hypothesis `A = B` is solved for one number of the base: one in which it is linear before others, higher derivatives
+//! before velocities before coordinates before constants. *Assuming* it, it holds at the instant; *throughout*, its time
+//! derivatives vanish too, each solved for a further number or found to vanish by itself. Inequalities select.
+
+use nalgebra::{DMatrix, DVector};
+use num_dual::Dual64;
+
+use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::formula::{Expr, Relation, Value};
+use crate::scalar::{Measured, Number, Series};
+use crate::{Error, Result};
+
+use super::draw::{Draw, contains};
+use super::judge;
+use super::model::Model;
+use super::scene::{Mode, Scene, Slot, slots};
+
+/// How many derivatives of a hypothesis that holds throughout are made to vanish; all that are known must.
+const THROUGHOUT: usize = 3;
+
+/// A hypothesis of a claim.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// Its left side.
+    pub lhs: Expr,
+    /// The relation.
+    pub relation: Relation,
+    /// Its right side.
+    pub rhs: Expr,
+    /// Whether it holds at all times and not only at the instant.
+    pub throughout: bool,
+}
+
+/// What a claim takes for granted, and how its states are made.
+#[derive(Clone, Debug)]
+pub struct Setting<'c> {
+    /// The hypotheses.
+    pub conditions: &'c [Condition],
+    /// On shell or off, and how many derivatives.
+    pub mode: Mode,
+    /// Whether to reach beyond the declared ranges.
+    pub relaxed: bool,
+}
+
+/// States that obey a setting.
+pub struct Ensemble<'m> {
+    /// The states.
+    pub scenes: Vec<Scene<'m, Measured>>,
+    /// The base of each.
+    pub bases: Vec<Vec<f64>>,
+    /// How many were tried to get them.
+    pub tried: usize,
+    /// The mode they were made in.
+    pub mode: Mode,
+}
+
+impl<'m> Ensemble<'m> {
+    /// Draws `points` states; there may be fewer where the hypotheses leave no room.
+    ///
+    /// # Errors
+    /// When no state could be made because the mass matrix is singular at all of them.
+    pub fn draw(model: &'m Model, setting: &Setting<'_>, points: usize, draw: &mut Draw) -> Result<Self> {
+        let mode = setting.mode;
+        let mut solver = Solver { model, setting, slots: slots(model, mode), plan: Vec::new() };
+        let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode };
+        let mut failure: Option<Error> = None;
+        while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 {
+            ensemble.tried += 1;
+            let base = draw.base(&solver.slots, setting.relaxed);
+            let solved = solver.solve(base).and_then(|base| match base {
+                Some(base) => solver.accept(&base).map(|scene| scene.map(|scene| (base, scene))),
+                None => Ok(None),
+            });
+            match solved {
+                Ok(Some((base, scene))) => {
+                    ensemble.scenes.push(scene);
+                    ensemble.bases.push(base);
+                }
+                Ok(None) => {}
+                Err(error) => failure = Some(error),
+            }
+        }
+        match failure {
+            Some(error) if ensemble.scenes.is_empty() => Err(error),
+            _ => Ok(ensemble),
+        }
+    }
+}
+
+struct Solver<'m, 's> {
+    model: &'m Model,
+    setting: &'s Setting<'s>,
+    slots: Vec<Slot>,
+    /// Which row is solved for which slot; found at the first state that works.
+    plan: Vec<(Row, usize)>,
+}
+
+/// The `derivative`-th time derivative of the `condition`-th hypothesis, one entry of it.
+type Row = (usize, usize, usize);
+
+impl<'m> Solver<'m, '_> {
+    fn equalities(&self) -> impl Iterator<Item = (usize, &Condition)> {
+        let is_equality = |c: &Condition| matches!(c.relation, Relation::Equal | Relation::Identical);
+        self.setting.conditions.iter().enumerate().filter(move |(_, c)| is_equality(c))
+    }
+
+    /// The value of a row over any number; `None` where it has none.
+    fn row<B: Number>(&self, scene: &Scene<'m, B>, row: Row) -> Option<B> {
+        let condition = &self.setting.conditions[row.0];
+        difference(scene, condition).ok()?.get(row.2)?.nth_derivative_value(row.1)
+    }
+
+    fn scene<B: Number>(&self, base: &[B]) -> Result<Scene<'m, B>> {
+        Scene::new(self.model, self.setting.mode, base)
+    }
+
+    /// Moves a base onto the equalities.
+    fn solve(&mut self, mut base: Vec<f64>) -> Result<Option<Vec<f64>>> {
+        if self.equalities().next().is_none() {
+            return Ok(Some(base));
+        }
+        if !self.plan.is_empty() && !self.newton(&mut base, &self.plan.clone())? {
+            return Ok(None);
+        }
+        let rows = self.rows(&base)?;
+        for row in rows {
+            if self.plan.iter().any(|(planned, _)| *planned == row) {
+                continue;
+            }
+            let Some(value) = self.row(&self.measured(&base)?, row) else { return Ok(None) };
+            if judge::vanishes(value) {
+                continue;
+            }
+            let Some(slot) = self.pivot(&base, row)? else { return Ok(None) };
+            let mut plan = self.plan.clone();
+            plan.push((row, slot));
+            if !self.newton(&mut base, &plan)? {
+                return Ok(None);
+            }
+            self.plan = plan;
+        }
+        Ok(Some(base))
+    }
+
+    fn measured(&self, base: &[f64]) -> Result<Scene<'m, Measured>> {
+        let base: Vec<Measured> = base.iter().map(|x| Measured::new(*x)).collect();
+        self.scene(&base)
+    }
+
+    fn rows(&self, base: &[f64]) -> Result<Vec<Row>> {
+        let scene = self.measured(base)?;
+        let mut rows = Vec::new();
+        for derivative in 0..=THROUGHOUT {
+            for (at, condition) in self.equalities() {
+                let entries = difference(&scene, condition).unwrap_or_default();
+                for (entry, value) in entries.iter().enumerate() {
+                    if derivative < value.known() && (derivative == 0 || condition.throughout) {
+                        rows.push((at, derivative, entry));
+                    }
+                }
+            }
+        }
+        Ok(rows)
+    }
+
+    /// The slot to solve a row for, besides those of the plan.
+    fn pivot(&self, base: &[f64], row: Row) -> Result<Option<usize>> {
+        let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
+        candidates.retain(|slot| !self.plan.iter().any(|(_, taken)| taken == slot));
+        let class = |slot: &Slot| match (slot.constant, slot.order) {
+            (true, _) => 0,
+            (false, order) => 1 + order,
+        };
+        let mut best: Option<((usize, bool, usize), usize)> = None;
+        for slot in candidates {
+            let mut plan = self.plan.clone();
+            plan.push((row, slot));
+            let Some((jacobian, _)) = self.linearised(base, &plan)? else { continue };
+            let scale: f64 = jacobian.row_iter().map(|row| row.norm()).product();
+            if scale == 0.0 || jacobian.determinant().abs() < 1e-7 * scale {
+                continue;
+            }
+            let rank = (class(&self.slots[slot]), self.is_linear(base, row, slot)?, slot);
+            // Within a class, linear before others.
+            if best.as_ref().is_none_or(|(known, _)| rank > *known) {
+                best = Some((rank, slot));
+            }
+        }
+        Ok(best.map(|(_, slot)| slot))
+    }
+
+    fn is_linear(&self, base: &[f64], row: Row, slot: usize) -> Result<bool> {
+        let mut values = Vec::new();
+        for step in [0.0, 0.5, 1.0] {
+            let mut moved = base.to_vec();
+            moved[slot] += step;
+            let Some(value) = self.row(&self.scene(&moved)?, row) else { return Ok(false) };
+            values.push(value);
+        }
+        let bend: f64 = values[0] - 2.0 * values[1] + values[2];
+        Ok(bend.abs() <= 1e-9 * values.iter().map(|v: &f64| v.abs()).sum::<f64>())
+    }
+
+    /// The planned rows and their derivatives by the planned slots.
+    fn linearised(&self, base: &[f64], plan: &[(Row, usize)]) -> Result<Option<(DMatrix<f64>, DVector<f64>)>> {
+        let n = plan.len();
+        let (mut jacobian, mut values) = (DMatrix::zeros(n, n), DVector::zeros(n));
+        for (j, (_, slot)) in plan.iter().enumerate() {
+            let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
+            dual[*slot].eps = 1.0;
+            let scene = self.scene(&dual)?;
+            for (i, (row, _)) in plan.iter().enumerate() {
+                let Some(value) = self.row(&scene, *row) else { return Ok(None) };
+                jacobian[(i, j)] = value.eps;
+                values[i] = value.re;
+            }
+        }
+        let finite = jacobian.iter().chain(values.iter()).all(|x| x.is_finite());
+        Ok(finite.then_some((jacobian, values)))
+    }
+
+    fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<bool> {
+        for _ in 0..30 {
+            let Some((jacobian, values)) = self.linearised(base, plan)? else { return Ok(false) };
+            let Some(step) = jacobian.lu().solve(&values) else { return Ok(false) };
+            let mut largest = 0.0_f64;
+            for ((_, slot), step) in plan.iter().zip(step.iter()) {
+                base[*slot] -= step;
+                largest = largest.max(step.abs() / (1.0 + base[*slot].abs()));
+            }
+            if largest.is_nan() || largest > 1e6 {
+                return Ok(false);
+            }
+            if largest < 1e-15 {
+                break;
+            }
+        }
+        let in_range = |slot: usize| self.setting.relaxed || contains(&self.slots[slot].range, base[slot]);
+        Ok(plan.iter().all(|(_, slot)| in_range(*slot)))
+    }
+
+    /// The state of a base, if every hypothesis holds there.
+    fn accept(&self, base: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
+        let scene = self.measured(base)?;
+        for condition in self.setting.conditions {
+            let Ok(entries) = difference(&scene, condition) else { return Ok(None) };
+            let holds = entries.iter().all(|entry| match condition.relation {
+                Relation::Equal | Relation::Identical => {
+                    let derivatives = if condition.throughout { entry.known() } else { 1 };
+                    (0..derivatives).all(|k| entry.nth_derivative_value(k).is_some_and(judge::vanishes))
+                }
+                relation => judge::holds(relation, entry.value()),
+            });
+            if !holds {
+                return Ok(None);
+            }
+        }
+        Ok(Some(scene))
+    }
+}
+
+/// lhs − rhs, entry by entry.
+fn difference<B: Number>(scene: &Scene<'_, B>, condition: &Condition) -> Result<Vec<Series<B>>, Unavailable> {
+    let (lhs, rhs) = (evaluate(&condition.lhs, scene, &[])?, evaluate(&condition.rhs, scene, &[])?);
+    let entries = match (lhs, rhs) {
+        (Value::Scalar(a), Value::Scalar(b)) => vec![a - b],
+        (a, b) if a.shape() == b.shape() => a.entries().iter().zip(b.entries()).map(|(a, b)| *a - b).collect(),
+        (a, _) if condition.rhs.is_zero() => a.entries(),
+        _ => return Err(Unavailable::Operation("a condition between different shapes")),
+    };
+    Ok(entries)
+}

@@ -1,0 +1,430 @@
+//! Sentences about the shape of a function: its sign, its minima, its limits, how many solutions an equation has.
+//!
+//! Here every symbol of the formula is an independent number (an *atom*): a momentum is a momentum, not what some state
+//! gives it. Random atoms would miss what happens only where two momenta are equal and opposite, or only for a fast top, so
+//! the special places are visited on purpose: like symbols equal and opposite, each at zero, angles at multiples of π/2,
+//! each constant and each momentum far larger and far smaller than the rest.
+
+use num_dual::{Dual, Dual64};
+
+use crate::formula::evaluate::{Environment, evaluate};
+use crate::formula::{Assignment, Expr, Relation, SymbolId, Value};
+use crate::latex::typeset;
+use crate::notes::claims::Range;
+use crate::scalar::{Measured, Number};
+
+use super::draw::{Draw, contains, last};
+use super::ensemble::Condition;
+use super::identity::Context;
+use super::judge::{self, Link};
+use super::limit::Towards;
+use super::model::{Meaning, Model, is_angle};
+use super::solves::roots_on_the_grid;
+use super::verdict::{Counterexample, Finding, Verdict};
+
+/// What is said of a function.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// Positive everywhere along the variable.
+    Positive,
+    /// Negative everywhere.
+    Negative,
+    /// Of both signs.
+    ChangesSign,
+    /// So many minima inside the range.
+    Minima(usize),
+    /// So many maxima inside the range.
+    Maxima(usize),
+    /// Rises everywhere.
+    Rises,
+    /// Falls everywhere.
+    Falls,
+    /// Does not change at all.
+    Independent,
+    /// Tends to a value (or diverges) as the variable approaches an end.
+    TendsTo(f64, Target),
+    /// As an equation set to zero, has so many real solutions for the variable.
+    Solutions(usize),
+}
+
+/// What a function tends to.
+#[derive(Clone, Debug)]
+pub enum Target {
+    /// It diverges.
+    Infinite(Towards),
+    /// The value of a formula.
+    Finite(Box<Expr>),
+}
+
+/// A state's atoms.
+type Atoms = Vec<(SymbolId, f64)>;
+
+/// How many random states a sentence gets, besides the special ones.
+const RANDOM: usize = 16;
+/// How many draws each special place gets.
+const SPECIAL: usize = 2;
+
+/// Checks a sentence about `function`, as `variable` runs over its range, for all atoms that obey the hypotheses.
+pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Context<'_>) -> Finding {
+    let model = context.model;
+    let mut atoms: Vec<SymbolId> = Vec::new();
+    let mut formulas = vec![function];
+    formulas.extend(context.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]));
+    if let Shape::TendsTo(_, Target::Finite(value)) = shape {
+        formulas.push(value);
+    }
+    for (id, dots) in formulas.iter().flat_map(|formula| formula.symbols()) {
+        if dots > 0 || matches!(model.meaning(id), Some(Meaning::World(quantity)) if !is_momentum(*quantity)) {
+            let message = format!("{} is not an independent number here: write it out", model.name(id));
+            return context.finding(Verdict::Unreadable, message);
+        }
+        if !atoms.contains(&id) {
+            atoms.push(id);
+        }
+    }
+    if !function.symbols().iter().any(|(id, _)| *id == variable) && !matches!(shape, Shape::Independent) {
+        return context.finding(Verdict::Undecided, format!("{} does not occur in it", model.name(variable)));
+    }
+    let range = model.range(variable);
+    let (states, tried) = states(&atoms, variable, context);
+    let mut points = 0;
+    for atoms in &states {
+        let probe = Probe { model, function, variable, atoms };
+        match probe.look(shape, &range) {
+            Look::Holds => points += 1,
+            Look::Useless => {}
+            Look::Fails { at, found, wanted, what } => {
+                let mut state: Vec<(String, f64)> =
+                    atoms.iter().filter(|(id, _)| *id != variable).map(|(id, x)| (model.name(*id), *x)).collect();
+                state.extend(at.map(|x| (model.name(variable), x)));
+                return Finding {
+                    points: points + 1,
+                    tried,
+                    counterexample: Some(Counterexample { state, lhs: found, rhs: wanted, entry: None }),
+                    ..context.finding(Verdict::Refuted, what)
+                };
+            }
+        }
+    }
+    if points < super::identity::FEWEST.min(context.options.points) {
+        let message = format!("only {points} of {tried} states obey the hypotheses and can tell");
+        return Finding { points, tried, ..context.finding(Verdict::Undecided, message) };
+    }
+    let message = format!("holds at {points} states, the special places among them");
+    Finding { points, tried, ..context.finding(Verdict::Verified, message) }
+}
+
+fn is_momentum(quantity: super::model::Quantity) -> bool {
+    matches!(quantity, super::model::Quantity::Momentum(_))
+}
+
+/// Atoms that obey the hypotheses: random ones, and those at special places.
+fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec<Atoms>, usize) {
+    let model = context.model;
+    let mut draw = Draw::new(context.options.seed, context.topic);
+    let mut places: Vec<Box<dyn Fn(&mut Atoms)>> = Vec::new();
+    let is_constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_)));
+    let free: Vec<SymbolId> = atoms.iter().copied().filter(|id| *id != variable).collect();
+    for (k, &a) in free.iter().enumerate() {
+        if is_angle(&model.range(a)) {
+            for quarter in -4..=4 {
+                let angle = f64::from(quarter) * std::f64::consts::FRAC_PI_2;
+                places.push(Box::new(move |state| set(state, a, |_| angle)));
+            }
+            continue;
+        }
+        places.push(Box::new(move |state| set(state, a, |_| 0.0)));
+        for factor in [1e3, 30.0, 1.0 / 30.0, 1e-3] {
+            places.push(Box::new(move |state| set(state, a, |x| x * factor)));
+        }
+        for &b in &free[..k] {
+            let alike = model.symbols.entry(a).name.base == model.symbols.entry(b).name.base;
+            if alike && !is_constant(a) && !is_constant(b) {
+                for sign in [1.0, -1.0] {
+                    places.push(Box::new(move |state| {
+                        let value = state.iter().find(|(id, _)| *id == b).map_or(0.0, |(_, x)| *x);
+                        set(state, a, |_| sign * value);
+                    }));
+                }
+                places.push(Box::new(move |state| {
+                    set(state, a, |_| 0.0);
+                    set(state, b, |_| 0.0);
+                }));
+            }
+        }
+    }
+    let nowhere: Box<dyn Fn(&mut Atoms)> = Box::new(|_| {});
+    let plan = std::iter::repeat_n(&nowhere, RANDOM).chain(places.iter().flat_map(|p| std::iter::repeat_n(p, SPECIAL)));
+    let (mut found, mut tried) = (Vec::new(), 0);
+    for place in plan {
+        // Where a hypothesis is an inequality, several draws may be needed to meet it.
+        for _ in 0..12 {
+            tried += 1;
+            let mut state: Atoms = atoms.iter().map(|id| (*id, draw.value(&model.range(*id), false))).collect();
+            place(&mut state);
+            if obey(&mut state, variable, context) && state.iter().all(|(id, x)| contains(&model.range(*id), *x)) {
+                found.push(state);
+                break;
+            }
+        }
+    }
+    (found, tried)
+}
+
+fn set(state: &mut Atoms, id: SymbolId, f: impl Fn(f64) -> f64) {
+    for (known, value) in state.iter_mut() {
+        if *known == id {
+            *value = f(*value);
+        }
+    }
+}
+
+/// Moves a state onto the hypotheses that are equalities, and asks whether it obeys the others.
+fn obey(state: &mut Atoms, variable: SymbolId, context: &Context<'_>) -> bool {
+    let model = context.model;
+    let is_equality = |c: &&Condition| matches!(c.relation, Relation::Equal | Relation::Identical);
+    let candidates = |condition: &Condition| -> Vec<SymbolId> {
+        let ids = condition.lhs.symbols().into_iter().chain(condition.rhs.symbols()).map(|(id, _)| id);
+        let mut ids: Vec<SymbolId> = ids.filter(|id| *id != variable).collect();
+        ids.sort_by_key(|id| matches!(model.meaning(*id), Some(Meaning::Constant(_))));
+        ids.dedup();
+        ids
+    };
+    let mut equalities: Vec<&Condition> = context.conditions.iter().filter(is_equality).collect();
+    equalities.sort_by_key(|condition| candidates(condition).len());
+    let mut taken = Vec::new();
+    for condition in &equalities {
+        let solved = candidates(condition).into_iter().filter(|id| !taken.contains(id)).find(|id| {
+            let mut moved = state.clone();
+            let works = newton(&mut moved, *id, condition, model);
+            if works {
+                *state = moved;
+            }
+            works
+        });
+        match solved {
+            Some(id) => taken.push(id),
+            None => return false,
+        }
+    }
+    context.conditions.iter().all(|condition| {
+        difference::<Measured>(state, condition, model, |x| Measured::new(x))
+            .is_some_and(|difference| judge::holds(condition.relation, difference))
+    })
+}
+
+fn newton(state: &mut Atoms, id: SymbolId, condition: &Condition, model: &Model) -> bool {
+    for _ in 0..40 {
+        let at = state.iter().position(|(known, _)| *known == id);
+        let seeded = |place: usize, x: f64| Dual64::new(x, if Some(place) == at { 1.0 } else { 0.0 });
+        let mut place = 0;
+        let value = difference::<Dual64>(state, condition, model, |x| {
+            place += 1;
+            seeded(place - 1, x)
+        });
+        let Some(value) = value.filter(|v| v.re.is_finite() && v.eps.is_finite()) else { return false };
+        if value.re == 0.0 {
+            return true;
+        }
+        if value.eps == 0.0 {
+            return false;
+        }
+        let step = value.re / value.eps;
+        set(state, id, |x| x - step);
+        if step.abs() < 1e-16 {
+            return true;
+        }
+    }
+    difference::<Measured>(state, condition, model, Measured::new).is_some_and(judge::vanishes)
+}
+
+fn difference<B: Number>(
+    state: &Atoms,
+    condition: &Condition,
+    model: &Model,
+    mut number: impl FnMut(f64) -> B,
+) -> Option<B> {
+    let mut assignment = Assignment::new(&model.symbols);
+    for (id, x) in state {
+        assignment.set(*id, 0, number(*x));
+    }
+    Some(value_of(&condition.lhs, &assignment)? - value_of(&condition.rhs, &assignment)?)
+}
+
+fn value_of<B: Number>(expr: &Expr, environment: &impl Environment<B>) -> Option<B> {
+    match evaluate(expr, environment, &[]) {
+        Ok(Value::Scalar(value)) => Some(value.value()),
+        _ => None,
+    }
+}
+
+/// What a look at one state shows.
+enum Look {
+    Holds,
+    Useless,
+    Fails { at: Option<f64>, found: f64, wanted: f64, what: String },
+}
+
+/// A function of one variable, its other atoms fixed.
+struct Probe<'a> {
+    model: &'a Model,
+    function: &'a Expr,
+    variable: SymbolId,
+    atoms: &'a Atoms,
+}
+
+impl Probe<'_> {
+    /// Value and slope at a point; a number that rounding drowns is none.
+    fn at(&self, x: f64) -> Option<(Measured, Measured)> {
+        let mut assignment: Assignment<'_, Dual<Measured>> = Assignment::new(&self.model.symbols);
+        for (id, value) in self.atoms {
+            assignment.set(*id, 0, Dual::from_re(Measured::new(*value)));
+        }
+        assignment.set(self.variable, 0, Dual::new(Measured::new(x), Measured::new(1.0)));
+        let value = value_of(self.function, &assignment)?;
+        (value.re.value.is_finite() && value.eps.value.is_finite()).then_some((value.re, value.eps))
+    }
+
+    fn look(&self, shape: &Shape, range: &Range) -> Look {
+        let name = typeset_name(self.model, self.variable);
+        match shape {
+            Shape::Solutions(wanted) => {
+                let found = roots_on_the_grid(|x| self.at(x).map_or(f64::NAN, |(value, _)| value.value));
+                if found == *wanted {
+                    return Look::Holds;
+                }
+                let what = format!("there are {found} real solutions for {name}, not {wanted}");
+                Look::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
+            }
+            Shape::TendsTo(end, target) => self.tends(*end, target, range),
+            _ => self.along(shape, range, &name),
+        }
+    }
+
+    fn along(&self, shape: &Shape, range: &Range, name: &str) -> Look {
+        let (mut minima, mut maxima, mut last_slope) = (0, 0, 0.0_f64);
+        let (mut positive, mut negative, mut seen) = (false, false, 0);
+        for x in grid(range) {
+            let Some((value, slope)) = self.at(x) else { continue };
+            seen += 1;
+            let clear = |m: Measured| if judge::vanishes(m) { 0.0 } else { m.value.signum() };
+            let (sign, slope_sign) = (clear(value), clear(slope));
+            positive |= sign > 0.0;
+            negative |= sign < 0.0;
+            let fails = |found: f64, what: &str| Look::Fails { at: Some(x), found, wanted: 0.0, what: what.to_owned() };
+            match shape {
+                Shape::Positive if sign < 0.0 => return fails(value.value, "it is negative here"),
+                Shape::Negative if sign > 0.0 => return fails(value.value, "it is positive here"),
+                Shape::Rises if slope_sign < 0.0 => return fails(slope.value, "it falls here"),
+                Shape::Falls if slope_sign > 0.0 => return fails(slope.value, "it rises here"),
+                Shape::Independent if slope_sign != 0.0 => return fails(slope.value, "it changes here"),
+                _ => {}
+            }
+            if slope_sign != 0.0 {
+                minima += usize::from(last_slope < 0.0 && slope_sign > 0.0);
+                maxima += usize::from(last_slope > 0.0 && slope_sign < 0.0);
+                last_slope = slope_sign;
+            }
+        }
+        if seen == 0 {
+            return Look::Useless;
+        }
+        let count = |found: usize, wanted: usize, what: &str| {
+            if found == wanted {
+                return Look::Holds;
+            }
+            let what = format!("along {name} it has {found} {what}, not {wanted}");
+            Look::Fails { at: None, found: found as f64, wanted: wanted as f64, what }
+        };
+        let fails = |what: String| Look::Fails { at: None, found: 0.0, wanted: 0.0, what };
+        match shape {
+            Shape::Minima(wanted) => count(minima, *wanted, "minima"),
+            Shape::Maxima(wanted) => count(maxima, *wanted, "maxima"),
+            Shape::ChangesSign if !positive => fails(format!("it is nowhere positive along {name}")),
+            Shape::ChangesSign if !negative => fails(format!("it is nowhere negative along {name}")),
+            Shape::Positive if !positive => fails(format!("it vanishes all along {name}")),
+            Shape::Negative if !negative => fails(format!("it vanishes all along {name}")),
+            Shape::Rises | Shape::Falls if last_slope == 0.0 => fails(format!("it does not change along {name}")),
+            _ => Look::Holds,
+        }
+    }
+
+    fn tends(&self, end: f64, target: &Target, range: &Range) -> Look {
+        let inward = match range {
+            Range::Interval { low, .. } if (end - low).abs() > 1e-9 => -1.0,
+            Range::Negative => -1.0,
+            _ => 1.0,
+        };
+        let wanted = match target {
+            Target::Infinite(Towards::MinusInfinity) => f64::NEG_INFINITY,
+            Target::Infinite(_) => f64::INFINITY,
+            Target::Finite(formula) => {
+                let mut assignment = Assignment::new(&self.model.symbols);
+                for (id, x) in self.atoms {
+                    assignment.set(*id, 0, *x);
+                }
+                match value_of(formula, &assignment) {
+                    Some(value) => value,
+                    None => return Look::Useless,
+                }
+            }
+        };
+        let steps: Vec<(f64, Measured)> = (2..=12)
+            .filter_map(|k| {
+                let x = end + inward * 0.5f64.powi(k);
+                let (value, _) = self.at(x)?;
+                (value.value.abs() > 1e-7 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
+            })
+            .collect();
+        let [.., before, last] = steps.as_slice() else { return Look::Useless };
+        let fails = |what: &str| Look::Fails { at: Some(last.0), found: last.1.value, wanted, what: what.to_owned() };
+        let halving = before.1.value / last.1.value;
+        if wanted.is_infinite() {
+            // A pole at least doubles the square root of two with each halving of the distance.
+            let diverges = last.1.value.signum() == wanted.signum() && halving > 0.0 && halving < 0.75;
+            return if diverges { Look::Holds } else { fails("it does not diverge there") };
+        }
+        let errors: Vec<f64> = steps.iter().map(|(_, value)| (value.value - wanted).abs()).collect();
+        let scale = wanted.abs().max(1e-3 * last.1.magnitude);
+        let [.., a, b] = errors.as_slice() else { return Look::Useless };
+        let approaches = *b <= 1e-9 * scale || b < &(0.8 * a) && *b < 0.05 * errors[0].max(scale);
+        if approaches { Look::Holds } else { fails("it does not tend to this value") }
+    }
+}
+
+fn typeset_name(model: &Model, id: SymbolId) -> String {
+    let expr =
+        Expr::new(crate::formula::Node::Symbol { id, indices: Vec::new(), dots: 0 }, crate::source::Span::default());
+    crate::formula::text::plain(&typeset(&expr, &model.symbols))
+}
+
+/// Points along a range: evenly inside, and ever closer to its ends.
+fn grid(range: &Range) -> Vec<f64> {
+    let pi = std::f64::consts::PI;
+    let near = |end: f64, inward: f64, width: f64| -> Vec<f64> {
+        (0..32).map(|k| end + inward * width * 10f64.powf(-1.0 - f64::from(k) / 8.0)).collect()
+    };
+    let interval = |low: f64, high: f64| {
+        let width = high - low;
+        let inside = (1..128).map(|k| low + width * f64::from(k) / 128.0);
+        let mut points: Vec<f64> = inside.chain(near(low, 1.0, width)).chain(near(high, -1.0, width)).collect();
+        points.sort_by(f64::total_cmp);
+        points
+    };
+    match range {
+        Range::Interval { low, high, .. } => interval(*low, *high),
+        Range::Angle => interval(-pi, pi),
+        Range::Positive => (-48..=48).map(|k| 10f64.powf(f64::from(k) / 16.0)).collect(),
+        Range::Negative => (-48..=48).rev().map(|k| -(10f64.powf(f64::from(k) / 16.0))).collect(),
+        Range::Any => {
+            let positive: Vec<f64> = (-48..=48).map(|k| 10f64.powf(f64::from(k) / 16.0)).collect();
+            positive.iter().rev().map(|x| -x).chain(positive.iter().copied()).collect()
+        }
+        Range::Integer { low, high } => (*low..=last(high, *low)).map(|n| n as f64).collect(),
+    }
+}
+
+/// An equation as the function whose zeros solve it.
+pub fn as_function(link: &Link) -> Expr {
+    link.lhs.clone().minus(link.rhs.clone())
+}

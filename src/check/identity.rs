@@ -1,0 +1,364 @@
+//! Claims between two formulas: always, or on shell, under hypotheses.
+
+use crate::Result;
+use crate::formula::evaluate::Unavailable;
+use crate::formula::tree::Sign;
+use crate::formula::{Expr, Node, Relation, text};
+use crate::latex::typeset;
+use crate::scalar::{Measured, TERMS};
+use crate::source::Span;
+
+use super::draw::Draw;
+use super::ensemble::{Condition, Ensemble, Setting};
+use super::judge::{self, Failure, Link, Point};
+use super::model::{Meaning, Model, Quantity};
+use super::scene::{Mode, Scene};
+use super::twins::{Twin, twins};
+use super::verdict::{Counterexample, Finding, Verdict};
+
+/// How many states a pass needs.
+pub const FEWEST: usize = 8;
+
+/// What a check is run with.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// The seed of all states.
+    pub seed: u64,
+    /// How many usable states are asked for.
+    pub points: usize,
+}
+
+/// A claim's hypotheses and its name, which seeds its states.
+#[derive(Clone, Copy)]
+pub struct Context<'a> {
+    /// The symbols and the world.
+    pub model: &'a Model,
+    /// Seed and number of states.
+    pub options: Options,
+    /// The hypotheses.
+    pub conditions: &'a [Condition],
+    /// Whether the claim is pinned to hold always (`false`) or on shell (`true`).
+    pub on_shell: Option<bool>,
+    /// The name of the claim.
+    pub topic: &'a str,
+    /// The bytes of the notes that the claim is about.
+    pub span: Span,
+}
+
+impl<'a> Context<'a> {
+    /// The mode of states on shell or off, with enough derivatives for these formulas and one more dot.
+    pub fn mode(&self, on_shell: bool, formulas: &[&Expr]) -> Mode {
+        let of_conditions = self.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
+        let needed = formulas.iter().copied().chain(of_conditions).map(|f| derivatives(f, self.model)).max();
+        let least = if self.conditions.iter().any(|c| c.throughout) { 4 } else { 2 };
+        Mode { on_shell, order: (needed.unwrap_or(0) + 1).max(least).min(TERMS - 1) }
+    }
+
+    /// States of the claim.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at all of them.
+    pub fn ensemble(&self, mode: Mode, relaxed: bool, points: usize) -> Result<Ensemble<'a>> {
+        let setting = Setting { conditions: self.conditions, mode, relaxed };
+        let topic = format!("{}/{}/{relaxed}", self.topic, mode.on_shell);
+        Ensemble::draw(self.model, &setting, points, &mut Draw::new(self.options.seed, &topic))
+    }
+
+    /// A finding about this claim.
+    pub fn finding(&self, verdict: Verdict, message: impl Into<String>) -> Finding {
+        Finding::new(verdict, self.span, message)
+    }
+
+    /// The finding that no state obeys the hypotheses.
+    pub fn no_room(&self, ensemble: &Ensemble<'_>) -> Finding {
+        let message = "no state obeys the hypotheses: they contradict each other or leave no room";
+        Finding { tried: ensemble.tried, ..self.finding(Verdict::Undecided, message) }
+    }
+
+    /// Why a formula has no value, as a finding.
+    pub fn unavailable(&self, reason: &Unavailable) -> Finding {
+        let message = match reason {
+            Unavailable::Symbol(id) => {
+                format!("nothing here gives {} a value", text::plain(&self.model.name(*id)))
+            }
+            Unavailable::Derivative(_) => format!("it needs time derivatives beyond the {}th", TERMS - 1),
+            Unavailable::Operation(what) => format!("{what} cannot be evaluated"),
+        };
+        self.finding(Verdict::Unreadable, message)
+    }
+}
+
+/// The order of the highest time derivative of a coordinate in a formula.
+pub fn derivatives(expr: &Expr, model: &Model) -> usize {
+    let inner = expr.children().into_iter().map(|child| derivatives(child, model)).max().unwrap_or(0);
+    match &expr.node {
+        Node::TimeDerivative(order, _) => inner + usize::from(*order),
+        Node::Symbol { id, dots, .. } => {
+            let own = match model.meaning(*id) {
+                Some(Meaning::World(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)) => 0,
+                Some(Meaning::World(_)) => 1,
+                Some(Meaning::Defined(formula)) => derivatives(formula, model),
+                _ => 0,
+            };
+            own + usize::from(*dots)
+        }
+        _ => inner,
+    }
+}
+
+/// What a set of states says of a link.
+pub struct Outcome {
+    /// The states at which it could be judged.
+    pub points: usize,
+    /// The largest relative residual where it holds.
+    pub residual: f64,
+    /// The clearest failure, and the state.
+    pub failure: Option<(Failure, usize)>,
+    /// A state at which one side alone is defined.
+    pub one_sided: Option<(Failure, usize)>,
+}
+
+/// Tests a link at all states.
+pub fn run(link: &Link, scenes: &[Scene<'_, Measured>]) -> Result<Outcome, Unavailable> {
+    let mut outcome = Outcome { points: 0, residual: 0.0, failure: None, one_sided: None };
+    for (at, scene) in scenes.iter().enumerate() {
+        match judge::test(link, scene)? {
+            Point::Holds(residual) => {
+                outcome.points += 1;
+                outcome.residual = outcome.residual.max(residual);
+            }
+            Point::Fails(failure) => {
+                outcome.points += 1;
+                let clearer = |(known, _): &(Failure, usize)| failure.residual > known.residual;
+                if outcome.failure.as_ref().is_none_or(clearer) {
+                    outcome.failure = Some((failure, at));
+                }
+            }
+            Point::OneSided(failure) => outcome.one_sided = Some((failure, at)),
+            Point::Useless => {}
+        }
+    }
+    Ok(outcome)
+}
+
+/// Whether a link fails at one of the states; it counts as failing where it has no value at all.
+fn fails(link: &Link, scenes: &[Scene<'_, Measured>]) -> bool {
+    scenes.iter().any(|scene| !matches!(judge::test(link, scene), Ok(Point::Holds(_) | Point::Useless)))
+}
+
+/// Checks a claim between two formulas.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
+    if let Some(finding) = trivial(link, context) {
+        return Ok(finding);
+    }
+    let formulas = [&link.lhs, &link.rhs];
+    let modes: &[bool] = match (context.on_shell, &context.model.world) {
+        (Some(false), _) | (_, None) => &[false],
+        (Some(true), _) => &[true],
+        (None, _) => &[false, true],
+    };
+    let mut last = context.finding(Verdict::Undecided, "nothing was tried");
+    for on_shell in modes {
+        let mode = context.mode(*on_shell, &formulas);
+        let ensemble = context.ensemble(mode, false, context.options.points)?;
+        if ensemble.scenes.is_empty() {
+            return Ok(context.no_room(&ensemble));
+        }
+        let outcome = match run(link, &ensemble.scenes) {
+            Ok(outcome) => outcome,
+            Err(reason) => return Ok(context.unavailable(&reason)),
+        };
+        let finding = conclude(link, context, &ensemble, &outcome);
+        if finding.verdict != Verdict::Refuted {
+            return if finding.verdict == Verdict::Verified {
+                held_against_twins(link, context, &ensemble, finding)
+            } else {
+                Ok(finding)
+            };
+        }
+        last = finding;
+    }
+    Ok(last)
+}
+
+/// Claims that say nothing: both sides the same formula, or the hypothesis itself.
+fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
+    let opened = |expr: &Expr| match expr.as_plain_symbol().and_then(|id| context.model.meaning(id)) {
+        Some(Meaning::Defined(formula)) => formula.as_ref().clone(),
+        _ => expr.clone(),
+    };
+    let (lhs, rhs) = (opened(&link.lhs), opened(&link.rhs));
+    if lhs == rhs {
+        return Some(context.finding(Verdict::Definition, "true by definition: both sides are one formula"));
+    }
+    let is_hypothesis = |c: &Condition| {
+        c.relation == link.relation
+            && (c.lhs == link.lhs && c.rhs == link.rhs || c.lhs == link.rhs && c.rhs == link.lhs)
+    };
+    context
+        .conditions
+        .iter()
+        .any(is_hypothesis)
+        .then(|| context.finding(Verdict::Undecided, "this is one of its own hypotheses, so nothing is checked"))
+}
+
+fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome: &Outcome) -> Finding {
+    let evidence = |verdict, message: String| Finding {
+        points: outcome.points,
+        tried: ensemble.tried,
+        max_residual: (outcome.points > 0).then_some(outcome.residual),
+        ..context.finding(verdict, message)
+    };
+    let whence = match (ensemble.mode.on_shell, context.conditions.is_empty()) {
+        (false, true) => "always",
+        (false, false) => "under its hypotheses",
+        (true, true) => "on shell",
+        (true, false) => "on shell, under its hypotheses",
+    };
+    if let Some((failure, at)) = &outcome.failure {
+        let message = match (&failure.entry, link.relation) {
+            (Some(entry), _) => format!("fails {whence}, at {entry}"),
+            (None, Relation::Equal | Relation::Identical) => format!("the two sides differ, {whence}"),
+            (None, relation) => format!("“{}” fails, {whence}", relation.glyph()),
+        };
+        let mut finding = evidence(Verdict::Refuted, message);
+        finding.max_residual = Some(failure.residual);
+        finding.counterexample = Some(counterexample(link, &ensemble.scenes[*at], failure));
+        if let Some(twin) = meant(link, context.model, &ensemble.scenes) {
+            finding.message.push_str(&format!("; it would hold with {}", twin.change));
+        }
+        return finding;
+    }
+    if let (Some((failure, at)), true) = (&outcome.one_sided, outcome.points > 0) {
+        let which = if failure.lhs.is_finite() { "right" } else { "left" };
+        let message = format!("agrees wherever both sides are defined, but the {which} side is not defined everywhere");
+        let mut finding = evidence(Verdict::Domain, message);
+        finding.counterexample = Some(counterexample(link, &ensemble.scenes[*at], failure));
+        return finding;
+    }
+    if outcome.points < FEWEST.min(context.options.points) {
+        let message = format!("only {} of {} states can tell: too few", outcome.points, ensemble.tried);
+        return evidence(Verdict::Undecided, message);
+    }
+    evidence(Verdict::Verified, format!("holds {whence}"))
+}
+
+/// The first twin that holds at all states: what may have been meant.
+fn meant(link: &Link, model: &Model, scenes: &[Scene<'_, Measured>]) -> Option<Twin> {
+    twins(link, model).into_iter().find(|twin| {
+        run(&twin.link, scenes).is_ok_and(|outcome| {
+            outcome.failure.is_none() && outcome.one_sided.is_none() && outcome.points >= FEWEST.min(scenes.len())
+        })
+    })
+}
+
+/// A pass stands only if the states refute every twin that is not as true as the claim itself.
+fn held_against_twins(
+    link: &Link,
+    context: &Context<'_>,
+    ensemble: &Ensemble<'_>,
+    finding: Finding,
+) -> Result<Finding> {
+    let survivors: Vec<Twin> =
+        twins(link, context.model).into_iter().filter(|twin| !fails(&twin.link, &ensemble.scenes)).collect();
+    if survivors.is_empty() {
+        return Ok(finding);
+    }
+    // A twin that holds wherever the claim does, far beyond the ranges, is as true as the claim.
+    let wide = context.ensemble(ensemble.mode, true, 3 * context.options.points)?;
+    let holding: Vec<&Scene<'_, Measured>> =
+        wide.scenes.iter().filter(|scene| matches!(judge::test(link, scene), Ok(Point::Holds(_)))).collect();
+    for twin in survivors {
+        let differs = |scene: &&&Scene<'_, Measured>| {
+            !matches!(judge::test(&twin.link, scene), Ok(Point::Holds(_) | Point::Useless))
+        };
+        if holding.iter().any(|scene| differs(&scene)) {
+            let message = format!("these states cannot tell it from the same claim with {}", twin.change);
+            return Ok(Finding { message, verdict: Verdict::Undecided, ..finding });
+        }
+    }
+    Ok(finding)
+}
+
+/// The state of a failure: the values of the claim's symbols.
+pub fn counterexample(link: &Link, scene: &Scene<'_, Measured>, failure: &Failure) -> Counterexample {
+    Counterexample {
+        state: values(&[&link.lhs, &link.rhs], scene),
+        lhs: failure.lhs,
+        rhs: failure.rhs,
+        entry: failure.entry.clone(),
+    }
+}
+
+/// The values of the plain symbols of some formulas at a state, dotted ones as they occur.
+pub fn values(formulas: &[&Expr], scene: &Scene<'_, Measured>) -> Vec<(String, f64)> {
+    let model = scene.model();
+    let mut found: Vec<(String, f64)> = Vec::new();
+    for formula in formulas {
+        formula.walk(&mut |expr| {
+            let Node::Symbol { indices, .. } = &expr.node else { return };
+            if !indices.is_empty() {
+                return;
+            }
+            let name = typeset(expr, &model.symbols);
+            let value = crate::formula::evaluate(expr, scene, &[]);
+            if let Ok(crate::formula::Value::Scalar(value)) = value
+                && !found.iter().any(|(known, _)| *known == name)
+            {
+                found.push((name, value.value().value));
+            }
+        });
+    }
+    if found.is_empty() {
+        let coordinates = model.coordinates.iter().zip(scene.coordinates());
+        found.extend(coordinates.map(|(variable, value)| (model.name(variable.symbol), value.value().value)));
+    }
+    found
+}
+
+/// Checks that a formula does not change along the motion, and that this says something.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
+    if context.model.world.is_none() {
+        return Ok(context.finding(Verdict::Undecided, "nothing says how it moves: name a \"system\""));
+    }
+    let rate = Expr::new(Node::TimeDerivative(1, Box::new(expr.clone())), expr.span);
+    let zero = Expr::integer(0, expr.span);
+    let link = Link { lhs: rate, relation: Relation::Equal, rhs: zero, free: Vec::new() };
+    let off_shell = context.ensemble(context.mode(false, &[&link.lhs]), false, context.options.points)?;
+    match run(&link, &off_shell.scenes) {
+        Err(reason) => return Ok(context.unavailable(&reason)),
+        Ok(outcome) if outcome.failure.is_none() => {
+            return Ok(context.finding(Verdict::Undecided, "it does not vary even off shell, so nothing is conserved"));
+        }
+        Ok(_) => {}
+    }
+    let on_shell = Context { on_shell: Some(true), ..*context };
+    let mode = on_shell.mode(true, &[&link.lhs]);
+    let ensemble = on_shell.ensemble(mode, false, context.options.points)?;
+    if ensemble.scenes.is_empty() {
+        return Ok(context.no_room(&ensemble));
+    }
+    let outcome = match run(&link, &ensemble.scenes) {
+        Ok(outcome) => outcome,
+        Err(reason) => return Ok(context.unavailable(&reason)),
+    };
+    let mut finding = conclude(&link, &on_shell, &ensemble, &outcome);
+    finding.message = match finding.verdict {
+        Verdict::Verified => "constant on shell".to_owned(),
+        Verdict::Refuted => "it varies on shell".to_owned(),
+        _ => finding.message,
+    };
+    Ok(finding)
+}
+
+/// `expr + dropped`: the side of a claim with what its author left out.
+pub fn with_dropped(expr: &Expr, dropped: &Expr) -> Expr {
+    let plus = |expr: &Expr| crate::formula::Term { sign: Sign::Plus, sign_span: None, expr: expr.clone() };
+    Expr::new(Node::Sum(vec![plus(expr), plus(dropped)]), expr.span)
+}

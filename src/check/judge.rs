@@ -1,0 +1,229 @@
+//! Whether two sides agree at a state.
+//!
+//! A residual is judged on the scale of the terms that met in both sides ([`Measured`]), and falls into one of three
+//! zones: as small as rounding makes it, clearly there, or in between, where the state is too ill-conditioned to tell.
+//! So a large common offset makes a state useless; it never makes two sides equal.
+
+use approx::{AbsDiffEq, abs_diff_eq};
+
+use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::formula::{Expr, IndexId, Relation, Value};
+use crate::scalar::Measured;
+
+use super::scene::Scene;
+
+/// Up to this share of the scale a residual is rounding: a thousand roundings of a double.
+pub const ROUNDING: f64 = 2.5e-13;
+
+/// From this share of the scale on, a residual is a difference.
+pub const DIFFERENCE: f64 = 1e-9;
+
+/// A claim between two formulas.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// The left side.
+    pub lhs: Expr,
+    /// The relation.
+    pub relation: Relation,
+    /// The right side.
+    pub rhs: Expr,
+    /// The free indices, for all of whose values it is claimed.
+    pub free: Vec<IndexId>,
+}
+
+/// What a state says of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Point {
+    /// The relation holds; with the relative residual.
+    Holds(f64),
+    /// It does not.
+    Fails(Failure),
+    /// One side is defined here and the other is not.
+    OneSided(Failure),
+    /// Nothing can be told here.
+    Useless,
+}
+
+/// Where and how a link fails at a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// The left side's value.
+    pub lhs: f64,
+    /// The right side's value.
+    pub rhs: f64,
+    /// The residual relative to the scale.
+    pub residual: f64,
+    /// Which entry of a vector, matrix or family.
+    pub entry: Option<String>,
+}
+
+/// A number with its scale, compared with `approx` on that scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Scaled {
+    value: f64,
+    scale: f64,
+}
+
+impl AbsDiffEq for Scaled {
+    type Epsilon = f64;
+    fn default_epsilon() -> f64 {
+        ROUNDING
+    }
+    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
+        abs_diff_eq!(self.value, other.value, epsilon = epsilon * (self.scale + other.scale))
+    }
+}
+
+/// Whether a value that should be zero is as small as rounding makes it.
+pub fn vanishes(value: Measured) -> bool {
+    abs_diff_eq!(Scaled { value: value.value, scale: value.magnitude }, Scaled { value: 0.0, scale: 0.0 })
+        || value.value == 0.0
+}
+
+/// Whether a difference of two sides satisfies an inequality, clearly.
+pub fn holds(relation: Relation, difference: Measured) -> bool {
+    let clear = difference.value.abs() > DIFFERENCE * difference.magnitude;
+    match relation {
+        Relation::Less => clear && difference.value < 0.0,
+        Relation::Greater => clear && difference.value > 0.0,
+        Relation::LessEqual => vanishes(difference) || clear && difference.value < 0.0,
+        Relation::GreaterEqual => vanishes(difference) || clear && difference.value > 0.0,
+        Relation::NotEqual => clear,
+        Relation::Equal | Relation::Identical | Relation::Approximately | Relation::Proportional => {
+            vanishes(difference)
+        }
+    }
+}
+
+/// Tests a link at a state, for all values of its free indices and entry by entry.
+pub fn test(link: &Link, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
+    let mut worst = Point::Holds(0.0);
+    let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
+    loop {
+        let (lhs, rhs) = (evaluate(&link.lhs, scene, &indices)?, evaluate(&link.rhs, scene, &indices)?);
+        let label = |k: usize, shape| {
+            let letters =
+                indices.iter().map(|(id, value)| format!("{} = {value}", scene.model().symbols.indices[id.0].letter));
+            let all: Vec<String> = letters.chain(Value::<f64>::entry_name(shape, k)).collect();
+            (!all.is_empty()).then(|| all.join(", "))
+        };
+        let shape = if link.lhs.is_zero() { rhs.shape() } else { lhs.shape() };
+        let (a, b) = pair(lhs, rhs);
+        for (k, (a, b)) in a.into_iter().zip(b).enumerate() {
+            let found = compare(link.relation, a, b, || label(k, shape));
+            worst = worse(worst, found);
+        }
+        if !advance(&mut indices, scene) {
+            return Ok(worst);
+        }
+    }
+}
+
+/// The numbers of two sides; a literal 0 or 1 takes the shape of the other side.
+fn pair<B: crate::scalar::Number>(
+    lhs: Value<crate::scalar::Series<B>>,
+    rhs: Value<crate::scalar::Series<B>>,
+) -> (Vec<B>, Vec<B>) {
+    use crate::formula::shape::Shape;
+    let (a_shape, b_shape) = (lhs.shape(), rhs.shape());
+    let numbers = |value: Value<crate::scalar::Series<B>>| -> Vec<B> {
+        value.entries().iter().map(crate::scalar::Series::value).collect()
+    };
+    let (a, b) = (numbers(lhs), numbers(rhs));
+    let spread = |literal: B, shape: Shape| -> Vec<B> {
+        match shape {
+            Shape::Scalar => vec![literal],
+            Shape::Vector => vec![literal; 3],
+            Shape::Matrix(rows, columns) => {
+                (0..rows * columns).map(|k| if k / columns == k % columns { literal } else { B::zero() }).collect()
+            }
+        }
+    };
+    match (a_shape, b_shape) {
+        (Shape::Scalar, other) if other != Shape::Scalar => (spread(a[0], other), b),
+        (other, Shape::Scalar) if other != Shape::Scalar => (a, spread(b[0], other)),
+        _ => (a, b),
+    }
+}
+
+fn compare(relation: Relation, a: Measured, b: Measured, entry: impl Fn() -> Option<String>) -> Point {
+    let finite = (a.value.is_finite(), b.value.is_finite());
+    let scale = a.magnitude + b.magnitude;
+    let residual = if scale > 0.0 { (a.value - b.value).abs() / scale } else { 0.0 };
+    let failure = || Failure { lhs: a.value, rhs: b.value, residual, entry: entry() };
+    match finite {
+        (true, true) if !scale.is_finite() => Point::Useless,
+        (true, true) => {
+            let difference = Measured { value: a.value - b.value, magnitude: scale };
+            match relation {
+                Relation::Equal | Relation::Identical | Relation::Approximately | Relation::Proportional => {
+                    if vanishes(difference) {
+                        Point::Holds(residual)
+                    } else if residual > DIFFERENCE {
+                        Point::Fails(failure())
+                    } else {
+                        Point::Useless
+                    }
+                }
+                relation if holds(relation, difference) => Point::Holds(0.0),
+                _ if residual > DIFFERENCE || vanishes(difference) => Point::Fails(failure()),
+                _ => Point::Useless,
+            }
+        }
+        (false, false) => Point::Useless,
+        _ => Point::OneSided(failure()),
+    }
+}
+
+fn worse(a: Point, b: Point) -> Point {
+    let rank = |point: &Point| match point {
+        Point::Holds(_) => 0,
+        Point::Useless => 1,
+        Point::OneSided(_) => 2,
+        Point::Fails(_) => 3,
+    };
+    match (&a, &b) {
+        (Point::Holds(x), Point::Holds(y)) => Point::Holds(x.max(*y)),
+        (Point::Fails(x), Point::Fails(y)) if y.residual > x.residual => b,
+        _ if rank(&b) > rank(&a) => b,
+        _ => a,
+    }
+}
+
+/// The next values of the free indices; false after the last.
+fn advance(indices: &mut [(IndexId, u8)], scene: &Scene<'_, Measured>) -> bool {
+    for (id, value) in indices.iter_mut() {
+        if *value < scene.model().symbols.indices[id.0].upper {
+            *value += 1;
+            return true;
+        }
+        *value = 1;
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_large_offset_makes_a_state_useless_and_never_equal() {
+        let one = Measured::new(1e12) + Measured::new(3.0);
+        let other = Measured::new(1e12) + Measured::new(2.0);
+        assert_eq!(compare(Relation::Equal, one, other, || None), Point::Useless);
+        assert!(matches!(compare(Relation::Equal, one, one, || None), Point::Holds(_)));
+    }
+
+    #[test]
+    fn two_sides_without_a_value_do_not_agree() {
+        let nan = Measured::new(f64::NAN);
+        assert_eq!(compare(Relation::Equal, nan, nan, || None), Point::Useless);
+        assert!(matches!(compare(Relation::Equal, nan, Measured::new(1.0), || None), Point::OneSided(_)));
+    }
+
+    #[test]
+    fn tiny_numbers_are_told_apart() {
+        let (a, b) = (Measured::new(1e-30), Measured::new(2e-30));
+        assert!(matches!(compare(Relation::Equal, a, b, || None), Point::Fails(_)));
+    }
+}

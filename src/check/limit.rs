@@ -1,0 +1,156 @@
+//! Claims that hold in a limit: `A ≈ B` as x → a.
+//!
+//! The ratio of the sides must tend to 1, or the difference to 0 where the right side is finite and its limit is zero,
+//! and at a rate: the error is followed over several steps towards the limit and must fall as a power, which is
+//! reported. Steps at which rounding would drown the error are not used.
+
+use crate::Result;
+use crate::formula::SymbolId;
+use crate::formula::Value;
+use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::scalar::{Measured, Series};
+
+use super::identity::{Context, FEWEST, counterexample};
+use super::judge::{Failure, Link};
+use super::scene::Scene;
+use super::twins::twins;
+use super::verdict::{Finding, Verdict};
+
+/// Where a limit goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Towards {
+    /// `\infty`, `+\infty`
+    Infinity,
+    /// `-\infty`
+    MinusInfinity,
+    /// A number.
+    Number(f64),
+}
+
+impl Towards {
+    /// The k-th step towards the limit.
+    pub fn step(self, k: i32) -> f64 {
+        let far = 16.0 * 2f64.powi(k);
+        match self {
+            Towards::Infinity => far,
+            Towards::MinusInfinity => -far,
+            Towards::Number(a) => a + 1.0 / far,
+        }
+    }
+}
+
+/// How the two sides of a claim approach each other at one state.
+enum Approach {
+    /// The error falls as this power of the distance from the limit.
+    Power(f64),
+    /// It does not fall.
+    Fails(Failure),
+    /// Too few steps can tell.
+    Useless,
+}
+
+/// Checks a claim in the limit of one symbol.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Context<'_>) -> Result<Finding> {
+    let mut ensemble = context.ensemble(context.mode(false, &[&link.lhs, &link.rhs]), false, context.options.points)?;
+    if ensemble.scenes.is_empty() {
+        return Ok(context.no_room(&ensemble));
+    }
+    let mut powers: Vec<f64> = Vec::new();
+    let mut used = Vec::new();
+    for at in 0..ensemble.scenes.len() {
+        match approach(link, variable, towards, &mut ensemble.scenes[at]) {
+            Ok(Approach::Power(power)) => {
+                powers.push(power);
+                used.push(at);
+            }
+            Ok(Approach::Fails(failure)) => {
+                let scene = &mut ensemble.scenes[at];
+                scene.set_only(&[(variable, Series::constant(Measured::new(towards.step(LAST))))]);
+                let found = counterexample(link, scene, &failure);
+                scene.set_only(&[]);
+                return Ok(Finding {
+                    points: powers.len() + 1,
+                    tried: ensemble.tried,
+                    max_residual: Some(failure.residual),
+                    counterexample: Some(found),
+                    ..context.finding(Verdict::Refuted, "the two sides do not approach each other in this limit")
+                });
+            }
+            Ok(Approach::Useless) => {}
+            Err(reason) => return Ok(context.unavailable(&reason)),
+        }
+    }
+    if powers.len() < FEWEST.min(context.options.points) {
+        let message = format!("only {} of {} states reach the limit", powers.len(), ensemble.tried);
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
+    for twin in twins(link, context.model) {
+        let survives = used.iter().all(|at| {
+            matches!(approach(&twin.link, variable, towards, &mut ensemble.scenes[*at]), Ok(Approach::Power(_)))
+        });
+        if survives {
+            let message = format!("these states cannot tell it from the same claim with {}", twin.change);
+            return Ok(context.finding(Verdict::Undecided, message));
+        }
+    }
+    let slowest = powers.iter().copied().fold(f64::INFINITY, f64::min);
+    let name = crate::formula::text::plain(&context.model.name(variable));
+    let distance = match towards {
+        Towards::Number(_) => "of the distance from the limit".to_owned(),
+        _ => format!("of 1/{name}"),
+    };
+    Ok(Finding {
+        points: powers.len(),
+        tried: ensemble.tried,
+        ..context.finding(
+            Verdict::Verified,
+            format!("holds in the limit; the relative error falls as the power {slowest:.1} {distance}"),
+        )
+    })
+}
+
+/// The last step that is taken.
+const LAST: i32 = 10;
+
+fn approach(
+    link: &Link,
+    variable: SymbolId,
+    towards: Towards,
+    scene: &mut Scene<'_, Measured>,
+) -> Result<Approach, Unavailable> {
+    let mut errors: Vec<f64> = Vec::new();
+    let mut last = None;
+    for k in 0..=LAST {
+        scene.set_only(&[(variable, Series::constant(Measured::new(towards.step(k))))]);
+        let sides = (evaluate(&link.lhs, scene, &[]), evaluate(&link.rhs, scene, &[]));
+        let (Value::Scalar(a), Value::Scalar(b)) = (sides.0?, sides.1?) else {
+            scene.set_only(&[]);
+            return Err(Unavailable::Operation("a limit of something that is no number"));
+        };
+        let (a, b) = (a.value(), b.value());
+        if !a.value.is_finite() || !b.value.is_finite() {
+            continue;
+        }
+        let scale = if b.value == 0.0 { 1.0 } else { b.value.abs() };
+        let error = (a.value - b.value).abs() / scale;
+        let noise = 1e-13 * (a.magnitude + b.magnitude) / scale;
+        last = Some(Failure { lhs: a.value, rhs: b.value, residual: error, entry: None });
+        if error <= noise {
+            break;
+        }
+        errors.push(error);
+    }
+    scene.set_only(&[]);
+    let Some(last) = last else { return Ok(Approach::Useless) };
+    if errors.len() < 3 {
+        // The sides are one to rounding: then they agree in the limit too.
+        return Ok(if last.residual < 1e-9 { Approach::Power(f64::INFINITY) } else { Approach::Useless });
+    }
+    let tail = &errors[errors.len().saturating_sub(4)..];
+    let power = (tail[0] / tail[tail.len() - 1]).log2() / (tail.len() - 1) as f64;
+    let small = errors.last().is_some_and(|error| *error < 0.05);
+    Ok(if power > 0.3 && small { Approach::Power(power) } else { Approach::Fails(last) })
+}

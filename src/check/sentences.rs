@@ -1,0 +1,222 @@
+//! Sentences of the notes turned into tests.
+//!
+//! A sentence is quoted verbatim, so that it cannot drift from the notes, and says one thing: a formula that holds (or
+//! does not always), a constant of the motion, the shape of a function, the number of solutions of an equation.
+
+use crate::formula::{Expr, Statement, SymbolId, text};
+use crate::notes::claims::{Holds, Property, Sentence, Sign, Spanned, Test};
+use crate::{Error, Result};
+
+use super::document::{Desk, expected, merged};
+use super::functions::{self, Shape, Target};
+use super::identity::{self, Context};
+use super::limit::{self, Towards};
+use super::verdict::{Equation, Finding, Verdict};
+
+/// Checks the `at`-th sentence of the claims file.
+pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<Equation> {
+    let found = desk.notes.find_quote(&sentence.quote.value);
+    let place = match found.as_slice() {
+        [only] => *only,
+        [] => {
+            let message = "this sentence does not stand in the notes";
+            return Err(Error::at(&desk.claims.source, sentence.quote.span, message).help("quote it word for word"));
+        }
+        _ => {
+            let message = format!("this stands {} times in the notes", found.len());
+            return Err(Error::at(&desk.claims.source, sentence.quote.span, message).help("quote more of it"));
+        }
+    };
+    let id = sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone());
+    let conditions = desk.conditions(&sentence.claim)?;
+    let on_shell = sentence.claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
+    let context = Context {
+        model: desk.model,
+        options: desk.options,
+        conditions: &conditions,
+        on_shell,
+        topic: &id,
+        span: place,
+    };
+    let (finding, reading) = test(desk, sentence, &context)?;
+    let ok = match &sentence.claim.expect {
+        Some(expect) => finding.verdict == expected(expect),
+        None => finding.verdict.passes(),
+    };
+    Ok(Equation {
+        line: desk.notes.source.line_column(place.start).0,
+        latex: desk.notes.source.slice(place).to_owned(),
+        reading,
+        finding,
+        ok,
+        because: sentence.claim.expect.as_ref().map(|expect| expect.because.value.clone()),
+        parts: Vec::new(),
+        id,
+    })
+}
+
+fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(Finding, String)> {
+    let symbols = &desk.model.symbols;
+    match &sentence.test {
+        Test::Quoted => {
+            let formulas: String = sentence.quote.value.split('$').skip(1).step_by(2).collect::<Vec<_>>().join(", ");
+            if formulas.is_empty() {
+                let message = "this quotes no formula, and nothing says what it claims";
+                return Err(Error::at(&desk.claims.source, sentence.quote.span, message)
+                    .help("say it with \"claim\", or quote the formula between its dollar signs"));
+            }
+            let latex = Spanned::new(formulas, sentence.quote.span);
+            let statements = desk.statements(&latex)?;
+            let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
+            Ok((claim(desk, sentence, &statements, context)?, reading.join("; ")))
+        }
+        Test::Claim(latex) => {
+            let statements = desk.statements(latex)?;
+            let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
+            Ok((claim(desk, sentence, &statements, context)?, reading.join("; ")))
+        }
+        Test::NotAlways(latex) => {
+            let statements = desk.statements(latex)?;
+            let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
+            let found = claim(desk, sentence, &statements, context)?;
+            let finding = match found.verdict {
+                Verdict::Refuted => {
+                    Finding { verdict: Verdict::Verified, message: "a counterexample is given".into(), ..found }
+                }
+                verdict if verdict.passes() => {
+                    Finding { verdict: Verdict::Refuted, message: "it holds at every state".into(), ..found }
+                }
+                _ => found,
+            };
+            Ok((finding, format!("not always: {}", reading.join("; "))))
+        }
+        Test::Conserved(latex) => {
+            let formula = desk.formula(latex)?;
+            let reading = format!("{} is constant", text::formula(&formula, symbols));
+            Ok((identity::conserved(&formula, context)?, reading))
+        }
+        Test::Of(of, property) => {
+            let function = function(desk, of)?;
+            let words = text::formula(&function, symbols);
+            let mut findings = Vec::new();
+            for (variable, shape) in shapes(desk, sentence, property)? {
+                findings.push(functions::check(&function, variable, &shape, context));
+            }
+            let finding = merged(findings).unwrap_or_else(|| context.finding(Verdict::Unclaimed, "nothing is said"));
+            Ok((finding, format!("{} of {words}", property_words(property))))
+        }
+        Test::Solutions { count, of, unknown } => {
+            let target = functions::as_function(&desk.target(&Spanned::new(of.text.clone(), of.span))?);
+            let variable = desk.symbol(unknown)?;
+            let shape = Shape::Solutions(count.value);
+            let name = text::plain(&desk.model.name(variable));
+            let reading = format!("({}) has {} solutions for {name}", of.text, count.value);
+            Ok((functions::check(&target, variable, &shape, context), reading))
+        }
+    }
+}
+
+/// Every link of some statements.
+fn claim(desk: &Desk<'_>, sentence: &Sentence, statements: &[Statement], context: &Context<'_>) -> Result<Finding> {
+    let mut findings = Vec::new();
+    for statement in statements {
+        for (at, (relation, _)) in statement.relations.iter().enumerate() {
+            let link = desk.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+            findings.push(match &sentence.claim.limit {
+                Some(limit) => {
+                    let (variable, towards) = desk.limit(limit)?;
+                    limit::check(&link, variable, towards, context)?
+                }
+                None => identity::check(&link, context)?,
+            });
+        }
+        if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
+            findings.push(identity::conserved(last, context)?);
+        }
+    }
+    Ok(merged(findings).unwrap_or_else(|| context.finding(Verdict::Unclaimed, "nothing is claimed")))
+}
+
+/// A function given by the number of an equation (its last member) or by LaTeX.
+fn function(desk: &Desk<'_>, of: &Spanned<String>) -> Result<Expr> {
+    match desk.display(&of.value).map(|reading| reading.statements.first()) {
+        Some(Some(Ok(statement))) => {
+            let last = statement.members.last().cloned();
+            last.ok_or_else(|| Error::at(&desk.claims.source, of.span, "this equation is empty"))
+        }
+        Some(_) => Err(Error::at(&desk.claims.source, of.span, format!("({}) cannot be read", of.value))),
+        None => desk.formula(of),
+    }
+}
+
+fn property_words(property: &Property) -> String {
+    match property {
+        Property::IndependentOf(names) => {
+            let names: Vec<&str> = names.iter().map(|name| name.value.as_str()).collect();
+            format!("independence from {}", text::plain(&names.join(", ")))
+        }
+        Property::Sign(sign) => match sign.value {
+            Sign::Positive => "positive sign".to_owned(),
+            Sign::Negative => "negative sign".to_owned(),
+            Sign::Changes => "change of sign".to_owned(),
+        },
+        Property::Minima(n) => format!("{} minima", n.value),
+        Property::Maxima(n) => format!("{} maxima", n.value),
+        Property::TendsTo(limits) => {
+            let limits: Vec<String> = limits
+                .iter()
+                .map(|(at, value)| format!("{}: {}", text::plain(&at.value), text::plain(&value.value)))
+                .collect();
+            format!("limits ({})", limits.join(", "))
+        }
+        Property::RisesWith(x) => format!("rise with {}", text::plain(&x.value)),
+        Property::FallsWith(x) => format!("fall with {}", text::plain(&x.value)),
+    }
+}
+
+/// The shapes that a sentence claims, each with its variable.
+fn shapes(desk: &Desk<'_>, sentence: &Sentence, property: &Property) -> Result<Vec<(SymbolId, Shape)>> {
+    let along = || {
+        sentence.against.as_ref().map(|name| desk.symbol(name)).unwrap_or_else(|| {
+            Err(Error::at(&desk.claims.source, sentence.quote.span, "along which variable?")
+                .help("name it with \"against\""))
+        })
+    };
+    Ok(match property {
+        Property::IndependentOf(names) => {
+            let each = names.iter().map(|name| Ok((desk.symbol(name)?, Shape::Independent)));
+            each.collect::<Result<_>>()?
+        }
+        Property::Sign(sign) => {
+            let shape = match sign.value {
+                Sign::Positive => Shape::Positive,
+                Sign::Negative => Shape::Negative,
+                Sign::Changes => Shape::ChangesSign,
+            };
+            vec![(along()?, shape)]
+        }
+        Property::Minima(n) => vec![(along()?, Shape::Minima(n.value))],
+        Property::Maxima(n) => vec![(along()?, Shape::Maxima(n.value))],
+        Property::RisesWith(x) => vec![(desk.symbol(x)?, Shape::Rises)],
+        Property::FallsWith(x) => vec![(desk.symbol(x)?, Shape::Falls)],
+        Property::TendsTo(limits) => {
+            let each = limits.iter().map(|(at, value)| {
+                let (variable, towards) = desk.limit(at)?;
+                let Towards::Number(end) = towards else {
+                    return Err(Error::at(
+                        &desk.claims.source,
+                        at.span,
+                        "limits at infinity are not supported here yet",
+                    ));
+                };
+                let target = match value.value.replace(' ', "").as_str() {
+                    "\\infty" | "+\\infty" => Target::Infinite(Towards::Infinity),
+                    "-\\infty" => Target::Infinite(Towards::MinusInfinity),
+                    _ => Target::Finite(Box::new(desk.formula(value)?)),
+                };
+                Ok((variable, Shape::TendsTo(end, target)))
+            });
+            each.collect::<Result<_>>()?
+        }
+    })
+}

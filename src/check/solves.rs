@@ -1,0 +1,206 @@
+//! Claims that formulas solve an earlier equation for an unknown.
+//!
+//! Each printed branch put in for the unknown makes the equation hold; the branches differ; and the equation has no other
+//! real root. Roots are counted by the signs of the equation on a grid of both signs that is logarithmic in the unknown.
+
+use crate::Result;
+use crate::formula::evaluate::evaluate;
+use crate::formula::{Expr, SymbolId, Value};
+use crate::scalar::{Measured, Series};
+
+use super::identity::{Context, FEWEST, counterexample};
+use super::judge::{self, Failure, Link, Point};
+use super::scene::Scene;
+use super::twins::twins;
+use super::verdict::{Finding, Verdict};
+
+/// The decades of the unknown that are searched for roots, either way from one.
+const DECADES: i32 = 7;
+/// Grid points in a decade.
+const PER_DECADE: i32 = 24;
+
+/// Checks that `branches` are the solutions of `target` for `unknown`.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(target: &Link, unknown: SymbolId, branches: &[Expr], context: &Context<'_>) -> Result<Finding> {
+    if !mentions(&target.lhs, unknown) && !mentions(&target.rhs, unknown) {
+        let name = context.model.name(unknown);
+        return Ok(context.finding(Verdict::Undecided, format!("{name} does not occur in the equation to be solved")));
+    }
+    if branches.iter().any(|branch| mentions(branch, unknown)) {
+        let name = context.model.name(unknown);
+        return Ok(context.finding(Verdict::Undecided, format!("the solution still contains {name}")));
+    }
+    let mut formulas = vec![&target.lhs, &target.rhs];
+    formulas.extend(branches);
+    let mode = context.mode(false, &formulas);
+    // Where the roots are not real there is nothing to put in, so more states are drawn than are asked for.
+    let mut ensemble = context.ensemble(mode, false, 3 * context.options.points)?;
+    if ensemble.scenes.is_empty() {
+        return Ok(context.no_room(&ensemble));
+    }
+    let (mut points, mut residual, mut counted) = (0, 0.0_f64, 0);
+    let mut used: Vec<usize> = Vec::new();
+    for at in 0..ensemble.scenes.len() {
+        if points == context.options.points {
+            break;
+        }
+        let scene = &mut ensemble.scenes[at];
+        let mut roots = Vec::new();
+        for branch in branches {
+            match evaluate(branch, scene, &[]) {
+                Ok(Value::Scalar(root)) if root.value().value.is_finite() => roots.push(root.value()),
+                Ok(_) => {}
+                Err(reason) => return Ok(context.unavailable(&reason)),
+            }
+        }
+        if roots.len() < branches.len() {
+            continue;
+        }
+        for root in &roots {
+            match put_in(target, unknown, *root, scene) {
+                Ok(Point::Holds(found)) => residual = residual.max(found),
+                Ok(Point::Fails(failure)) => return Ok(refuted(target, context, scene, &failure, points)),
+                Ok(_) => {}
+                Err(reason) => return Ok(context.unavailable(&reason)),
+            }
+        }
+        for (i, a) in roots.iter().enumerate() {
+            if roots[..i].iter().any(|b| judge::vanishes(*a - *b)) {
+                return Ok(context.finding(Verdict::Refuted, "two branches are the same solution"));
+            }
+        }
+        let all = count_roots(target, unknown, scene);
+        if all > roots.len() {
+            let message = format!("the equation has {all} real solutions, and {} are given", roots.len());
+            let failure = Failure { lhs: all as f64, rhs: roots.len() as f64, residual: 1.0, entry: None };
+            let counterexample = Some(counterexample(target, scene, &failure));
+            return Ok(Finding { counterexample, ..context.finding(Verdict::Refuted, message) });
+        }
+        counted += usize::from(all == roots.len());
+        points += 1;
+        used.push(at);
+    }
+    if points < FEWEST.min(context.options.points) {
+        let message = format!("only at {points} of {} states are there real solutions", ensemble.tried);
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
+    if let Some(change) = survivor(target, unknown, branches, context, &mut ensemble.scenes, &used) {
+        let message = format!("these states cannot tell it from the same solution with {change}");
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
+    let number = branches.len();
+    Ok(Finding {
+        points,
+        tried: ensemble.tried,
+        max_residual: Some(residual),
+        ..context.finding(
+            Verdict::Verified,
+            format!("{number} of {number} real solutions; all roots found on the grid at {counted} of {points} states"),
+        )
+    })
+}
+
+/// A twin of a branch that solves the equation as well.
+fn survivor(
+    target: &Link,
+    unknown: SymbolId,
+    branches: &[Expr],
+    context: &Context<'_>,
+    scenes: &mut [Scene<'_, Measured>],
+    used: &[usize],
+) -> Option<String> {
+    for branch in branches {
+        let zero = Expr::integer(0, branch.span);
+        let link = Link { lhs: zero, rhs: branch.clone(), relation: target.relation, free: Vec::new() };
+        for twin in twins(&link, context.model) {
+            let survives = used.iter().all(|at| {
+                let scene = &mut scenes[*at];
+                let Ok(Value::Scalar(root)) = evaluate(&twin.link.rhs, scene, &[]) else { return false };
+                let value = root.value();
+                // Another branch is a solution too; then the printed one is the twin of that.
+                let other = branches.iter().any(|other| {
+                    matches!(evaluate(other, scene, &[]), Ok(Value::Scalar(r)) if judge::vanishes(r.value() - value))
+                });
+                !other && matches!(put_in(target, unknown, value, scene), Ok(Point::Holds(_) | Point::Useless))
+            });
+            if survives {
+                return Some(twin.change);
+            }
+        }
+    }
+    None
+}
+
+fn put_in(
+    target: &Link,
+    unknown: SymbolId,
+    value: Measured,
+    scene: &mut Scene<'_, Measured>,
+) -> Result<Point, crate::formula::Unavailable> {
+    scene.set_only(&[(unknown, Series::constant(value))]);
+    let point = judge::test(target, scene);
+    scene.set_only(&[]);
+    point
+}
+
+fn refuted(
+    target: &Link,
+    context: &Context<'_>,
+    scene: &Scene<'_, Measured>,
+    failure: &Failure,
+    points: usize,
+) -> Finding {
+    let message = "put into the equation that it should solve, it does not satisfy it";
+    Finding {
+        points: points + 1,
+        max_residual: Some(failure.residual),
+        counterexample: Some(counterexample(target, scene, failure)),
+        ..context.finding(Verdict::Refuted, message)
+    }
+}
+
+/// How many real roots `target` has in the unknown at a state.
+fn count_roots(target: &Link, unknown: SymbolId, scene: &mut Scene<'_, Measured>) -> usize {
+    let roots = roots_on_the_grid(|x| {
+        scene.set_only(&[(unknown, Series::from_derivatives(&[Measured::new(x)]))]);
+        match (evaluate(&target.lhs, scene, &[]), evaluate(&target.rhs, scene, &[])) {
+            (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) => (a - b).value().value,
+            _ => f64::NAN,
+        }
+    });
+    scene.set_only(&[]);
+    roots
+}
+
+/// How many real roots a function has, as far as changes of sign on the grid show them.
+pub fn roots_on_the_grid(mut value_at: impl FnMut(f64) -> f64) -> usize {
+    let exponents = -DECADES * PER_DECADE..=DECADES * PER_DECADE;
+    let positive: Vec<f64> = exponents.map(|k| 10f64.powf(f64::from(k) / f64::from(PER_DECADE))).collect();
+    let grid = positive.iter().rev().map(|x| -x).chain([0.0]).chain(positive.iter().copied());
+    let mut roots = 0;
+    let mut last: Option<f64> = None;
+    for x in grid {
+        let value = value_at(x);
+        if !value.is_finite() {
+            last = None;
+            continue;
+        }
+        if value == 0.0 {
+            roots += 1;
+            last = None;
+            continue;
+        }
+        if last.is_some_and(|last| last.signum() != value.signum()) {
+            roots += 1;
+        }
+        last = Some(value);
+    }
+    roots
+}
+
+/// Whether a symbol occurs in a formula.
+pub fn mentions(expr: &Expr, id: SymbolId) -> bool {
+    expr.symbols().iter().any(|(known, _)| *known == id)
+}

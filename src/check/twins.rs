@@ -1,0 +1,217 @@
+//! The twins of a claim: the same claim with one slip in it, such as authors make.
+//!
+//! A check that accepts a twin has not checked much. Every pass is held against its twins at the very states it used;
+//! the twins of a refuted claim that hold are what its author may have meant.
+
+use crate::formula::tree::{Function, Index, Sign};
+use crate::formula::{Expr, Kind, Node, SymbolId, text};
+
+use super::judge::Link;
+use super::model::{Meaning, Model};
+
+/// A claim with one slip.
+#[derive(Clone, Debug)]
+pub struct Twin {
+    /// The claim.
+    pub link: Link,
+    /// What was changed, as it continues "with …".
+    pub change: String,
+}
+
+/// All twins of a link; those of a literal zero are none.
+pub fn twins(link: &Link, model: &Model) -> Vec<Twin> {
+    let mut present: Vec<SymbolId> = Vec::new();
+    for side in [&link.lhs, &link.rhs] {
+        present.extend(side.symbols().into_iter().map(|(id, _)| id));
+    }
+    present.sort();
+    present.dedup();
+    let slips = Slips { model, present };
+    let left = slips.of(&link.lhs).into_iter().map(|(lhs, change)| (Link { lhs, ..link.clone() }, change));
+    let right = slips.of(&link.rhs).into_iter().map(|(rhs, change)| (Link { rhs, ..link.clone() }, change));
+    left.chain(right).map(|(link, change)| Twin { link, change }).collect()
+}
+
+struct Slips<'a> {
+    model: &'a Model,
+    /// The symbols of the claim.
+    present: Vec<SymbolId>,
+}
+
+impl Slips<'_> {
+    /// A formula with one slip anywhere in it, in every way.
+    fn of(&self, expr: &Expr) -> Vec<(Expr, String)> {
+        let mut slips = self.here(expr);
+        let count = expr.children().len();
+        for at in 0..count {
+            if matches!(&expr.node, Node::Power(..)) && at == 1 {
+                continue;
+            }
+            for (changed, change) in self.of(expr.children()[at]) {
+                let mut whole = expr.clone();
+                *whole.children_mut()[at] = changed;
+                slips.push((whole, change));
+            }
+        }
+        slips
+    }
+
+    fn words(&self, expr: &Expr) -> String {
+        text::formula(expr, &self.model.symbols)
+    }
+
+    /// Slips at the root of a formula.
+    fn here(&self, expr: &Expr) -> Vec<(Expr, String)> {
+        let span = expr.span;
+        let mut slips: Vec<(Node, String)> = Vec::new();
+        match &expr.node {
+            Node::Sum(terms) => {
+                for (at, term) in terms.iter().enumerate() {
+                    let words = self.words(&term.expr);
+                    let mut flipped = terms.clone();
+                    flipped[at].sign = term.sign.flipped();
+                    let sign = if term.sign == Sign::Plus { "−" } else { "+" };
+                    slips.push((Node::Sum(flipped), format!("“{sign} {words}”")));
+                    if terms.len() > 1 {
+                        let mut fewer = terms.clone();
+                        fewer.remove(at);
+                        slips.push((Node::Sum(fewer), format!("“{words}” left out")));
+                    }
+                }
+            }
+            Node::Product(factors) => {
+                for at in 0..factors.len() {
+                    let mut fewer = factors.clone();
+                    let gone = fewer.remove(at);
+                    let rest = if fewer.len() == 1 { fewer.remove(0).node } else { Node::Product(fewer) };
+                    slips.push((rest, format!("the factor “{}” left out", self.words(&gone))));
+                }
+                for at in 1..factors.len() {
+                    // The order counts for matrices alone.
+                    if [at - 1, at].iter().all(|k| self.is_matrix(&factors[*k])) {
+                        let mut swapped = factors.clone();
+                        swapped.swap(at - 1, at);
+                        let words = self.words(&factors[at]);
+                        slips.push((Node::Product(swapped), format!("“{words}” one place earlier")));
+                    }
+                }
+            }
+            Node::Number(digits) => {
+                if let Some(n) = digits.parse::<f64>().ok().filter(|n| *n != 0.0) {
+                    slips.push((Node::Number((2.0 * n).to_string()), format!("{} for {digits}", 2.0 * n)));
+                }
+            }
+            Node::Power(base, exponent) => {
+                if let Some(n) = exponent.as_digits().and_then(|n| n.parse::<u32>().ok()) {
+                    let words = self.words(base);
+                    let higher = Box::new(Expr::integer(n + 1, exponent.span));
+                    slips.push((Node::Power(base.clone(), higher), format!("{words} to the power {}", n + 1)));
+                    slips.push((base.node.clone(), format!("{words} without its power")));
+                }
+            }
+            Node::Call(function, argument) => {
+                let other = match function {
+                    Function::Sin => Some(Function::Cos),
+                    Function::Cos => Some(Function::Sin),
+                    Function::Tan => Some(Function::Cot),
+                    _ => None,
+                };
+                if let Some(other) = other {
+                    let change = format!("{}({}) for {}", other.name(), self.words(argument), function.name());
+                    slips.push((Node::Call(other, argument.clone()), change));
+                }
+            }
+            Node::Symbol { id, indices, dots } => self.symbol_slips(*id, indices, *dots, &mut slips),
+            Node::Apply(id, arguments) => {
+                for other in self.present.iter().filter(|other| self.alike(**other, *id)) {
+                    let change = format!("{} for {}", self.model.name(*other), self.model.name(*id));
+                    slips.push((Node::Apply(*other, arguments.clone()), change));
+                }
+            }
+            Node::Quotient(a, b) => {
+                if self.is_scalar(a) {
+                    slips.push((Node::Quotient(b.clone(), a.clone()), format!("“{}” upside down", self.words(expr))));
+                }
+            }
+            Node::Cross(a, b) => {
+                slips.push((Node::Cross(b.clone(), a.clone()), format!("“{}” swapped", self.words(expr))));
+            }
+            Node::Matrix(rows) => {
+                for (i, row) in rows.iter().enumerate() {
+                    for (j, entry) in row.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
+                        let mut changed = rows.clone();
+                        changed[i][j] = entry.clone().negated();
+                        let change = format!("“−({})” in row {}, column {}", self.words(entry), i + 1, j + 1);
+                        slips.push((Node::Matrix(changed), change));
+                    }
+                }
+            }
+            Node::Transpose(inner) | Node::Inverse(inner) => {
+                slips.push((inner.node.clone(), format!("{} as it is", self.words(inner))));
+            }
+            Node::Entry(inner, i, j) if i != j => {
+                slips
+                    .push((Node::Entry(inner.clone(), *j, *i), format!("the indices of {} swapped", self.words(expr))));
+            }
+            Node::Epsilon([a, b, c]) => {
+                slips.push((Node::Epsilon([*b, *a, *c]), format!("the indices of {} swapped", self.words(expr))));
+            }
+            Node::Entry(..)
+            | Node::Pi
+            | Node::Euler
+            | Node::Root(..)
+            | Node::TimeDerivative(..)
+            | Node::Norm(_)
+            | Node::Dot(..)
+            | Node::Delta(_)
+            | Node::SumOver { .. } => {}
+        }
+        slips.into_iter().map(|(node, change)| (Expr::new(node, span), change)).collect()
+    }
+
+    fn symbol_slips(&self, id: SymbolId, indices: &[Index], dots: u8, slips: &mut Vec<(Node, String)>) {
+        let entry = self.model.symbols.entry(id);
+        let symbol = |id, indices: &[Index], dots| Node::Symbol { id, indices: indices.to_vec(), dots };
+        let name = text::with_dots(&entry.name.to_string(), dots);
+        if dots > 0 {
+            slips.push((symbol(id, indices, dots - 1), format!("a dot fewer on {name}")));
+        }
+        if entry.varies {
+            slips.push((symbol(id, indices, dots + 1), format!("a dot more on {name}")));
+        }
+        if let [i, j] = indices
+            && i != j
+        {
+            slips.push((symbol(id, &[*j, *i], dots), format!("the indices of {name} swapped")));
+        }
+        if let [Index::Fixed(value)] = indices {
+            for other in (1..=entry.slots[0].1).filter(|other| other != value) {
+                slips.push((symbol(id, &[Index::Fixed(other)], dots), format!("the index {other} on {name}")));
+            }
+        }
+        for other in self.present.iter().filter(|other| self.alike(**other, id)) {
+            let change = format!("{} for {name}", text::with_dots(&self.model.name(*other), dots));
+            slips.push((symbol(*other, indices, dots), change));
+        }
+    }
+
+    /// Whether an author could write one for the other.
+    fn alike(&self, a: SymbolId, b: SymbolId) -> bool {
+        let (x, y) = (self.model.symbols.entry(a), self.model.symbols.entry(b));
+        let coordinates = [a, b].iter().all(|id| matches!(self.model.meaning(*id), Some(Meaning::Coordinate(_))));
+        a != b && x.kind == y.kind && x.slots.len() == y.slots.len() && (coordinates || x.name.base == y.name.base)
+    }
+
+    fn is_scalar(&self, expr: &Expr) -> bool {
+        crate::formula::shape::shape_of(expr, &self.model.symbols)
+            .is_ok_and(|s| s == crate::formula::shape::Shape::Scalar)
+    }
+
+    fn is_matrix(&self, expr: &Expr) -> bool {
+        match &expr.node {
+            Node::Matrix(_) | Node::Apply(..) | Node::Transpose(_) | Node::Inverse(_) => true,
+            Node::Symbol { id, .. } => self.model.symbols.entry(*id).kind == Kind::Matrix,
+            _ => false,
+        }
+    }
+}

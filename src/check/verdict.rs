@@ -1,0 +1,220 @@
+//! Verdicts, their evidence, and the report of a document: what `check` gives and `report` prints.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::Arc;
+
+use crate::source::{Source, Span};
+
+/// What is said of a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Verdict {
+    /// Decided over a prime field, up to a stated probability.
+    Certified,
+    /// Agrees at every usable sampled state.
+    Verified,
+    /// Introduces a symbol that later, checked equations stand on.
+    Definition,
+    /// A hypothesis, by the claims file's word.
+    Law,
+    /// A counterexample is given.
+    Refuted,
+    /// Agrees wherever both sides are defined, but one is defined where the other is not.
+    Domain,
+    /// Too few usable states, or states that cannot tell.
+    Undecided,
+    /// Could not be parsed or typed.
+    Unreadable,
+    /// Numbered, but nothing says what it should mean.
+    Unclaimed,
+}
+
+impl Verdict {
+    /// Every verdict, from the best to the worst; of several parts the worst counts.
+    pub const ALL: [Verdict; 9] = [
+        Verdict::Certified,
+        Verdict::Verified,
+        Verdict::Definition,
+        Verdict::Law,
+        Verdict::Unclaimed,
+        Verdict::Undecided,
+        Verdict::Domain,
+        Verdict::Unreadable,
+        Verdict::Refuted,
+    ];
+
+    /// Whether this verdict is a pass where nothing else is expected.
+    pub fn passes(self) -> bool {
+        matches!(self, Verdict::Certified | Verdict::Verified | Verdict::Definition | Verdict::Law)
+    }
+
+    /// How bad it is: its place in [`Verdict::ALL`].
+    pub fn severity(self) -> usize {
+        Verdict::ALL.iter().position(|verdict| *verdict == self).unwrap_or(0)
+    }
+
+    /// The word for it, as claims files and reports spell it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Certified => "certified",
+            Verdict::Verified => "verified",
+            Verdict::Definition => "definition",
+            Verdict::Law => "law",
+            Verdict::Refuted => "refuted",
+            Verdict::Domain => "domain",
+            Verdict::Undecided => "undecided",
+            Verdict::Unreadable => "unreadable",
+            Verdict::Unclaimed => "unclaimed",
+        }
+    }
+
+    /// The verdict that a word names.
+    pub fn named(word: &str) -> Option<Verdict> {
+        Verdict::ALL.into_iter().find(|verdict| verdict.word() == word)
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
+    }
+}
+
+/// A state at which a claim fails, and what its two sides are there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Counterexample {
+    /// The symbols of the claim with their values, as LaTeX names with overdots.
+    pub state: Vec<(String, f64)>,
+    /// The value of the left side.
+    pub lhs: f64,
+    /// The value of the right side.
+    pub rhs: f64,
+    /// Which component or entry, of a vector, a matrix or a family.
+    pub entry: Option<String>,
+}
+
+/// The verdict on one claim, with its evidence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What was found, in a sentence.
+    pub message: String,
+    /// The states that were used.
+    pub points: usize,
+    /// The states that were tried.
+    pub tried: usize,
+    /// The largest residual relative to the terms that met in it, where residuals were taken.
+    pub max_residual: Option<f64>,
+    /// Where it fails.
+    pub counterexample: Option<Counterexample>,
+    /// The bytes of the notes that the finding is about.
+    pub span: Span,
+}
+
+impl Finding {
+    /// A finding without numbers.
+    pub fn new(verdict: Verdict, span: Span, message: impl Into<String>) -> Self {
+        Finding {
+            verdict,
+            message: message.into(),
+            points: 0,
+            tried: 0,
+            max_residual: None,
+            counterexample: None,
+            span,
+        }
+    }
+}
+
+/// One statement of an equation, or one more thing that is claimed of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// The source of the statement, exactly as it stands in the notes.
+    pub latex: String,
+    /// How it was read.
+    pub reading: String,
+    /// The worst finding of it.
+    pub finding: Finding,
+    /// Whether the verdict is what was expected.
+    pub ok: bool,
+}
+
+/// An equation of a document, or a sentence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equation {
+    /// The printed number (`6.73`), the label, or a name.
+    pub id: String,
+    /// The line on which it starts, from 1.
+    pub line: usize,
+    /// The source, exactly as it stands in the notes.
+    pub latex: String,
+    /// How it was read.
+    pub reading: String,
+    /// The worst finding of its parts.
+    pub finding: Finding,
+    /// Whether the verdict is what was expected.
+    pub ok: bool,
+    /// Why another verdict than a pass is expected, if one is.
+    pub because: Option<String>,
+    /// Its statements and what else is claimed of it, where there are several.
+    pub parts: Vec<Part>,
+}
+
+/// What was found in one document.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// The notes file, relative to where the command was started.
+    pub path: String,
+    /// The claims file; none, where there is none.
+    pub claims: Option<String>,
+    /// The notes as read.
+    pub source: Arc<Source>,
+    /// The numbered equations in order.
+    pub equations: Vec<Equation>,
+    /// The sentences that the claims file turned into tests.
+    pub sentences: Vec<Equation>,
+    /// What was inferred: how the symbols were mapped, what was taken for granted.
+    pub inferred: Vec<String>,
+}
+
+/// What was found in all documents of a run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// The documents in the order of their paths.
+    pub documents: Vec<Document>,
+}
+
+impl Report {
+    /// Equations and sentences together.
+    pub fn items(&self) -> impl Iterator<Item = &Equation> {
+        self.documents.iter().flat_map(|document| document.equations.iter().chain(&document.sentences))
+    }
+
+    /// How often each verdict was given to an equation or a sentence.
+    pub fn counts(&self) -> BTreeMap<&'static str, usize> {
+        let mut counts = BTreeMap::new();
+        for item in self.items() {
+            *counts.entry(item.finding.verdict.word()).or_insert(0) += 1;
+        }
+        counts
+    }
+
+    /// How many are not as expected.
+    pub fn unexpected(&self) -> usize {
+        self.items().filter(|item| !item.ok).count()
+    }
+
+    /// 0: all as expected; 1: something was found wrong; 2: something could not be checked, or there was nothing.
+    pub fn exit_code(&self) -> u8 {
+        let wrong = |item: &Equation| !item.ok && matches!(item.finding.verdict, Verdict::Refuted | Verdict::Domain);
+        let passed_against_expectation = |item: &Equation| !item.ok && item.finding.verdict.passes();
+        if self.items().any(|item| wrong(item) || passed_against_expectation(item)) {
+            1
+        } else if self.unexpected() > 0 || self.items().next().is_none() {
+            2
+        } else {
+            0
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! `onshell check`: documents to verdicts.
+
+use std::path::{Path, PathBuf};
+
+use crate::check::{Document, Options, Report, check_document, unclaimed};
+use crate::notes::{Claims, Notes, claims_beside, json};
+use crate::report;
+use crate::systems::Registry;
+use crate::{Error, Result};
+
+use super::{Format, Outcome, colours};
+
+/// Checks the equations of notes against their claims
+///
+/// Exits with 0 if every equation is as expected, 1 if one is not, 2 if something could not be checked.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Claims files (.json), notes with their claims beside them (.md, .tex), or folders of these
+    #[arg(required = true)]
+    paths: Vec<PathBuf>,
+    /// The claims file to use for the notes, if it is not beside them
+    #[arg(long, value_name = "FILE")]
+    claims: Option<PathBuf>,
+    /// Check only the equation with this number or label
+    #[arg(long, value_name = "ID")]
+    only: Option<String>,
+    /// The seed of the sampled states
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// How many usable states each claim is tested at
+    #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    points: u32,
+    /// The form of the output
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Show how each equation was read, and what was inferred
+    #[arg(short, long)]
+    verbose: bool,
+}
+
+pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
+    let options = Options { seed: arguments.seed, points: arguments.points as usize };
+    let colour = colours(&std::io::stderr());
+    let mut errors = String::new();
+    let mut result = Report::default();
+    let mut jobs = Vec::new();
+    for path in &arguments.paths {
+        match find(path, arguments.claims.as_deref()) {
+            Ok(found) => jobs.extend(found),
+            Err(error) => errors.push_str(&format!("{}\n", report::diagnostic::error(&error, colour))),
+        }
+    }
+    let only = arguments.only.as_deref();
+    let mut failures: Vec<Error> = Vec::new();
+    for job in &jobs {
+        match document(job, registry, options, only) {
+            Ok(document) => result.documents.push(document),
+            Err(error) => failures.push(error),
+        }
+    }
+    // With several documents, `--only` means the one that has the equation.
+    if only.is_none() || result.documents.is_empty() {
+        failures.iter().for_each(|error| {
+            errors.push_str(&format!("{}\n", report::diagnostic::error(error, colour)));
+        });
+    }
+    let code = if errors.is_empty() { result.exit_code() } else { 2 };
+    let output = match arguments.format {
+        Format::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
+        Format::Text => report::text::report(&result, arguments.verbose, colours(&std::io::stdout())),
+        Format::Json => format!("{:#}\n", report::json::report(&result)),
+    };
+    Outcome { output, errors, code }
+}
+
+/// Notes with their claims, or without.
+enum Job {
+    Claims(PathBuf),
+    Pair { notes: PathBuf, claims: PathBuf },
+    Notes(PathBuf),
+}
+
+fn find(path: &Path, claims: Option<&Path>) -> Result<Vec<Job>> {
+    if path.is_dir() {
+        let mut jobs = Vec::new();
+        folder(path, &mut jobs)?;
+        if jobs.is_empty() {
+            return Err(Error::new(format!("there is nothing to check in {}", path.display()))
+                .help("a document is a notes file (.md, .tex) with a claims file (.json) of the same name beside it"));
+        }
+        return Ok(jobs);
+    }
+    if path.extension().is_some_and(|extension| extension == "json") {
+        return Ok(vec![Job::Claims(path.to_owned())]);
+    }
+    let claims = claims.map_or_else(|| claims_beside(path), Path::to_owned);
+    if path.exists() && !claims.exists() {
+        return Err(Error::new(format!("{} has no claims file", path.display()))
+            .help(format!("it would be {}", claims.display())));
+    }
+    Ok(vec![Job::Pair { notes: path.to_owned(), claims }])
+}
+
+/// The documents of a folder and of those in it, in the order of their names.
+fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
+    let unreadable = |error: std::io::Error| Error::new(format!("cannot read the folder {}: {error}", path.display()));
+    let entries: std::io::Result<Vec<_>> = std::fs::read_dir(path).map_err(unreadable)?.collect();
+    let mut paths: Vec<PathBuf> = entries.map_err(unreadable)?.into_iter().map(|entry| entry.path()).collect();
+    paths.sort();
+    for path in &paths {
+        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        if path.is_dir() && !path.is_symlink() {
+            folder(path, jobs)?;
+        } else if extension == "json" && names_notes(path) {
+            jobs.push(Job::Claims(path.clone()));
+        } else if matches!(extension, "md" | "tex") && !claims_beside(path).exists() {
+            jobs.push(Job::Notes(path.clone()));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a JSON file is a claims file, rather than some other: one that cannot be read counts, to be reported.
+fn names_notes(path: &Path) -> bool {
+    let Ok(text) = std::fs::read_to_string(path) else { return true };
+    text.contains("\"notes\"") || text.trim().is_empty() || json::read(&text).is_err()
+}
+
+fn document(job: &Job, registry: &Registry, options: Options, only: Option<&str>) -> Result<Document> {
+    let (claims, notes) = match job {
+        Job::Notes(notes) => return Ok(unclaimed(&Notes::read(notes, &shown(notes))?)),
+        Job::Claims(path) => {
+            let claims = Claims::read(path, &shown(path))?;
+            let notes = claims.notes_path();
+            (claims, notes)
+        }
+        Job::Pair { notes, claims } => (Claims::read(claims, &shown(claims))?, notes.clone()),
+    };
+    let notes = Notes::read(&notes, &shown(&notes))?;
+    check_document(&claims, &notes, registry, options, only)
+}
+
+fn shown(path: &Path) -> String {
+    path.display().to_string()
+}

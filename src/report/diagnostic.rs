@@ -1,0 +1,117 @@
+//! A message with the lines that it is about, in the look of rustc.
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+
+use crate::Error;
+use crate::check::Counterexample;
+use crate::formula::text::plain;
+use crate::source::{Fault, Source, Span};
+
+/// Lines longer than this are not shown.
+const LONGEST_LINE: usize = 400;
+/// Spans of more lines than this are shown by their first line.
+const MOST_LINES: usize = 12;
+
+/// How diagnostics are drawn.
+pub fn renderer(colour: bool) -> Renderer {
+    if colour { Renderer::styled() } else { Renderer::plain() }
+}
+
+/// An error as a diagnostic.
+pub fn error(error: &Error, colour: bool) -> String {
+    let title = Level::ERROR.primary_title(error.message());
+    let help = error.advice().map(|help| Level::HELP.message(help));
+    match error.place().and_then(|(source, span)| Excerpt::of(source, span)) {
+        Some(excerpt) => renderer(colour).render(&[title.element(excerpt.snippet("")).elements(help)]),
+        None => {
+            let place = error.place().map(|(source, span)| {
+                let (line, column) = source.line_column(span.start);
+                Level::NOTE.message(format!("at {}:{line}:{column}", source.path))
+            });
+            renderer(colour).render(&[title.elements(place).elements(help)])
+        }
+    }
+}
+
+/// A fault in a formula given on the command line.
+pub fn fault(fault: &Fault, formula: &str, colour: bool) -> String {
+    let title = Level::ERROR.primary_title(fault.message.as_str());
+    let help = fault.help.as_deref().map(|help| Level::HELP.message(help));
+    let source = Source::new("formula", formula);
+    match Excerpt::of(&source, fault.span) {
+        Some(excerpt) => renderer(colour).render(&[title.element(excerpt.snippet("")).elements(help)]),
+        None => renderer(colour).render(&[title.elements(help)]),
+    }
+}
+
+/// A verdict that was not expected.
+pub fn verdict(
+    title: &str,
+    label: &str,
+    source: &Source,
+    span: Span,
+    counterexample: Option<&Counterexample>,
+    colour: bool,
+) -> String {
+    let title = Level::ERROR.primary_title(title);
+    let notes: Vec<_> = counterexample.map(evidence).unwrap_or_default();
+    let notes = notes.into_iter().map(|note| Level::NOTE.message(note));
+    match Excerpt::of(source, span) {
+        Some(excerpt) => renderer(colour).render(&[title.element(excerpt.snippet(label)).elements(notes)]),
+        None => renderer(colour).render(&[title.elements(notes)]),
+    }
+}
+
+/// A counterexample in words.
+pub fn evidence(counterexample: &Counterexample) -> Vec<String> {
+    let state: Vec<String> =
+        counterexample.state.iter().map(|(name, value)| format!("{} = {value:.4}", plain(name))).collect();
+    let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
+    vec![
+        format!("at {}", if state.is_empty() { "every state".to_owned() } else { state.join(", ") }),
+        format!("left side {:.6}, right side {:.6}{entry}", counterexample.lhs, counterexample.rhs),
+    ]
+}
+
+/// The lines that a span touches, with the span relative to them.
+struct Excerpt<'a> {
+    path: &'a str,
+    lines: &'a str,
+    first: usize,
+    span: std::ops::Range<usize>,
+}
+
+impl<'a> Excerpt<'a> {
+    fn of(source: &'a Source, span: Span) -> Option<Excerpt<'a>> {
+        let text = &source.text;
+        let (mut from, mut to) = (span.start.min(text.len()), span.end.min(text.len()));
+        while !text.is_char_boundary(from) {
+            from -= 1;
+        }
+        while !text.is_char_boundary(to) {
+            to += 1;
+        }
+        let trimmed = text[from..to.max(from)].trim();
+        if !trimmed.is_empty() {
+            from += text[from..to].len() - text[from..to].trim_start().len();
+            to = from + trimmed.len();
+        }
+        if text[from..to].lines().count() > MOST_LINES {
+            to = from + text[from..to].find('\n').unwrap_or(0);
+        }
+        let start = text[..from].rfind('\n').map_or(0, |at| at + 1);
+        let end = text[to..].find('\n').map_or(text.len(), |at| to + at);
+        let lines = &text[start..end];
+        if lines.lines().any(|line| line.len() > LONGEST_LINE) {
+            return None;
+        }
+        let (first, _) = source.line_column(start);
+        Some(Excerpt { path: &source.path, lines, first, span: from - start..(to - start).max(from - start) })
+    }
+
+    fn snippet(self, label: &'a str) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
+        let annotation = AnnotationKind::Primary.span(self.span);
+        let annotation = if label.is_empty() { annotation } else { annotation.label(label) };
+        Snippet::source(self.lines).line_start(self.first).path(self.path).fold(false).annotation(annotation)
+    }
+}

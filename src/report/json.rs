@@ -1,0 +1,102 @@
+//! The report as JSON; its form is a promise, with a number: `"schema": 1`.
+
+use serde_json::{Map, Value, json};
+
+use crate::check::plain::Answer;
+use crate::check::{Counterexample, Document, Equation, Finding, Report};
+use crate::formula::text::plain;
+
+/// The whole report.
+pub fn report(report: &Report) -> Value {
+    let mut summary: Map<String, Value> =
+        report.counts().into_iter().map(|(verdict, count)| (verdict.to_owned(), json!(count))).collect();
+    summary.insert("unexpected".to_owned(), json!(report.unexpected()));
+    json!({
+        "schema": 1,
+        "documents": report.documents.iter().map(document).collect::<Vec<_>>(),
+        "summary": summary,
+    })
+}
+
+fn document(document: &Document) -> Value {
+    json!({
+        "path": document.path,
+        "claims": document.claims,
+        "inferred": document.inferred,
+        "equations": document.equations.iter().map(equation).collect::<Vec<_>>(),
+        "sentences": document.sentences.iter().map(equation).collect::<Vec<_>>(),
+    })
+}
+
+fn equation(equation: &Equation) -> Value {
+    let mut fields = fields(&equation.latex, &equation.reading, &equation.finding, equation.ok);
+    fields.insert("id".to_owned(), json!(equation.id));
+    fields.insert("line".to_owned(), json!(equation.line));
+    if let Some(because) = &equation.because {
+        fields.insert("because".to_owned(), json!(because));
+    }
+    if !equation.parts.is_empty() {
+        let parts = equation.parts.iter().map(|part| {
+            let mut fields = self::fields(&part.latex, &part.reading, &part.finding, part.ok);
+            fields.insert("id".to_owned(), json!(equation.id));
+            fields.insert("line".to_owned(), json!(equation.line));
+            Value::Object(fields)
+        });
+        fields.insert("parts".to_owned(), parts.collect());
+    }
+    Value::Object(fields)
+}
+
+fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String, Value> {
+    let fields = json!({
+        "latex": latex,
+        "reading": reading,
+        "verdict": finding.verdict.word(),
+        "ok": ok,
+        "points": finding.points,
+        "tried": finding.tried,
+        "max_residual": finding.max_residual.map(number),
+        "message": finding.message,
+        "counterexample": finding.counterexample.as_ref().map(counterexample),
+    });
+    match fields {
+        Value::Object(fields) => fields,
+        _ => Map::new(),
+    }
+}
+
+fn counterexample(counterexample: &Counterexample) -> Value {
+    let state: Map<String, Value> =
+        counterexample.state.iter().map(|(name, value)| (name.clone(), number(*value))).collect();
+    json!({
+        "state": state,
+        "lhs": number(counterexample.lhs),
+        "rhs": number(counterexample.rhs),
+        "entry": counterexample.entry,
+    })
+}
+
+/// JSON has no infinities and no NaN: those are words.
+fn number(value: f64) -> Value {
+    if value.is_finite() { json!(value) } else { json!(value.to_string()) }
+}
+
+/// The answer of `onshell equal`.
+pub fn answer(answer: &Answer) -> Value {
+    json!({
+        "schema": 1,
+        "equal": match answer.finding.verdict {
+            verdict if verdict.passes() => Some(true),
+            crate::check::Verdict::Refuted => Some(false),
+            _ => None,
+        },
+        "verdict": answer.finding.verdict.word(),
+        "message": answer.finding.message,
+        "readings": answer.readings,
+        "assumed": answer.assumed.iter().map(|line| plain(line)).collect::<Vec<_>>(),
+        "points": answer.finding.points,
+        "tried": answer.finding.tried,
+        "max_residual": answer.finding.max_residual.map(number),
+        "counterexample": answer.finding.counterexample.as_ref().map(counterexample),
+    })
+}

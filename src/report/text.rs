@@ -1,0 +1,142 @@
+//! The report for a terminal: a line an equation, and a diagnostic for each that is not as expected.
+
+use crate::check::{Document, Equation, Finding, Report, Verdict};
+
+use super::diagnostic;
+
+/// The whole report; `verbose` adds how each statement was read and what was inferred.
+pub fn report(report: &Report, verbose: bool, colour: bool) -> String {
+    let mut text = String::new();
+    for document in &report.documents {
+        text.push_str(&self::document(document, verbose, colour));
+        text.push('\n');
+    }
+    for document in &report.documents {
+        for item in document.equations.iter().chain(&document.sentences).filter(|item| !item.ok) {
+            text.push_str(&unexpected(document, item, colour));
+            text.push_str("\n\n");
+        }
+    }
+    text.push_str(&summary(report));
+    text.push('\n');
+    text
+}
+
+fn document(document: &Document, verbose: bool, colour: bool) -> String {
+    let mut text = match &document.claims {
+        Some(claims) => format!("{}  (claims: {claims})\n", document.path),
+        None => format!("{}  (no claims)\n", document.path),
+    };
+    if verbose {
+        document
+            .inferred
+            .iter()
+            .for_each(|line| text.push_str(&format!("    {}\n", crate::formula::text::plain(line))));
+    }
+    let longest = document.equations.iter().chain(&document.sentences).map(|item| item.id.chars().count()).max();
+    let width = longest.unwrap_or(0).min(32);
+    for item in &document.equations {
+        text.push_str(&line(item, width, colour));
+        if verbose {
+            text.push_str(&details(item, width));
+        }
+    }
+    if !document.sentences.is_empty() {
+        text.push_str("  sentences\n");
+        for item in &document.sentences {
+            text.push_str(&line(item, width, colour));
+            if verbose {
+                text.push_str(&details(item, width));
+            }
+        }
+    }
+    text
+}
+
+fn line(item: &Equation, width: usize, colour: bool) -> String {
+    let finding = &item.finding;
+    let mark = if item.ok { "✓" } else { "✗" };
+    let verdict = paint(&format!("{:<10}", finding.verdict.word()), finding.verdict, item.ok, colour);
+    let mut text = format!("  {mark} {:<width$}  {verdict}  ", item.id);
+    match (&item.because, item.ok) {
+        (Some(because), true) => text.push_str(&format!("as expected: {because}")),
+        _ => text.push_str(&summary_of(finding)),
+    }
+    if item.parts.len() > 1 {
+        text.push_str(&format!(" ({} parts)", item.parts.len()));
+    }
+    text.push('\n');
+    text
+}
+
+fn summary_of(finding: &Finding) -> String {
+    let mut text = finding.message.clone();
+    if finding.verdict.passes() && finding.points > 0 {
+        text.push_str(&format!(" · {} states", finding.points));
+        if let Some(residual) = finding.max_residual {
+            text.push_str(&format!(" · residual {residual:.0e}"));
+        }
+    }
+    text
+}
+
+fn details(item: &Equation, width: usize) -> String {
+    let indent = " ".repeat(width + 6);
+    let mut text = String::new();
+    if item.parts.is_empty() {
+        text.push_str(&format!("{indent}{}\n", item.reading));
+    }
+    for part in &item.parts {
+        text.push_str(&format!("{indent}{}  {}\n", part.finding.verdict.word(), part.reading));
+        text.push_str(&format!("{indent}  {}\n", summary_of(&part.finding)));
+    }
+    if let (true, Some(counterexample)) = (item.ok, &item.finding.counterexample) {
+        for note in diagnostic::evidence(counterexample) {
+            text.push_str(&format!("{indent}{note}\n"));
+        }
+    }
+    text
+}
+
+fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
+    // Each part that is not as expected speaks for itself; a whole that was expected to fail speaks alone.
+    let findings: Vec<&Finding> = item.parts.iter().filter(|part| !part.ok).map(|part| &part.finding).collect();
+    let findings = if findings.is_empty() { vec![&item.finding] } else { findings };
+    let shown = findings.into_iter().map(|finding| {
+        let title = match (&item.because, finding.verdict.passes()) {
+            (Some(because), true) => format!("({}) passes, and was expected not to: {because}", item.id),
+            (Some(because), false) => format!("({}) is {}: {because}", item.id, finding.verdict),
+            (None, _) => format!("({}) is {}: {}", item.id, finding.verdict, finding.message),
+        };
+        let label = match finding.verdict {
+            Verdict::Refuted => "this does not hold",
+            Verdict::Unreadable => "this",
+            _ => "",
+        };
+        diagnostic::verdict(&title, label, &document.source, finding.span, finding.counterexample.as_ref(), colour)
+    });
+    shown.collect::<Vec<_>>().join("\n\n")
+}
+
+fn summary(report: &Report) -> String {
+    let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
+    let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();
+    let counts: Vec<String> =
+        report.counts().into_iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
+    let verdict = match (report.unexpected(), report.items().next()) {
+        (_, None) => "nothing was checked".to_owned(),
+        (0, _) => "all as expected".to_owned(),
+        (1, _) => "1 is not as expected".to_owned(),
+        (n, _) => format!("{n} are not as expected"),
+    };
+    format!("{equations} equations, {sentences} sentences: {} — {verdict}", counts.join(", "))
+}
+
+fn paint(text: &str, verdict: Verdict, ok: bool, colour: bool) -> String {
+    let code = match (ok, verdict.passes()) {
+        (true, true) => "32",
+        (true, false) => "33",
+        (false, _) => "31",
+    };
+    if colour { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_owned() }
+}
