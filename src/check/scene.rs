@@ -179,7 +179,7 @@ fn matrix<B: Number>(m: &Matrix3<Series<B>>) -> Value<Series<B>> {
     Value::Matrix(nalgebra::DMatrix::from_fn(3, 3, |i, j| m[(i, j)]))
 }
 
-impl<B: Number> Environment<B> for Scene<'_, B> {
+impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     fn symbols(&self) -> &Symbols {
         &self.model.symbols
     }

@@ -28,10 +28,6 @@ pub fn check(target: &Link, unknown: SymbolId, branches: &[Expr], context: &Cont
         let name = context.model.name(unknown);
         return Ok(context.finding(Verdict::Undecided, format!("{name} does not occur in the equation to be solved")));
     }
-    if branches.iter().any(|branch| mentions(branch, unknown)) {
-        let name = context.model.name(unknown);
-        return Ok(context.finding(Verdict::Undecided, format!("the solution still contains {name}")));
-    }
     let mut formulas = vec![&target.lhs, &target.rhs];
     formulas.extend(branches);
     let mode = context.mode(false, &formulas);
