@@ -1,1 +1,26 @@
-//! (to be written)
+//! A derivation on disk: the notes as the author typeset them, and the claims beside them.
+//!
+//! [`Notes`] finds the display equations of a Markdown or TeX file and keeps the byte range of everything: of the
+//! display, of its number, of its labels. It reads no mathematics. [`Claims`] is the JSON file that says what the
+//! symbols are and what the equations claim; its LaTeX stays text here, each piece with its place. An [`Address`]
+//! ties the two together.
+//!
+//! Everything here is linear in the size of the file and never recurses on what the file nests.
+
+pub mod address;
+pub mod claims;
+mod displays;
+pub mod document;
+pub mod json;
+mod macros;
+mod markdown;
+mod rows;
+mod scan;
+pub mod spelling;
+mod suggest;
+mod tex;
+
+pub use address::{Address, Item, Point, Target};
+pub use claims::{Claim, Claims, Sentence, Spanned, claims_beside};
+pub use document::{Display, Kind, MacroDefinition, Notes, Numbered};
+pub use suggest::did_you_mean;

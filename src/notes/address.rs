@@ -1,0 +1,279 @@
+//! Addresses: how a claims file names an equation of the notes.
+//!
+//! A printed number (`6.72`), a label, a snippet in backticks, `` every `…` ``, a name (`#veff`); with `row 2`,
+//! `part 1`, `step 3` after it; ranges `A .. B` and lists `A, B`.
+
+use std::sync::Arc;
+
+use super::document::{Display, Notes};
+use super::json::{Spanned, place_in_string};
+use super::scan::is_number;
+use super::spelling::plain;
+use super::suggest;
+use crate::source::{Fault, Source, Span};
+use crate::{Error, Result};
+
+/// An address as written, and what it names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Address {
+    /// As written.
+    pub text: String,
+    /// Its place in the claims file.
+    pub span: Span,
+    /// The members of the list; one, mostly.
+    pub items: Vec<Item>,
+}
+
+/// One member of a list of addresses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Item {
+    /// One equation (or `every`).
+    One(Point),
+    /// All displays from the first to the second.
+    Range(Point, Point),
+}
+
+/// One equation, or a part of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Point {
+    /// Which display.
+    pub target: Target,
+    /// `row 2`: which row, from 1.
+    pub row: Option<usize>,
+    /// `part 1`: which statement of it, from 1.
+    pub part: Option<usize>,
+    /// `step 3`: which relation of the chain, from 1.
+    pub step: Option<usize>,
+    /// Its place in the claims file.
+    pub span: Span,
+}
+
+/// How a display is named.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// By its printed number: `6.72`.
+    Number(String),
+    /// By its label: `eqn:tongMf1:880c`.
+    Label(String),
+    /// By LaTeX that only it contains.
+    Snippet(String),
+    /// By LaTeX, however many contain it.
+    EverySnippet(String),
+    /// By the name given in a comment; with its `#`.
+    Name(String),
+}
+
+impl Address {
+    /// Reads an address; `written` is a string of the claims file `source`.
+    pub fn parse(written: &Spanned<String>, source: &Source) -> Result<Address, Fault> {
+        let text = &written.value;
+        let place = |part: Span| place_in_string(&source.text, written.span, part);
+        let mut items = Vec::new();
+        for member in split(text, ",") {
+            let ends = split(&text[member.range()], "..");
+            let mut points = Vec::new();
+            for end in &ends {
+                points.push(point(text, end.shifted(member.start), &place)?);
+            }
+            let mut points = points.into_iter();
+            match (points.next(), points.next(), points.next()) {
+                (Some(one), None, _) => items.push(Item::One(one)),
+                (Some(from), Some(to), None) => items.push(Item::Range(from, to)),
+                _ => return Err(Fault::new(place(member), "a range has two ends").help("as in `3.52 .. 3.56`")),
+            }
+        }
+        Ok(Address { text: text.clone(), span: written.span, items })
+    }
+
+    /// The one point it names, when it is neither list nor range.
+    pub fn single(&self) -> Option<&Point> {
+        match self.items.as_slice() {
+            [Item::One(point)] => Some(point),
+            _ => None,
+        }
+    }
+
+    /// The displays it names, as positions in `notes.equations`, in the order of the address.
+    ///
+    /// `source` is the claims file, for the place of an error.
+    pub fn resolve(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<usize>> {
+        let mut found = Vec::new();
+        for item in &self.items {
+            match item {
+                Item::One(point) => found.extend(point.resolve(notes, source)?),
+                Item::Range(from, to) => {
+                    let (first, last) = (from.one(notes, source)?, to.one(notes, source)?);
+                    if last < first {
+                        return Err(Error::at(source, from.span.to(to.span), "this range ends before it begins")
+                            .help("the first end stands earlier in the notes"));
+                    }
+                    found.extend(first..=last);
+                }
+            }
+        }
+        Ok(found)
+    }
+}
+
+impl Point {
+    fn one(&self, notes: &Notes, source: &Arc<Source>) -> Result<usize> {
+        match self.resolve(notes, source)?.as_slice() {
+            [one] => Ok(*one),
+            _ => Err(Error::at(source, self.span, "a range begins and ends with one equation")),
+        }
+    }
+
+    /// The displays it names: one, or several for `every`.
+    pub fn resolve(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<usize>> {
+        let (found, every) = match &self.target {
+            Target::Number(id) | Target::Label(id) | Target::Name(id) => (notes.find(id), false),
+            Target::Snippet(snippet) => (containing(notes, snippet), false),
+            Target::EverySnippet(snippet) => (containing(notes, snippet), true),
+        };
+        match found.len() {
+            0 => Err(self.missing(notes, source)),
+            1 => Ok(found),
+            _ if every => Ok(found),
+            count => {
+                let shown: Vec<String> = found.iter().take(4).map(|&i| candidate(&notes.equations[i])).collect();
+                let more = if count > 4 { ", …" } else { "" };
+                Err(Error::at(source, self.span, format!("{count} displays match {}", self.named()))
+                    .help(format!("they are {}{more}; say more, or `every`", shown.join(", "))))
+            }
+        }
+    }
+
+    fn named(&self) -> String {
+        match &self.target {
+            Target::Number(id) => format!("({id})"),
+            Target::Label(id) => format!("the label {id}"),
+            Target::Name(id) => id.clone(),
+            Target::Snippet(snippet) | Target::EverySnippet(snippet) => format!("`{snippet}`"),
+        }
+    }
+
+    fn missing(&self, notes: &Notes, source: &Arc<Source>) -> Error {
+        let path = &notes.source.path;
+        let message = match &self.target {
+            Target::Number(id) => format!("no equation ({id}) in {path}"),
+            Target::Label(id) => format!("no equation in {path} has the label {id}"),
+            Target::Name(id) => format!("no equation in {path} is named {id}"),
+            Target::Snippet(snippet) | Target::EverySnippet(snippet) => {
+                format!("no display in {path} contains `{snippet}`")
+            }
+        };
+        let error = Error::at(source, self.span, message);
+        match &self.target {
+            Target::Snippet(_) | Target::EverySnippet(_) => error.help("copy it from the notes as it is printed there"),
+            Target::Number(id) | Target::Label(id) | Target::Name(id) => match closest(notes, id) {
+                Some(closest) => error.help(format!("did you mean {closest}?")),
+                None => error.help("the notes have no numbers, labels or names; use a snippet in backticks"),
+            },
+        }
+    }
+}
+
+/// The number, label or name nearest to `id`.
+fn closest<'a>(notes: &'a Notes, id: &str) -> Option<&'a str> {
+    let ids = notes.equations.iter().flat_map(|d| d.number.iter().chain(&d.labels)).map(|n| n.id.as_str());
+    // Two numbers of one chapter are as far apart as they count; anything else as its letters differ.
+    let apart = |other: &str| match (chapter(id), chapter(other)) {
+        (Some((a, m)), Some((b, n))) if a == b => (0, m.abs_diff(n)),
+        _ if other.len() > 60 || id.len() > 60 => (usize::MAX, 0),
+        _ => (suggest::distance(id, other), 0),
+    };
+    ids.min_by_key(|other| apart(other))
+}
+
+fn chapter(id: &str) -> Option<(&str, u64)> {
+    let (chapter, number) = id.rsplit_once('.')?;
+    Some((chapter, number.parse().ok()?))
+}
+
+fn containing(notes: &Notes, snippet: &str) -> Vec<usize> {
+    let snippet = plain(snippet);
+    let contains = |display: &Display| plain(&display.text).contains(&snippet);
+    (0..notes.equations.len()).filter(|&i| contains(&notes.equations[i])).collect()
+}
+
+/// A display in a list of candidates.
+fn candidate(display: &Display) -> String {
+    let start: String = display.text.split_whitespace().collect::<Vec<_>>().join(" ").chars().take(40).collect();
+    match &display.number {
+        Some(number) => format!("({}) in line {}", number.id, display.line),
+        None => format!("`{start}` in line {}", display.line),
+    }
+}
+
+/// Pieces of `text` between `separator`s outside of backticks.
+fn split(text: &str, separator: &str) -> Vec<Span> {
+    let (mut pieces, mut start, mut quoted, mut i) = (Vec::new(), 0, false, 0);
+    let bytes = text.as_bytes();
+    while i < bytes.len() {
+        if bytes[i] == b'`' {
+            quoted = !quoted;
+        } else if !quoted && bytes[i..].starts_with(separator.as_bytes()) {
+            pieces.push(Span::new(start, i));
+            i += separator.len();
+            start = i;
+            continue;
+        }
+        i += 1;
+    }
+    pieces.push(Span::new(start, text.len()));
+    pieces
+}
+
+fn point(text: &str, span: Span, place: &dyn Fn(Span) -> Span) -> Result<Point, Fault> {
+    let (mut rest, mut at) = (&text[span.range()], span.start);
+    at += rest.len() - rest.trim_start().len();
+    rest = rest.trim();
+    let here = place(Span::new(at, at + rest.len()));
+    let mut point = Point { target: Target::Number(String::new()), row: None, part: None, step: None, span: here };
+    // From the end: `step`, `part`, `row`, as they stand.
+    while !rest.ends_with('`')
+        && let Some((before, count)) = rest.rsplit_once(char::is_whitespace)
+        && let Some((front, word)) = before.trim_end().rsplit_once(char::is_whitespace)
+    {
+        let slot = match word {
+            "step" if point.row.is_none() && point.part.is_none() => &mut point.step,
+            "part" if point.row.is_none() => &mut point.part,
+            "row" => &mut point.row,
+            _ => break,
+        };
+        let count: Option<usize> = count.parse().ok().filter(|&n| n > 0);
+        if count.is_none() || slot.is_some() {
+            return Err(
+                Fault::new(here, format!("`{word}` takes one number, from 1")).help("as in `6.72 row 2 part 1`")
+            );
+        }
+        *slot = count;
+        rest = front.trim_end();
+    }
+    point.target = target(rest).ok_or_else(|| {
+        Fault::new(here, format!("`{rest}` is no address"))
+            .help("write a number (6.72), a label, a name (#veff), or LaTeX in backticks; `row`, `part`, `step` follow in this order")
+    })?;
+    Ok(point)
+}
+
+fn target(rest: &str) -> Option<Target> {
+    let (every, body) = match rest.strip_prefix("every").map(str::trim_start) {
+        Some(body) if body.starts_with('`') => (true, body),
+        _ => (false, rest),
+    };
+    if let Some(snippet) = body.strip_prefix('`') {
+        let snippet = snippet.strip_suffix('`')?.trim();
+        let usable = !plain(snippet).is_empty() && !snippet.contains('`');
+        let target = if every { Target::EverySnippet } else { Target::Snippet };
+        return usable.then(|| target(snippet.to_owned()));
+    }
+    if body.is_empty() || body.contains(char::is_whitespace) || body.contains('`') {
+        return None;
+    }
+    if body.starts_with('#') {
+        return (body.len() > 1).then(|| Target::Name(body.to_owned()));
+    }
+    let inside = body.strip_prefix('(').and_then(|b| b.strip_suffix(')')).unwrap_or(body);
+    Some(if is_number(inside) { Target::Number(inside.to_owned()) } else { Target::Label(inside.to_owned()) })
+}

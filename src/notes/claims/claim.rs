@@ -1,0 +1,289 @@
+//! What the claims file says about one equation. Every key is optional.
+
+use super::fields::{self, Fields, Text};
+use crate::notes::address::Address;
+use crate::notes::json::{Json, Spanned, Value};
+use crate::source::{Fault, Source, Span};
+
+/// What is claimed about an equation, beyond what its print says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Claim {
+    /// The whole object.
+    pub span: Span,
+    /// `holds`: pins the reading.
+    pub holds: Option<Spanned<Holds>>,
+    /// `assume`: hypotheses at that instant.
+    pub assume: Vec<Spanned<String>>,
+    /// `throughout`: hypotheses at all times.
+    pub throughout: Vec<Spanned<String>>,
+    /// `where`: what symbols mean in this equation only.
+    pub meanings: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `also equals`: a link added to the chain.
+    pub also_equals: Option<Spanned<String>>,
+    /// `conserved`
+    pub conserved: Option<Spanned<Conserved>>,
+    /// `solves` and `for`
+    pub solves: Option<Solves>,
+    /// `limit`: `x \to a`.
+    pub limit: Option<Spanned<String>>,
+    /// `dropping`: what the print leaves out.
+    pub dropping: Option<Spanned<String>>,
+    /// `up to a constant`, and where that is said.
+    pub up_to_a_constant: Option<Span>,
+    /// `times`
+    pub times: Option<Spanned<String>>,
+    /// `divided by`
+    pub divided_by: Option<Spanned<String>>,
+    /// `erratum`: corrections.
+    pub errata: Vec<Erratum>,
+    /// `expect` and `because`
+    pub expect: Option<Expect>,
+    /// `skip`: why there is no claim.
+    pub skip: Option<Spanned<String>>,
+    /// `defines`: the symbols that the equation introduces.
+    pub defines: Vec<Spanned<String>>,
+    /// `generates`: what follows from the printed function.
+    pub generates: Option<Spanned<Generates>>,
+    /// `equation of motion of`: a coordinate.
+    pub equation_of_motion_of: Option<Spanned<String>>,
+    /// `from`: it also follows from these as printed.
+    pub from: Vec<Address>,
+}
+
+/// When an equation holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Holds {
+    /// At all states.
+    Always,
+    /// On the solutions of the equations of motion.
+    OnShell,
+}
+
+/// What is conserved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Conserved {
+    /// The quantity that the equation is about.
+    This,
+    /// This LaTeX.
+    Expression(String),
+}
+
+/// An equation that is a solution.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Solves {
+    /// Of what.
+    pub of: Solved,
+    /// For which unknowns.
+    pub unknowns: Vec<Spanned<String>>,
+}
+
+/// What is solved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Solved {
+    /// `equations of motion`
+    EquationsOfMotion(Span),
+    /// An equation of the notes.
+    Equation(Address),
+}
+
+/// What a printed function generates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Generates {
+    /// `the motion`: Hamilton's equations from the printed Hamiltonian give the motion.
+    TheMotion,
+}
+
+/// A correction: "for … read …".
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Erratum {
+    /// What is printed.
+    pub printed: Spanned<String>,
+    /// What it should be.
+    pub read: Spanned<String>,
+    /// How often it is printed so.
+    pub times: usize,
+    /// Why.
+    pub because: Option<Spanned<String>>,
+}
+
+/// A verdict that is expected and is not a pass.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expect {
+    /// Which.
+    pub verdict: Spanned<Expected>,
+    /// Why.
+    pub because: Spanned<String>,
+}
+
+/// The verdicts that can be expected: those that are no pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expected {
+    /// `refuted`
+    Refuted,
+    /// `domain`
+    Domain,
+    /// `undecided`
+    Undecided,
+    /// `unreadable`
+    Unreadable,
+    /// `unclaimed`
+    Unclaimed,
+}
+
+/// The keys of a claim.
+pub(super) const KEYS: &[&str] = &[
+    "holds",
+    "assume",
+    "throughout",
+    "where",
+    "also equals",
+    "conserved",
+    "solves",
+    "for",
+    "limit",
+    "dropping",
+    "up to a constant",
+    "times",
+    "divided by",
+    "erratum",
+    "expect",
+    "because",
+    "skip",
+    "defines",
+    "generates",
+    "equation of motion of",
+    "from",
+];
+
+/// Keys of the proposal that are yet to be built.
+pub(super) const LATER: &[&str] = &[
+    "for each",
+    "starting at",
+    "small",
+    "order",
+    "continuum limit of",
+    "up to a term without",
+    "up to a factor without",
+    "up to a total time derivative",
+    "equivalent to",
+    "true exactly when",
+    "minimum of",
+    "at",
+    "units",
+];
+
+/// Reads the claim about the equation at `address`.
+pub(super) fn claim(json: &Json, address: &str, source: &Source) -> Result<Claim, Fault> {
+    let fields = Fields::new(json, &format!("the claim for \"{address}\""), &[KEYS], LATER)?;
+    fields.together("solves", "for", "a solution is of an equation, for an unknown")?;
+    let mut claim = shared(&fields, source)?;
+    claim.solves = solves(&fields, source)?;
+    Ok(claim)
+}
+
+/// All keys but `solves` and `for`, which mean something else beside `solutions`.
+pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Fault> {
+    fields.together("expect", "because", "an expectation needs its reason, and a reason its expectation")?;
+    let holds = fields.text("holds")?;
+    let generates = fields.text("generates")?;
+    let generating = |g: &Text| fields::word(g, "generates", &[("the motion", Generates::TheMotion)]);
+    Ok(Claim {
+        span: fields.span,
+        holds: holds
+            .map(|h| fields::word(&h, "holds", &[("always", Holds::Always), ("on shell", Holds::OnShell)]))
+            .transpose()?,
+        assume: fields.texts("assume")?,
+        throughout: fields.texts("throughout")?,
+        meanings: fields.pairs("where")?,
+        also_equals: fields.text("also equals")?,
+        conserved: conserved(fields)?,
+        solves: None,
+        limit: limit(fields)?,
+        dropping: fields.text("dropping")?,
+        up_to_a_constant: fields.on("up to a constant")?,
+        times: fields.text("times")?,
+        divided_by: fields.text("divided by")?,
+        errata: errata(fields)?,
+        expect: expect(fields)?,
+        skip: fields.text("skip")?,
+        defines: fields.texts("defines")?,
+        generates: generates.as_ref().map(generating).transpose()?,
+        equation_of_motion_of: fields.text("equation of motion of")?,
+        from: fields.texts("from")?.iter().map(|from| Address::parse(from, source)).collect::<Result<_, _>>()?,
+    })
+}
+
+fn conserved(fields: &Fields<'_>) -> Result<Option<Spanned<Conserved>>, Fault> {
+    match fields.get("conserved") {
+        Some(json @ Json { value: Value::String(_), .. }) => {
+            Ok(Some(fields::text(json, "conserved")?.map(Conserved::Expression)))
+        }
+        Some(json) if !matches!(json.value, Value::Bool(_)) => Err(fields::wrong(json, "conserved", "true or LaTeX")),
+        _ => Ok(fields.on("conserved")?.map(|span| Spanned::new(Conserved::This, span))),
+    }
+}
+
+fn solves(fields: &Fields<'_>, source: &Source) -> Result<Option<Solves>, Fault> {
+    let Some(of) = fields.text("solves")? else { return Ok(None) };
+    let of = match of.value.trim() {
+        "equations of motion" => Solved::EquationsOfMotion(of.span),
+        _ => Solved::Equation(Address::parse(&of, source)?),
+    };
+    Ok(Some(Solves { of, unknowns: fields.texts("for")? }))
+}
+
+fn limit(fields: &Fields<'_>) -> Result<Option<Text>, Fault> {
+    let limit = fields.text("limit")?;
+    match &limit {
+        Some(text) if !is_limit(&text.value) => {
+            Err(Fault::new(text.span, format!("\"{}\" is no limit", text.value)).help("as in \"x \\\\to 0\""))
+        }
+        _ => Ok(limit),
+    }
+}
+
+/// Whether a text says what goes where.
+pub(super) fn is_limit(text: &str) -> bool {
+    ["\\to", "\\rightarrow"].iter().any(|arrow| text.contains(arrow))
+}
+
+fn errata(fields: &Fields<'_>) -> Result<Vec<Erratum>, Fault> {
+    let Some(json) = fields.get("erratum") else { return Ok(Vec::new()) };
+    let items = match &json.value {
+        Value::Array(items) if !items.is_empty() => items.as_slice(),
+        _ => std::slice::from_ref(json),
+    };
+    items.iter().map(erratum).collect()
+}
+
+fn erratum(json: &Json) -> Result<Erratum, Fault> {
+    let fields = Fields::new(json, "an erratum", &[&["for", "read", "times", "because"]], &[])?;
+    let missing =
+        |key: &str| Fault::new(json.span, format!("an erratum needs \"{key}\"")).help("\"for\" …, \"read\" …");
+    let times = fields.count("times")?;
+    if let Some(Spanned { value: 0, span }) = times {
+        return Err(Fault::new(span, "\"times\" is at least 1"));
+    }
+    Ok(Erratum {
+        printed: fields.text("for")?.ok_or_else(|| missing("for"))?,
+        read: fields.text("read")?.ok_or_else(|| missing("read"))?,
+        times: times.map_or(1, |times| times.value),
+        because: fields.text("because")?,
+    })
+}
+
+fn expect(fields: &Fields<'_>) -> Result<Option<Expect>, Fault> {
+    let (Some(verdict), Some(because)) = (fields.text("expect")?, fields.text("because")?) else { return Ok(None) };
+    if ["certified", "verified", "definition", "law"].contains(&verdict.value.as_str()) {
+        return Err(Fault::new(verdict.span, format!("\"{}\" is a pass, and passes are not announced", verdict.value))
+            .help("leave \"expect\" and \"because\" out"));
+    }
+    const WORDS: &[(&str, Expected)] = &[
+        ("refuted", Expected::Refuted),
+        ("domain", Expected::Domain),
+        ("undecided", Expected::Undecided),
+        ("unreadable", Expected::Unreadable),
+        ("unclaimed", Expected::Unclaimed),
+    ];
+    Ok(Some(Expect { verdict: fields::word(&verdict, "expect", WORDS)?, because }))
+}

@@ -1,0 +1,146 @@
+//! Typed access to a JSON object: unknown keys and wrong types are refused at their place.
+
+use crate::notes::json::{Json, Spanned, Value};
+use crate::notes::suggest::did_you_mean;
+use crate::source::{Fault, Span};
+
+/// LaTeX or another text, with its place.
+pub(super) type Text = Spanned<String>;
+
+/// An object whose keys are known to be allowed.
+pub(super) struct Fields<'a> {
+    entries: &'a [(Text, Json)],
+    /// The whole object.
+    pub span: Span,
+}
+
+impl<'a> Fields<'a> {
+    /// The object `json`, called `what` in messages. Its keys must be in `known`; those in `later` are refused as
+    /// not supported yet.
+    pub fn new(json: &'a Json, what: &str, known: &[&[&str]], later: &[&str]) -> Result<Self, Fault> {
+        let entries = object(json, what)?;
+        let known = || known.iter().flat_map(|list| list.iter().copied());
+        for (key, _) in entries {
+            let name = key.value.as_str();
+            if known().any(|word| word == name) {
+                continue;
+            }
+            if later.contains(&name) {
+                return Err(Fault::new(key.span, format!("\"{name}\" is not supported yet"))
+                    .help("leave it out; what it says would go unchecked"));
+            }
+            let fault = Fault::new(key.span, format!("{what} has no key \"{name}\""));
+            let list = || known().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
+            return Err(match did_you_mean(name, known().chain(later.iter().copied())) {
+                Some(word) => fault.help(format!("did you mean \"{word}\"? its keys are {}", list())),
+                None => fault.help(format!("its keys are {}", list())),
+            });
+        }
+        Ok(Fields { entries, span: json.span })
+    }
+
+    /// The entry with key `name`.
+    pub fn entry(&self, name: &str) -> Option<(&'a Text, &'a Json)> {
+        self.entries.iter().find(|(key, _)| key.value == name).map(|(key, value)| (key, value))
+    }
+
+    pub fn get(&self, name: &str) -> Option<&'a Json> {
+        self.entry(name).map(|(_, value)| value)
+    }
+
+    pub fn text(&self, name: &str) -> Result<Option<Text>, Fault> {
+        self.get(name).map(|json| text(json, name)).transpose()
+    }
+
+    pub fn texts(&self, name: &str) -> Result<Vec<Text>, Fault> {
+        self.get(name).map_or(Ok(Vec::new()), |json| texts(json, name))
+    }
+
+    pub fn pairs(&self, name: &str) -> Result<Vec<(Text, Text)>, Fault> {
+        let Some(json) = self.get(name) else { return Ok(Vec::new()) };
+        let entries = object(json, &format!("\"{name}\""))?;
+        entries.iter().map(|(key, value)| Ok((key.clone(), text(value, &key.value)?))).collect()
+    }
+
+    /// A count, from 0.
+    pub fn count(&self, name: &str) -> Result<Option<Spanned<usize>>, Fault> {
+        self.get(name).map(|json| count(json, name)).transpose()
+    }
+
+    /// A key that can only be switched on.
+    pub fn on(&self, name: &str) -> Result<Option<Span>, Fault> {
+        match self.get(name) {
+            None => Ok(None),
+            Some(Json { value: Value::Bool(true), span }) => Ok(Some(*span)),
+            Some(Json { value: Value::Bool(false), span }) => {
+                Err(Fault::new(*span, format!("\"{name}\" can only be true")).help("leave the key out"))
+            }
+            Some(json) => Err(wrong(json, name, "true")),
+        }
+    }
+
+    /// Refuses one of two keys that need each other when the other is missing.
+    pub fn together(&self, one: &str, other: &str, why: &str) -> Result<(), Fault> {
+        let (a, b) = (self.entry(one), self.entry(other));
+        let (present, missing) = match (a, b) {
+            (Some((key, _)), None) => (key, other),
+            (None, Some((key, _))) => (key, one),
+            _ => return Ok(()),
+        };
+        Err(Fault::new(present.span, format!("\"{}\" needs \"{missing}\" beside it", present.value)).help(why))
+    }
+}
+
+pub(super) fn wrong(json: &Json, name: &str, expected: &str) -> Fault {
+    Fault::new(json.span, format!("\"{name}\" is {expected}, not {}", json.value.kind()))
+}
+
+pub(super) fn object<'a>(json: &'a Json, what: &str) -> Result<&'a [(Text, Json)], Fault> {
+    match &json.value {
+        Value::Object(entries) => Ok(entries),
+        other => Err(Fault::new(json.span, format!("{what} is an object, not {}", other.kind()))),
+    }
+}
+
+pub(super) fn text(json: &Json, name: &str) -> Result<Text, Fault> {
+    match &json.value {
+        Value::String(text) if text.trim().is_empty() => {
+            Err(Fault::new(json.span, format!("\"{name}\" is empty")).help("say something, or leave the key out"))
+        }
+        Value::String(text) => Ok(Text::new(text.clone(), json.span)),
+        _ => Err(wrong(json, name, "a string")),
+    }
+}
+
+/// One string, or a list of them.
+pub(super) fn texts(json: &Json, name: &str) -> Result<Vec<Text>, Fault> {
+    match &json.value {
+        Value::String(_) => Ok(vec![text(json, name)?]),
+        Value::Array(items) if !items.is_empty() => items.iter().map(|item| text(item, name)).collect(),
+        Value::Array(_) => Err(Fault::new(json.span, format!("\"{name}\" is an empty list"))),
+        _ => Err(wrong(json, name, "a string or a list of strings")),
+    }
+}
+
+pub(super) fn count(json: &Json, name: &str) -> Result<Spanned<usize>, Fault> {
+    match &json.value {
+        Value::Number(raw) => raw
+            .parse()
+            .map(|count| Spanned::new(count, json.span))
+            .map_err(|_| Fault::new(json.span, format!("\"{name}\" is a whole number, from 0"))),
+        _ => Err(wrong(json, name, "a number")),
+    }
+}
+
+/// One of a closed list of words.
+pub(super) fn word<T: Copy>(written: &Text, name: &str, words: &[(&str, T)]) -> Result<Spanned<T>, Fault> {
+    if let Some((_, meaning)) = words.iter().find(|(word, _)| *word == written.value) {
+        return Ok(Spanned::new(*meaning, written.span));
+    }
+    let fault = Fault::new(written.span, format!("\"{name}\" cannot be \"{}\"", written.value));
+    let list = words.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
+    Err(match did_you_mean(&written.value, words.iter().map(|(word, _)| *word)) {
+        Some(word) => fault.help(format!("did you mean \"{word}\"? it is one of {list}")),
+        None => fault.help(format!("it is one of {list}")),
+    })
+}

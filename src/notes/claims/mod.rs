@@ -1,0 +1,323 @@
+//! The claims file: what the symbols are, what world they live in, and what an equation claims.
+//!
+//! Everything is typed and has its place; LaTeX stays text. Nothing is passed over: a key that onshell does not know,
+//! or does not support yet, is an error.
+
+mod claim;
+mod fields;
+mod range;
+mod sentence;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+pub use super::json::Spanned;
+pub use claim::{Claim, Conserved, Erratum, Expect, Expected, Generates, Holds, Solved, Solves};
+pub use range::{Count, Range};
+pub use sentence::{Property, Sentence, Sign, Test};
+
+use super::address::Address;
+use super::document::read_text;
+use super::json::{self, Json, Value, place_in_string};
+use super::spelling::plain;
+use crate::source::{Fault, Source, Span};
+use crate::{Error, Result};
+use fields::{Fields, Text};
+
+/// A claims file.
+#[derive(Clone, Debug)]
+pub struct Claims {
+    /// The file.
+    pub source: Arc<Source>,
+    /// Where it is.
+    pub path: PathBuf,
+    /// `notes`: the notes, relative to this file.
+    pub notes: Spanned<String>,
+    /// `system`: whose motion is the true one.
+    pub system: Option<SystemRef>,
+    /// `independent variable`
+    pub independent_variable: Option<Spanned<String>>,
+    /// The symbols, one by one.
+    pub declarations: Vec<Declaration>,
+    /// `components`: the names of a vector's components.
+    pub components: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `rotations`: matrices, and what they turn.
+    pub rotations: Vec<(Spanned<String>, Spanned<Turning>)>,
+    /// `means`: what names mean in the world.
+    pub means: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `define`: what the prose defines.
+    pub define: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `conditions`: named hypotheses.
+    pub conditions: Vec<(Spanned<String>, Vec<Spanned<String>>)>,
+    /// `assume`: hypotheses of every equation.
+    pub assume: Vec<Spanned<String>>,
+    /// `macros`: commands that the notes do not define themselves.
+    pub macros: Vec<(Spanned<String>, Spanned<String>)>,
+    /// What is said about equations.
+    pub equations: Vec<(Address, Claim)>,
+    /// What is said about sentences.
+    pub sentences: Vec<Sentence>,
+}
+
+/// A system by name, and how the notes call its parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SystemRef {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// `read`: the system's name of a parameter or coordinate, and the notes' name.
+    pub read: Vec<(Spanned<String>, Spanned<String>)>,
+}
+
+/// A declared symbol.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Declaration {
+    /// What kind of symbol it is.
+    pub role: Role,
+    /// The symbol. Its place is its own, also where one key declares several.
+    pub name: Spanned<String>,
+    /// Its values.
+    pub range: Spanned<Range>,
+}
+
+/// What kind of symbol a declaration makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// `coordinates`: varies, and obeys the equations of motion.
+    Coordinate,
+    /// `varies with time`: freely.
+    VariesWithTime,
+    /// `constants`
+    Constant,
+    /// `functions`: any smooth one.
+    Function,
+    /// `indices`
+    Index,
+}
+
+/// What a rotation matrix turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turning {
+    /// `of the axes`: passive.
+    Axes,
+    /// `of the vectors`: active.
+    Vectors,
+}
+
+const KEYS: &[&str] = &[
+    "notes",
+    "system",
+    "independent variable",
+    "coordinates",
+    "varies with time",
+    "constants",
+    "functions",
+    "indices",
+    "components",
+    "rotations",
+    "means",
+    "define",
+    "conditions",
+    "assume",
+    "macros",
+    "equations",
+    "sentences",
+];
+
+/// Keys of the proposal that are yet to be built.
+const LATER: &[&str] = &[
+    "covers",
+    "builds on",
+    "prime",
+    "imaginary unit",
+    "bodies",
+    "gravity",
+    "potential",
+    "Lagrangian",
+    "laws",
+    "axes",
+    "continua",
+    "units",
+    "unsure",
+];
+
+/// Where the claims of the notes at `path` are looked for: beside them, as `.json`.
+pub fn claims_beside(path: &Path) -> PathBuf {
+    path.with_extension("json")
+}
+
+impl Claims {
+    /// Reads the claims file at `path`, known in messages as `shown_as`.
+    pub fn read(path: &Path, shown_as: &str) -> Result<Claims> {
+        Claims::parse(read_text(path, shown_as)?, path)
+    }
+
+    /// Reads the text of a claims file that is, or would be, at `path`.
+    pub fn parse(source: Arc<Source>, path: &Path) -> Result<Claims> {
+        let read = json::read(&source.text).and_then(|json| document(&json, &source, path));
+        read.map_err(|fault| Error::fault(&source, fault))
+    }
+
+    /// Where the notes are.
+    pub fn notes_path(&self) -> PathBuf {
+        self.path.parent().unwrap_or(Path::new("")).join(&self.notes.value)
+    }
+}
+
+fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fault> {
+    let fields = Fields::new(json, "a claims file", &[KEYS], LATER)?;
+    let missing = || {
+        Fault::new(Span::new(json.span.start, json.span.start + 1), "a claims file needs \"notes\"")
+            .help("\"notes\": \"top.md\" names the document, relative to this file")
+    };
+    let rotations = rotations(&fields, source)?;
+    let declarations = declarations(&fields, source)?;
+    let names = declarations.iter().map(|d| (&d.name, d.role == Role::Function));
+    once(names.chain(rotations.iter().map(|(name, _)| (name, false))), source)?;
+    let mut means = Vec::new();
+    for (key, meaning) in fields.pairs("means")? {
+        means.extend(names_in(&key, source)?.into_iter().map(|name| (name, meaning.clone())));
+    }
+    once(means.iter().map(|(name, _)| (name, true)), source)?;
+    let define = fields.pairs("define")?;
+    once(define.iter().map(|(name, _)| (name, false)), source)?;
+    Ok(Claims {
+        source: source.clone(),
+        path: path.to_owned(),
+        notes: fields.text("notes")?.ok_or_else(missing)?,
+        system: system(&fields)?,
+        independent_variable: fields.text("independent variable")?,
+        declarations,
+        components: fields.pairs("components")?,
+        rotations,
+        means,
+        define,
+        conditions: conditions(&fields)?,
+        assume: fields.texts("assume")?,
+        macros: fields.pairs("macros")?,
+        equations: equations(&fields, source)?,
+        sentences: sentences(&fields, source)?,
+    })
+}
+
+fn system(fields: &Fields<'_>) -> Result<Option<SystemRef>, Fault> {
+    match fields.get("system") {
+        None => Ok(None),
+        Some(json @ Json { value: Value::String(_), .. }) => {
+            Ok(Some(SystemRef { name: fields::text(json, "system")?, read: Vec::new() }))
+        }
+        Some(json @ Json { value: Value::Object(_), .. }) => {
+            let inner = Fields::new(json, "\"system\"", &[&["name", "read"]], &[])?;
+            let missing = || Fault::new(json.span, "\"system\" needs \"name\"");
+            Ok(Some(SystemRef { name: inner.text("name")?.ok_or_else(missing)?, read: inner.pairs("read")? }))
+        }
+        Some(json) => Err(fields::wrong(json, "system", "a name or an object with \"name\" and \"read\"")),
+    }
+}
+
+fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Vec<Declaration>, Fault> {
+    const ROLES: &[(&str, Role)] = &[
+        ("coordinates", Role::Coordinate),
+        ("varies with time", Role::VariesWithTime),
+        ("constants", Role::Constant),
+        ("functions", Role::Function),
+        ("indices", Role::Index),
+    ];
+    let mut declarations = Vec::new();
+    for &(section, role) in ROLES {
+        for (key, value) in fields.pairs(section)? {
+            let range = match role {
+                Role::Index => range::index(&value)?,
+                Role::Function => fields::word(&value, &key.value, &[("any", ())])?.map(|()| Range::Any),
+                Role::VariesWithTime if unsupported_motion(&value.value) => {
+                    return Err(Fault::new(value.span, format!("\"{}\" is not supported yet", value.value)));
+                }
+                _ => range::range(&value)?,
+            };
+            let names = names_in(&key, source)?;
+            declarations.extend(names.into_iter().map(|name| Declaration { role, name, range: range.clone() }));
+        }
+    }
+    Ok(declarations)
+}
+
+fn unsupported_motion(range: &str) -> bool {
+    range.starts_with("rigid") || range == "fixed direction"
+}
+
+fn rotations(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Spanned<Turning>)>, Fault> {
+    let mut rotations = Vec::new();
+    for (key, value) in fields.pairs("rotations")? {
+        let words = &[("of the axes", Turning::Axes), ("of the vectors", Turning::Vectors)];
+        let turning = fields::word(&value, &key.value, words)?;
+        rotations.extend(names_in(&key, source)?.into_iter().map(|name| (name, turning.clone())));
+    }
+    Ok(rotations)
+}
+
+fn conditions(fields: &Fields<'_>) -> Result<Vec<(Text, Vec<Text>)>, Fault> {
+    let Some(json) = fields.get("conditions") else { return Ok(Vec::new()) };
+    let entries = fields::object(json, "\"conditions\"")?;
+    entries.iter().map(|(key, value)| Ok((key.clone(), fields::texts(value, &key.value)?))).collect()
+}
+
+fn equations(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Address, Claim)>, Fault> {
+    let Some(json) = fields.get("equations") else { return Ok(Vec::new()) };
+    let read =
+        |(key, value): &(Text, Json)| Ok((Address::parse(key, source)?, claim::claim(value, &key.value, source)?));
+    fields::object(json, "\"equations\"")?.iter().map(read).collect()
+}
+
+fn sentences(fields: &Fields<'_>, source: &Source) -> Result<Vec<Sentence>, Fault> {
+    match fields.get("sentences") {
+        None => Ok(Vec::new()),
+        Some(Json { value: Value::Array(items), .. }) => {
+            items.iter().map(|item| sentence::sentence(item, source)).collect()
+        }
+        Some(json) => Err(fields::wrong(json, "sentences", "a list")),
+    }
+}
+
+/// The names in a key such as `M, g, R`: parted at the commas outside of brackets, each with its own place.
+fn names_in(key: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
+    let text = &key.value;
+    let (mut names, mut start, mut depth) = (Vec::new(), 0, 0usize);
+    let mut chars = text.char_indices();
+    let mut ends = Vec::new();
+    while let Some((at, c)) = chars.next() {
+        match c {
+            // `\,` is a space.
+            '\\' => drop(chars.next()),
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            ',' if depth == 0 => ends.push(at),
+            _ => {}
+        }
+    }
+    ends.push(text.len());
+    for end in ends {
+        let piece = &text[start..end];
+        let at = start + piece.len() - piece.trim_start().len();
+        let name = piece.trim();
+        if name.is_empty() {
+            return Err(Fault::new(key.span, format!("a name is missing in \"{text}\"")).help("as in \"M, g, R\""));
+        }
+        let span = place_in_string(&source.text, key.span, Span::new(at, at + name.len()));
+        names.push(Text::new(name.to_owned(), span));
+        start = end + 1;
+    }
+    Ok(names)
+}
+
+/// Refuses a symbol that comes twice; of functions, `V` and `V(r)` are one.
+fn once<'a>(names: impl Iterator<Item = (&'a Text, bool)>, source: &Source) -> Result<(), Fault> {
+    let mut seen: std::collections::HashMap<String, Span> = std::collections::HashMap::new();
+    for (name, function) in names {
+        let head = if function { name.value.split('(').next().unwrap_or(&name.value) } else { &name.value };
+        if let Some(first) = seen.insert(plain(head), name.span) {
+            let (line, column) = source.line_column(first.start);
+            let message = format!("{} is declared twice; first at {line}:{column}", name.value);
+            return Err(Fault::new(name.span, message).help("a symbol has one meaning; take one of the two out"));
+        }
+    }
+    Ok(())
+}

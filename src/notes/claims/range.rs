@@ -1,0 +1,164 @@
+//! Ranges: from where a symbol's values are drawn.
+
+use crate::notes::json::Spanned;
+use crate::notes::spelling::plain;
+use crate::notes::suggest::did_you_mean;
+use crate::source::Fault;
+
+/// What values a symbol takes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Range {
+    /// `> 0`
+    Positive,
+    /// `< 0`
+    Negative,
+    /// `any`: of either sign.
+    Any,
+    /// `angle`: the whole circle.
+    Angle,
+    /// `(0, \pi)`, `[0.2, 2.9]`
+    Interval {
+        /// The lower end.
+        low: f64,
+        /// The upper end.
+        high: f64,
+        /// Whether the lower end is left out.
+        low_open: bool,
+        /// Whether the upper end is left out.
+        high_open: bool,
+    },
+    /// `integer 2..5`; for indices also `1..3` and `1..n`.
+    Integer {
+        /// The first.
+        low: i64,
+        /// The last.
+        high: Count,
+    },
+}
+
+/// The last value of an index.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Count {
+    /// A number.
+    Number(i64),
+    /// A symbol, as the `n` of `1..n`.
+    Symbol(String),
+}
+
+const RANGES: &str = "a range is \"> 0\", \"< 0\", \"any\", \"angle\", an interval such as \"(0, \\\\pi)\" or \
+                      \"[0.2, 2.9]\", or \"integer 2..5\"";
+const INDICES: &str = "an index runs over \"1..3\" or \"1..n\"";
+
+/// Reads the range of a symbol.
+pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
+    let text = written.value.trim();
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let range = match squeezed.as_str() {
+        ">0" => Range::Positive,
+        "<0" => Range::Negative,
+        "any" => Range::Any,
+        "angle" => Range::Angle,
+        _ if text.starts_with(['(', '[']) => interval(written)?,
+        _ => match text.strip_prefix("integer").filter(|rest| rest.starts_with(char::is_whitespace)) {
+            Some(rest) => integers(written, rest, false)?,
+            None => {
+                let fault = Fault::new(written.span, format!("\"{text}\" is no range"));
+                return Err(match did_you_mean(text, ["any", "angle", "integer"]) {
+                    Some(word) => fault.help(format!("did you mean \"{word}\"? {RANGES}")),
+                    None => fault.help(RANGES),
+                });
+            }
+        },
+    };
+    Ok(Spanned::new(range, written.span))
+}
+
+/// Reads the range of an index.
+pub(super) fn index(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
+    let rest = written.value.trim();
+    let rest = rest.strip_prefix("integer ").unwrap_or(rest);
+    Ok(Spanned::new(integers(written, rest, true)?, written.span))
+}
+
+fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Range, Fault> {
+    let help = if symbolic { INDICES } else { RANGES };
+    let fault = |message: String| Fault::new(written.span, message).help(help);
+    let unread = || fault(format!("\"{}\" is no range of integers", written.value));
+    let (low, high) = rest.split_once("..").ok_or_else(unread)?;
+    let low: i64 = low.trim().parse().map_err(|_| unread())?;
+    let high = high.trim();
+    let is_symbol = symbolic && high.starts_with(|c: char| c.is_alphabetic() || c == '\\');
+    let high = match high.parse() {
+        Ok(number) => Count::Number(number),
+        Err(_) if is_symbol => Count::Symbol(high.to_owned()),
+        Err(_) => return Err(unread()),
+    };
+    match high {
+        Count::Number(number) if number < low => Err(fault(format!("\"{}\" is upside down", written.value))),
+        high => Ok(Range::Integer { low, high }),
+    }
+}
+
+fn interval(written: &Spanned<String>) -> Result<Range, Fault> {
+    let text = written.value.trim();
+    let fault = |message: String| Fault::new(written.span, message);
+    let unread = || fault(format!("\"{text}\" is no interval")).help(RANGES);
+    let inside = text.get(1..text.len() - 1).filter(|_| text.ends_with([')', ']'])).ok_or_else(unread)?;
+    let (low, high) = inside.split_once(',').ok_or_else(unread)?;
+    let end = |end: &str| endpoint(end).map_err(|message| fault(message).help(RANGES));
+    let (low, high) = (end(low)?, end(high)?);
+    if low > high {
+        return Err(fault(format!("the range \"{text}\" is upside down")).help("the smaller end comes first"));
+    }
+    if low == high {
+        return Err(fault(format!("the range \"{text}\" has no width"))
+            .help("a fixed value is a \"where\" or a \"define\", not a range"));
+    }
+    Ok(Range::Interval { low, high, low_open: text.starts_with('('), high_open: text.ends_with(')') })
+}
+
+/// A number, or a multiple of π: `-\pi`, `2\pi`, `\pi/2`, `\frac{3\pi}{2}`.
+fn endpoint(text: &str) -> Result<f64, String> {
+    let plain = plain(text);
+    let mut tokens = plain.split_terminator('\u{1f}').peekable();
+    let mut sign = 1.0;
+    while let Some(token) = tokens.next_if(|&token| token == "-" || token == "+") {
+        sign = if token == "-" { -sign } else { sign };
+    }
+    let value = if tokens.next_if_eq(&"\\frac").is_some() {
+        let (above, below) = (argument(&mut tokens), argument(&mut tokens));
+        let rest: String = tokens.collect();
+        let factor = if rest.is_empty() { 1.0 } else { product(&rest, text)? };
+        product(&above, text)? / product(&below, text)? * factor
+    } else {
+        let whole: String = tokens.collect();
+        match whole.split_once('/') {
+            Some((above, below)) => product(above, text)? / product(below, text)?,
+            None => product(&whole, text)?,
+        }
+    };
+    if value.is_finite() { Ok(sign * value) } else { Err(format!("\"{}\" is not a finite number", text.trim())) }
+}
+
+/// The argument of a `\frac`: a token, or what stands in braces.
+fn argument<'a>(tokens: &mut impl Iterator<Item = &'a str>) -> String {
+    match tokens.next() {
+        Some("{") => tokens.take_while(|&token| token != "}").collect(),
+        Some(token) => token.to_owned(),
+        None => String::new(),
+    }
+}
+
+fn product(product: &str, text: &str) -> Result<f64, String> {
+    let (number, pi) = match product.strip_suffix("\\pi") {
+        Some("") => return Ok(std::f64::consts::PI),
+        Some(number) => (number, std::f64::consts::PI),
+        None => (product, 1.0),
+    };
+    let number = number.trim_end_matches("\\cdot").trim_end_matches('*');
+    let looks = number.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        && number.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'e' | b'E' | b'+' | b'-'));
+    let value = number.parse::<f64>().ok().filter(|_| looks);
+    let value = value.ok_or_else(|| format!("\"{}\" is neither a number nor a multiple of \\pi", text.trim()))?;
+    Ok(value * pi)
+}

@@ -1,0 +1,183 @@
+//! A sentence of the prose turned into a test.
+
+use super::claim::{self, Claim};
+use super::fields::{self, Fields, Text};
+use crate::notes::address::Address;
+use crate::notes::json::{Json, Spanned};
+use crate::source::{Fault, Source};
+
+/// A sentence of the notes, and what it claims.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sentence {
+    /// `name`: what it is called in a report.
+    pub name: Option<Spanned<String>>,
+    /// `quote`: word for word.
+    pub quote: Spanned<String>,
+    /// `in`: the equation whose scope it borrows.
+    pub scope: Option<Address>,
+    /// What is tested.
+    pub test: Test,
+    /// `against`: along which variable.
+    pub against: Option<Spanned<String>>,
+    /// The keys of an equation's claim; without `solves`.
+    pub claim: Claim,
+}
+
+/// What a sentence says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Test {
+    /// The quoted formula itself.
+    Quoted,
+    /// `claim`: this LaTeX.
+    Claim(Spanned<String>),
+    /// `not always`: this LaTeX has a counterexample.
+    NotAlways(Spanned<String>),
+    /// `conserved`: this LaTeX does not change with time.
+    Conserved(Spanned<String>),
+    /// `of`: a property of an expression.
+    Of(Spanned<String>, Property),
+    /// `solutions` n `of` an equation `for` an unknown.
+    Solutions {
+        /// How many.
+        count: Spanned<usize>,
+        /// Of which equation.
+        of: Address,
+        /// For which unknown.
+        unknown: Spanned<String>,
+    },
+}
+
+/// A property of an expression.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Property {
+    /// `independent of`: these symbols.
+    IndependentOf(Vec<Spanned<String>>),
+    /// `sign`
+    Sign(Spanned<Sign>),
+    /// `minima`: how many, in the interior.
+    Minima(Spanned<usize>),
+    /// `maxima`: how many, in the interior.
+    Maxima(Spanned<usize>),
+    /// `tends to`: limits, and the values there.
+    TendsTo(Vec<(Spanned<String>, Spanned<String>)>),
+    /// `rises with`
+    RisesWith(Spanned<String>),
+    /// `falls with`
+    FallsWith(Spanned<String>),
+}
+
+/// The sign of an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// Everywhere above 0.
+    Positive,
+    /// Everywhere below 0.
+    Negative,
+    /// Both occur.
+    Changes,
+}
+
+const KEYS: &[&str] = &["name", "quote", "in", "against", "claim", "not always", "of"];
+/// Keys that need `of`.
+const OF: &[&str] =
+    &["independent of", "sign", "minima", "maxima", "tends to", "rises with", "falls with", "solutions"];
+
+/// Reads a sentence.
+pub(super) fn sentence(json: &Json, source: &Source) -> Result<Sentence, Fault> {
+    let fields = Fields::new(json, "a sentence", &[KEYS, OF, claim::KEYS], claim::LATER)?;
+    if let Some((key, _)) = fields.entry("solves") {
+        return Err(
+            Fault::new(key.span, "\"solves\" belongs to an equation").help("here, \"solutions\" n \"of\" … \"for\" …")
+        );
+    }
+    let missing = || Fault::new(json.span, "a sentence needs \"quote\"").help("quote the notes, word for word");
+    let quote = fields.text("quote")?.ok_or_else(missing)?;
+    let test = test(&fields, source)?;
+    // `conserved` is the test itself here, not a word on the quoted formula.
+    let mut claim = claim::shared(&fields, source)?;
+    if matches!(test, Test::Conserved(_)) {
+        claim.conserved = None;
+    }
+    let scope = fields.text("in")?.map(|scope| Address::parse(&scope, source)).transpose()?;
+    Ok(Sentence { name: fields.text("name")?, quote, scope, test, against: fields.text("against")?, claim })
+}
+
+fn test(fields: &Fields<'_>, source: &Source) -> Result<Test, Fault> {
+    let tests = ["claim", "not always", "conserved", "of"];
+    let mut present = tests.iter().filter_map(|name| fields.entry(name));
+    let first = present.next();
+    if let (Some((first, _)), Some((second, _))) = (first, present.next()) {
+        let message = format!("\"{}\" beside \"{}\": a sentence has one test", second.value, first.value);
+        return Err(Fault::new(second.span, message).help("quote it twice, once for each"));
+    }
+    if first.is_none_or(|(key, _)| key.value != "of")
+        && let Some((key, _)) = OF.iter().find_map(|name| fields.entry(name))
+    {
+        return Err(
+            Fault::new(key.span, format!("\"{}\" needs \"of\" beside it", key.value)).help("of which expression?")
+        );
+    }
+    if fields.get("solutions").is_none()
+        && let Some((key, _)) = fields.entry("for")
+    {
+        return Err(Fault::new(key.span, "\"for\" needs \"solutions\" beside it"));
+    }
+    let Some((key, json)) = first else { return Ok(Test::Quoted) };
+    match key.value.as_str() {
+        "claim" => Ok(Test::Claim(fields::text(json, "claim")?)),
+        "not always" => Ok(Test::NotAlways(fields::text(json, "not always")?)),
+        "conserved" => Ok(Test::Conserved(fields::text(json, "conserved")?)),
+        _ => of(fields, key, fields::text(json, "of")?, source),
+    }
+}
+
+fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test, Fault> {
+    let mut present = OF.iter().filter_map(|name| fields.entry(name));
+    let list = || OF.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
+    let Some((property, json)) = present.next() else {
+        return Err(
+            Fault::new(key.span, "\"of\" does not say what is claimed of it").help(format!("add one of {}", list()))
+        );
+    };
+    if let Some((second, _)) = present.next() {
+        let message = format!("\"{}\" beside \"{}\": a sentence has one test", second.value, property.value);
+        return Err(Fault::new(second.span, message).help("quote it twice, once for each"));
+    }
+    let name = property.value.as_str();
+    let text = || fields::text(json, name);
+    let property = match name {
+        "independent of" => Property::IndependentOf(fields::texts(json, name)?),
+        "sign" => {
+            let signs = &[("positive", Sign::Positive), ("negative", Sign::Negative), ("changes", Sign::Changes)];
+            Property::Sign(fields::word(&text()?, name, signs)?)
+        }
+        "minima" => Property::Minima(fields::count(json, name)?),
+        "maxima" => Property::Maxima(fields::count(json, name)?),
+        "rises with" => Property::RisesWith(text()?),
+        "falls with" => Property::FallsWith(text()?),
+        "tends to" => Property::TendsTo(tends_to(fields, json)?),
+        _ => {
+            let count = fields::count(json, name)?;
+            let Some(unknown) = fields.text("for")? else {
+                return Err(
+                    Fault::new(property.span, "\"solutions\" needs \"for\" beside it").help("for which unknown?")
+                );
+            };
+            return Ok(Test::Solutions { count, of: Address::parse(&of, source)?, unknown });
+        }
+    };
+    Ok(Test::Of(of, property))
+}
+
+fn tends_to(fields: &Fields<'_>, json: &Json) -> Result<Vec<(Text, Text)>, Fault> {
+    let limits = fields.pairs("tends to")?;
+    if limits.is_empty() {
+        return Err(Fault::new(json.span, "\"tends to\" is empty").help("as in { \"x \\\\to 0\": \"1\" }"));
+    }
+    match limits.iter().find(|(limit, _)| !claim::is_limit(&limit.value)) {
+        Some((limit, _)) => {
+            Err(Fault::new(limit.span, format!("\"{}\" is no limit", limit.value)).help("as in \"x \\\\to 0\""))
+        }
+        None => Ok(limits),
+    }
+}

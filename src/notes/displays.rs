@@ -1,0 +1,398 @@
+//! From displays as found to displays as numbered: tags, labels, numbers printed beside, and neighbours that belong
+//! together.
+//!
+//! Two copies of the file are at hand: the text as it is, and `clean`, the same bytes with everything that is no
+//! formula overwritten by spaces. A display's text is cut from the second, so that every place in it stays true.
+
+use super::document::{Display, Numbered};
+use super::rows;
+use super::scan::{self, Delimiter, Name, Raw};
+use crate::source::{Fault, Span};
+
+/// Overwrites `spans` by spaces, line ends kept.
+pub(super) fn blank<'a>(clean: &mut [u8], spans: impl IntoIterator<Item = &'a Span>) {
+    for span in spans {
+        for byte in &mut clean[span.range()] {
+            if *byte != b'\n' {
+                *byte = b' ';
+            }
+        }
+    }
+}
+
+/// A display with what is printed in and beside it, before neighbours are joined.
+struct Piece {
+    raw: Raw,
+    /// With an inline tail, as in `$$x = 1$$ , $y = 2$ (2.7)`.
+    body: Span,
+    number: Option<Numbered>,
+    /// Whether the number stands after the display, or alone in it, and so may close several displays.
+    closes: bool,
+    labels: Vec<Numbered>,
+    /// Whether it starts with a relation.
+    continues: bool,
+    /// Whether it holds nothing but its number.
+    bare: bool,
+    /// Where the next display may begin to be a neighbour.
+    end: usize,
+}
+
+/// Joins, numbers and cuts out the displays.
+pub(super) fn assemble(source: &str, clean: Vec<u8>, raws: Vec<Raw>, names: Vec<Name>) -> Result<Vec<Display>, Fault> {
+    let mut work = Work { source, clean };
+    let mut pieces = Vec::new();
+    let mut names = names.into_iter().peekable();
+    for (i, raw) in raws.iter().enumerate() {
+        let next = raws.get(i + 1).map_or(source.len(), |next| next.span.start);
+        let first = pieces.len();
+        work.pieces(*raw, next, &mut pieces)?;
+        while let Some(name) = names.next_if(|name| name.span.start < raw.span.start) {
+            if let Some(piece) = pieces.get_mut(first) {
+                piece.labels.push(Numbered { id: name.id, span: name.span });
+            }
+        }
+    }
+    if let Some(name) = names.next() {
+        return Err(Fault::new(name.span, format!("no display follows to be named {}", name.id))
+            .help("the name stands before the display"));
+    }
+    work.numbers_inside(&mut pieces);
+    Ok(work.join(pieces))
+}
+
+struct Work<'a> {
+    source: &'a str,
+    clean: Vec<u8>,
+}
+
+impl Work<'_> {
+    /// The pieces of one display: one, or the row groups of an `align` with several numbers.
+    fn pieces(&mut self, raw: Raw, next: usize, pieces: &mut Vec<Piece>) -> Result<(), Fault> {
+        let rows = self.rows(raw);
+        let (tags, labels) = self.tags(raw.body);
+        if let Some(rows) = rows.filter(|_| tags.len() > 1 || labels.len() > 1) {
+            for group in self.groups(rows, &tags, &labels) {
+                let own = |all: &[Numbered]| all.iter().filter(|n| group.contains(n.span)).cloned().collect();
+                let raw = Raw { span: group, body: group, delimiter: raw.delimiter };
+                pieces.push(self.piece(raw, group.end, own(&tags), own(&labels))?);
+            }
+            return Ok(());
+        }
+        pieces.push(self.piece(raw, next, tags, labels)?);
+        Ok(())
+    }
+
+    /// The rows of a display whose rows may be numbered one by one; also of an `align` that stands within `$$`.
+    fn rows(&self, raw: Raw) -> Option<Vec<Span>> {
+        if raw.delimiter == Delimiter::Rows {
+            return Some(rows::split(self.source, raw.body));
+        }
+        let inside = raw.body.start + self.source[raw.body.range()].find("\\begin{")?;
+        if self.clean[raw.body.start..inside].iter().any(|b| !b.is_ascii_whitespace()) {
+            return None;
+        }
+        let (name, start) = scan::begin(self.source, inside)?;
+        let closing = format!("\\end{{{name}}}");
+        let body = self.source[raw.body.range()].trim_end().strip_suffix(&closing)?;
+        let end = raw.body.start + body.len();
+        (scan::environment(name) == Some(Delimiter::Rows) && start <= end)
+            .then(|| rows::split(self.source, Span::new(start, end)))
+    }
+
+    /// Rows, joined so that each group ends with the row that carries its number.
+    fn groups(&self, rows: Vec<Span>, tags: &[Numbered], labels: &[Numbered]) -> Vec<Span> {
+        let mut carriers: Vec<usize> = tags.iter().chain(labels).map(|n| n.span.start).collect();
+        carriers.sort_unstable();
+        let mut groups: Vec<Span> = Vec::new();
+        let (mut closed, mut carrier) = (true, 0);
+        for row in rows {
+            let first = carrier;
+            while carriers.get(carrier).is_some_and(|&at| at < row.end) {
+                carrier += 1;
+            }
+            let numbered = carrier > first;
+            match groups.last_mut() {
+                Some(group) if !closed || (!numbered && self.continues(row)) => *group = group.to(row),
+                _ => groups.push(row),
+            }
+            // A row that goes on after the number does not open its group again.
+            closed = numbered || (closed && groups.last().is_some_and(|group| *group != row));
+        }
+        groups
+    }
+
+    fn continues(&self, span: Span) -> bool {
+        // Whole characters only were overwritten, so the text is still UTF-8; where it is long, its start will do.
+        let text = &self.clean[span.range()];
+        let start = scan::skip_space(text, 0);
+        rows::starts_with_relation(&String::from_utf8_lossy(&text[start..text.len().min(start + 80)]))
+    }
+
+    /// Takes tags and labels out of a body.
+    fn tags(&mut self, body: Span) -> (Vec<Numbered>, Vec<Numbered>) {
+        let (mut tags, mut labels) = (Vec::new(), Vec::new());
+        let mut i = body.start;
+        while i < body.end {
+            if self.clean[i] != b'\\' {
+                i += 1;
+                continue;
+            }
+            let bytes = &self.clean[..body.end];
+            let word = scan::word_end(bytes, i);
+            let star = usize::from(bytes.get(word) == Some(&b'*'));
+            let argument = scan::skip_space(bytes, word + star);
+            let mut end = (word).max(i + 2);
+            let command = &self.source[i + 1..word];
+            match command {
+                "tag" | "label" | "eqno" | "leqno" | "intertext" | "shortintertext" => {
+                    let group = scan::short_group(bytes, argument);
+                    let bare = || {
+                        scan::number(self.source, argument).map(|(_, end)| end).filter(|_| command.ends_with("eqno"))
+                    };
+                    if let Some(close) = group.or_else(bare) {
+                        let inside = self.source[argument + 1..close - 1].trim();
+                        let id = inside.strip_prefix('(').and_then(|id| id.strip_suffix(')')).unwrap_or(inside);
+                        let numbered = Numbered { id: id.trim().to_owned(), span: Span::new(i, close) };
+                        match command {
+                            "label" => labels.push(Numbered { id: inside.to_owned(), ..numbered }),
+                            "tag" | "eqno" | "leqno" => tags.push(numbered),
+                            _ => {}
+                        }
+                        blank(&mut self.clean, [&Span::new(i, close)]);
+                        end = close;
+                    }
+                }
+                "nonumber" | "notag" => blank(&mut self.clean, [&Span::new(i, word)]),
+                _ => {}
+            }
+            i = end;
+        }
+        (tags, labels)
+    }
+
+    fn piece(&mut self, raw: Raw, next: usize, tags: Vec<Numbered>, labels: Vec<Numbered>) -> Result<Piece, Fault> {
+        let mut tags = tags.into_iter();
+        let mut piece = Piece {
+            raw,
+            body: raw.body,
+            number: tags.next(),
+            closes: false,
+            labels,
+            continues: self.continues(raw.body),
+            bare: false,
+            end: raw.span.end,
+        };
+        if let (Some(first), Some(second)) = (&piece.number, tags.next()) {
+            return Err(Fault::new(
+                second.span,
+                format!("a second number, {}, in the display ({})", second.id, first.id),
+            )
+            .help("number rows one by one in an align environment, or give each equation its own display"));
+        }
+        if raw.delimiter == Delimiter::Pair {
+            self.bare_number(&mut piece);
+        }
+        if piece.number.is_none() && raw.span != raw.body {
+            self.number_after(&mut piece, next);
+        }
+        Ok(piece)
+    }
+
+    /// A display that is only `(2.2)` is a number that lost its equation.
+    fn bare_number(&mut self, piece: &mut Piece) {
+        let start = scan::skip_space(&self.clean[..piece.body.end], piece.body.start);
+        let Some((id, end)) = scan::number(self.source, start).filter(|(_, end)| *end <= piece.body.end) else {
+            return;
+        };
+        if piece.number.is_none() && self.clean[end..piece.body.end].iter().all(u8::is_ascii_whitespace) {
+            let span = Span::new(start, end);
+            piece.number = Some(Numbered { id: id.to_owned(), span });
+            (piece.bare, piece.closes) = (true, true);
+            blank(&mut self.clean, [&span]);
+        }
+    }
+
+    /// A number printed after the display, with the inline tail that leads to it.
+    fn number_after(&mut self, piece: &mut Piece, next: usize) {
+        let after = piece.raw.span.end;
+        let direct = scan::skip_space(&self.clean[..next], after);
+        if let Some(number) = self.number_ending_line(direct, next) {
+            piece.end = number.span.end;
+            piece.number = Some(number);
+            piece.closes = true;
+            return;
+        }
+        let Some((signs, number)) = self.tail(after, next) else { return };
+        piece.end = number.span.end;
+        piece.closes = true;
+        if let Some(last) = signs.last() {
+            blank(&mut self.clean, [&Span::new(piece.raw.body.end, after)]);
+            for sign in &signs {
+                self.clean[sign.at] = if sign.comma { b',' } else { b' ' };
+            }
+            piece.body.end = last.at;
+        }
+        piece.number = Some(number);
+    }
+
+    /// The number at `at`, when its line ends with it.
+    fn number_ending_line(&self, at: usize, next: usize) -> Option<Numbered> {
+        let (id, end) = scan::number(self.source, at)?;
+        let line = scan::line_end(&self.clean, end);
+        let alone = end <= next && self.clean[end..line].iter().all(u8::is_ascii_whitespace);
+        alone.then(|| Numbered { id: id.to_owned(), span: Span::new(at, end) })
+    }
+
+    /// ` , $M = …$ (2.7)`: the dollar signs of a tail of inline formulas and punctuation, and the number it ends with.
+    fn tail(&self, after: usize, next: usize) -> Option<(Vec<Sign>, Numbered)> {
+        let bytes = &self.clean[..next];
+        let mut signs = Vec::new();
+        // Two formulas side by side are a product; a comma stands between statements.
+        let (mut apart, mut lines) = (false, 0);
+        let mut i = after;
+        loop {
+            match *bytes.get(i)? {
+                b'\n' if lines == 0 => lines += 1,
+                b' ' | b'\t' | b'\r' => {}
+                b',' | b';' | b'.' => apart = true,
+                b'$' => {
+                    let close = scan::inline(bytes, i, false)?;
+                    signs.push(Sign { at: i, comma: !apart });
+                    signs.push(Sign { at: close, comma: false });
+                    (apart, i) = (false, close);
+                }
+                b'(' => return Some((signs, self.number_ending_line(i, next)?)),
+                _ => return None,
+            }
+            i += 1;
+        }
+    }
+
+    /// `$$… = 0 (2.8)$$`: a number at the end of a display, behind a space.
+    ///
+    /// A product may end the same way, so the chapter must be one that other numbers of the file have too.
+    fn numbers_inside(&mut self, pieces: &mut [Piece]) {
+        let chapter = |id: &str| id.split_once('.').map(|(chapter, _)| chapter.to_owned());
+        let mut found = Vec::new();
+        for (i, piece) in pieces.iter().enumerate() {
+            if piece.number.is_none()
+                && let Some(numbered) = self.number_inside(piece.body)
+            {
+                found.push((i, numbered));
+            }
+        }
+        let printed: std::collections::HashSet<String> =
+            pieces.iter().filter_map(|piece| chapter(&piece.number.as_ref()?.id)).collect();
+        for (i, (numbered, blanked)) in found {
+            if printed.is_empty() || chapter(&numbered.id).is_some_and(|chapter| printed.contains(&chapter)) {
+                blank(&mut self.clean, [&blanked]);
+                pieces[i].number = Some(numbered);
+            }
+        }
+    }
+
+    fn number_inside(&self, body: Span) -> Option<(Numbered, Span)> {
+        let text = &self.clean[body.range()];
+        let trimmed = text.trim_ascii_end();
+        let open = trimmed.iter().rposition(|&b| b == b'(')?;
+        let (id, end) = scan::number(self.source, body.start + open)?;
+        let dotted =
+            id.split_once('.').is_some_and(|(a, b)| is_digits(a) && is_digits(b.trim_end_matches(char::is_alphabetic)));
+        let before = &text[..open];
+        let spaced = before.last().is_some_and(u8::is_ascii_whitespace)
+            || before.ends_with(b"\\quad")
+            || before.ends_with(b"\\qquad");
+        (dotted && spaced && end == body.start + trimmed.len()).then(|| {
+            let span = Span::new(body.start + open, end);
+            (Numbered { id: id.to_owned(), span }, span)
+        })
+    }
+
+    /// Joins neighbours, and cuts out the texts.
+    fn join(mut self, pieces: Vec<Piece>) -> Vec<Display> {
+        let mut lines = Lines::default();
+        let mut displays = Vec::new();
+        let mut run: Vec<Piece> = Vec::new();
+        for piece in pieces {
+            if !run.last().is_some_and(|last| self.neighbours(last, &piece)) {
+                self.close(&mut run, &mut lines, &mut displays);
+            }
+            run.push(piece);
+        }
+        self.close(&mut run, &mut lines, &mut displays);
+        displays
+    }
+
+    /// Whether nothing but space stands between, and the second may belong to the first.
+    fn neighbours(&self, a: &Piece, b: &Piece) -> bool {
+        let gap = a.end..b.raw.span.start;
+        a.number.is_none()
+            && a.raw.delimiter == Delimiter::Pair
+            && b.raw.delimiter == Delimiter::Pair
+            && !b.labels.iter().any(|label| label.id.starts_with('#'))
+            && self.clean[gap.clone()].iter().all(u8::is_ascii_whitespace)
+            && self.source.as_bytes()[gap].iter().all(|b| b.is_ascii_whitespace() || *b == b'>')
+    }
+
+    /// Makes displays of a run of neighbours: one, if a number printed after it closes it.
+    fn close(&mut self, run: &mut Vec<Piece>, lines: &mut Lines, displays: &mut Vec<Display>) {
+        let all = run.last().is_some_and(|last| last.closes);
+        let mut group: Vec<Piece> = Vec::new();
+        for piece in run.drain(..) {
+            if !group.is_empty() && !all && !piece.continues {
+                displays.extend(self.display(std::mem::take(&mut group), lines));
+            }
+            group.push(piece);
+        }
+        displays.extend(self.display(group, lines));
+    }
+
+    fn display(&mut self, group: Vec<Piece>, lines: &mut Lines) -> Option<Display> {
+        let (first, last) = (group.first()?, group.last()?);
+        let span = Span::new(first.raw.span.start, last.raw.span.end.max(last.body.end));
+        let mut body = first.body;
+        let mut parts = vec![first.body];
+        for piece in group.iter().skip(1).filter(|piece| !piece.bare) {
+            // The closing delimiter before becomes the row break.
+            self.clean[body.end..body.end + 2].copy_from_slice(b"\\\\");
+            blank(&mut self.clean, [&Span::new(piece.raw.span.start, piece.raw.body.start)]);
+            body = body.to(piece.body);
+            parts.push(piece.body);
+        }
+        let text = String::from_utf8_lossy(&self.clean[body.range()]).into_owned();
+        let number = group.iter().find_map(|piece| piece.number.clone());
+        let labels: Vec<Numbered> = group.into_iter().flat_map(|piece| piece.labels).collect();
+        // What held only definitions is no equation.
+        if text.trim().is_empty() && number.is_none() && labels.is_empty() {
+            return None;
+        }
+        let line = lines.line(self.source, span.start);
+        Some(Display { span, body, parts, text, number, labels, line })
+    }
+}
+
+/// A `$` in an inline tail, and whether it is to become a comma.
+struct Sign {
+    at: usize,
+    comma: bool,
+}
+
+fn is_digits(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// Counts lines on the way through a file.
+#[derive(Default)]
+struct Lines {
+    at: usize,
+    newlines: usize,
+}
+
+impl Lines {
+    /// The line of `at`, which is not before the place asked for last.
+    fn line(&mut self, text: &str, at: usize) -> usize {
+        self.newlines += text.as_bytes()[self.at..at].iter().filter(|&&b| b == b'\n').count();
+        self.at = at;
+        self.newlines + 1
+    }
+}

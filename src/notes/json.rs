@@ -1,0 +1,288 @@
+//! JSON that knows where every value stands.
+//!
+//! serde_json reads; its raw values borrow from the text, so the place of each follows from its address. What
+//! serde_json lets pass and a claims file cannot afford is refused here: a key given twice, a `"\theta"` that JSON
+//! reads as a tab and "heta", values nested without end.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use serde::de::{MapAccess, Visitor};
+use serde_json::value::RawValue;
+
+use crate::source::{Fault, Span};
+
+/// How deep values may nest.
+const DEEPEST: usize = 64;
+
+/// A thing and where it stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spanned<T> {
+    /// The thing.
+    pub value: T,
+    /// Its place in the file; for a JSON string, with the quotes.
+    pub span: Span,
+}
+
+impl<T> Spanned<T> {
+    /// `value` at `span`.
+    pub fn new(value: T, span: Span) -> Self {
+        Spanned { value, span }
+    }
+
+    /// Another thing at the same place.
+    pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Spanned<U> {
+        Spanned { value: f(self.value), span: self.span }
+    }
+}
+
+/// A JSON value and where it stands.
+pub type Json = Spanned<Value>;
+
+/// A JSON value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// `null`
+    Null,
+    /// `true` or `false`
+    Bool(bool),
+    /// A number, as it is written.
+    Number(String),
+    /// A string, unescaped.
+    String(String),
+    /// `[…]`
+    Array(Vec<Json>),
+    /// `{…}`, in the order of the file; no key comes twice.
+    Object(Vec<(Spanned<String>, Json)>),
+}
+
+impl Value {
+    /// What it is, for messages.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Value::Null => "null",
+            Value::Bool(_) => "true or false",
+            Value::Number(_) => "a number",
+            Value::String(_) => "a string",
+            Value::Array(_) => "a list",
+            Value::Object(_) => "an object",
+        }
+    }
+}
+
+/// Reads one JSON value, the whole of `text`. A byte-order mark before it is passed over.
+pub fn read(text: &str) -> Result<Json, Fault> {
+    let start = text.len() - text.trim_start_matches('\u{feff}').len();
+    if text[start..].trim().is_empty() {
+        return Err(Fault::new(Span::at(text.len()), "the file is empty").help("a claims file is a JSON object: { … }"));
+    }
+    escapes(text)?;
+    let raw = serde_json::from_str::<&RawValue>(&text[start..]).map_err(|error| syntax(text, start, &error))?;
+    value(text, raw, 0)
+}
+
+/// The place in the file of the bytes `part` of a string whose token, or whose part, stands at `token`.
+///
+/// An escape such as `\\` is two bytes in the file and one in the string.
+pub fn place_in_string(text: &str, token: Span, part: Span) -> Span {
+    let Some(raw) = text.get(token.range()) else { return token };
+    let quoted = raw.starts_with('"');
+    let (mut at, mut read) = (usize::from(quoted), 0);
+    let mut start = None;
+    while read < part.end && at < raw.len() {
+        if read >= part.start && start.is_none() {
+            start = Some(at);
+        }
+        let (length, bytes) = escape_at(&raw[at..]);
+        at += length;
+        read += bytes;
+    }
+    let start = start.unwrap_or(at);
+    Span::new(token.start + start, token.start + at)
+}
+
+/// The first character of the inside of a JSON string: its bytes in the file, and its bytes in the string.
+fn escape_at(raw: &str) -> (usize, usize) {
+    let mut chars = raw.chars();
+    match (chars.next(), chars.next()) {
+        (Some('\\'), Some('u')) => {
+            let unit = |at: usize| raw.get(at..at + 4).and_then(|hex| u32::from_str_radix(hex, 16).ok());
+            match unit(2) {
+                Some(0xD800..0xDC00) => (12.min(raw.len()), 4),
+                Some(code) => (6.min(raw.len()), char::from_u32(code).map_or(1, char::len_utf8)),
+                None => (2, 1),
+            }
+        }
+        (Some('\\'), Some(c)) => (1 + c.len_utf8(), 1),
+        (Some(c), _) => (c.len_utf8(), c.len_utf8()),
+        (None, _) => (1, 0),
+    }
+}
+
+/// Escapes that LaTeX in JSON falls prey to.
+fn escapes(text: &str) -> Result<(), Fault> {
+    let bytes = text.as_bytes();
+    let (mut i, mut within) = (0, false);
+    while i < bytes.len() {
+        match bytes[i] {
+            b'"' => within = !within,
+            b'\\' if within => {
+                escape(text, i)?;
+                i += 1;
+            }
+            _ => {}
+        }
+        i += 1;
+    }
+    Ok(())
+}
+
+fn escape(text: &str, at: usize) -> Result<(), Fault> {
+    let Some(letter) = text[at + 1..].chars().next() else { return Ok(()) };
+    let word: String = text[at + 1..].chars().take_while(char::is_ascii_alphabetic).take(40).collect();
+    let word = if word.is_empty() { letter.to_string() } else { word };
+    let span = Span::new(at, at + 1 + word.len());
+    let name = match letter {
+        '"' | '\\' | '/' => return Ok(()),
+        't' => "a tab",
+        'n' => "a line break",
+        'b' => "a backspace",
+        'f' => "a form feed",
+        'r' => "a carriage return",
+        'u' => {
+            let code = text.get(at + 2..at + 6).and_then(|hex| u32::from_str_radix(hex, 16).ok());
+            return match code {
+                Some(code) if code >= 0x20 => Ok(()),
+                Some(_) => Err(Fault::new(Span::new(at, at + 6), "a control character in a string")
+                    .help("LaTeX has none; leave it out")),
+                None => Err(no_escape(span, &word)),
+            };
+        }
+        _ => return Err(no_escape(span, &word)),
+    };
+    let message = format!("\"\\{word}\" — JSON read \"\\{letter}\" as {name}");
+    Err(Fault::new(span, message).help(format!("write \"\\\\{word}\"")))
+}
+
+fn no_escape(span: Span, word: &str) -> Fault {
+    Fault::new(span, format!("\"\\{word}\" — JSON knows no such escape")).help(format!("write \"\\\\{word}\""))
+}
+
+/// serde_json's complaint at its place, in our words.
+fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
+    let offset = offset(&text[start..], error.line(), error.column()) + start;
+    let full = error.to_string();
+    let message = full.split(" at line ").next().unwrap_or(&full);
+    if error.is_eof() {
+        let end = text.trim_end().len();
+        return Fault::new(Span::at(end), "the file is cut off: it ends in the middle of a value")
+            .help("close what is open: a string by `\"`, a list by `]`, an object by `}`");
+    }
+    let mut end = (offset + 1).min(text.len());
+    while !text.is_char_boundary(end) {
+        end += 1;
+    }
+    let span = Span::new(offset, end);
+    match message {
+        "trailing characters" => Fault::new(span, "something stands after the end of the JSON value")
+            .help("a claims file is one object; is a `}` too early?"),
+        "trailing comma" => Fault::new(span, "a comma before the closing bracket").help("leave the comma out"),
+        "control character (\\u0000-\\u001F) found while parsing a string" => {
+            Fault::new(span, "a line break or another control character within a string")
+                .help("a JSON string stands on one line; is its closing `\"` missing?")
+        }
+        _ => Fault::new(span, format!("this is not JSON: {message}")),
+    }
+}
+
+/// The byte that serde_json's line and column (in bytes, from 1) point at.
+fn offset(text: &str, line: usize, column: usize) -> usize {
+    let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    let mut offset = (before + column.saturating_sub(1)).min(text.len());
+    while !text.is_char_boundary(offset) {
+        offset -= 1;
+    }
+    offset
+}
+
+fn value(text: &str, raw: &RawValue, depth: usize) -> Result<Json, Fault> {
+    let span = place(text, raw);
+    let token = raw.get();
+    let unreadable = |error: serde_json::Error| {
+        let full = error.to_string();
+        Fault::new(span, format!("this is not JSON: {}", full.split(" at line ").next().unwrap_or(&full)))
+    };
+    if depth >= DEEPEST && token.starts_with(['[', '{']) {
+        return Err(Fault::new(Span::new(span.start, span.start + 1), format!("values nest deeper than {DEEPEST}"))
+            .help("a claims file needs five levels"));
+    }
+    let value = match token.as_bytes().first() {
+        Some(b'n') => Value::Null,
+        Some(b't') => Value::Bool(true),
+        Some(b'f') => Value::Bool(false),
+        Some(b'"') => Value::String(serde_json::from_str(token).map_err(unreadable)?),
+        Some(b'[') => {
+            let items: Vec<&RawValue> = serde_json::from_str(token).map_err(unreadable)?;
+            Value::Array(items.into_iter().map(|item| value(text, item, depth + 1)).collect::<Result<_, _>>()?)
+        }
+        Some(b'{') => {
+            let Entries(entries) = serde_json::from_str(token).map_err(unreadable)?;
+            Value::Object(object(text, entries, depth)?)
+        }
+        _ => Value::Number(token.to_owned()),
+    };
+    Ok(Json { value, span })
+}
+
+fn object(
+    text: &str,
+    entries: Vec<(&RawValue, &RawValue)>,
+    depth: usize,
+) -> Result<Vec<(Spanned<String>, Json)>, Fault> {
+    let mut seen: HashMap<String, Span> = HashMap::new();
+    let mut object = Vec::with_capacity(entries.len());
+    for (key, item) in entries {
+        let span = place(text, key);
+        let name: String = serde_json::from_str(key.get()).map_err(|_| Fault::new(span, "this key is no text"))?;
+        if let Some(first) = seen.insert(name.clone(), span) {
+            let line = text[..first.start].matches('\n').count() + 1;
+            return Err(Fault::new(span, format!("the key \"{name}\" is given twice; first in line {line}"))
+                .help("JSON would silently keep the last: join the two"));
+        }
+        object.push((Spanned::new(name, span), value(text, item, depth + 1)?));
+    }
+    Ok(object)
+}
+
+/// Where a raw value stands: it borrows from `text`.
+fn place(text: &str, raw: &RawValue) -> Span {
+    let start = raw.get().as_ptr() as usize - text.as_ptr() as usize;
+    Span::new(start, start + raw.get().len())
+}
+
+/// The entries of an object, in order, duplicates kept.
+struct Entries<'a>(Vec<(&'a RawValue, &'a RawValue)>);
+
+impl<'de> serde::Deserialize<'de> for Entries<'de> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(EntriesVisitor)
+    }
+}
+
+struct EntriesVisitor;
+
+impl<'de> Visitor<'de> for EntriesVisitor {
+    type Value = Entries<'de>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let mut entries = Vec::new();
+        while let Some(entry) = map.next_entry::<&RawValue, &RawValue>()? {
+            entries.push(entry);
+        }
+        Ok(Entries(entries))
+    }
+}

@@ -1,0 +1,235 @@
+//! Displays in Markdown: `$$…$$`, math fences, bare `\[…\]` and bare environments.
+//!
+//! pulldown-cmark says where code, fences and block quotes are. The displays themselves are found by an own scan,
+//! because notes have blank lines, `_` and `*` in them that CommonMark would not let stand.
+
+use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
+
+use super::scan::{self, Delimiter, Raw, Scan};
+use crate::source::{Fault, Span};
+
+/// What CommonMark says about the file.
+#[derive(Default)]
+struct Structure {
+    /// Code, and math fences, in order.
+    blocks: Vec<Block>,
+    /// Where the fenced ones start.
+    fences: Vec<usize>,
+    /// Starts and ends of block quotes.
+    quotes: Vec<(usize, usize)>,
+}
+
+struct Block {
+    span: Span,
+    kind: BlockKind,
+}
+
+enum BlockKind {
+    Code,
+    /// The range between the fences.
+    Math(Span),
+}
+
+/// Finds the displays of a Markdown file.
+pub(super) fn scan(text: &str) -> Result<Scan, Fault> {
+    let structure = structure(text);
+    let mut found = Scan::default();
+    displays(text, &structure, &mut found)?;
+    found.markers = markers(text, structure.quotes, &found.raws);
+    Ok(found)
+}
+
+fn structure(text: &str) -> Structure {
+    let mut structure = Structure::default();
+    // The span of the fence we are in, whether it is a math fence, and what is inside.
+    let mut fence: Option<(Span, bool, Option<Span>)> = None;
+    for (event, range) in Parser::new(text).into_offset_iter() {
+        let span = Span::from(range);
+        match event {
+            Event::Code(_) => structure.blocks.push(Block { span, kind: BlockKind::Code }),
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => {
+                fence = Some((span, info.split_whitespace().next() == Some("math"), None));
+            }
+            Event::Text(_) => {
+                if let Some((_, _, inside)) = &mut fence {
+                    *inside = Some(inside.map_or(span, |inside| inside.to(span)));
+                }
+            }
+            Event::End(TagEnd::CodeBlock) => {
+                if let Some((span, math, inside)) = fence.take() {
+                    let kind = match inside {
+                        Some(inside) if math => BlockKind::Math(inside),
+                        _ => BlockKind::Code,
+                    };
+                    structure.fences.push(span.start);
+                    structure.blocks.push(Block { span, kind });
+                }
+            }
+            Event::Start(Tag::BlockQuote(_)) => structure.quotes.push((span.start, span.end)),
+            _ => {}
+        }
+    }
+    structure
+}
+
+fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), Fault> {
+    let bytes = text.as_bytes();
+    let mut blocks = structure.blocks.iter().peekable();
+    // Once no `\]` follows, none follows later: without this, many unclosed `\[` would be quadratic.
+    let mut brackets_close = true;
+    let mut i = 0;
+    while i < bytes.len() {
+        while blocks.next_if(|block| block.span.start < i).is_some() {}
+        if let Some(block) = blocks.next_if(|block| block.span.start == i) {
+            match block.kind {
+                BlockKind::Math(body) => found.raws.push(Raw { span: block.span, body, delimiter: Delimiter::Whole }),
+                _ => found.blank.push(block.span),
+            }
+            i = block.span.end.max(i + 1);
+            continue;
+        }
+        i = match bytes[i] {
+            b'$' if bytes[i..].starts_with(b"$$") => {
+                // A fenced block ends a display that was never closed.
+                let fence = structure.fences.partition_point(|&start| start < i);
+                let limit = structure.fences.get(fence).copied().unwrap_or(text.len());
+                let Some(close) = scan::find_unescaped(&text[..limit], i + 2, b"$$") else {
+                    return Err(unclosed(text, i, found));
+                };
+                pair(text, i, close, found);
+                close + 2
+            }
+            b'$' => scan::inline(bytes, i, true).map_or(i, |close| close) + 1,
+            b'<' if bytes[i..].starts_with(b"<!--") => {
+                let Some(close) = scan::find(text, i + 4, "-->") else {
+                    return Err(Fault::new(Span::new(i, i + 4), "this comment is never closed")
+                        .help("add `-->`; without it the rest of the file is a comment"));
+                };
+                found.names.extend(scan::name_in(text, Span::new(i + 4, close))?);
+                found.blank.push(Span::new(i, close + 3));
+                close + 3
+            }
+            b'\\' if brackets_close && bytes[i..].starts_with(b"\\[") => {
+                match scan::find_unescaped(text, i + 2, b"\\]") {
+                    Some(close) => {
+                        pair(text, i, close, found);
+                        close + 2
+                    }
+                    // In Markdown, `\[` is also how a mere bracket is written.
+                    None if alone(bytes, i) => {
+                        return Err(Fault::new(Span::new(i, i + 2), "this `\\[` is never closed")
+                            .help("add `\\]` after the equation"));
+                    }
+                    None => {
+                        brackets_close = false;
+                        i + 2
+                    }
+                }
+            }
+            b'\\' => match scan::begin(text, i).and_then(|(n, end)| Some((n, end, scan::environment(n)?))) {
+                Some((name, inside, delimiter)) => {
+                    let raw = scan::environment_display(text, i, inside, name, delimiter, &mut found.blank)?;
+                    found.raws.push(raw);
+                    raw.span.end
+                }
+                None => i + 2,
+            },
+            _ => i + 1,
+        };
+    }
+    Ok(())
+}
+
+/// The display between two-byte delimiters at `open` and `close`.
+fn pair(text: &str, open: usize, close: usize, found: &mut Scan) {
+    let body = Span::new(open + 2, close);
+    found.blank.extend(comments(text, body));
+    found.raws.push(Raw { span: Span::new(open, close + 2), body, delimiter: Delimiter::Pair });
+}
+
+/// The TeX comments within a display.
+fn comments(text: &str, body: Span) -> Vec<Span> {
+    let bytes = &text.as_bytes()[..body.end];
+    let (mut found, mut i) = (Vec::new(), body.start);
+    while i < bytes.len() {
+        match bytes[i] {
+            b'\\' => i += 2,
+            b'%' => {
+                let end = scan::line_end(bytes, i);
+                found.push(Span::new(i, end));
+                i = end;
+            }
+            _ => i += 1,
+        }
+    }
+    found
+}
+
+/// Whether the two bytes at `at` are all that their line holds.
+fn alone(bytes: &[u8], at: usize) -> bool {
+    let end = scan::line_end(bytes, at);
+    let mut before = bytes[..at].iter().rev().take_while(|&&b| b != b'\n');
+    before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && bytes[at + 2..end].iter().all(u8::is_ascii_whitespace)
+}
+
+fn unclosed(text: &str, at: usize, found: &Scan) -> Fault {
+    let help = match found.raws.last() {
+        Some(last) => {
+            let line = text[..last.span.start].matches('\n').count() + 1;
+            format!(
+                "add `$$` after the equation; or an earlier display lacks its own: the one before begins in line {line}"
+            )
+        }
+        None => "add `$$` after the equation; a dollar sign in prose is written `\\$`".to_owned(),
+    };
+    Fault::new(Span::new(at, at + 2), "this `$$` is never closed").help(help)
+}
+
+/// The `>` at line starts inside block quotes.
+///
+/// A line of a display that begins outside of a quote keeps its `>`: there it is a relation.
+fn markers(text: &str, quotes: Vec<(usize, usize)>, raws: &[Raw]) -> Vec<Span> {
+    let mut found = Vec::new();
+    let mut starts: Vec<usize> = quotes.iter().map(|q| q.0).collect();
+    let mut ends: Vec<usize> = quotes.iter().map(|q| q.1).collect();
+    starts.sort_unstable();
+    ends.sort_unstable();
+    let (mut opened, mut closed) = (0, 0);
+    let mut displays = raws.iter().peekable();
+    // The display that reaches into this line, as its end and its depth.
+    let mut within: Option<(usize, usize)> = None;
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        let end = at + line.len();
+        while starts.get(opened).is_some_and(|&start| start < end) {
+            opened += 1;
+        }
+        while ends.get(closed).is_some_and(|&end| end <= at) {
+            closed += 1;
+        }
+        let depth = opened.saturating_sub(closed);
+        if within.is_some_and(|(end, _)| end <= at) {
+            within = None;
+        }
+        strip(line, at, within.map_or(depth, |(_, limit)| limit.min(depth)), &mut found);
+        while let Some(raw) = displays.next_if(|raw| raw.span.start < end) {
+            if raw.span.end > end {
+                within = Some((raw.span.end, depth));
+            }
+        }
+        at = end;
+    }
+    found
+}
+
+/// Up to `depth` markers at the start of a line.
+fn strip(line: &str, at: usize, depth: usize, found: &mut Vec<Span>) {
+    let mut rest = line;
+    for _ in 0..depth {
+        rest = rest.trim_start_matches([' ', '\t']);
+        let Some(after) = rest.strip_prefix('>') else { return };
+        let here = at + line.len() - rest.len();
+        found.push(Span::new(here, here + 1));
+        rest = after;
+    }
+}

@@ -1,0 +1,88 @@
+//! When two pieces of LaTeX are the same spelling: spaces, sizing and braces round one token do not count.
+//!
+//! `p_{\psi}` is `p_\psi`, and `\left( x \right)` is `(x)`. This is a comparison of texts, to find an equation by a
+//! snippet or a symbol declared twice; it reads no mathematics.
+
+/// Commands that change only how a formula looks.
+const LOOKS: &[&str] = &[
+    "\\left",
+    "\\right",
+    "\\middle",
+    "\\big",
+    "\\Big",
+    "\\bigg",
+    "\\Bigg",
+    "\\bigl",
+    "\\Bigl",
+    "\\biggl",
+    "\\Biggl",
+    "\\bigr",
+    "\\Bigr",
+    "\\biggr",
+    "\\Biggr",
+    "\\bigm",
+    "\\,",
+    "\\;",
+    "\\:",
+    "\\!",
+    "\\>",
+    "\\ ",
+    "\\quad",
+    "\\qquad",
+    "\\displaystyle",
+    "\\textstyle",
+    "\\limits",
+    "\\nolimits",
+    "~",
+];
+
+/// `latex` with all that does not count taken out: its tokens, each ended by a separator.
+///
+/// One spelling contains another where its text does.
+///
+/// ```
+/// use onshell::notes::spelling::plain;
+/// assert_eq!(plain(r"p_{\psi}"), plain(r"p_ \psi"));
+/// assert!(plain(r"a = \dot{z}\,(2c)").contains(&plain(r"\dot z \left(2 c\right)")));
+/// assert!(!plain(r"\dot\theta_1").contains(&plain(r"\dot\theta_2")));
+/// ```
+pub fn plain(latex: &str) -> String {
+    let mut tokens: Vec<&str> = Vec::new();
+    let mut open: Vec<usize> = Vec::new();
+    let mut at = 0;
+    while let Some(token) = next(&latex[at..]) {
+        at += token.len();
+        if token.trim().is_empty() || LOOKS.contains(&token) {
+            continue;
+        }
+        if token == "}"
+            && let Some(start) = open.pop()
+            && tokens.len() == start + 2
+            && let Some(only) = tokens.pop()
+        {
+            tokens[start] = only;
+            continue;
+        }
+        if token == "{" {
+            open.push(tokens.len());
+        }
+        tokens.push(token);
+    }
+    let mut plain = String::with_capacity(latex.len() * 2);
+    for token in tokens {
+        plain.push_str(token);
+        plain.push('\u{1f}');
+    }
+    plain
+}
+
+/// The first token: a command, or a character.
+fn next(rest: &str) -> Option<&str> {
+    let first = rest.chars().next()?;
+    let mut length = first.len_utf8();
+    if first == '\\' {
+        let letters = rest[1..].bytes().take_while(u8::is_ascii_alphabetic).count();
+        length += if letters > 0 { letters } else { rest[1..].chars().next().map_or(0, char::len_utf8) };
+    }
+    rest.get(..length)
+}

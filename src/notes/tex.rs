@@ -1,0 +1,99 @@
+//! Displays in a TeX file: a small scan that knows comments, verbatim text and mathematics, and nothing else.
+
+use super::scan::{self, Delimiter, Raw, Scan};
+use crate::source::{Fault, Span};
+
+/// Environments whose text is no TeX.
+const VERBATIM: &[&str] = &["verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment", "filecontents"];
+
+/// Finds the displays of a TeX file.
+pub(super) fn scan(text: &str) -> Result<Scan, Fault> {
+    let bytes = text.as_bytes();
+    let mut found = Scan::default();
+    let mut i = 0;
+    while i < bytes.len() {
+        i = match bytes[i] {
+            b'%' => {
+                let end = scan::line_end(bytes, i);
+                found.names.extend(scan::name_in(text, Span::new(i + 1, end))?);
+                found.blank.push(Span::new(i, end));
+                end
+            }
+            b'$' if bytes[i..].starts_with(b"$$") => pair(text, i, b"$$", &mut found)?,
+            b'$' => scan::inline(bytes, i, false).map_or(i, |close| close) + 1,
+            b'\\' => match command(text, i, &mut found)? {
+                Some(next) => next,
+                None => break,
+            },
+            _ => i + 1,
+        };
+    }
+    Ok(found)
+}
+
+/// What starts with the backslash at `at`; the position after it, or `None` where the document ends.
+fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fault> {
+    let bytes = text.as_bytes();
+    if bytes[at..].starts_with(b"\\[") {
+        return pair(text, at, b"\\]", found).map(Some);
+    }
+    if bytes[at..].starts_with(b"\\end{document}") {
+        return Ok(None);
+    }
+    if let Some((name, inside)) = scan::begin(text, at) {
+        if let Some(delimiter) = scan::environment(name) {
+            let raw = scan::environment_display(text, at, inside, name, delimiter, &mut found.blank)?;
+            found.raws.push(raw);
+            return Ok(Some(raw.span.end));
+        }
+        if VERBATIM.contains(&name) {
+            let closing = format!("\\end{{{name}}}");
+            let Some(end) = scan::find(text, inside, &closing) else {
+                return Err(Fault::new(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
+                    .help(format!("add {closing}; without it the rest of the file is not read")));
+            };
+            found.blank.push(Span::new(at, end));
+            return Ok(Some(end));
+        }
+        return Ok(Some(inside));
+    }
+    let word = scan::word_end(bytes, at);
+    let defines = matches!(&text[at + 1..word], "def" | "newcommand" | "renewcommand" | "providecommand");
+    Ok(Some(match &text[at + 1..word] {
+        "" => at + 2,
+        "verb" | "lstinline" => {
+            let start = word + usize::from(bytes.get(word) == Some(&b'*'));
+            let end = scan::line_end(bytes, start.min(bytes.len()));
+            let close = bytes.get(start).and_then(|&mark| bytes[start + 1..end].iter().position(|&b| b == mark));
+            close.map_or(word, |i| start + 1 + i + 1)
+        }
+        // The `\begin{equation}` in the body of a macro opens nothing.
+        _ if defines => super::macros::definition(text, at).map_or(word, |definition| definition.span.end),
+        _ => word,
+    }))
+}
+
+/// The display whose two-byte opening stands at `open`.
+fn pair(text: &str, open: usize, closing: &[u8], found: &mut Scan) -> Result<usize, Fault> {
+    let bytes = text.as_bytes();
+    let mut i = open + 2;
+    while i < bytes.len() {
+        if bytes[i..].starts_with(closing) {
+            let span = Span::new(open, i + 2);
+            found.raws.push(Raw { span, body: Span::new(open + 2, i), delimiter: Delimiter::Pair });
+            return Ok(i + 2);
+        }
+        match bytes[i] {
+            b'\\' => i += 2,
+            b'%' => {
+                let end = scan::line_end(bytes, i);
+                found.blank.push(Span::new(i, end));
+                i = end;
+            }
+            _ => i += 1,
+        }
+    }
+    let opening = &text[open..open + 2];
+    Err(Fault::new(Span::new(open, open + 2), format!("this `{opening}` is never closed"))
+        .help(format!("add `{}` after the equation", String::from_utf8_lossy(closing))))
+}
