@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use super::document::{Display, Notes};
-use super::json::{Spanned, place_in_string};
+use super::json::{LONGEST, Spanned, place_in_string};
 use super::scan::is_number;
 use super::spelling::plain;
 use super::suggest;
@@ -67,6 +67,9 @@ impl Address {
     /// Reads an address; `written` is a string of the claims file `source`.
     pub fn parse(written: &Spanned<String>, source: &Source) -> Result<Address, Fault> {
         let text = &written.value;
+        if text.len() > LONGEST {
+            return Err(Fault::new(written.span, format!("no address is longer than {LONGEST} bytes")));
+        }
         let place = |part: Span| place_in_string(&source.text, written.span, part);
         let mut items = Vec::new();
         for member in split(text, ",") {

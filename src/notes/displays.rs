@@ -46,7 +46,7 @@ pub(super) fn assemble(source: &str, clean: Vec<u8>, raws: Vec<Raw>, names: Vec<
         let next = raws.get(i + 1).map_or(source.len(), |next| next.span.start);
         let first = pieces.len();
         work.pieces(*raw, next, &mut pieces)?;
-        while let Some(name) = names.next_if(|name| name.span.start < raw.span.start) {
+        while let Some(name) = names.next_if(|name| name.span.start < raw.span.end) {
             if let Some(piece) = pieces.get_mut(first) {
                 piece.labels.push(Numbered { id: name.id, span: name.span });
             }
@@ -70,10 +70,13 @@ impl Work<'_> {
     fn pieces(&mut self, raw: Raw, next: usize, pieces: &mut Vec<Piece>) -> Result<(), Fault> {
         let rows = self.rows(raw);
         let (tags, labels) = self.tags(raw.body);
-        if let Some(rows) = rows.filter(|_| tags.len() > 1 || labels.len() > 1) {
+        let carries = |row: &Span| tags.iter().chain(&labels).any(|n| row.contains(n.span));
+        if let Some(rows) = rows.filter(|_| tags.len() + labels.len() > 1)
+            && rows.iter().filter(|row| carries(row)).take(2).count() == 2
+        {
             for group in self.groups(rows, &tags, &labels) {
                 let own = |all: &[Numbered]| all.iter().filter(|n| group.contains(n.span)).cloned().collect();
-                let raw = Raw { span: group, body: group, delimiter: raw.delimiter };
+                let raw = Raw { span: group, body: group, delimiter: Delimiter::Rows };
                 pieces.push(self.piece(raw, group.end, own(&tags), own(&labels))?);
             }
             return Ok(());
@@ -85,7 +88,7 @@ impl Work<'_> {
     /// The rows of a display whose rows may be numbered one by one; also of an `align` that stands within `$$`.
     fn rows(&self, raw: Raw) -> Option<Vec<Span>> {
         if raw.delimiter == Delimiter::Rows {
-            return Some(rows::split(self.source, raw.body));
+            return Some(rows::split(&self.clean, raw.body));
         }
         let inside = raw.body.start + self.source[raw.body.range()].find("\\begin{")?;
         if self.clean[raw.body.start..inside].iter().any(|b| !b.is_ascii_whitespace()) {
@@ -96,7 +99,7 @@ impl Work<'_> {
         let body = self.source[raw.body.range()].trim_end().strip_suffix(&closing)?;
         let end = raw.body.start + body.len();
         (scan::environment(name) == Some(Delimiter::Rows) && start <= end)
-            .then(|| rows::split(self.source, Span::new(start, end)))
+            .then(|| rows::split(&self.clean, Span::new(start, end)))
     }
 
     /// Rows, joined so that each group ends with the row that carries its number.
@@ -238,8 +241,7 @@ impl Work<'_> {
     /// The number at `at`, when its line ends with it.
     fn number_ending_line(&self, at: usize, next: usize) -> Option<Numbered> {
         let (id, end) = scan::number(self.source, at)?;
-        let line = scan::line_end(&self.clean, end);
-        let alone = end <= next && self.clean[end..line].iter().all(u8::is_ascii_whitespace);
+        let alone = end <= next && scan::ends_line(&self.clean, end);
         alone.then(|| Numbered { id: id.to_owned(), span: Span::new(at, end) })
     }
 

@@ -15,6 +15,9 @@ use crate::source::{Fault, Span};
 /// How deep values may nest.
 const DEEPEST: usize = 64;
 
+/// No key and no address is longer.
+pub(super) const LONGEST: usize = 4096;
+
 /// A thing and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spanned<T> {
@@ -183,10 +186,11 @@ fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
         end += 1;
     }
     let span = Span::new(offset, end);
+    let after_comma = text[..offset].trim_end().ends_with(',') && text[offset..].starts_with(['}', ']']);
     match message {
+        _ if after_comma => Fault::new(span, "a comma before the closing bracket").help("leave the comma out"),
         "trailing characters" => Fault::new(span, "something stands after the end of the JSON value")
             .help("a claims file is one object; is a `}` too early?"),
-        "trailing comma" => Fault::new(span, "a comma before the closing bracket").help("leave the comma out"),
         "control character (\\u0000-\\u001F) found while parsing a string" => {
             Fault::new(span, "a line break or another control character within a string")
                 .help("a JSON string stands on one line; is its closing `\"` missing?")
@@ -244,6 +248,10 @@ fn object(
     for (key, item) in entries {
         let span = place(text, key);
         let name: String = serde_json::from_str(key.get()).map_err(|_| Fault::new(span, "this key is no text"))?;
+        if name.len() > LONGEST {
+            let message = format!("this key has {} bytes; no key is longer than {LONGEST}", name.len());
+            return Err(Fault::new(span, message));
+        }
         if let Some(first) = seen.insert(name.clone(), span) {
             let line = text[..first.start].matches('\n').count() + 1;
             return Err(Fault::new(span, format!("the key \"{name}\" is given twice; first in line {line}"))

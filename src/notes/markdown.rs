@@ -82,7 +82,9 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
         while blocks.next_if(|block| block.span.start < i).is_some() {}
         if let Some(block) = blocks.next_if(|block| block.span.start == i) {
             match block.kind {
-                BlockKind::Math(body) => found.raws.push(Raw { span: block.span, body, delimiter: Delimiter::Whole }),
+                BlockKind::Math(body) => {
+                    display(text, Raw { span: block.span, body, delimiter: Delimiter::Whole }, found)?
+                }
                 _ => found.blank.push(block.span),
             }
             i = block.span.end.max(i + 1);
@@ -96,8 +98,7 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
                 let Some(close) = scan::find_unescaped(&text[..limit], i + 2, b"$$") else {
                     return Err(unclosed(text, i, found));
                 };
-                pair(text, i, close, found);
-                close + 2
+                pair(text, i, close, found)?
             }
             b'$' => scan::inline(bytes, i, true).map_or(i, |close| close) + 1,
             b'<' if bytes[i..].starts_with(b"<!--") => {
@@ -109,12 +110,9 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
                 found.blank.push(Span::new(i, close + 3));
                 close + 3
             }
-            b'\\' if brackets_close && bytes[i..].starts_with(b"\\[") => {
-                match scan::find_unescaped(text, i + 2, b"\\]") {
-                    Some(close) => {
-                        pair(text, i, close, found);
-                        close + 2
-                    }
+            b'\\' if bytes[i..].starts_with(b"\\[") => {
+                match brackets_close.then(|| scan::find_unescaped(text, i + 2, b"\\]")).flatten() {
+                    Some(close) => pair(text, i, close, found)?,
                     // In Markdown, `\[` is also how a mere bracket is written.
                     None if alone(bytes, i) => {
                         return Err(Fault::new(Span::new(i, i + 2), "this `\\[` is never closed")
@@ -127,11 +125,7 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
                 }
             }
             b'\\' => match scan::begin(text, i).and_then(|(n, end)| Some((n, end, scan::environment(n)?))) {
-                Some((name, inside, delimiter)) => {
-                    let raw = scan::environment_display(text, i, inside, name, delimiter, &mut found.blank)?;
-                    found.raws.push(raw);
-                    raw.span.end
-                }
+                Some((name, inside, delimiter)) => scan::environment_display(text, i, inside, name, delimiter, found)?,
                 None => i + 2,
             },
             _ => i + 1,
@@ -140,36 +134,33 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
     Ok(())
 }
 
-/// The display between two-byte delimiters at `open` and `close`.
-fn pair(text: &str, open: usize, close: usize, found: &mut Scan) {
-    let body = Span::new(open + 2, close);
-    found.blank.extend(comments(text, body));
-    found.raws.push(Raw { span: Span::new(open, close + 2), body, delimiter: Delimiter::Pair });
+/// Takes note of the display between two-byte delimiters at `open` and `close`; the position after it.
+fn pair(text: &str, open: usize, close: usize, found: &mut Scan) -> Result<usize, Fault> {
+    let (span, body) = (Span::new(open, close + 2), Span::new(open + 2, close));
+    display(text, Raw { span, body, delimiter: Delimiter::Pair }, found)?;
+    Ok(span.end)
 }
 
-/// The TeX comments within a display.
-fn comments(text: &str, body: Span) -> Vec<Span> {
-    let bytes = &text.as_bytes()[..body.end];
-    let (mut found, mut i) = (Vec::new(), body.start);
-    while i < bytes.len() {
-        match bytes[i] {
+/// Takes note of a display, and of the TeX comments in it.
+fn display(text: &str, raw: Raw, found: &mut Scan) -> Result<(), Fault> {
+    // The renderers look for the closing delimiter first, so that it ends a comment, too.
+    let text = &text[..raw.body.end];
+    let mut i = raw.body.start;
+    while i < text.len() {
+        match text.as_bytes()[i] {
             b'\\' => i += 2,
-            b'%' => {
-                let end = scan::line_end(bytes, i);
-                found.push(Span::new(i, end));
-                i = end;
-            }
+            b'%' => i = found.comment(text, i)?,
             _ => i += 1,
         }
     }
-    found
+    found.raws.push(raw);
+    Ok(())
 }
 
 /// Whether the two bytes at `at` are all that their line holds.
 fn alone(bytes: &[u8], at: usize) -> bool {
-    let end = scan::line_end(bytes, at);
     let mut before = bytes[..at].iter().rev().take_while(|&&b| b != b'\n');
-    before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && bytes[at + 2..end].iter().all(u8::is_ascii_whitespace)
+    before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && scan::ends_line(bytes, at + 2)
 }
 
 fn unclosed(text: &str, at: usize, found: &Scan) -> Fault {

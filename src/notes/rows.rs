@@ -4,8 +4,8 @@ use super::scan;
 use crate::source::Span;
 
 /// The rows of `body` in `text`, without the `\\` between them.
-pub(super) fn split(text: &str, body: Span) -> Vec<Span> {
-    let bytes = &text.as_bytes()[..body.end];
+pub(super) fn split(text: &[u8], body: Span) -> Vec<Span> {
+    let bytes = &text[..body.end];
     let mut rows = Vec::new();
     let (mut braces, mut inner) = (0usize, 0usize);
     let (mut start, mut i) = (body.start, body.start);

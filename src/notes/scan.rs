@@ -22,6 +22,16 @@ pub(super) struct Scan {
     pub markers: Vec<Span>,
 }
 
+impl Scan {
+    /// Takes note of the TeX comment at `at`; the end of its line.
+    pub fn comment(&mut self, text: &str, at: usize) -> Result<usize, Fault> {
+        let end = line_end(text.as_bytes(), at);
+        self.names.extend(name_in(text, Span::new(at + 1, end))?);
+        self.blank.push(Span::new(at, end));
+        Ok(end)
+    }
+}
+
 /// A display as found, before numbers and neighbours are looked at.
 #[derive(Clone, Copy)]
 pub(super) struct Raw {
@@ -76,6 +86,11 @@ pub(super) fn find_unescaped(text: &str, from: usize, needle: &[u8]) -> Option<u
 /// The end of the line that holds `at`: the position of its newline, or of the end of the text.
 pub(super) fn line_end(bytes: &[u8], at: usize) -> usize {
     bytes[at..].iter().position(|&b| b == b'\n').map_or(bytes.len(), |i| at + i)
+}
+
+/// Whether nothing but space follows in the line of `at`. Looks no further than the first thing that does.
+pub(super) fn ends_line(bytes: &[u8], at: usize) -> bool {
+    bytes[at..].iter().take_while(|&&b| b != b'\n').all(u8::is_ascii_whitespace)
 }
 
 /// The first byte at or after `at` that is no white space.
@@ -144,12 +159,7 @@ pub(super) fn inline(bytes: &[u8], at: usize, strict: bool) -> Option<usize> {
         match bytes[i] {
             b'\\' => i += 1,
             b'$' => return (!strict || !bytes[i - 1].is_ascii_whitespace()).then_some(i),
-            b'\n' => {
-                let next = line_end(bytes, i + 1);
-                if bytes[i + 1..next].iter().all(u8::is_ascii_whitespace) {
-                    return None;
-                }
-            }
+            b'\n' if ends_line(bytes, i + 1) => return None,
             _ => {}
         }
         i += 1;
@@ -173,15 +183,15 @@ pub(super) fn is_number(id: &str) -> bool {
         && id.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'-' | b'\''))
 }
 
-/// The environment `name` whose `\begin{name}` stands at `at` and ends at `inside`, as a display.
+/// Takes note of the environment whose `\begin{name}` stands at `at` and ends at `inside`; the position after it.
 pub(super) fn environment_display(
     text: &str,
     at: usize,
     inside: usize,
     name: &str,
     delimiter: Delimiter,
-    comments: &mut Vec<Span>,
-) -> Result<Raw, Fault> {
+    found: &mut Scan,
+) -> Result<usize, Fault> {
     let bytes = text.as_bytes();
     let mut start = inside;
     if name.contains("alignat") {
@@ -193,14 +203,11 @@ pub(super) fn environment_display(
         match bytes[i] {
             b'\\' if bytes[i..].starts_with(closing.as_bytes()) => {
                 let span = Span::new(at, i + closing.len());
-                return Ok(Raw { span, body: Span::new(start, i), delimiter });
+                found.raws.push(Raw { span, body: Span::new(start, i), delimiter });
+                return Ok(span.end);
             }
             b'\\' => i += 2,
-            b'%' => {
-                let end = line_end(bytes, i);
-                comments.push(Span::new(i, end));
-                i = end;
-            }
+            b'%' => i = found.comment(text, i)?,
             _ => i += 1,
         }
     }

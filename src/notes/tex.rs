@@ -13,12 +13,7 @@ pub(super) fn scan(text: &str) -> Result<Scan, Fault> {
     let mut i = 0;
     while i < bytes.len() {
         i = match bytes[i] {
-            b'%' => {
-                let end = scan::line_end(bytes, i);
-                found.names.extend(scan::name_in(text, Span::new(i + 1, end))?);
-                found.blank.push(Span::new(i, end));
-                end
-            }
+            b'%' => found.comment(text, i)?,
             b'$' if bytes[i..].starts_with(b"$$") => pair(text, i, b"$$", &mut found)?,
             b'$' => scan::inline(bytes, i, false).map_or(i, |close| close) + 1,
             b'\\' => match command(text, i, &mut found)? {
@@ -42,9 +37,7 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
     }
     if let Some((name, inside)) = scan::begin(text, at) {
         if let Some(delimiter) = scan::environment(name) {
-            let raw = scan::environment_display(text, at, inside, name, delimiter, &mut found.blank)?;
-            found.raws.push(raw);
-            return Ok(Some(raw.span.end));
+            return scan::environment_display(text, at, inside, name, delimiter, found).map(Some);
         }
         if VERBATIM.contains(&name) {
             let closing = format!("\\end{{{name}}}");
@@ -63,8 +56,8 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
         "" => at + 2,
         "verb" | "lstinline" => {
             let start = word + usize::from(bytes.get(word) == Some(&b'*'));
-            let end = scan::line_end(bytes, start.min(bytes.len()));
-            let close = bytes.get(start).and_then(|&mark| bytes[start + 1..end].iter().position(|&b| b == mark));
+            let line = bytes.iter().skip(start + 1).take_while(|&&b| b != b'\n');
+            let close = bytes.get(start).and_then(|mark| line.into_iter().position(|b| b == mark));
             close.map_or(word, |i| start + 1 + i + 1)
         }
         // The `\begin{equation}` in the body of a macro opens nothing.
@@ -85,11 +78,7 @@ fn pair(text: &str, open: usize, closing: &[u8], found: &mut Scan) -> Result<usi
         }
         match bytes[i] {
             b'\\' => i += 2,
-            b'%' => {
-                let end = scan::line_end(bytes, i);
-                found.blank.push(Span::new(i, end));
-                i = end;
-            }
+            b'%' => i = found.comment(text, i)?,
             _ => i += 1,
         }
     }

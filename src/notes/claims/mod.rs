@@ -171,15 +171,15 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
     };
     let rotations = rotations(&fields, source)?;
     let declarations = declarations(&fields, source)?;
-    let names = declarations.iter().map(|d| (&d.name, d.role == Role::Function));
-    once(names.chain(rotations.iter().map(|(name, _)| (name, false))), source)?;
     let mut means = Vec::new();
     for (key, meaning) in fields.pairs("means")? {
         means.extend(names_in(&key, source)?.into_iter().map(|name| (name, meaning.clone())));
     }
-    once(means.iter().map(|(name, _)| (name, true)), source)?;
     let define = fields.pairs("define")?;
-    once(define.iter().map(|(name, _)| (name, false)), source)?;
+    let declared = declarations.iter().map(|declaration| &declaration.name);
+    let turned = rotations.iter().map(|(name, _)| name);
+    let tied = means.iter().chain(&define).map(|(name, _)| name);
+    once(declared.chain(turned).chain(tied), source)?;
     Ok(Claims {
         source: source.clone(),
         path: path.to_owned(),
@@ -309,15 +309,28 @@ fn names_in(key: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
 }
 
 /// Refuses a symbol that comes twice; of functions, `V` and `V(r)` are one.
-fn once<'a>(names: impl Iterator<Item = (&'a Text, bool)>, source: &Source) -> Result<(), Fault> {
+fn once<'a>(names: impl Iterator<Item = &'a Text>, source: &Source) -> Result<(), Fault> {
     let mut seen: std::collections::HashMap<String, Span> = std::collections::HashMap::new();
-    for (name, function) in names {
-        let head = if function { name.value.split('(').next().unwrap_or(&name.value) } else { &name.value };
-        if let Some(first) = seen.insert(plain(head), name.span) {
+    for name in names {
+        if let Some(first) = seen.insert(plain(head(&name.value)), name.span) {
             let (line, column) = source.line_column(first.start);
             let message = format!("{} is declared twice; first at {line}:{column}", name.value);
             return Err(Fault::new(name.span, message).help("a symbol has one meaning; take one of the two out"));
         }
     }
     Ok(())
+}
+
+/// A symbol without the arguments that it is shown with: the `V` of `V(r)`.
+fn head(name: &str) -> &str {
+    let mut braces = 0usize;
+    for (at, c) in name.char_indices() {
+        match c {
+            '{' => braces += 1,
+            '}' => braces = braces.saturating_sub(1),
+            '(' if braces == 0 && at > 0 => return &name[..at],
+            _ => {}
+        }
+    }
+    name
 }
