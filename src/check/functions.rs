@@ -78,7 +78,7 @@ impl<D: Moving> Environment<D> for Still<'_, D> {
 /// How many random states a sentence gets, besides the special ones.
 const RANDOM: usize = 16;
 /// How many draws each special place gets.
-const SPECIAL: usize = 2;
+const SPECIAL: usize = 1;
 
 /// Checks a sentence about `function`, as `variable` runs over its range, for all atoms that obey the hypotheses.
 pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Context<'_>) -> Finding {
@@ -299,11 +299,18 @@ impl Probe<'_> {
         (value.re.value.is_finite() && value.eps.value.is_finite()).then_some((value.re, value.eps))
     }
 
+    /// The value alone; not a number where there is none.
+    fn value(&self, x: f64) -> f64 {
+        let atom = |(id, value): &(SymbolId, f64)| (*id, if *id == self.variable { x } else { *value });
+        let still = Still { symbols: &self.model.symbols, values: self.atoms.iter().map(atom).collect() };
+        value_of(self.function, &still).unwrap_or(f64::NAN)
+    }
+
     fn look(&self, shape: &Shape, range: &Range) -> Look {
         let name = typeset_name(self.model, self.variable);
         match shape {
             Shape::Solutions(wanted) => {
-                let found = roots_on_the_grid(|x| self.at(x).map_or(f64::NAN, |(value, _)| value.value));
+                let found = roots_on_the_grid(|x| self.value(x));
                 if found == *wanted {
                     return Look::Holds;
                 }
