@@ -387,11 +387,11 @@ impl Probe<'_> {
                 }
             }
         };
-        let steps: Vec<(f64, Measured)> = (2..=12)
+        let steps: Vec<(f64, Measured)> = (2..=32)
             .filter_map(|k| {
                 let x = end + inward * 0.5f64.powi(k);
                 let (value, _) = self.at(x)?;
-                (value.value.abs() > 1e-7 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
+                (value.value.abs() > 1e-9 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
             })
             .collect();
         let [.., before, last] = steps.as_slice() else { return Look::Useless };

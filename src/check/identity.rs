@@ -116,11 +116,13 @@ pub struct Outcome {
     pub failure: Option<(Failure, usize)>,
     /// A state at which one side alone is defined.
     pub one_sided: Option<(Failure, usize)>,
+    /// The states at which the sides differ by too little to call it a difference.
+    pub doubtful: usize,
 }
 
 /// Tests a link at all states.
 pub fn run(link: &Link, scenes: &[Scene<'_, Measured>]) -> Result<Outcome, Unavailable> {
-    let mut outcome = Outcome { points: 0, residual: 0.0, failure: None, one_sided: None };
+    let mut outcome = Outcome { points: 0, residual: 0.0, failure: None, one_sided: None, doubtful: 0 };
     for (at, scene) in scenes.iter().enumerate() {
         match judge::test(link, scene)? {
             Point::Holds(residual) => {
@@ -135,6 +137,7 @@ pub fn run(link: &Link, scenes: &[Scene<'_, Measured>]) -> Result<Outcome, Unava
                 }
             }
             Point::OneSided(failure) => outcome.one_sided = Some((failure, at)),
+            Point::Doubtful => outcome.doubtful += 1,
             Point::Useless => {}
         }
     }
@@ -172,12 +175,11 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
             Err(reason) => return Ok(context.unavailable(&reason)),
         };
         let finding = conclude(link, context, &ensemble, &outcome);
-        if finding.verdict != Verdict::Refuted {
-            return if finding.verdict == Verdict::Verified {
-                held_against_twins(link, context, &ensemble, finding)
-            } else {
-                Ok(finding)
-            };
+        if finding.verdict == Verdict::Verified {
+            return held_against_twins(link, context, &ensemble, finding);
+        }
+        if finding.verdict != Verdict::Refuted && outcome.doubtful == 0 {
+            return Ok(finding);
         }
         last = finding;
     }
@@ -239,6 +241,13 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
         finding.counterexample = Some(counterexample(link, &ensemble.scenes[*at], failure));
         return finding;
     }
+    if outcome.doubtful > 0 {
+        let message = format!(
+            "at {} of {} states the sides differ by more than rounding, and too little to call it a difference",
+            outcome.doubtful, ensemble.tried
+        );
+        return evidence(Verdict::Undecided, message);
+    }
     if outcome.points < FEWEST.min(context.options.points) {
         let message = format!("only {} of {} states can tell: too few", outcome.points, ensemble.tried);
         return evidence(Verdict::Undecided, message);
@@ -250,7 +259,8 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
 fn meant(link: &Link, model: &Model, scenes: &[Scene<'_, Measured>]) -> Option<Twin> {
     twins(link, model).into_iter().find(|twin| {
         run(&twin.link, scenes).is_ok_and(|outcome| {
-            outcome.failure.is_none() && outcome.one_sided.is_none() && outcome.points >= FEWEST.min(scenes.len())
+            let clean = outcome.failure.is_none() && outcome.one_sided.is_none() && outcome.doubtful == 0;
+            clean && outcome.points >= FEWEST.min(scenes.len())
         })
     })
 }

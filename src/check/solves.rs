@@ -109,7 +109,7 @@ fn survivor(
 ) -> Option<String> {
     for branch in branches {
         let zero = Expr::integer(0, branch.span);
-        let link = Link { lhs: zero, rhs: branch.clone(), relation: target.relation, free: Vec::new() };
+        let link = Link { lhs: zero, relation: target.relation, rhs: branch.clone(), free: Vec::new() };
         for twin in twins(&link, context.model) {
             let survives = used.iter().all(|at| {
                 let scene = &mut scenes[*at];
@@ -174,7 +174,8 @@ fn count_roots(target: &Link, unknown: SymbolId, scene: &mut Scene<'_, Measured>
 /// makes twice between two points of the grid, which show as a dip towards zero.
 pub fn roots_on_the_grid(mut value_at: impl FnMut(f64) -> f64) -> usize {
     let exponents = -DECADES * PER_DECADE..=DECADES * PER_DECADE;
-    let positive: Vec<f64> = exponents.map(|k| 10f64.powf(f64::from(k) / f64::from(PER_DECADE))).collect();
+    // Off the round numbers, where roots of examples lie.
+    let positive: Vec<f64> = exponents.map(|k| 1.0123 * 10f64.powf(f64::from(k) / f64::from(PER_DECADE))).collect();
     let grid = positive.iter().rev().map(|x| -x).chain([0.0]).chain(positive.iter().copied());
     let points: Vec<(f64, f64)> = grid.map(|x| (x, value_at(x))).filter(|(_, value)| value.is_finite()).collect();
     let changes = points.windows(2).filter(|pair| pair[0].1 * pair[1].1 < 0.0).count();
