@@ -9,6 +9,7 @@ use crate::scalar::{Measured, TERMS};
 use crate::source::Span;
 
 use super::draw::Draw;
+use super::evidence;
 use super::ensemble::{Condition, Ensemble, Setting};
 use super::judge::{self, Failure, Link, Point};
 use super::model::{Meaning, Model, Quantity};
@@ -176,7 +177,17 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
         };
         let finding = conclude(link, context, &ensemble, &outcome);
         if finding.verdict == Verdict::Verified {
-            return held_against_twins(link, context, &ensemble, finding);
+            let mut finding = held_against_twins(link, context, &ensemble, finding)?;
+            if finding.verdict == Verdict::Verified {
+                if *on_shell && let Some(combination) = evidence::combination(link, context)? {
+                    finding.message.push_str(&format!(": it is {combination}"));
+                }
+                let unneeded = evidence::unneeded(link, context, *on_shell)?;
+                if !unneeded.is_empty() {
+                    finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
+                }
+            }
+            return Ok(finding);
         }
         if finding.verdict != Verdict::Refuted && outcome.doubtful == 0 {
             return Ok(finding);
