@@ -1,5 +1,7 @@
 //! A whole document: its displays read in order, its claims tied to them, each equation judged.
 
+use std::collections::HashMap;
+
 use rayon::prelude::*;
 
 use crate::formula::{Expr, Relation, Statement, SymbolId, shape, text};
@@ -19,7 +21,7 @@ use super::model::{Model, formula_error};
 use super::verdict::{Document, Equation, Finding, Part, Verdict};
 use super::{generates, sentences, solves};
 
-/// Checks a document; `only` restricts the work to one equation.
+/// Checks a document; `only` restricts the work to one equation, and there may be none of that number.
 ///
 /// # Errors
 /// For claims that do not fit the notes or the system, each at its place in the claims file.
@@ -34,6 +36,7 @@ pub fn check_document(
     for definition in &notes.macros {
         macros.define(&definition.name, definition.arguments, &definition.body);
     }
+    repeated_numbers(notes)?;
     let mut model = Model::new(claims, macros, registry)?;
     let assigned = assign(claims, notes)?;
     let mut readings = Vec::new();
@@ -44,9 +47,6 @@ pub fn check_document(
     }
     let desk = Desk { claims, notes, model: &model, readings: &readings, options };
     let chosen = |display: &&Display| only.is_none_or(|only| id(display) == Some(only));
-    if let Some(only) = only.filter(|_| !notes.equations.iter().any(|display| chosen(&display))) {
-        return Err(Error::new(format!("{} has no equation ({only})", notes.source.path)));
-    }
     let work: Vec<usize> = (0..notes.equations.len())
         .filter(|at| chosen(&&notes.equations[*at]) && (id(&notes.equations[*at]).is_some() || assigned[*at].is_some()))
         .collect();
@@ -61,8 +61,26 @@ pub fn check_document(
         source: notes.source.clone(),
         equations: equations?,
         sentences: sentences?,
+        unnumbered: assigned
+            .iter()
+            .zip(&notes.equations)
+            .filter(|(claim, d)| claim.is_none() && id(d).is_none())
+            .count(),
         inferred: model.inferred.clone(),
     })
+}
+
+/// Refuses two displays with one number: a claim about it would be about either.
+fn repeated_numbers(notes: &Notes) -> Result<()> {
+    let mut seen: HashMap<&str, usize> = HashMap::new();
+    for display in &notes.equations {
+        let Some(number) = &display.number else { continue };
+        if let Some(line) = seen.insert(&number.id, display.line) {
+            let message = format!("the number ({}) is used a second time, after line {line}", number.id);
+            return Err(Error::at(&notes.source, number.span, message).help("give each equation a number of its own"));
+        }
+    }
+    Ok(())
 }
 
 /// The report of notes that no claims file is about: every numbered equation is unclaimed.
@@ -87,6 +105,7 @@ pub fn unclaimed(notes: &Notes) -> Document {
         source: notes.source.clone(),
         equations: notes.equations.iter().filter_map(equation).collect(),
         sentences: Vec::new(),
+        unnumbered: notes.equations.iter().filter(|display| id(display).is_none()).count(),
         inferred: Vec::new(),
     }
 }
@@ -183,7 +202,11 @@ impl Desk<'_> {
         let mut because = claim.expect.as_ref().map(|expect| expect.because.value.clone());
         let passes = |parts: &[Part]| parts.iter().all(|part| part.finding.verdict.passes());
         let mut as_expected = match &claim.expect {
-            Some(expect) => worst(&parts).verdict == expected(expect),
+            Some(expect) => {
+                let verdict = expected(expect);
+                let pinned = |part: &Part| part.finding.verdict == verdict;
+                parts.iter().any(pinned) && parts.iter().all(|part| pinned(part) || part.finding.verdict.passes())
+            }
             None => passes(&parts),
         };
         if !claim.errata.is_empty() {
@@ -304,7 +327,7 @@ impl Desk<'_> {
             let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
             let context = Context { span: from.to(to).shifted(context.span.start - statement.span.start), ..*context };
             let finding = match (relation, &claim.limit) {
-                (Relation::Approximately | Relation::Equal, Some(limit)) => {
+                (Relation::Approximately, Some(limit)) => {
                     let (variable, towards) = self.limit(limit)?;
                     limit::check(&link, variable, towards, &context)?
                 }
@@ -345,8 +368,12 @@ impl Desk<'_> {
         let name = text::plain(&self.model.name(symbol));
         let users = self.notes.equations.iter().zip(self.readings).filter(|(_, reading)| {
             let mentions = |s: &Statement| s.members.iter().any(|m| solves::mentions(m, symbol));
-            let introduces = reading.introduced.iter().any(|(id, _)| *id == symbol);
-            !introduces && reading.statements.iter().flatten().any(mentions)
+            let others = reading
+                .statements
+                .iter()
+                .enumerate()
+                .filter(|(at, _)| !reading.introduced.iter().any(|(id, place)| *id == symbol && place == at));
+            others.filter_map(|(_, statement)| statement.as_ref().ok()).any(mentions)
         });
         let users: Vec<&str> = users.filter_map(|(display, _)| id(display)).collect();
         if users.is_empty() {

@@ -49,7 +49,10 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
         .map(|(coefficient, variable)| {
             let name = text::plain(&context.model.name(variable.symbol));
             let nearest = (coefficient * 60.0).round() / 60.0;
-            format!("{} × the Euler–Lagrange equation of {name}", if nearest < 0.0 { format!("−{}", -nearest) } else { nearest.to_string() })
+            format!(
+                "{} × the Euler–Lagrange equation of {name}",
+                if nearest < 0.0 { format!("−{}", -nearest) } else { nearest.to_string() }
+            )
         })
         .collect();
     let rational = fit.iter().all(|c| (c * 60.0 - (c * 60.0).round()).abs() < 1e-7);

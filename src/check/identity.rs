@@ -9,8 +9,8 @@ use crate::scalar::{Measured, TERMS};
 use crate::source::Span;
 
 use super::draw::Draw;
-use super::evidence;
 use super::ensemble::{Condition, Ensemble, Setting};
+use super::evidence;
 use super::judge::{self, Failure, Link, Point};
 use super::model::{Meaning, Model, Quantity};
 use super::scene::{Mode, Scene};

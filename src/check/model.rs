@@ -5,7 +5,7 @@
 //! an earlier equation defines.
 
 use crate::formula::symbols::Name;
-use crate::formula::{Expr, Kind, SymbolId, Symbols};
+use crate::formula::{Expr, Kind, SymbolId, Symbols, text};
 use crate::latex::{Macros, names, read_formula};
 use crate::mechanics::World;
 use crate::mechanics::rotations::Axis;
@@ -164,6 +164,10 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
+    fn shown(&self, symbol: SymbolId) -> String {
+        text::plain(&self.model.name(symbol))
+    }
+
     fn error(&self, place: &Spanned<String>, message: impl Into<String>) -> Error {
         Error::at(&self.claims.source, place.span, message)
     }
@@ -287,7 +291,7 @@ impl Builder<'_> {
         for wanted in world.coordinates() {
             let found = self.model.coordinates.iter().find(|v| reads(&self.model.name(v.symbol), wanted));
             let variable = found.ok_or_else(|| self.missing(&reference.name, "coordinate", wanted))?;
-            map.push(format!("{} is the coordinate {wanted}", self.model.name(variable.symbol)));
+            map.push(format!("{} is the coordinate {}", self.shown(variable.symbol), text::plain(wanted)));
             coordinates.push(variable.clone());
         }
         for variable in &self.model.coordinates {
@@ -307,7 +311,8 @@ impl Builder<'_> {
         for wanted in world.parameters() {
             let found = self.model.constants.iter().position(|v| reads(&self.model.name(v.symbol), wanted));
             let place = found.ok_or_else(|| self.missing(&reference.name, "parameter", wanted))?;
-            map.push(format!("{} is the parameter {wanted}", self.model.name(self.model.constants[place].symbol)));
+            let symbol = self.model.constants[place].symbol;
+            map.push(format!("{} is the parameter {}", self.shown(symbol), text::plain(wanted)));
             self.model.parameters.push(place);
         }
         self.model.inferred.push(format!("the system is {}: {}", world.name(), map.join(", ")));
@@ -392,6 +397,7 @@ impl Builder<'_> {
             if let Some(id) = self.model.symbols.add(name, Kind::Scalar) {
                 self.model.symbols.entry_mut(id).varies = true;
                 self.model.meanings.push(Meaning::World(Quantity::Momentum(place)));
+                let (shown, coordinate) = (text::plain(&shown), text::plain(&coordinate));
                 self.model.inferred.push(format!("{shown} is the momentum of {coordinate}"));
             }
         }

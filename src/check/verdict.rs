@@ -174,6 +174,8 @@ pub struct Document {
     pub equations: Vec<Equation>,
     /// The sentences that the claims file turned into tests.
     pub sentences: Vec<Equation>,
+    /// How many displays have neither a number nor a claim, and were not checked.
+    pub unnumbered: usize,
     /// What was inferred: how the symbols were mapped, what was taken for granted.
     pub inferred: Vec<String>,
 }

@@ -61,11 +61,16 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
             Err(error) => failures.push(error),
         }
     }
-    // With several documents, `--only` means the one that has the equation.
-    if only.is_none() || result.documents.is_empty() {
-        failures.iter().for_each(|error| {
-            errors.push_str(&format!("{}\n", report::diagnostic::error(error, colour)));
-        });
+    for error in &failures {
+        errors.push_str(&format!("{}\n", report::diagnostic::error(error, colour)));
+    }
+    if let Some(only) = only {
+        // With several documents, `--only` means the one that has the equation.
+        result.documents.retain(|document| !document.equations.is_empty());
+        if result.documents.is_empty() && errors.is_empty() {
+            let error = Error::new(format!("there is no equation ({only})")).help("name it by its number or its label");
+            errors.push_str(&format!("{}\n", report::diagnostic::error(&error, colour)));
+        }
     }
     let code = if errors.is_empty() { result.exit_code() } else { 2 };
     let output = match arguments.format {
@@ -112,8 +117,13 @@ fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
     paths.sort();
     for path in &paths {
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-        if path.is_dir() && !path.is_symlink() {
-            folder(path, jobs)?;
+        if path.is_dir() {
+            // A link to a folder could lead back here.
+            if !path.is_symlink() {
+                folder(path, jobs)?;
+            }
+        } else if !path.is_file() {
+            continue;
         } else if extension == "json" && names_notes(path) {
             jobs.push(Job::Claims(path.clone()));
         } else if matches!(extension, "md" | "tex") && !claims_beside(path).exists() {

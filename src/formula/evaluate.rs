@@ -279,7 +279,15 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             Some(n) if n.fract() == 0.0 && n.abs() <= 64.0 => x.powi(n as i32),
             Some(0.5) => x.sqrt(),
             Some(n) => x.powf(n),
-            None => (x.ln() * self.scalar(exponent)?).exp(),
+            None => {
+                let n = self.scalar(exponent)?;
+                // A whole number that does not vary is a power of its own, for negative bases too.
+                let varies = exponent.symbols().iter().any(|(id, _)| self.environment.symbols().entry(*id).varies);
+                match n.re() {
+                    whole if !varies && whole.fract() == 0.0 && whole.abs() <= 64.0 => x.powi(whole as i32),
+                    _ => (x.ln() * n).exp(),
+                }
+            }
         })
     }
 }

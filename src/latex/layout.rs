@@ -223,6 +223,17 @@ impl<'a> Parser<'a> {
 
     /// The argument of a command or a script: a group, or one item.
     fn argument(&mut self, command: Span) -> Item {
+        if self.depth >= DEEPEST {
+            self.at = self.tokens.len();
+            return fault(command, format!("commands are nested more than {DEEPEST} deep"));
+        }
+        self.depth += 1;
+        let item = self.bare_argument(command);
+        self.depth -= 1;
+        item
+    }
+
+    fn bare_argument(&mut self, command: Span) -> Item {
         match self.peek() {
             None => fault(command, "an argument is missing here"),
             Some(token) => match &token.kind {
@@ -235,7 +246,7 @@ impl<'a> Parser<'a> {
                 }
                 TokenKind::Space(_) => {
                     self.next();
-                    self.argument(command)
+                    self.bare_argument(command)
                 }
                 _ => self.item(true),
             },
@@ -498,6 +509,12 @@ mod tests {
         for text in ["(a+b", "a)", "{a", "\\left(a", "\\frac1", "|a", "\\begin{pmatrix}a", "x^", "x^1^2"] {
             assert!(faults(text) > 0, "{text}");
         }
+    }
+
+    #[test]
+    fn nesting_without_braces_is_nesting() {
+        assert_eq!(faults(&format!("{}x", "\\sqrt".repeat(100_000))), 1);
+        assert_eq!(faults("\\sqrt\\dot x"), 0);
     }
 
     #[test]

@@ -42,7 +42,9 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
         }
         Layout::Style(style, inner) => match &inner.layout {
             Layout::Group(items) if items.len() > 1 && style == "\\mathrm" => {
-                let word: Option<String> = items.iter().map(word_letter).collect();
+                let end =
+                    items.iter().rposition(|item| !matches!(item.layout, Layout::Other('.'))).map_or(0, |at| at + 1);
+                let word: Option<String> = items[..end].iter().map(word_letter).collect();
                 Some(plain(format!("\\mathrm{{{}}}", word?)))
             }
             _ => {

@@ -428,6 +428,7 @@ impl Reader<'_> {
         }
         if matches!(&sup.layout, Layout::Command(name) if matches!(name.as_str(), "\\dagger" | "\\circ" | "\\ast"))
             || matches!(sup.layout, Layout::Other('*'))
+            || matches!(contents(sup), [Item { layout: Layout::Fence(Delimiter::Round, _), .. }])
         {
             return Err(Fault::new(sup.span, "this superscript is not read"));
         }
@@ -500,6 +501,14 @@ impl Reader<'_> {
         if name.base == "d" && name.subscript.is_empty() && next.is_some() {
             return Err(two_ways(span, "d before a symbol").help("only \\frac{d}{dt} is read as a derivative"));
         }
+        let fence = items.get(*cursor).is_some_and(|item| matches!(item.layout, Layout::Fence(Delimiter::Round, _)));
+        let is_function_name = ["f", "F", "h", "G", "V", "W", "J", "Y", "\\Gamma", "\\Phi"]
+            .contains(&name.base.as_str())
+            || name.base.starts_with("\\mathrm{") && name.base.len() > "\\mathrm{x}".len();
+        if fence && is_function_name {
+            return Err(two_ways(span, &format!("{name}(…), a call or a product"))
+                .help("for a product put a thin space \\, before the parenthesis"));
+        }
         if name.base.contains("\\vec") || name.base.contains("\\mathbf") || name.base.contains("\\hat") {
             return Err(Fault::new(span, format!("{name} looks like a vector, and nothing says what it is"))
                 .help("vectors and matrices need a claims file that declares them"));
@@ -548,17 +557,13 @@ impl Reader<'_> {
         if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor)
             && let Node::Symbol { id, .. } = &node
         {
-            let is_time = |item: &Item| {
-                let time = self.symbols.time.as_ref();
-                names::printed(item, None).is_some_and(|p| Some(&p.name) == time && p.dots == 0 && p.sup.is_none())
-            };
             let plain = |item: &&Item| !matches!(item.layout, Layout::Space(_));
             let inside: Vec<&Item> = inside.iter().filter(plain).collect();
             let lone = inside.iter().all(|item| {
                 names::printed(item, self.branch).is_some_and(|p| p.sup.is_none())
                     || matches!(item.layout, Layout::Other(','))
             }) && (inside.len() == 1 || inside.iter().any(|item| matches!(item.layout, Layout::Other(','))));
-            if inside.len() == 1 && is_time(inside[0]) && self.symbols.entry(*id).varies {
+            if self.is_time_in_parentheses(&items[*cursor]) && self.symbols.entry(*id).varies {
                 *cursor += 1;
             } else if lone {
                 let name = self.symbols.entry(*id).name.to_string();
@@ -658,6 +663,8 @@ impl Reader<'_> {
         let start = *cursor;
         let mut numbers = 0;
         let mut symbols: Vec<(usize, bool, Name)> = Vec::new();
+        // A fraction or a root is an argument by itself, unless a factor stands beside it.
+        let mut whole_item = false;
         let mut at = start;
         while let Some(item) = items.get(at) {
             let is_number = match &item.layout {
@@ -676,6 +683,7 @@ impl Reader<'_> {
                 numbers += 1;
                 at += 1;
                 if matches!(item.layout, Layout::Fraction(..) | Layout::Root(..)) && !is_numeric_item(item) {
+                    whole_item = true;
                     break;
                 }
                 continue;
@@ -696,8 +704,12 @@ impl Reader<'_> {
             }
             let angle = printed.dots == 0
                 && self.symbols.find(&printed.name).is_some_and(|(id, _)| self.symbols.entry(id).angle);
+            let varies = self.symbols.find(&printed.name).is_some_and(|(id, _)| self.symbols.entry(id).varies);
             symbols.push((at, angle, printed.name));
             at += 1;
+            if varies && items.get(at).is_some_and(|item| self.is_time_in_parentheses(item)) {
+                at += 1;
+            }
             if printed.dots > 0 || angle {
                 break;
             }
@@ -720,6 +732,7 @@ impl Reader<'_> {
             }
             _ => false,
         };
+        let sure = sure && !(whole_item && self.goes_on(items, end)) && !self.time_follows(items, end, &symbols);
         let last_is_angle = symbols.last().is_some_and(|(_, angle, _)| *angle);
         let fence_follows =
             matches!(items.get(end).map(|item| &item.layout), Some(Layout::Fence(..)) | Some(Layout::Scripts { .. }))
@@ -733,6 +746,30 @@ impl Reader<'_> {
         }
         *cursor = end;
         self.term(&items[start..end])
+    }
+
+    /// Whether a symbol without a dot, or a number, stands beside what was read.
+    fn goes_on(&self, items: &[Item], at: usize) -> bool {
+        items.get(at).is_some_and(|item| {
+            is_number(item)
+                || matches!(item.layout, Layout::Fraction(..) | Layout::Root(..))
+                || names::printed(item, self.branch).is_some_and(|printed| printed.dots == 0)
+        })
+    }
+
+    /// Whether `\,t` follows an argument that is not an angle yet: `\cos\omega\,t`.
+    fn time_follows(&self, items: &[Item], at: usize, symbols: &[(usize, bool, Name)]) -> bool {
+        let space = items.get(at).is_some_and(|item| matches!(item.layout, Layout::Space(Space::Thin)));
+        let time = items.get(at + 1).and_then(|item| names::printed(item, self.branch)).map(|printed| printed.name);
+        space && time.is_some() && time == self.symbols.time && !symbols.iter().any(|(_, angle, _)| *angle)
+    }
+
+    /// `(t)` after something that varies is only a way of writing it.
+    fn is_time_in_parentheses(&self, item: &Item) -> bool {
+        let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+        let [only] = inside.as_slice() else { return false };
+        let printed = names::printed(only, None).filter(|printed| printed.dots == 0 && printed.sup.is_none());
+        printed.map(|printed| printed.name) == self.symbols.time
     }
 
     /// What `\frac{d}{dt}` acts on.

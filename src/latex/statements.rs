@@ -94,6 +94,9 @@ fn split<'a>(items: Vec<&'a Item>, row: usize, pieces: &mut Vec<Piece<'a>>) {
     let mut current: Option<Piece<'a>> = None;
     let mut starts_row = true;
     let mut at = 0;
+    if continues(&items, pieces.last()) {
+        current = pieces.pop();
+    }
     while at < items.len() {
         let item = items[at];
         let mut close = |current: &mut Option<Piece<'a>>| pieces.extend(current.take());
@@ -155,6 +158,27 @@ fn split<'a>(items: Vec<&'a Item>, row: usize, pieces: &mut Vec<Piece<'a>>) {
     pieces.extend(current);
 }
 
+/// Whether a row goes on with the formula of the row before: that one ends with an operator, or this one starts with
+/// a sign and is not an equation of its own.
+fn continues(items: &[&Item], before: Option<&Piece<'_>>) -> bool {
+    let Some(before) = before else { return false };
+    let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+    let is_operator = |item: &Item| {
+        is_sign(item) || matches!(&item.layout, Layout::Command(name) if matches!(name.as_str(), "\\cdot" | "\\times"))
+    };
+    let significant = |item: &&&Item| !matches!(item.layout, Layout::Space(_));
+    let last = before.links.last();
+    let open = last.is_some_and(|link| match link.items.iter().rev().find(significant) {
+        Some(item) => is_operator(item),
+        None => link.relation.is_some(),
+    });
+    let first = items.iter().find(significant).copied();
+    let adds = first.is_some_and(|item| {
+        item.layout == Layout::Other('+') || is_sign(item) && !items.iter().any(|item| relation(item).is_some())
+    });
+    before.constant.is_none() && (open || adds)
+}
+
 fn separates(item: &Item) -> bool {
     match &item.layout {
         Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
@@ -175,7 +199,7 @@ fn says_constant(item: &Item) -> Option<Span> {
         Layout::Scripts { .. } => return None,
         _ => return None,
     };
-    let word = word.trim_start_matches("\\mathrm{").trim_end_matches(['}', '.', ',']);
+    let word = word.trim_start_matches("\\mathrm{").trim_end_matches(['}', '.', ',', ';', ' ']);
     matches!(word, "isconstant" | "isconserved" | "const" | "constant" | "=const").then_some(item.span)
 }
 
@@ -274,6 +298,12 @@ impl Piece<'_> {
         for pair in 1..members.len() {
             let (a, b) = (&members[pair - 1], &members[pair]);
             shape::comparable((a, &types[pair - 1]), (b, &types[pair]))?;
+            let (relation, place) = relations[pair - 1];
+            let is_order = !matches!(relation, Relation::Equal | Relation::Identical | Relation::Approximately);
+            if is_order && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
+                let message = format!("“{}” between things that are no numbers", relation.glyph());
+                return Err(Fault::new(place, message));
+            }
         }
         let statement = Statement { members, relations, constant: self.constant, branch, row: self.row, span };
         Ok((statement, introduced))

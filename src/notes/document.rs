@@ -160,6 +160,9 @@ pub(super) fn read_text(path: &Path, shown_as: &str) -> Result<Arc<Source>> {
     if about.is_dir() {
         return Err(Error::new(format!("cannot read {shown_as}: it is a folder")));
     }
+    if !about.is_file() {
+        return Err(Error::new(format!("cannot read {shown_as}: it is not a regular file")));
+    }
     if about.len() > LARGEST {
         let size = about.len() >> 20;
         return Err(Error::new(format!("{shown_as} has {size} MB; the most that is read is {} MB", LARGEST >> 20)));

@@ -65,12 +65,25 @@ pub fn verdict(
 /// A counterexample in words.
 pub fn evidence(counterexample: &Counterexample) -> Vec<String> {
     let state: Vec<String> =
-        counterexample.state.iter().map(|(name, value)| format!("{} = {value:.4}", plain(name))).collect();
+        counterexample.state.iter().map(|(name, value)| format!("{} = {}", plain(name), short(*value, 5))).collect();
     let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
     vec![
         format!("at {}", if state.is_empty() { "every state".to_owned() } else { state.join(", ") }),
-        format!("left side {:.6}, right side {:.6}{entry}", counterexample.lhs, counterexample.rhs),
+        format!("left side {}, right side {}{entry}", short(counterexample.lhs, 7), short(counterexample.rhs, 7)),
     ]
+}
+
+/// A number with so many significant digits.
+fn short(value: f64, digits: usize) -> String {
+    let magnitude = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+    if !value.is_finite() || value == 0.0 {
+        value.to_string()
+    } else if (-4.0..digits as f64).contains(&magnitude) {
+        let decimals = (digits as f64 - 1.0 - magnitude).max(0.0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.*e}", digits - 1)
+    }
 }
 
 /// The lines that a span touches, with the span relative to them.

@@ -23,6 +23,7 @@ fn document(document: &Document) -> Value {
         "path": document.path,
         "claims": document.claims,
         "inferred": document.inferred,
+        "unnumbered": document.unnumbered,
         "equations": document.equations.iter().map(equation).collect::<Vec<_>>(),
         "sentences": document.sentences.iter().map(equation).collect::<Vec<_>>(),
     })

@@ -28,10 +28,7 @@ fn document(document: &Document, verbose: bool, colour: bool) -> String {
         None => format!("{}  (no claims)\n", document.path),
     };
     if verbose {
-        document
-            .inferred
-            .iter()
-            .for_each(|line| text.push_str(&format!("    {}\n", crate::formula::text::plain(line))));
+        document.inferred.iter().for_each(|line| text.push_str(&format!("    {line}\n")));
     }
     let longest = document.equations.iter().chain(&document.sentences).map(|item| item.id.chars().count()).max();
     let width = longest.unwrap_or(0).min(32);
@@ -40,6 +37,11 @@ fn document(document: &Document, verbose: bool, colour: bool) -> String {
         if verbose {
             text.push_str(&details(item, width));
         }
+    }
+    match document.unnumbered {
+        0 => {}
+        1 => text.push_str("  1 display without a number was not checked\n"),
+        n => text.push_str(&format!("  {n} displays without a number were not checked\n")),
     }
     if !document.sentences.is_empty() {
         text.push_str("  sentences\n");

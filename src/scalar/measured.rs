@@ -12,7 +12,8 @@ use super::{Arithmetic, Function};
 
 /// A real value and the size of its rounding error in units of the machine's epsilon.
 ///
-/// A quotient by a number that is nothing but rounding (sin² + cos² − 1) is undefined, hence NaN, and not large.
+/// A quotient by a number that is nothing but rounding (sin² + cos² − 1) is undefined, hence NaN, and not large; so is
+/// the sine of an angle whose rounding is not small beside a turn.
 ///
 /// Constants and inputs have magnitude |value|; for a sum the magnitudes add, for a product it is |a|·mb + |b|·ma, for
 /// a function |f(x)| + |f′(x)|·mx. The magnitude is never below |value|.
@@ -97,10 +98,17 @@ impl Arithmetic for Measured {
         Self::from_slope(self.value.powf(n), n * self.value.powf(n - 1.0), self.magnitude)
     }
     fn apply(self, function: Function) -> Self {
+        let periodic = matches!(function, Function::Sin | Function::Cos | Function::Tan);
+        if periodic && self.magnitude * f64::EPSILON > 1e-5 {
+            return Measured::UNDEFINED;
+        }
         let Dual64 { re, eps } = function.of(Dual64::new(self.value, 1.0));
         Self::from_slope(re, eps, self.magnitude)
     }
     fn sine_cosine(self) -> (Self, Self) {
+        if self.magnitude * f64::EPSILON > 1e-5 {
+            return (Measured::UNDEFINED, Measured::UNDEFINED);
+        }
         let (sine, cosine) = self.value.sin_cos();
         (Self::from_slope(sine, cosine, self.magnitude), Self::from_slope(cosine, sine, self.magnitude))
     }

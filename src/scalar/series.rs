@@ -207,10 +207,16 @@ impl<B: Number> Arithmetic for Series<B> {
             }
             Function::Sinh => self.coupled(x0.sinh(), x0.cosh(), 1.0).0,
             Function::Cosh => self.coupled(x0.sinh(), x0.cosh(), 1.0).1,
-            Function::Tanh => {
-                let (sine, cosine) = self.coupled(x0.sinh(), x0.cosh(), 1.0);
-                sine.over(cosine)
-            }
+            // y′ = (1 − y²)·x′, which does not overflow where sinh and cosh do
+            Function::Tanh => Series::build(self.known(), |k, y| match k {
+                0 => value(),
+                _ => {
+                    let square = |m: usize| (0..=m).map(|i| y[i] * y[m - i]).reduce(|a, b| a + b).unwrap_or(B::zero());
+                    let slope = |m: usize| if m == 0 { -square(0) + 1.0 } else { -square(m) };
+                    let sum = (1..=k).map(|j| self.coefficients[j] * slope(k - j) * j as f64);
+                    sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / k as f64
+                }
+            }),
             Function::Asin => self.integrate(value(), one.over((one - self * self).apply(Function::Sqrt))),
             Function::Acos => self.integrate(value(), -one.over((one - self * self).apply(Function::Sqrt))),
             Function::Atan => self.integrate(value(), one.over(one + self * self)),
