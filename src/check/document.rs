@@ -13,13 +13,14 @@ use crate::source::{Fault, Span};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
+use super::draw::Reach;
 use super::ensemble::Condition;
 use super::identity::{self, Context, Options};
 use super::judge::Link;
 use super::limit::{self, Towards};
 use super::model::{Model, formula_error};
 use super::verdict::{Document, Equation, Finding, Part, Verdict};
-use super::{generates, sentences, solves};
+use super::{definitions, generates, sentences, solves};
 
 /// Checks a document; `only` restricts the work to one equation, and there may be none of that number.
 ///
@@ -45,7 +46,7 @@ pub fn check_document(
         let reading = if wanted { read(&display.text, &mut model) } else { Reading::default() };
         readings.push(reading);
     }
-    let desk = Desk { claims, notes, model: &model, readings: &readings, options };
+    let desk = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options };
     let chosen = |display: &&Display| only.is_none_or(|only| id(display) == Some(only));
     let work: Vec<usize> = (0..notes.equations.len())
         .filter(|at| chosen(&&notes.equations[*at]) && (id(&notes.equations[*at]).is_some() || assigned[*at].is_some()))
@@ -186,6 +187,7 @@ pub(super) struct Desk<'a> {
     pub notes: &'a Notes,
     pub model: &'a Model,
     pub readings: &'a [Reading],
+    pub assigned: &'a [Option<&'a Claim>],
     pub options: Options,
 }
 
@@ -283,6 +285,7 @@ impl Desk<'_> {
                 on_shell,
                 topic: &topic,
                 span,
+                reach: Reach::Declared,
             };
             let introduced = reading.introduced.iter().find(|(_, place)| *place == at).map(|(id, _)| *id);
             parts.extend(self.statement(statement, introduced, claim, &context)?);
@@ -313,9 +316,9 @@ impl Desk<'_> {
         let mut findings = Vec::new();
         for (at, (relation, place)) in statement.relations.iter().enumerate() {
             let last = at + 1 == statement.relations.len();
-            if at == 0 && introduced.is_some() {
+            if let (0, Some(symbol)) = (at, introduced) {
                 if claim.solves.is_none() {
-                    findings.push(self.definition(introduced, context));
+                    findings.push(self.definition(symbol, statement, context)?);
                 }
                 continue;
             }
@@ -361,25 +364,36 @@ impl Desk<'_> {
         Ok(parts)
     }
 
-    fn definition(&self, introduced: Option<SymbolId>, context: &Context<'_>) -> Finding {
-        let Some(symbol) = introduced else {
-            return context.finding(Verdict::Undecided, "nothing is introduced here");
-        };
-        let name = text::plain(&self.model.name(symbol));
-        let users = self.notes.equations.iter().zip(self.readings).filter(|(_, reading)| {
-            let mentions = |s: &Statement| s.members.iter().any(|m| solves::mentions(m, symbol));
-            let others = reading
-                .statements
-                .iter()
-                .enumerate()
-                .filter(|(at, _)| !reading.introduced.iter().any(|(id, place)| *id == symbol && place == at));
-            others.filter_map(|(_, statement)| statement.as_ref().ok()).any(mentions)
-        });
-        let users: Vec<&str> = users.filter_map(|(display, _)| id(display)).collect();
-        if users.is_empty() {
-            return context.finding(Verdict::Undecided, format!("introduces {name}, which nothing later checks"));
+    /// The verdict on a statement that introduces a symbol.
+    fn definition(&self, symbol: SymbolId, statement: &Statement, context: &Context<'_>) -> Result<Finding> {
+        let mut claims = Vec::new();
+        for (at, reading) in self.readings.iter().enumerate() {
+            let claim = self.assigned[at];
+            for (place, other) in reading.statements.iter().enumerate() {
+                let own = reading.introduced.iter().any(|(id, at)| *id == symbol && *at == place);
+                let Ok(other) = other else { continue };
+                let links = other.relations.iter().enumerate().skip(usize::from(own));
+                for (k, (relation, _)) in links {
+                    let uses = other.members[k..k + 2].iter().any(|member| solves::mentions(member, symbol));
+                    if uses && matches!(relation, Relation::Equal | Relation::Identical) {
+                        let link = self.link(&other.members[k], *relation, &other.members[k + 1])?;
+                        let conditions = claim.map(|claim| self.conditions(claim)).transpose()?.unwrap_or_default();
+                        let display = &self.notes.equations[at];
+                        let id = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
+                        claims.push((id, link, conditions));
+                    }
+                }
+            }
         }
-        context.finding(Verdict::Definition, format!("introduces {name}, which ({}) stand on", users.join("), (")))
+        let mut users: Vec<definitions::User<'_>> = claims
+            .iter()
+            .map(|(id, link, conditions)| definitions::User {
+                id: id.clone(),
+                link: link.clone(),
+                context: Context { conditions, topic: id, on_shell: None, ..*context },
+            })
+            .collect();
+        definitions::check(symbol, &statement.members[1], &mut users, context)
     }
 
     /// What a claim adds to the statements: solutions, other expressions, conservation, the motion.
@@ -398,7 +412,15 @@ impl Desk<'_> {
         let span = statements[0].span.to(last.span).shifted(offset);
         let topic = format!("{topic} whole");
         let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
-        let context = Context { model: self.model, options: self.options, conditions, on_shell, topic: &topic, span };
+        let context = Context {
+            model: self.model,
+            options: self.options,
+            conditions,
+            on_shell,
+            topic: &topic,
+            span,
+            reach: Reach::Declared,
+        };
         if let Some(solves) = &claim.solves {
             let address = match &solves.of {
                 Solved::Equation(address) => Spanned::new(address.text.clone(), address.span),

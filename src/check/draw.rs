@@ -14,6 +14,17 @@ use super::scene::Slot;
 /// How far |sin| and |cos| of a drawn angle stay from zero.
 const MARGIN: f64 = 0.1;
 
+/// How far from the declared ranges numbers are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// Within them; numbers without a range of their own are of order one.
+    Declared,
+    /// Beyond them too.
+    Beyond,
+    /// Within them; numbers without a range of their own are of any order, and ends of ranges are met.
+    Vast,
+}
+
 /// A seeded stream of numbers.
 pub struct Draw {
     generator: Pcg64Mcg,
@@ -43,9 +54,15 @@ impl Draw {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    /// A value of a range; `relaxed` reaches beyond it.
-    pub fn value(&mut self, range: &Range, relaxed: bool) -> f64 {
-        let (small, large) = if relaxed { (0.1, 10.0) } else { (0.3, 3.0) };
+    /// A value of a range.
+    pub fn value(&mut self, range: &Range, reach: Reach) -> f64 {
+        let (small, large) = match reach {
+            Reach::Declared => (0.3, 3.0),
+            Reach::Beyond => (0.1, 10.0),
+            Reach::Vast if self.unit() < 0.5 => (0.3, 3.0),
+            Reach::Vast => (1e-4, 1e4),
+        };
+        let relaxed = reach == Reach::Beyond;
         match range {
             Range::Positive => self.magnitude(small, large),
             Range::Negative => -self.magnitude(small, large),
@@ -62,6 +79,12 @@ impl Draw {
                     let near = self.between(low - width, high + width);
                     let side = if *high <= 0.0 || *low < 0.0 && self.unit() < 0.5 { -1.0 } else { 1.0 };
                     return if self.unit() < 0.5 { near } else { side * far };
+                }
+                if reach == Reach::Vast && self.unit() < 0.2 {
+                    let end = if self.unit() < 0.5 { (low, low_open) } else { (high, high_open) };
+                    if !end.1 {
+                        return *end.0;
+                    }
                 }
                 let keep = |open: bool| if open { 0.05 * width } else { 0.0 };
                 let (low, high) = (low + keep(*low_open), high - keep(*high_open));
@@ -86,17 +109,17 @@ impl Draw {
     }
 
     /// A base: a value for each slot, like ones apart from each other.
-    pub fn base(&mut self, slots: &[Slot], relaxed: bool) -> Vec<f64> {
+    pub fn base(&mut self, slots: &[Slot], reach: Reach) -> Vec<f64> {
         let mut base: Vec<f64> = Vec::with_capacity(slots.len());
         for slot in slots {
-            let mut value = self.value(&slot.range, relaxed);
+            let mut value = self.value(&slot.range, reach);
             for _ in 0..16 {
                 let near = |other: &f64| (value - other).abs() < 0.05 * value.abs().max(other.abs());
                 let alike = slots.iter().zip(&base).filter(|(other, _)| other.order == slot.order);
                 if !alike.map(|(_, other)| other).any(near) {
                     break;
                 }
-                value = self.value(&slot.range, relaxed);
+                value = self.value(&slot.range, reach);
             }
             base.push(value);
         }
@@ -147,7 +170,7 @@ mod tests {
         let mut draw = Draw::new(1, "test");
         for range in &ranges {
             for _ in 0..200 {
-                assert!(contains(range, draw.value(range, false)), "{range:?}");
+                assert!(contains(range, draw.value(range, Reach::Declared)), "{range:?}");
             }
         }
     }

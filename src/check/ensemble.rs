@@ -9,10 +9,11 @@ use num_dual::Dual64;
 
 use crate::formula::evaluate::{Unavailable, evaluate};
 use crate::formula::{Expr, Relation, Value};
+use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
 use crate::{Error, Result};
 
-use super::draw::{Draw, contains};
+use super::draw::{Draw, Reach, contains};
 use super::judge;
 use super::model::Model;
 use super::scene::{Mode, Scene, Slot, slots};
@@ -40,8 +41,8 @@ pub struct Setting<'c> {
     pub conditions: &'c [Condition],
     /// On shell or off, and how many derivatives.
     pub mode: Mode,
-    /// Whether to reach beyond the declared ranges.
-    pub relaxed: bool,
+    /// How far from the declared ranges to draw.
+    pub reach: Reach,
 }
 
 /// States that obey a setting.
@@ -68,7 +69,7 @@ impl<'m> Ensemble<'m> {
         let mut failure: Option<Error> = None;
         while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 {
             ensemble.tried += 1;
-            let base = draw.base(&solver.slots, setting.relaxed);
+            let base = draw.base(&solver.slots, setting.reach);
             let solved = solver.solve(base).and_then(|base| match base {
                 Some(base) => solver.accept(&base).map(|scene| scene.map(|scene| (base, scene))),
                 None => Ok(None),
@@ -86,6 +87,39 @@ impl<'m> Ensemble<'m> {
             Some(error) if ensemble.scenes.is_empty() => Err(error),
             _ => Ok(ensemble),
         }
+    }
+}
+
+impl<'m> Ensemble<'m> {
+    /// States at special places: each number of the base in turn far larger and far smaller than the rest, zero, of the
+    /// other sign, at the ends of its range.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at all of them.
+    pub fn special(model: &'m Model, setting: &Setting<'_>, draw: &mut Draw) -> Result<Self> {
+        let mode = setting.mode;
+        let mut solver = Solver { model, setting, slots: slots(model, mode), plan: Vec::new() };
+        let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode };
+        for place in 1..solver.slots.len() {
+            let range = solver.slots[place].range.clone();
+            let typical = draw.value(&range, Reach::Declared);
+            let mut values = vec![1e3 * typical, 1e-3 * typical, 0.0, -typical];
+            if let Range::Interval { low, high, .. } = range {
+                values.extend([low, high]);
+            }
+            for value in values.into_iter().filter(|value| contains(&range, *value)) {
+                ensemble.tried += 1;
+                let mut base = draw.base(&solver.slots, setting.reach);
+                base[place] = value;
+                if let Ok(Some(base)) = solver.solve(base)
+                    && let Ok(Some(scene)) = solver.accept(&base)
+                {
+                    ensemble.scenes.push(scene);
+                    ensemble.bases.push(base);
+                }
+            }
+        }
+        Ok(ensemble)
     }
 }
 
@@ -237,7 +271,8 @@ impl<'m> Solver<'m, '_> {
                 break;
             }
         }
-        let in_range = |slot: usize| self.setting.relaxed || contains(&self.slots[slot].range, base[slot]);
+        let in_range =
+            |slot: usize| self.setting.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
         Ok(plan.iter().all(|(_, slot)| in_range(*slot)))
     }
 

@@ -5,12 +5,13 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::Result;
 use crate::formula::evaluate::evaluate;
-use crate::formula::{Relation, Value, text};
+use crate::formula::{Expr, Node, Relation, Value, text};
 use crate::scalar::Measured;
 
 use super::ensemble::Condition;
 use super::identity::{Context, FEWEST, run};
-use super::judge::{DIFFERENCE, Link};
+use super::judge::{self, DIFFERENCE, Link};
+use super::model::{Meaning, Model};
 use super::scene::Scene;
 
 /// A claim that holds on shell, as a combination of the Euler–Lagrange equations with constant coefficients: its
@@ -83,4 +84,79 @@ pub fn unneeded(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Ve
         }
     }
     Ok(found)
+}
+
+/// A term of a claim that cannot be seen at any state: it is there, and so small beside the others that leaving it out
+/// would change nothing that can be told from rounding.
+pub fn unseen(link: &Link, scenes: &[Scene<'_, Measured>]) -> Option<String> {
+    fn terms(side: &Expr) -> Vec<&Expr> {
+        match &side.node {
+            Node::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
+            _ => vec![side],
+        }
+    }
+    if !link.free.is_empty() {
+        return None;
+    }
+    let all: Vec<&Expr> = terms(&link.lhs).into_iter().chain(terms(&link.rhs)).collect();
+    let (mut seen, mut there) = (vec![false; all.len()], vec![false; all.len()]);
+    for scene in scenes {
+        let values: Option<Vec<Measured>> = all
+            .iter()
+            .map(|term| match evaluate(term, scene, &[]) {
+                Ok(Value::Scalar(value)) => Some(value.value()),
+                _ => None,
+            })
+            .collect();
+        let Some(values) = values else { continue };
+        let scale: f64 = values.iter().map(|value| value.magnitude).sum();
+        for (at, value) in values.iter().enumerate().filter(|(_, value)| value.value.is_finite()) {
+            let is_there = !judge::vanishes(*value);
+            there[at] |= is_there;
+            seen[at] |= is_there && value.value.abs() > DIFFERENCE * scale;
+        }
+    }
+    let hidden = (0..all.len()).find(|at| there[*at] && !seen[*at])?;
+    Some(text::formula(all[hidden], &scenes.first()?.model().symbols))
+}
+
+/// Why a claim that holds says nothing of the world: it follows from its hypotheses alone, or restates them.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn empty(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Option<String>> {
+    let formulas = [&link.lhs, &link.rhs].into_iter();
+    if on_shell || context.conditions.is_empty() || formulas.clone().any(|f| concerns_world(f, context.model)) {
+        return Ok(None);
+    }
+    let unconditional = Context { conditions: &[], ..*context };
+    let mode = unconditional.mode(false, &[&link.lhs, &link.rhs]);
+    let free = unconditional.ensemble(mode, false, context.options.points)?;
+    if run(link, &free.scenes).is_ok_and(|outcome| outcome.failure.is_none()) {
+        return Ok(None);
+    }
+    if context.conditions.iter().any(|condition| condition.throughout) {
+        return Ok(Some("it follows from its hypotheses alone, whatever the motion".to_owned()));
+    }
+    // The converse: if the claim in turn gives the hypotheses, the two say the same.
+    let (lhs, rhs) = (link.lhs.clone(), link.rhs.clone());
+    let claim = [Condition { lhs, relation: Relation::Equal, rhs, throughout: false }];
+    let converse = Context { conditions: &claim, ..*context };
+    let states = converse.ensemble(mode, false, context.options.points)?;
+    let given_back = |condition: &Condition| {
+        let (lhs, relation, rhs) = (condition.lhs.clone(), condition.relation, condition.rhs.clone());
+        let link = Link { lhs, relation, rhs, free: Vec::new() };
+        run(&link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.points >= FEWEST.min(states.scenes.len()))
+    };
+    let restates = !states.scenes.is_empty() && context.conditions.iter().all(given_back);
+    Ok(restates.then(|| "it only restates its hypotheses".to_owned()))
+}
+
+/// Whether a formula speaks of something that the world determines.
+fn concerns_world(expr: &Expr, model: &Model) -> bool {
+    expr.symbols().iter().any(|(id, _)| match model.meaning(*id) {
+        Some(Meaning::World(_)) => true,
+        Some(Meaning::Defined(formula)) => concerns_world(formula, model),
+        _ => false,
+    })
 }

@@ -12,13 +12,13 @@ use crate::latex::typeset;
 use crate::notes::claims::Range;
 use crate::scalar::Measured;
 
-use super::draw::{Draw, contains, last};
+use super::draw::{Draw, Reach, contains, last};
 use super::ensemble::Condition;
 use super::identity::Context;
 use super::judge::{self, Link};
 use super::limit::Towards;
 use super::model::{Meaning, Model, is_angle};
-use super::solves::roots_on_the_grid;
+use super::solves::{lowest, roots_on_the_grid};
 use super::verdict::{Counterexample, Finding, Verdict};
 
 /// What is said of a function.
@@ -176,7 +176,8 @@ fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec
         // Where a hypothesis is an inequality, several draws may be needed to meet it.
         for _ in 0..12 {
             tried += 1;
-            let mut state: Atoms = atoms.iter().map(|id| (*id, draw.value(&model.range(*id), false))).collect();
+            let mut state: Atoms =
+                atoms.iter().map(|id| (*id, draw.value(&model.range(*id), Reach::Declared))).collect();
             place(&mut state);
             if obey(&mut state, variable, context) && state.iter().all(|(id, x)| contains(&model.range(*id), *x)) {
                 found.push(state);
@@ -325,6 +326,7 @@ impl Probe<'_> {
     fn along(&self, shape: &Shape, range: &Range, name: &str) -> Look {
         let (mut minima, mut maxima, mut last_slope) = (0, 0, 0.0_f64);
         let (mut positive, mut negative, mut seen) = (false, false, 0);
+        let mut signs: Vec<(f64, f64, f64, f64)> = Vec::new();
         for x in grid(range) {
             let Some((value, slope)) = self.at(x) else { continue };
             seen += 1;
@@ -341,6 +343,9 @@ impl Probe<'_> {
                 Shape::Independent if slope_sign != 0.0 => return fails(slope.value, "it changes here"),
                 _ => {}
             }
+            if sign != 0.0 {
+                signs.push((x, sign * value.value, slope_sign * sign, sign));
+            }
             if slope_sign != 0.0 {
                 minima += usize::from(last_slope < 0.0 && slope_sign > 0.0);
                 maxima += usize::from(last_slope > 0.0 && slope_sign < 0.0);
@@ -349,6 +354,17 @@ impl Probe<'_> {
         }
         if seen == 0 {
             return Look::Useless;
+        }
+        if matches!(shape, Shape::Positive | Shape::Negative) {
+            // Between two points where it falls towards zero and rises again it may reach zero.
+            let dip = |pair: &&[(f64, f64, f64, f64)]| pair[0].3 == pair[1].3 && pair[0].2 < 0.0 && pair[1].2 > 0.0;
+            for pair in signs.windows(2).filter(dip) {
+                let (lowest, x) = lowest(pair[0].0, pair[1].0, |x| pair[0].3 * self.value(x));
+                if lowest <= 1e-13 * pair[0].1.max(pair[1].1) {
+                    let what = "it does not keep its sign here".to_owned();
+                    return Look::Fails { at: Some(x), found: pair[0].3 * lowest, wanted: 0.0, what };
+                }
+            }
         }
         let count = |found: usize, wanted: usize, what: &str| {
             if found == wanted {
@@ -394,18 +410,22 @@ impl Probe<'_> {
                 (value.value.abs() > 1e-9 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
             })
             .collect();
-        let [.., before, last] = steps.as_slice() else { return Look::Useless };
+        let [_, _, _, _, .., last] = steps.as_slice() else { return Look::Useless };
         let fails = |what: &str| Look::Fails { at: Some(last.0), found: last.1.value, wanted, what: what.to_owned() };
-        let halving = before.1.value / last.1.value;
         if wanted.is_infinite() {
-            // A pole at least doubles the square root of two with each halving of the distance.
-            let diverges = last.1.value.signum() == wanted.signum() && halving > 0.0 && halving < 0.75;
+            // Each halving of the distance adds at least as much as the one before, if only a logarithm's share.
+            let gains: Vec<f64> =
+                steps.windows(2).map(|two| (two[1].1.value - two[0].1.value) * wanted.signum()).collect();
+            let tail = &gains[gains.len().saturating_sub(4)..];
+            let diverges = tail.iter().all(|gain| *gain > 0.0)
+                && tail.windows(2).all(|two| two[1] > 0.95 * two[0])
+                && last.1.value * wanted.signum() > 0.0;
             return if diverges { Look::Holds } else { fails("it does not diverge there") };
         }
         let errors: Vec<f64> = steps.iter().map(|(_, value)| (value.value - wanted).abs()).collect();
         let scale = wanted.abs().max(1e-3 * last.1.magnitude);
         let [.., a, b] = errors.as_slice() else { return Look::Useless };
-        let approaches = *b <= 1e-9 * scale || b < &(0.8 * a) && *b < 0.05 * errors[0].max(scale);
+        let approaches = *b <= 1e-9 * scale || b < &(0.95 * a) && *b < 0.05 * errors[0].max(scale);
         if approaches { Look::Holds } else { fails("it does not tend to this value") }
     }
 }
@@ -432,10 +452,10 @@ fn grid(range: &Range) -> Vec<f64> {
     match range {
         Range::Interval { low, high, .. } => interval(*low, *high),
         Range::Angle => interval(-pi, pi),
-        Range::Positive => (-48..=48).map(|k| 10f64.powf(f64::from(k) / 16.0)).collect(),
-        Range::Negative => (-48..=48).rev().map(|k| -(10f64.powf(f64::from(k) / 16.0))).collect(),
+        Range::Positive => (-60..=60).map(|k| 10f64.powf(f64::from(k) / 10.0)).collect(),
+        Range::Negative => (-60..=60).rev().map(|k| -(10f64.powf(f64::from(k) / 10.0))).collect(),
         Range::Any => {
-            let positive: Vec<f64> = (-48..=48).map(|k| 10f64.powf(f64::from(k) / 16.0)).collect();
+            let positive: Vec<f64> = (-60..=60).map(|k| 10f64.powf(f64::from(k) / 10.0)).collect();
             positive.iter().rev().map(|x| -x).chain(positive.iter().copied()).collect()
         }
         Range::Integer { low, high } => (*low..=last(high, *low)).map(|n| n as f64).collect(),

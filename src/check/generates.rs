@@ -6,7 +6,7 @@
 use num_dual::Dual;
 
 use crate::Result;
-use crate::formula::evaluate::evaluate;
+use crate::formula::evaluate::{Unavailable, evaluate};
 use crate::formula::{Expr, SymbolId, Value, text};
 use crate::scalar::{Measured, Series};
 
@@ -59,6 +59,10 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             let slope = match evaluate(hamiltonian, &free, &[]) {
                 Ok(Value::Scalar(value)) => value.value().eps,
                 Ok(_) => return Ok(context.finding(Verdict::Unreadable, "a Hamiltonian is a number")),
+                Err(Unavailable::Derivative(_)) => {
+                    let message = "it is not written in coordinates and momenta: it contains velocities";
+                    return Ok(context.finding(Verdict::Unreadable, message));
+                }
                 Err(reason) => return Ok(context.unavailable(&reason)),
             };
             let n = coordinates.len();

@@ -8,7 +8,7 @@ use crate::latex::typeset;
 use crate::scalar::{Measured, TERMS};
 use crate::source::Span;
 
-use super::draw::Draw;
+use super::draw::{Draw, Reach};
 use super::ensemble::{Condition, Ensemble, Setting};
 use super::evidence;
 use super::judge::{self, Failure, Link, Point};
@@ -44,6 +44,8 @@ pub struct Context<'a> {
     pub topic: &'a str,
     /// The bytes of the notes that the claim is about.
     pub span: Span,
+    /// How far from the declared ranges its states are drawn.
+    pub reach: Reach,
 }
 
 impl<'a> Context<'a> {
@@ -60,9 +62,22 @@ impl<'a> Context<'a> {
     /// # Errors
     /// When the mass matrix is singular at all of them.
     pub fn ensemble(&self, mode: Mode, relaxed: bool, points: usize) -> Result<Ensemble<'a>> {
-        let setting = Setting { conditions: self.conditions, mode, relaxed };
-        let topic = format!("{}/{}/{relaxed}", self.topic, mode.on_shell);
-        Ensemble::draw(self.model, &setting, points, &mut Draw::new(self.options.seed, &topic))
+        let reach = if relaxed { Reach::Beyond } else { self.reach };
+        let setting = Setting { conditions: self.conditions, mode, reach };
+        Ensemble::draw(self.model, &setting, points, &mut self.draw(mode, if relaxed { "beyond" } else { "" }))
+    }
+
+    /// States of the claim at special places.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at all of them.
+    pub fn special(&self, mode: Mode) -> Result<Ensemble<'a>> {
+        let setting = Setting { conditions: self.conditions, mode, reach: self.reach };
+        Ensemble::special(self.model, &setting, &mut self.draw(mode, "special"))
+    }
+
+    fn draw(&self, mode: Mode, what: &str) -> Draw {
+        Draw::new(self.options.seed, &format!("{}/{}/{what}", self.topic, mode.on_shell))
     }
 
     /// A finding about this claim.
@@ -158,54 +173,80 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     if let Some(finding) = trivial(link, context) {
         return Ok(finding);
     }
-    let formulas = [&link.lhs, &link.rhs];
-    let modes: &[bool] = match (context.on_shell, &context.model.world) {
-        (Some(false), _) | (_, None) => &[false],
-        (Some(true), _) => &[true],
-        (None, _) => &[false, true],
-    };
-    let mut last = context.finding(Verdict::Undecided, "nothing was tried");
-    for on_shell in modes {
-        let mode = context.mode(*on_shell, &formulas);
-        let ensemble = context.ensemble(mode, false, context.options.points)?;
-        if ensemble.scenes.is_empty() {
-            return Ok(context.no_room(&ensemble));
-        }
-        let outcome = match run(link, &ensemble.scenes) {
-            Ok(outcome) => outcome,
-            Err(reason) => return Ok(context.unavailable(&reason)),
-        };
-        let finding = conclude(link, context, &ensemble, &outcome);
-        if finding.verdict == Verdict::Verified {
-            let mut finding = held_against_twins(link, context, &ensemble, finding)?;
-            if finding.verdict == Verdict::Verified {
-                if *on_shell && let Some(combination) = evidence::combination(link, context)? {
-                    finding.message.push_str(&format!(": it is {combination}"));
-                }
-                let unneeded = evidence::unneeded(link, context, *on_shell)?;
-                if !unneeded.is_empty() {
-                    finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
-                }
+    match (context.on_shell, &context.model.world) {
+        (Some(on_shell), Some(_)) => check_in(link, context, on_shell),
+        (_, None) => check_in(link, context, false),
+        (None, Some(_)) => {
+            let always = check_in(link, context, false)?;
+            // What is claimed of all states is claimed of the motions: an inequality may fail on them alone.
+            let settled = always.verdict == Verdict::Verified && is_equality(link.relation);
+            if settled || !matches!(always.verdict, Verdict::Verified | Verdict::Refuted | Verdict::Undecided) {
+                return Ok(always);
             }
-            return Ok(finding);
+            let on_shell = check_in(link, context, true)?;
+            Ok(match (always.verdict, on_shell.verdict) {
+                (Verdict::Verified, Verdict::Verified) => always,
+                (Verdict::Undecided, Verdict::Refuted | Verdict::Undecided) => always,
+                _ => on_shell,
+            })
         }
-        if finding.verdict != Verdict::Refuted && outcome.doubtful == 0 {
-            return Ok(finding);
-        }
-        last = finding;
     }
-    Ok(last)
+}
+
+fn is_equality(relation: Relation) -> bool {
+    matches!(relation, Relation::Equal | Relation::Identical)
+}
+
+/// Checks a claim at states on shell or off.
+fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Finding> {
+    let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
+    let mut ensemble = context.ensemble(mode, false, context.options.points)?;
+    if ensemble.scenes.is_empty() {
+        return Ok(context.no_room(&ensemble));
+    }
+    if !is_equality(link.relation) {
+        ensemble.scenes.extend(context.special(mode)?.scenes);
+    }
+    let outcome = match run(link, &ensemble.scenes) {
+        Ok(outcome) => outcome,
+        Err(reason) => return Ok(context.unavailable(&reason)),
+    };
+    let finding = conclude(link, context, &ensemble, &outcome);
+    // Near misses of an inequality are inequalities too: only an equality is held against its twins.
+    if finding.verdict != Verdict::Verified || !is_equality(link.relation) {
+        return Ok(finding);
+    }
+    let withheld = |message: String| Ok(Finding { verdict: Verdict::Undecided, message, ..finding.clone() });
+    if let Some(term) = evidence::unseen(link, &ensemble.scenes) {
+        return withheld(format!("“{term}” is too small beside the other terms to be seen"));
+    }
+    if let Some(reason) = evidence::empty(link, context, on_shell)? {
+        return withheld(reason);
+    }
+    let mut finding = held_against_twins(link, context, &ensemble, finding)?;
+    if finding.verdict == Verdict::Verified {
+        if on_shell && let Some(combination) = evidence::combination(link, context)? {
+            finding.message.push_str(&format!(": it is {combination}"));
+        }
+        let unneeded = evidence::unneeded(link, context, on_shell)?;
+        if !unneeded.is_empty() {
+            finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
+        }
+    }
+    Ok(finding)
 }
 
 /// Claims that say nothing: both sides the same formula, or the hypothesis itself.
 fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
+    if link.lhs == link.rhs {
+        return Some(context.finding(Verdict::Undecided, "both sides are one formula, so nothing is checked"));
+    }
     let opened = |expr: &Expr| match expr.as_plain_symbol().and_then(|id| context.model.meaning(id)) {
         Some(Meaning::Defined(formula)) => formula.as_ref().clone(),
         _ => expr.clone(),
     };
-    let (lhs, rhs) = (opened(&link.lhs), opened(&link.rhs));
-    if lhs == rhs {
-        return Some(context.finding(Verdict::Definition, "true by definition: both sides are one formula"));
+    if is_equality(link.relation) && opened(&link.lhs) == opened(&link.rhs) {
+        return Some(context.finding(Verdict::Definition, "true by definition: the claims file defines it so"));
     }
     let is_hypothesis = |c: &Condition| {
         c.relation == link.relation

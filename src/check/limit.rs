@@ -13,7 +13,7 @@ use crate::scalar::{Measured, Series};
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{Failure, Link};
 use super::scene::Scene;
-use super::twins::twins;
+use super::twins::{Slip, twins};
 use super::verdict::{Finding, Verdict};
 
 /// Where a limit goes.
@@ -87,7 +87,8 @@ pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Contex
         let message = format!("only {} of {} states reach the limit", powers.len(), ensemble.tried);
         return Ok(context.finding(Verdict::Undecided, message));
     }
-    for twin in twins(link, context.model) {
+    // Twins in a term that the limit drops are as true; what must be told apart is one symbol from another.
+    for twin in twins(link, context.model).into_iter().filter(|twin| twin.slip == Slip::Symbol) {
         let survives = used.iter().all(|at| {
             matches!(approach(&twin.link, variable, towards, &mut ensemble.scenes[*at]), Ok(Approach::Power(_)))
         });

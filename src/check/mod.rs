@@ -6,6 +6,7 @@
 //! made in [`ensemble`] (drawn, and moved onto the hypotheses), evaluated in [`scene`], judged in [`judge`]; and every
 //! pass is held against its [`twins`].
 
+pub mod definitions;
 pub mod document;
 pub mod draw;
 pub mod ensemble;

@@ -7,10 +7,11 @@ use crate::latex::{Macros, read_formula};
 use crate::notes::claims::Range;
 use crate::source::{Fault, Span};
 
+use super::draw::Reach;
 use super::identity::{self, Context, Options};
 use super::judge::Link;
 use super::model::{Meaning, Model, Variable};
-use super::verdict::Finding;
+use super::verdict::{Finding, Verdict};
 
 /// The answer to whether two formulas are equal.
 #[derive(Clone, Debug)]
@@ -65,7 +66,13 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     }
     let readings = [text::formula(&lhs, &model.symbols), text::formula(&rhs, &model.symbols)];
     let span = Span::default();
-    let context = Context { model: &model, options, conditions: &[], on_shell: Some(false), topic: "equal", span };
+    if lhs == rhs {
+        let finding = Finding::new(Verdict::Definition, span, "both are one formula");
+        return Ok(Answer { finding, readings, assumed });
+    }
+    let reach = Reach::Vast;
+    let context =
+        Context { model: &model, options, conditions: &[], on_shell: Some(false), topic: "equal", span, reach };
     let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };
     let finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
     Ok(Answer { finding, readings, assumed })

@@ -64,7 +64,7 @@ pub struct Scene<'m, B: Number> {
     constants: Vec<B>,
     coordinates: Vec<Series<B>>,
     varying: Vec<Series<B>>,
-    overrides: Vec<(SymbolId, Series<B>)>,
+    overrides: Vec<(SymbolId, Value<Series<B>>)>,
     quantities: OnceCell<Option<Quantities<Series<B>>>>,
 }
 
@@ -112,7 +112,12 @@ impl<'m, B: Number> Scene<'m, B> {
 
     /// Gives a symbol a value of its own, whatever it means, and takes the earlier ones back.
     pub fn set_only(&mut self, overrides: &[(SymbolId, Series<B>)]) {
-        self.overrides = overrides.to_vec();
+        self.overrides = overrides.iter().map(|(id, value)| (*id, Value::Scalar(*value))).collect();
+    }
+
+    /// The same for one symbol of any shape.
+    pub fn replace(&mut self, id: SymbolId, value: Value<Series<B>>) {
+        self.overrides = vec![(id, value)];
     }
 
     /// The coordinates as functions of time.
@@ -197,7 +202,7 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
 
     fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Series<B>>, Unavailable> {
         if let Some((_, value)) = self.overrides.iter().find(|(known, _)| *known == id) {
-            return Ok(Value::Scalar(*value));
+            return Ok(value.clone());
         }
         match self.model.meaning(id).ok_or(Unavailable::Symbol(id))? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),

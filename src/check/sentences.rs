@@ -8,6 +8,7 @@ use crate::notes::claims::{Holds, Property, Sentence, Sign, Spanned, Test};
 use crate::{Error, Result};
 
 use super::document::{Desk, expected, merged};
+use super::draw::Reach;
 use super::functions::{self, Shape, Target};
 use super::identity::{self, Context};
 use super::limit::{self, Towards};
@@ -37,6 +38,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
         on_shell,
         topic: &id,
         span: place,
+        reach: Reach::Declared,
     };
     let (finding, reading) = test(desk, sentence, &context)?;
     let ok = match &sentence.claim.expect {

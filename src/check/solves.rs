@@ -82,6 +82,10 @@ pub fn check(target: &Link, unknown: SymbolId, branches: &[Expr], context: &Cont
         let message = format!("only at {points} of {} states are there real solutions", ensemble.tried);
         return Ok(context.finding(Verdict::Undecided, message));
     }
+    if 2 * counted < points {
+        let message = format!("the roots found on the grid are the given ones at {counted} of {points} states only");
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
     if let Some(change) = survivor(target, unknown, branches, context, &mut ensemble.scenes, &used) {
         let message = format!("these states cannot tell it from the same solution with {change}");
         return Ok(context.finding(Verdict::Undecided, message));
@@ -186,19 +190,29 @@ pub fn roots_on_the_grid(mut value_at: impl FnMut(f64) -> f64) -> usize {
     };
     let dips: Vec<[f64; 3]> =
         points.windows(3).filter(is_dip).map(|triple| [triple[0].0, triple[2].0, triple[1].1.signum()]).collect();
-    let twice =
-        dips.into_iter().filter(|[low, high, sign]| dips_through_zero(*low, *high, *sign, &mut value_at)).count();
-    changes + zeros + 2 * twice
+    let twice = dips.into_iter().map(|[low, high, sign]| {
+        let scale = (sign * value_at(low)).max(sign * value_at(high));
+        let (lowest, _) = lowest(low, high, |x| sign * value_at(x));
+        // A touch is one root, a passage is two.
+        if lowest < -1e-13 * scale { 2 } else { usize::from(lowest <= 1e-13 * scale) }
+    });
+    changes + zeros + twice.sum::<usize>()
 }
 
-/// Whether a function that has this sign at both ends takes the other sign in between, at its dip (golden section).
-fn dips_through_zero(mut low: f64, mut high: f64, sign: f64, value_at: &mut impl FnMut(f64) -> f64) -> bool {
+/// The lowest value of a function between two points, and where it is, by golden section; the search ends below zero.
+pub fn lowest(mut low: f64, mut high: f64, mut value_at: impl FnMut(f64) -> f64) -> (f64, f64) {
     let ratio = (5f64.sqrt() - 1.0) / 2.0;
-    for _ in 0..60 {
+    let mut best = (f64::INFINITY, low);
+    for _ in 0..80 {
         let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
-        let (at_a, at_b) = (sign * value_at(a), sign * value_at(b));
-        if at_a < 0.0 || at_b < 0.0 {
-            return true;
+        let (at_a, at_b) = (value_at(a), value_at(b));
+        for found in [(at_a, a), (at_b, b)] {
+            if found.0 < best.0 {
+                best = found;
+            }
+        }
+        if best.0 < 0.0 {
+            break;
         }
         if at_a < at_b {
             high = b;
@@ -206,7 +220,7 @@ fn dips_through_zero(mut low: f64, mut high: f64, sign: f64, value_at: &mut impl
             low = a;
         }
     }
-    false
+    best
 }
 
 /// Whether a symbol occurs in a formula.
@@ -224,6 +238,7 @@ mod tests {
         assert_eq!(between(1.0, 1000.0), 2);
         assert_eq!(between(1.0, 1.0001), 2);
         assert_eq!(between(-3.0, 0.02), 2);
+        assert_eq!(roots_on_the_grid(|x| (x - 2.0) * (x - 2.0)), 1);
         assert_eq!(roots_on_the_grid(|x| x * x + 1e-6), 0);
         assert_eq!(roots_on_the_grid(|x| (x - 2.0) * (x - 2.0) + 1e-9), 0);
         assert_eq!(roots_on_the_grid(|x| 3.0 * x - 1.0), 1);

@@ -14,8 +14,35 @@ use super::model::{Meaning, Model};
 pub struct Twin {
     /// The claim.
     pub link: Link,
+    /// What kind of slip it is.
+    pub slip: Slip,
     /// What was changed, as it continues "with …".
     pub change: String,
+}
+
+/// The kinds of slip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Slip {
+    /// A sign flipped.
+    Sign,
+    /// A term or factor left out.
+    Omission,
+    /// Factors in another order.
+    Order,
+    /// Another number.
+    Number,
+    /// Another power, or none.
+    Power,
+    /// Sine for cosine.
+    Function,
+    /// A dot more or less.
+    Dot,
+    /// Another index, or two swapped.
+    Index,
+    /// One symbol for another.
+    Symbol,
+    /// Numerator and denominator exchanged, a transpose or inverse lost.
+    Structure,
 }
 
 /// All twins of a link; those of a literal zero are none.
@@ -27,9 +54,9 @@ pub fn twins(link: &Link, model: &Model) -> Vec<Twin> {
     present.sort();
     present.dedup();
     let slips = Slips { model, present };
-    let left = slips.of(&link.lhs).into_iter().map(|(lhs, change)| (Link { lhs, ..link.clone() }, change));
-    let right = slips.of(&link.rhs).into_iter().map(|(rhs, change)| (Link { rhs, ..link.clone() }, change));
-    left.chain(right).map(|(link, change)| Twin { link, change }).collect()
+    let left = slips.of(&link.lhs).into_iter().map(|(lhs, slip, change)| (Link { lhs, ..link.clone() }, slip, change));
+    let right = slips.of(&link.rhs).into_iter().map(|(rhs, slip, change)| (Link { rhs, ..link.clone() }, slip, change));
+    left.chain(right).map(|(link, slip, change)| Twin { link, slip, change }).collect()
 }
 
 struct Slips<'a> {
@@ -40,17 +67,17 @@ struct Slips<'a> {
 
 impl Slips<'_> {
     /// A formula with one slip anywhere in it, in every way.
-    fn of(&self, expr: &Expr) -> Vec<(Expr, String)> {
+    fn of(&self, expr: &Expr) -> Vec<(Expr, Slip, String)> {
         let mut slips = self.here(expr);
         let count = expr.children().len();
         for at in 0..count {
             if matches!(&expr.node, Node::Power(..)) && at == 1 {
                 continue;
             }
-            for (changed, change) in self.of(expr.children()[at]) {
+            for (changed, slip, change) in self.of(expr.children()[at]) {
                 let mut whole = expr.clone();
                 *whole.children_mut()[at] = changed;
-                slips.push((whole, change));
+                slips.push((whole, slip, change));
             }
         }
         slips
@@ -61,9 +88,9 @@ impl Slips<'_> {
     }
 
     /// Slips at the root of a formula.
-    fn here(&self, expr: &Expr) -> Vec<(Expr, String)> {
+    fn here(&self, expr: &Expr) -> Vec<(Expr, Slip, String)> {
         let span = expr.span;
-        let mut slips: Vec<(Node, String)> = Vec::new();
+        let mut slips: Vec<(Node, Slip, String)> = Vec::new();
         match &expr.node {
             Node::Sum(terms) => {
                 for (at, term) in terms.iter().enumerate() {
@@ -71,11 +98,11 @@ impl Slips<'_> {
                     let mut flipped = terms.clone();
                     flipped[at].sign = term.sign.flipped();
                     let sign = if term.sign == Sign::Plus { "−" } else { "+" };
-                    slips.push((Node::Sum(flipped), format!("“{sign} {words}”")));
+                    slips.push((Node::Sum(flipped), Slip::Sign, format!("“{sign} {words}”")));
                     if terms.len() > 1 {
                         let mut fewer = terms.clone();
                         fewer.remove(at);
-                        slips.push((Node::Sum(fewer), format!("“{words}” left out")));
+                        slips.push((Node::Sum(fewer), Slip::Omission, format!("“{words}” left out")));
                     }
                 }
             }
@@ -84,7 +111,7 @@ impl Slips<'_> {
                     let mut fewer = factors.clone();
                     let gone = fewer.remove(at);
                     let rest = if fewer.len() == 1 { fewer.remove(0).node } else { Node::Product(fewer) };
-                    slips.push((rest, format!("the factor “{}” left out", self.words(&gone))));
+                    slips.push((rest, Slip::Omission, format!("the factor “{}” left out", self.words(&gone))));
                 }
                 for at in 1..factors.len() {
                     // The order counts for matrices alone.
@@ -92,21 +119,29 @@ impl Slips<'_> {
                         let mut swapped = factors.clone();
                         swapped.swap(at - 1, at);
                         let words = self.words(&factors[at]);
-                        slips.push((Node::Product(swapped), format!("“{words}” one place earlier")));
+                        slips.push((Node::Product(swapped), Slip::Order, format!("“{words}” one place earlier")));
                     }
                 }
             }
             Node::Number(digits) => {
                 if let Some(n) = digits.parse::<f64>().ok().filter(|n| *n != 0.0) {
-                    slips.push((Node::Number((2.0 * n).to_string()), format!("{} for {digits}", 2.0 * n)));
+                    slips.push((
+                        Node::Number((2.0 * n).to_string()),
+                        Slip::Number,
+                        format!("{} for {digits}", 2.0 * n),
+                    ));
                 }
             }
             Node::Power(base, exponent) => {
                 if let Some(n) = exponent.as_digits().and_then(|n| n.parse::<u32>().ok()) {
                     let words = self.words(base);
                     let higher = Box::new(Expr::integer(n + 1, exponent.span));
-                    slips.push((Node::Power(base.clone(), higher), format!("{words} to the power {}", n + 1)));
-                    slips.push((base.node.clone(), format!("{words} without its power")));
+                    slips.push((
+                        Node::Power(base.clone(), higher),
+                        Slip::Power,
+                        format!("{words} to the power {}", n + 1),
+                    ));
+                    slips.push((base.node.clone(), Slip::Power, format!("{words} without its power")));
                 }
             }
             Node::Call(function, argument) => {
@@ -118,23 +153,27 @@ impl Slips<'_> {
                 };
                 if let Some(other) = other {
                     let change = format!("{}({}) for {}", other.name(), self.words(argument), function.name());
-                    slips.push((Node::Call(other, argument.clone()), change));
+                    slips.push((Node::Call(other, argument.clone()), Slip::Function, change));
                 }
             }
             Node::Symbol { id, indices, dots } => self.symbol_slips(*id, indices, *dots, &mut slips),
             Node::Apply(id, arguments) => {
                 for other in self.present.iter().filter(|other| self.alike(**other, *id)) {
                     let change = format!("{} for {}", self.model.name(*other), self.model.name(*id));
-                    slips.push((Node::Apply(*other, arguments.clone()), change));
+                    slips.push((Node::Apply(*other, arguments.clone()), Slip::Symbol, change));
                 }
             }
             Node::Quotient(a, b) => {
                 if self.is_scalar(a) {
-                    slips.push((Node::Quotient(b.clone(), a.clone()), format!("“{}” upside down", self.words(expr))));
+                    slips.push((
+                        Node::Quotient(b.clone(), a.clone()),
+                        Slip::Structure,
+                        format!("“{}” upside down", self.words(expr)),
+                    ));
                 }
             }
             Node::Cross(a, b) => {
-                slips.push((Node::Cross(b.clone(), a.clone()), format!("“{}” swapped", self.words(expr))));
+                slips.push((Node::Cross(b.clone(), a.clone()), Slip::Order, format!("“{}” swapped", self.words(expr))));
             }
             Node::Matrix(rows) => {
                 for (i, row) in rows.iter().enumerate() {
@@ -142,19 +181,26 @@ impl Slips<'_> {
                         let mut changed = rows.clone();
                         changed[i][j] = entry.clone().negated();
                         let change = format!("“−({})” in row {}, column {}", self.words(entry), i + 1, j + 1);
-                        slips.push((Node::Matrix(changed), change));
+                        slips.push((Node::Matrix(changed), Slip::Sign, change));
                     }
                 }
             }
             Node::Transpose(inner) | Node::Inverse(inner) => {
-                slips.push((inner.node.clone(), format!("{} as it is", self.words(inner))));
+                slips.push((inner.node.clone(), Slip::Structure, format!("{} as it is", self.words(inner))));
             }
             Node::Entry(inner, i, j) if i != j => {
-                slips
-                    .push((Node::Entry(inner.clone(), *j, *i), format!("the indices of {} swapped", self.words(expr))));
+                slips.push((
+                    Node::Entry(inner.clone(), *j, *i),
+                    Slip::Index,
+                    format!("the indices of {} swapped", self.words(expr)),
+                ));
             }
             Node::Epsilon([a, b, c]) => {
-                slips.push((Node::Epsilon([*b, *a, *c]), format!("the indices of {} swapped", self.words(expr))));
+                slips.push((
+                    Node::Epsilon([*b, *a, *c]),
+                    Slip::Index,
+                    format!("the indices of {} swapped", self.words(expr)),
+                ));
             }
             Node::Entry(..)
             | Node::Pi
@@ -166,32 +212,36 @@ impl Slips<'_> {
             | Node::Delta(_)
             | Node::SumOver { .. } => {}
         }
-        slips.into_iter().map(|(node, change)| (Expr::new(node, span), change)).collect()
+        slips.into_iter().map(|(node, slip, change)| (Expr::new(node, span), slip, change)).collect()
     }
 
-    fn symbol_slips(&self, id: SymbolId, indices: &[Index], dots: u8, slips: &mut Vec<(Node, String)>) {
+    fn symbol_slips(&self, id: SymbolId, indices: &[Index], dots: u8, slips: &mut Vec<(Node, Slip, String)>) {
         let entry = self.model.symbols.entry(id);
         let symbol = |id, indices: &[Index], dots| Node::Symbol { id, indices: indices.to_vec(), dots };
         let name = text::with_dots(&entry.name.to_string(), dots);
         if dots > 0 {
-            slips.push((symbol(id, indices, dots - 1), format!("a dot fewer on {name}")));
+            slips.push((symbol(id, indices, dots - 1), Slip::Dot, format!("a dot fewer on {name}")));
         }
         if entry.varies {
-            slips.push((symbol(id, indices, dots + 1), format!("a dot more on {name}")));
+            slips.push((symbol(id, indices, dots + 1), Slip::Dot, format!("a dot more on {name}")));
         }
         if let [i, j] = indices
             && i != j
         {
-            slips.push((symbol(id, &[*j, *i], dots), format!("the indices of {name} swapped")));
+            slips.push((symbol(id, &[*j, *i], dots), Slip::Index, format!("the indices of {name} swapped")));
         }
         if let [Index::Fixed(value)] = indices {
             for other in (1..=entry.slots[0].1).filter(|other| other != value) {
-                slips.push((symbol(id, &[Index::Fixed(other)], dots), format!("the index {other} on {name}")));
+                slips.push((
+                    symbol(id, &[Index::Fixed(other)], dots),
+                    Slip::Index,
+                    format!("the index {other} on {name}"),
+                ));
             }
         }
         for other in self.present.iter().filter(|other| self.alike(**other, id)) {
             let change = format!("{} for {name}", text::with_dots(&self.model.name(*other), dots));
-            slips.push((symbol(*other, indices, dots), change));
+            slips.push((symbol(*other, indices, dots), Slip::Symbol, change));
         }
     }
 

@@ -1,0 +1,85 @@
+//! Whether a definition is pinned: each slip in it must break something that is checked elsewhere.
+//!
+//! A definition cannot be wrong by itself, and so it cannot be right either. It earns its verdict when every twin of
+//! it, put in its place, makes an equation that uses the symbol fail.
+
+use crate::Result;
+use crate::formula::evaluate::evaluate;
+use crate::formula::{Expr, Relation, SymbolId, text};
+
+use super::identity::{Context, run};
+use super::judge::{self, Link, Point};
+use super::twins::twins;
+use super::verdict::{Finding, Verdict};
+
+/// An equation that uses a defined symbol, with the name that it is reported by.
+pub struct User<'a> {
+    /// The number or label of the equation.
+    pub id: String,
+    /// What it claims.
+    pub link: Link,
+    /// Its hypotheses.
+    pub context: Context<'a>,
+}
+
+/// The verdict on `symbol = formula`, which `users` stand on.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: &Context<'_>) -> Result<Finding> {
+    let name = text::plain(&context.model.name(symbol));
+    if users.is_empty() {
+        return Ok(context.finding(Verdict::Undecided, format!("introduces {name}, which nothing else checks")));
+    }
+    let itself = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
+    let definition = Link { lhs: itself, relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
+    let mut loose: Vec<(Expr, String)> = twins(&definition, context.model)
+        .into_iter()
+        .filter(|twin| twin.link.rhs != *formula)
+        .map(|twin| (twin.link.rhs, twin.change))
+        .collect();
+    let mut names: Vec<String> = Vec::new();
+    let mut points = 0;
+    for user in users.iter_mut() {
+        // The user's own check settles whether it holds always or on shell; here the mode in which it holds is used.
+        for on_shell in [false, true] {
+            let mode = user.context.mode(on_shell, &[&user.link.lhs, &user.link.rhs, formula]);
+            let mut ensemble = user.context.ensemble(mode, false, context.options.points)?;
+            let holds = run(&user.link, &ensemble.scenes).is_ok_and(|o| o.failure.is_none() && o.points > 0);
+            if !holds {
+                continue;
+            }
+            points = points.max(ensemble.scenes.len());
+            loose.retain(|(twin, _)| {
+                !ensemble.scenes.iter_mut().any(|scene| {
+                    let Ok(value) = evaluate(twin, scene, &[]) else { return true };
+                    scene.replace(symbol, value);
+                    let found = judge::test(&user.link, scene);
+                    scene.set_only(&[]);
+                    !matches!(found, Ok(Point::Holds(_) | Point::Useless))
+                })
+            });
+            if !names.contains(&user.id) {
+                names.push(user.id.clone());
+            }
+            break;
+        }
+    }
+    // A twin that is the same formula in other words breaks nothing, and need not.
+    let mode = context.mode(false, &[formula]);
+    let states = context.ensemble(mode, true, context.options.points)?;
+    loose.retain(|(twin, _)| {
+        let link = Link { lhs: twin.clone(), relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
+        !run(&link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
+    });
+    match loose.first() {
+        Some((_, change)) => {
+            let message = format!("introduces {name} loosely: nothing would notice it with {change}");
+            Ok(context.finding(Verdict::Undecided, message))
+        }
+        None => {
+            let message = format!("introduces {name}; each slip in it breaks ({})", names.join(") or ("));
+            Ok(Finding { points, tried: points, ..context.finding(Verdict::Definition, message) })
+        }
+    }
+}
