@@ -1,14 +1,35 @@
 //! "Did you mean": the known word nearest to an unknown one.
 
-/// The candidate fewest edits away from `word`, if it is near enough to be what was meant.
+/// Longer words are not worth comparing, and the comparison is quadratic.
+const LONGEST: usize = 60;
+
+/// The candidate nearest to `word`, if it is near enough to be a slip of the pen.
+///
+/// ```
+/// use onshell::suggest::nearest;
+/// assert_eq!(nearest("asume", ["assume", "where"]), Some("assume"));
+/// assert_eq!(nearest("colour", ["assume", "where"]), None);
+/// ```
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
+    if length > LONGEST {
+        return None;
+    }
     candidates
         .into_iter()
-        .map(|candidate| (strsim::osa_distance(word, candidate), candidate))
+        .map(|candidate| (distance(word, candidate), candidate))
         .min_by_key(|(steps, _)| *steps)
-        .filter(|(steps, candidate)| *steps < length && *steps <= 2.max(length.max(candidate.len()) / 3))
+        .filter(|(steps, _)| *steps < length && *steps <= (length / 3).max(2))
         .map(|(_, candidate)| candidate)
+}
+
+/// Edits from one word to the other: insert, delete, replace, swap two neighbours; word separators cost nothing, and
+/// words that are too long are infinitely far apart.
+pub fn distance(a: &str, b: &str) -> usize {
+    if a.chars().count() > LONGEST || b.chars().count() > LONGEST {
+        return usize::MAX;
+    }
+    strsim::osa_distance(&a.replace(['_', '-'], " "), &b.replace(['_', '-'], " "))
 }
 
 #[cfg(test)]

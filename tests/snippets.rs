@@ -22,7 +22,7 @@ fn value(latex: &str, set: &serde_json::Map<String, Json>) -> Result<f64, String
     for (id, dots, value) in given {
         assignment.set(id, dots, value);
     }
-    match evaluate::<f64>(&expr, &assignment, &[]) {
+    match evaluate(&expr, &assignment, &[]) {
         Ok(Value::Scalar(value)) if !value.value().is_finite() => Err("not a number".into()),
         Ok(Value::Scalar(value)) => Ok(value.value()),
         other => Err(format!("{other:?}")),

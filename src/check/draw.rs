@@ -57,7 +57,11 @@ impl Draw {
             Range::Interval { low, high, low_open, high_open } => {
                 let width = high - low;
                 if relaxed && !is_angle(range) {
-                    return self.between(low - width, high + width);
+                    // A little beyond, and far beyond: a narrow range must not hide what happens outside of it.
+                    let far = self.magnitude(0.1, 10.0) * low.abs().max(high.abs());
+                    let near = self.between(low - width, high + width);
+                    let side = if *high <= 0.0 || *low < 0.0 && self.unit() < 0.5 { -1.0 } else { 1.0 };
+                    return if self.unit() < 0.5 { near } else { side * far };
                 }
                 let keep = |open: bool| if open { 0.05 * width } else { 0.0 };
                 let (low, high) = (low + keep(*low_open), high - keep(*high_open));

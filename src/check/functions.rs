@@ -7,11 +7,10 @@
 
 use num_dual::{Dual, Dual64};
 
-use crate::formula::evaluate::{Environment, evaluate};
-use crate::formula::{Assignment, Expr, Relation, SymbolId, Value};
+use crate::formula::{Environment, Expr, Moving, Relation, SymbolId, Symbols, Unavailable, Value, evaluate};
 use crate::latex::typeset;
 use crate::notes::claims::Range;
-use crate::scalar::{Measured, Number};
+use crate::scalar::Measured;
 
 use super::draw::{Draw, contains, last};
 use super::ensemble::Condition;
@@ -59,10 +58,27 @@ pub enum Target {
 /// A state's atoms.
 type Atoms = Vec<(SymbolId, f64)>;
 
+/// Atoms as plain numbers: nothing here moves.
+struct Still<'a, D> {
+    symbols: &'a Symbols,
+    values: Vec<(SymbolId, D)>,
+}
+
+impl<D: Moving> Environment<D> for Still<'_, D> {
+    fn symbols(&self) -> &Symbols {
+        self.symbols
+    }
+
+    fn symbol(&self, id: SymbolId, _indices: &[u8]) -> Result<Value<D>, Unavailable> {
+        let found = self.values.iter().find(|(known, _)| *known == id);
+        found.map(|(_, value)| Value::Scalar(*value)).ok_or(Unavailable::Symbol(id))
+    }
+}
+
 /// How many random states a sentence gets, besides the special ones.
 const RANDOM: usize = 16;
 /// How many draws each special place gets.
-const SPECIAL: usize = 2;
+const SPECIAL: usize = 1;
 
 /// Checks a sentence about `function`, as `variable` runs over its range, for all atoms that obey the hypotheses.
 pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Context<'_>) -> Finding {
@@ -238,22 +254,20 @@ fn newton(state: &mut Atoms, id: SymbolId, condition: &Condition, model: &Model)
     difference::<Measured>(state, condition, model, Measured::new).is_some_and(judge::vanishes)
 }
 
-fn difference<B: Number>(
+fn difference<D: Moving>(
     state: &Atoms,
     condition: &Condition,
     model: &Model,
-    mut number: impl FnMut(f64) -> B,
-) -> Option<B> {
-    let mut assignment = Assignment::new(&model.symbols);
-    for (id, x) in state {
-        assignment.set(*id, 0, number(*x));
-    }
-    Some(value_of(&condition.lhs, &assignment)? - value_of(&condition.rhs, &assignment)?)
+    mut number: impl FnMut(f64) -> D,
+) -> Option<D> {
+    let values = state.iter().map(|(id, x)| (*id, number(*x))).collect();
+    let still = Still { symbols: &model.symbols, values };
+    Some(value_of(&condition.lhs, &still)? - value_of(&condition.rhs, &still)?)
 }
 
-fn value_of<B: Number>(expr: &Expr, environment: &impl Environment<B>) -> Option<B> {
+fn value_of<D: Moving>(expr: &Expr, environment: &impl Environment<D>) -> Option<D> {
     match evaluate(expr, environment, &[]) {
-        Ok(Value::Scalar(value)) => Some(value.value()),
+        Ok(Value::Scalar(value)) => Some(value),
         _ => None,
     }
 }
@@ -276,20 +290,27 @@ struct Probe<'a> {
 impl Probe<'_> {
     /// Value and slope at a point; a number that rounding drowns is none.
     fn at(&self, x: f64) -> Option<(Measured, Measured)> {
-        let mut assignment: Assignment<'_, Dual<Measured>> = Assignment::new(&self.model.symbols);
-        for (id, value) in self.atoms {
-            assignment.set(*id, 0, Dual::from_re(Measured::new(*value)));
-        }
-        assignment.set(self.variable, 0, Dual::new(Measured::new(x), Measured::new(1.0)));
-        let value = value_of(self.function, &assignment)?;
+        let atom = |(id, value): &(SymbolId, f64)| match *id == self.variable {
+            true => (*id, Dual::new(Measured::new(x), Measured::new(1.0))),
+            false => (*id, Dual::from_re(Measured::new(*value))),
+        };
+        let still = Still { symbols: &self.model.symbols, values: self.atoms.iter().map(atom).collect() };
+        let value: Dual<Measured> = value_of(self.function, &still)?;
         (value.re.value.is_finite() && value.eps.value.is_finite()).then_some((value.re, value.eps))
+    }
+
+    /// The value alone; not a number where there is none.
+    fn value(&self, x: f64) -> f64 {
+        let atom = |(id, value): &(SymbolId, f64)| (*id, if *id == self.variable { x } else { *value });
+        let still = Still { symbols: &self.model.symbols, values: self.atoms.iter().map(atom).collect() };
+        value_of(self.function, &still).unwrap_or(f64::NAN)
     }
 
     fn look(&self, shape: &Shape, range: &Range) -> Look {
         let name = typeset_name(self.model, self.variable);
         match shape {
             Shape::Solutions(wanted) => {
-                let found = roots_on_the_grid(|x| self.at(x).map_or(f64::NAN, |(value, _)| value.value));
+                let found = roots_on_the_grid(|x| self.value(x));
                 if found == *wanted {
                     return Look::Holds;
                 }
@@ -359,21 +380,18 @@ impl Probe<'_> {
             Target::Infinite(Towards::MinusInfinity) => f64::NEG_INFINITY,
             Target::Infinite(_) => f64::INFINITY,
             Target::Finite(formula) => {
-                let mut assignment = Assignment::new(&self.model.symbols);
-                for (id, x) in self.atoms {
-                    assignment.set(*id, 0, *x);
-                }
-                match value_of(formula, &assignment) {
+                let still = Still { symbols: &self.model.symbols, values: self.atoms.clone() };
+                match value_of(formula, &still) {
                     Some(value) => value,
                     None => return Look::Useless,
                 }
             }
         };
-        let steps: Vec<(f64, Measured)> = (2..=12)
+        let steps: Vec<(f64, Measured)> = (2..=32)
             .filter_map(|k| {
                 let x = end + inward * 0.5f64.powi(k);
                 let (value, _) = self.at(x)?;
-                (value.value.abs() > 1e-7 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
+                (value.value.abs() > 1e-9 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
             })
             .collect();
         let [.., before, last] = steps.as_slice() else { return Look::Useless };
@@ -402,11 +420,11 @@ fn typeset_name(model: &Model, id: SymbolId) -> String {
 fn grid(range: &Range) -> Vec<f64> {
     let pi = std::f64::consts::PI;
     let near = |end: f64, inward: f64, width: f64| -> Vec<f64> {
-        (0..32).map(|k| end + inward * width * 10f64.powf(-1.0 - f64::from(k) / 8.0)).collect()
+        (0..24).map(|k| end + inward * width * 10f64.powf(-1.2 - f64::from(k) / 6.0)).collect()
     };
     let interval = |low: f64, high: f64| {
         let width = high - low;
-        let inside = (1..128).map(|k| low + width * f64::from(k) / 128.0);
+        let inside = (1..64).map(|k| low + width * f64::from(k) / 64.0);
         let mut points: Vec<f64> = inside.chain(near(low, 1.0, width)).chain(near(high, -1.0, width)).collect();
         points.sort_by(f64::total_cmp);
         points

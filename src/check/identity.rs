@@ -9,6 +9,7 @@ use crate::scalar::{Measured, TERMS};
 use crate::source::Span;
 
 use super::draw::Draw;
+use super::evidence;
 use super::ensemble::{Condition, Ensemble, Setting};
 use super::judge::{self, Failure, Link, Point};
 use super::model::{Meaning, Model, Quantity};
@@ -116,11 +117,13 @@ pub struct Outcome {
     pub failure: Option<(Failure, usize)>,
     /// A state at which one side alone is defined.
     pub one_sided: Option<(Failure, usize)>,
+    /// The states at which the sides differ by too little to call it a difference.
+    pub doubtful: usize,
 }
 
 /// Tests a link at all states.
 pub fn run(link: &Link, scenes: &[Scene<'_, Measured>]) -> Result<Outcome, Unavailable> {
-    let mut outcome = Outcome { points: 0, residual: 0.0, failure: None, one_sided: None };
+    let mut outcome = Outcome { points: 0, residual: 0.0, failure: None, one_sided: None, doubtful: 0 };
     for (at, scene) in scenes.iter().enumerate() {
         match judge::test(link, scene)? {
             Point::Holds(residual) => {
@@ -135,6 +138,7 @@ pub fn run(link: &Link, scenes: &[Scene<'_, Measured>]) -> Result<Outcome, Unava
                 }
             }
             Point::OneSided(failure) => outcome.one_sided = Some((failure, at)),
+            Point::Doubtful => outcome.doubtful += 1,
             Point::Useless => {}
         }
     }
@@ -172,12 +176,21 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
             Err(reason) => return Ok(context.unavailable(&reason)),
         };
         let finding = conclude(link, context, &ensemble, &outcome);
-        if finding.verdict != Verdict::Refuted {
-            return if finding.verdict == Verdict::Verified {
-                held_against_twins(link, context, &ensemble, finding)
-            } else {
-                Ok(finding)
-            };
+        if finding.verdict == Verdict::Verified {
+            let mut finding = held_against_twins(link, context, &ensemble, finding)?;
+            if finding.verdict == Verdict::Verified {
+                if *on_shell && let Some(combination) = evidence::combination(link, context)? {
+                    finding.message.push_str(&format!(": it is {combination}"));
+                }
+                let unneeded = evidence::unneeded(link, context, *on_shell)?;
+                if !unneeded.is_empty() {
+                    finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
+                }
+            }
+            return Ok(finding);
+        }
+        if finding.verdict != Verdict::Refuted && outcome.doubtful == 0 {
+            return Ok(finding);
         }
         last = finding;
     }
@@ -239,6 +252,13 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
         finding.counterexample = Some(counterexample(link, &ensemble.scenes[*at], failure));
         return finding;
     }
+    if outcome.doubtful > 0 {
+        let message = format!(
+            "at {} of {} states the sides differ by more than rounding, and too little to call it a difference",
+            outcome.doubtful, ensemble.tried
+        );
+        return evidence(Verdict::Undecided, message);
+    }
     if outcome.points < FEWEST.min(context.options.points) {
         let message = format!("only {} of {} states can tell: too few", outcome.points, ensemble.tried);
         return evidence(Verdict::Undecided, message);
@@ -250,7 +270,8 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
 fn meant(link: &Link, model: &Model, scenes: &[Scene<'_, Measured>]) -> Option<Twin> {
     twins(link, model).into_iter().find(|twin| {
         run(&twin.link, scenes).is_ok_and(|outcome| {
-            outcome.failure.is_none() && outcome.one_sided.is_none() && outcome.points >= FEWEST.min(scenes.len())
+            let clean = outcome.failure.is_none() && outcome.one_sided.is_none() && outcome.doubtful == 0;
+            clean && outcome.points >= FEWEST.min(scenes.len())
         })
     })
 }

@@ -1,8 +1,8 @@
 //! Whether two sides agree at a state.
 //!
 //! A residual is judged on the scale of the terms that met in both sides ([`Measured`]), and falls into one of three
-//! zones: as small as rounding makes it, clearly there, or in between, where the state is too ill-conditioned to tell.
-//! So a large common offset makes a state useless; it never makes two sides equal.
+//! zones: as small as rounding makes it, clearly there, or in between, where it is doubtful. One doubtful state is
+//! enough to withhold a pass, so a large common offset never makes two sides equal.
 
 use approx::{AbsDiffEq, abs_diff_eq};
 
@@ -12,11 +12,11 @@ use crate::scalar::Measured;
 
 use super::scene::Scene;
 
-/// Up to this share of the scale a residual is rounding: a thousand roundings of a double.
-pub const ROUNDING: f64 = 2.5e-13;
+/// Up to this share of the scale a residual is rounding: some forty roundings of a double. Identities stay far below.
+pub const ROUNDING: f64 = 1e-14;
 
 /// From this share of the scale on, a residual is a difference.
-pub const DIFFERENCE: f64 = 1e-9;
+pub const DIFFERENCE: f64 = 1e-11;
 
 /// A claim between two formulas.
 #[derive(Clone, Debug)]
@@ -40,7 +40,9 @@ pub enum Point {
     Fails(Failure),
     /// One side is defined here and the other is not.
     OneSided(Failure),
-    /// Nothing can be told here.
+    /// The sides differ by more than rounding, and by less than can be called a difference.
+    Doubtful,
+    /// Neither side has a value here.
     Useless,
 }
 
@@ -162,12 +164,12 @@ fn compare(relation: Relation, a: Measured, b: Measured, entry: impl Fn() -> Opt
                     } else if residual > DIFFERENCE {
                         Point::Fails(failure())
                     } else {
-                        Point::Useless
+                        Point::Doubtful
                     }
                 }
                 relation if holds(relation, difference) => Point::Holds(0.0),
                 _ if residual > DIFFERENCE || vanishes(difference) => Point::Fails(failure()),
-                _ => Point::Useless,
+                _ => Point::Doubtful,
             }
         }
         (false, false) => Point::Useless,
@@ -179,8 +181,9 @@ fn worse(a: Point, b: Point) -> Point {
     let rank = |point: &Point| match point {
         Point::Holds(_) => 0,
         Point::Useless => 1,
-        Point::OneSided(_) => 2,
-        Point::Fails(_) => 3,
+        Point::Doubtful => 2,
+        Point::OneSided(_) => 3,
+        Point::Fails(_) => 4,
     };
     match (&a, &b) {
         (Point::Holds(x), Point::Holds(y)) => Point::Holds(x.max(*y)),
@@ -207,10 +210,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_large_offset_makes_a_state_useless_and_never_equal() {
+    fn a_large_offset_makes_a_state_doubtful_and_never_equal() {
         let one = Measured::new(1e12) + Measured::new(3.0);
-        let other = Measured::new(1e12) + Measured::new(2.0);
-        assert_eq!(compare(Relation::Equal, one, other, || None), Point::Useless);
+        let other = Measured::new(1e12) + Measured::new(2.9);
+        assert_eq!(compare(Relation::Equal, one, other, || None), Point::Doubtful);
         assert!(matches!(compare(Relation::Equal, one, one, || None), Point::Holds(_)));
     }
 

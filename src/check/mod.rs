@@ -9,6 +9,7 @@
 pub mod document;
 pub mod draw;
 pub mod ensemble;
+pub mod evidence;
 pub mod functions;
 pub mod generates;
 pub mod identity;

@@ -130,6 +130,17 @@ impl<'m, B: Number> Scene<'m, B> {
         self.quantities.get_or_init(compute).as_ref()
     }
 
+    /// The Euler–Lagrange residuals of the world at this state, one a coordinate.
+    pub fn euler_lagrange(&self) -> Option<Vec<B>> {
+        let world = self.model.world.as_ref()?;
+        let derivative = |order: usize| -> Option<Vec<B>> {
+            self.coordinates.iter().map(|q| q.nth_derivative_value(order)).collect()
+        };
+        let parameters: Vec<B> = self.model.parameters.iter().map(|place| self.constants[*place]).collect();
+        let (q, v, a) = (derivative(0)?, derivative(1)?, derivative(2)?);
+        Some(world.euler_lagrange(self.time.value(), &q, &v, &parameters, &a))
+    }
+
     fn velocities(&self) -> Vec<Series<B>> {
         self.coordinates.iter().map(Series::derivative).collect()
     }
@@ -179,7 +190,7 @@ fn matrix<B: Number>(m: &Matrix3<Series<B>>) -> Value<Series<B>> {
     Value::Matrix(nalgebra::DMatrix::from_fn(3, 3, |i, j| m[(i, j)]))
 }
 
-impl<B: Number> Environment<B> for Scene<'_, B> {
+impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     fn symbols(&self) -> &Symbols {
         &self.model.symbols
     }

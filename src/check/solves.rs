@@ -17,7 +17,7 @@ use super::verdict::{Finding, Verdict};
 /// The decades of the unknown that are searched for roots, either way from one.
 const DECADES: i32 = 7;
 /// Grid points in a decade.
-const PER_DECADE: i32 = 24;
+const PER_DECADE: i32 = 8;
 
 /// Checks that `branches` are the solutions of `target` for `unknown`.
 ///
@@ -27,10 +27,6 @@ pub fn check(target: &Link, unknown: SymbolId, branches: &[Expr], context: &Cont
     if !mentions(&target.lhs, unknown) && !mentions(&target.rhs, unknown) {
         let name = context.model.name(unknown);
         return Ok(context.finding(Verdict::Undecided, format!("{name} does not occur in the equation to be solved")));
-    }
-    if branches.iter().any(|branch| mentions(branch, unknown)) {
-        let name = context.model.name(unknown);
-        return Ok(context.finding(Verdict::Undecided, format!("the solution still contains {name}")));
     }
     let mut formulas = vec![&target.lhs, &target.rhs];
     formulas.extend(branches);
@@ -113,7 +109,7 @@ fn survivor(
 ) -> Option<String> {
     for branch in branches {
         let zero = Expr::integer(0, branch.span);
-        let link = Link { lhs: zero, rhs: branch.clone(), relation: target.relation, free: Vec::new() };
+        let link = Link { lhs: zero, relation: target.relation, rhs: branch.clone(), free: Vec::new() };
         for twin in twins(&link, context.model) {
             let survives = used.iter().all(|at| {
                 let scene = &mut scenes[*at];
@@ -174,33 +170,62 @@ fn count_roots(target: &Link, unknown: SymbolId, scene: &mut Scene<'_, Measured>
     roots
 }
 
-/// How many real roots a function has, as far as changes of sign on the grid show them.
+/// How many real roots a function has on a logarithmic grid of both signs: its changes of sign, and those that it
+/// makes twice between two points of the grid, which show as a dip towards zero.
 pub fn roots_on_the_grid(mut value_at: impl FnMut(f64) -> f64) -> usize {
     let exponents = -DECADES * PER_DECADE..=DECADES * PER_DECADE;
-    let positive: Vec<f64> = exponents.map(|k| 10f64.powf(f64::from(k) / f64::from(PER_DECADE))).collect();
+    // Off the round numbers, where roots of examples lie.
+    let positive: Vec<f64> = exponents.map(|k| 1.0123 * 10f64.powf(f64::from(k) / f64::from(PER_DECADE))).collect();
     let grid = positive.iter().rev().map(|x| -x).chain([0.0]).chain(positive.iter().copied());
-    let mut roots = 0;
-    let mut last: Option<f64> = None;
-    for x in grid {
-        let value = value_at(x);
-        if !value.is_finite() {
-            last = None;
-            continue;
+    let points: Vec<(f64, f64)> = grid.map(|x| (x, value_at(x))).filter(|(_, value)| value.is_finite()).collect();
+    let changes = points.windows(2).filter(|pair| pair[0].1 * pair[1].1 < 0.0).count();
+    let zeros = points.iter().filter(|(_, value)| *value == 0.0).count();
+    let is_dip = |triple: &&[(f64, f64)]| {
+        let [a, b, c] = [triple[0].1, triple[1].1, triple[2].1];
+        a * b > 0.0 && b * c > 0.0 && b.abs() <= a.abs() && b.abs() <= c.abs()
+    };
+    let dips: Vec<[f64; 3]> =
+        points.windows(3).filter(is_dip).map(|triple| [triple[0].0, triple[2].0, triple[1].1.signum()]).collect();
+    let twice =
+        dips.into_iter().filter(|[low, high, sign]| dips_through_zero(*low, *high, *sign, &mut value_at)).count();
+    changes + zeros + 2 * twice
+}
+
+/// Whether a function that has this sign at both ends takes the other sign in between, at its dip (golden section).
+fn dips_through_zero(mut low: f64, mut high: f64, sign: f64, value_at: &mut impl FnMut(f64) -> f64) -> bool {
+    let ratio = (5f64.sqrt() - 1.0) / 2.0;
+    for _ in 0..60 {
+        let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
+        let (at_a, at_b) = (sign * value_at(a), sign * value_at(b));
+        if at_a < 0.0 || at_b < 0.0 {
+            return true;
         }
-        if value == 0.0 {
-            roots += 1;
-            last = None;
-            continue;
+        if at_a < at_b {
+            high = b;
+        } else {
+            low = a;
         }
-        if last.is_some_and(|last| last.signum() != value.signum()) {
-            roots += 1;
-        }
-        last = Some(value);
     }
-    roots
+    false
 }
 
 /// Whether a symbol occurs in a formula.
 pub fn mentions(expr: &Expr, id: SymbolId) -> bool {
     expr.symbols().iter().any(|(known, _)| *known == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::roots_on_the_grid;
+
+    #[test]
+    fn roots_are_counted_far_apart_and_close_together() {
+        let between = |a: f64, b: f64| roots_on_the_grid(|x| (x - a) * (x - b));
+        assert_eq!(between(1.0, 1000.0), 2);
+        assert_eq!(between(1.0, 1.0001), 2);
+        assert_eq!(between(-3.0, 0.02), 2);
+        assert_eq!(roots_on_the_grid(|x| x * x + 1e-6), 0);
+        assert_eq!(roots_on_the_grid(|x| (x - 2.0) * (x - 2.0) + 1e-9), 0);
+        assert_eq!(roots_on_the_grid(|x| 3.0 * x - 1.0), 1);
+    }
 }

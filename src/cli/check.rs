@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
+
 use crate::check::{Document, Options, Report, check_document, unclaimed};
 use crate::notes::{Claims, Notes, claims_beside, json};
 use crate::report;
@@ -52,8 +54,9 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     }
     let only = arguments.only.as_deref();
     let mut failures: Vec<Error> = Vec::new();
-    for job in &jobs {
-        match document(job, registry, options, only) {
+    let checked: Vec<Result<Document>> = jobs.par_iter().map(|job| document(job, registry, options, only)).collect();
+    for document in checked {
+        match document {
             Ok(document) => result.documents.push(document),
             Err(error) => failures.push(error),
         }

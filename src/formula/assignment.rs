@@ -29,7 +29,7 @@ impl<'a, B: Number> Assignment<'a, B> {
     }
 }
 
-impl<B: Number> Environment<B> for Assignment<'_, B> {
+impl<B: Number> Environment<Series<B>> for Assignment<'_, B> {
     fn symbols(&self) -> &Symbols {
         self.symbols
     }

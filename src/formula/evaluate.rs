@@ -1,14 +1,13 @@
 //! The value of a formula at a state, over any number.
 //!
-//! Everything is a Taylor series in time ([`Series`]): a dot or `d/dt` shifts it. A plain number is a series that does
-//! not change. How many derivatives are known is part of the value, so a derivative that nobody supplied is
-//! [`Unavailable`], never zero.
+//! Where things move, a number is a Taylor series in time ([`Series`]), and a dot or `d/dt` shifts it. How many
+//! derivatives are known is part of such a number, and a plain number knows none ([`Moving`]): a derivative that
+//! nobody supplied is [`Unavailable`], never zero.
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
-use num_dual::DualNum;
-use num_traits::Signed as _;
+use num_dual::Dual;
 
-use crate::scalar::{Number, Series};
+use crate::scalar::{Measured, Number, Series};
 
 use super::symbols::{Kind, SymbolId, Symbols};
 use super::tree::{Expr, Function, Index, IndexId, Node, Sign};
@@ -25,24 +24,42 @@ pub enum Unavailable {
     Operation(&'static str),
 }
 
+/// A number that may know its own time derivative.
+pub trait Moving: Number {
+    /// The time derivative, if it is known.
+    fn rate(&self) -> Option<Self> {
+        None
+    }
+}
+
+impl<B: Number> Moving for Series<B> {
+    fn rate(&self) -> Option<Self> {
+        (self.known() > 1).then(|| self.derivative())
+    }
+}
+
+impl Moving for f64 {}
+impl Moving for Measured {}
+impl<B: Number> Moving for Dual<B> {}
+
 /// Where symbols get their values.
-pub trait Environment<B: Number> {
+pub trait Environment<D: Moving> {
     /// The table that the formula was read with.
     fn symbols(&self) -> &Symbols;
     /// The value of a symbol, for given values of its indices.
-    fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Series<B>>, Unavailable>;
+    fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<D>, Unavailable>;
     /// The matrix that an elementary rotation's symbol stands for, at an angle.
-    fn rotation(&self, id: SymbolId, _angle: Series<B>) -> Result<Matrix3<Series<B>>, Unavailable> {
+    fn rotation(&self, id: SymbolId, _angle: D) -> Result<Matrix3<D>, Unavailable> {
         Err(Unavailable::Symbol(id))
     }
 }
 
 /// Evaluates a formula whose free indices have the values `free`.
-pub fn evaluate<B: Number>(
+pub fn evaluate<D: Moving>(
     expr: &Expr,
-    environment: &impl Environment<B>,
+    environment: &impl Environment<D>,
     free: &[(IndexId, u8)],
-) -> Result<Value<Series<B>>, Unavailable> {
+) -> Result<Value<D>, Unavailable> {
     Evaluator { environment, indices: free.to_vec(), number: std::marker::PhantomData }.value(expr)
 }
 
@@ -59,16 +76,16 @@ pub fn constant_exponent(expr: &Expr) -> Option<f64> {
     }
 }
 
-struct Evaluator<'a, B, E> {
+struct Evaluator<'a, D, E> {
     environment: &'a E,
     indices: Vec<(IndexId, u8)>,
-    number: std::marker::PhantomData<B>,
+    number: std::marker::PhantomData<D>,
 }
 
 type Evaluated<T> = Result<T, Unavailable>;
 
-impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
-    fn value(&mut self, expr: &Expr) -> Evaluated<Value<Series<B>>> {
+impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
+    fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         Ok(match &expr.node {
             Node::Number(text) => {
                 Value::Scalar(constant(text.parse().map_err(|_| Unavailable::Operation("a number"))?))
@@ -80,7 +97,7 @@ impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
                 differentiated(value, *dots)?
             }
             Node::Sum(terms) => {
-                let mut total: Option<Value<Series<B>>> = None;
+                let mut total: Option<Value<D>> = None;
                 for term in terms {
                     if terms.len() > 1 && term.expr.is_zero() {
                         continue;
@@ -95,13 +112,14 @@ impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
                 total.unwrap_or(Value::Scalar(constant(0.0)))
             }
             Node::Product(factors) => {
-                let mut total = Value::Scalar(constant(1.0));
-                for (at, factor) in factors.iter().enumerate() {
+                let mut factors = factors.iter();
+                let mut total = match factors.next() {
+                    Some(first) => self.value(first)?,
+                    None => Value::Scalar(constant(1.0)),
+                };
+                for factor in factors {
                     let value = self.value(factor)?;
-                    total = match at {
-                        0 => value,
-                        _ => total.times(value).ok_or(Unavailable::Operation("a product of these shapes"))?,
-                    };
+                    total = total.times(value).ok_or(Unavailable::Operation("a product of these shapes"))?;
                 }
                 total
             }
@@ -184,7 +202,7 @@ impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
             }
             Node::SumOver { index, body, .. } => {
                 let upper = self.environment.symbols().indices[index.0].upper;
-                let mut total: Option<Value<Series<B>>> = None;
+                let mut total: Option<Value<D>> = None;
                 for value in 1..=upper {
                     self.indices.push((*index, value));
                     let term = self.value(body);
@@ -200,14 +218,14 @@ impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
         })
     }
 
-    fn scalar(&mut self, expr: &Expr) -> Evaluated<Series<B>> {
+    fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {
         match self.value(expr)? {
             Value::Scalar(value) => Ok(value),
             _ => Err(Unavailable::Operation("a scalar where there is none")),
         }
     }
 
-    fn vector(&mut self, expr: &Expr) -> Evaluated<Vector3<Series<B>>> {
+    fn vector(&mut self, expr: &Expr) -> Evaluated<Vector3<D>> {
         match self.value(expr)? {
             Value::Vector(value) => Ok(value),
             _ => Err(Unavailable::Operation("a vector where there is none")),
@@ -227,7 +245,7 @@ impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
         }
     }
 
-    fn symbol(&self, id: SymbolId, indices: &[Index]) -> Evaluated<Value<Series<B>>> {
+    fn symbol(&self, id: SymbolId, indices: &[Index]) -> Evaluated<Value<D>> {
         let entry = self.environment.symbols().entry(id);
         if indices.is_empty() && !entry.slots.is_empty() && entry.kind == Kind::Scalar {
             let member = |indices: &[u8]| match self.environment.symbol(id, indices)? {
@@ -252,7 +270,7 @@ impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
         self.environment.symbol(id, &values?)
     }
 
-    fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<Series<B>> {
+    fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<D> {
         if base.node == Node::Euler {
             return Ok(self.scalar(exponent)?.exp());
         }
@@ -266,21 +284,21 @@ impl<B: Number, E: Environment<B>> Evaluator<'_, B, E> {
     }
 }
 
-fn constant<B: Number>(value: f64) -> Series<B> {
-    Series::constant(B::from(value))
+fn constant<D: Number>(value: f64) -> D {
+    D::from(value)
 }
 
-fn differentiated<B: Number>(value: Value<Series<B>>, order: u8) -> Evaluated<Value<Series<B>>> {
-    if order == 0 {
-        return Ok(value);
+fn differentiated<D: Moving>(mut value: Value<D>, order: u8) -> Evaluated<Value<D>> {
+    for _ in 0..order {
+        if value.entries().iter().any(|entry| entry.rate().is_none()) {
+            return Err(Unavailable::Derivative(order));
+        }
+        value = value.map(|entry| entry.rate().unwrap_or(entry));
     }
-    if value.entries().iter().any(|entry| entry.known() <= usize::from(order)) {
-        return Err(Unavailable::Derivative(order));
-    }
-    Ok(value.map(|entry| (0..order).fold(entry, |entry, _| entry.derivative())))
+    Ok(value)
 }
 
-fn call<B: Number>(function: Function, x: Series<B>) -> Series<B> {
+fn call<D: Number>(function: Function, x: D) -> D {
     match function {
         Function::Sin => x.sin(),
         Function::Cos => x.cos(),

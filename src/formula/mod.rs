@@ -14,7 +14,7 @@ pub mod tree;
 pub mod value;
 
 pub use assignment::Assignment;
-pub use evaluate::{Environment, Unavailable, evaluate};
+pub use evaluate::{Environment, Moving, Unavailable, evaluate};
 pub use symbols::{Entry, Kind, SymbolId, Symbols};
 pub use tree::{Expr, Function, Index, IndexId, Node, Relation, Sign, Statement, Term};
 pub use value::Value;

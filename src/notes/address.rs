@@ -9,8 +9,8 @@ use super::document::{Display, Notes};
 use super::json::{LONGEST, Spanned, place_in_string};
 use super::scan::is_number;
 use super::spelling::plain;
-use super::suggest;
 use crate::source::{Fault, Source, Span};
+use crate::suggest;
 use crate::{Error, Result};
 
 /// An address as written, and what it names.
@@ -182,7 +182,6 @@ fn closest<'a>(notes: &'a Notes, id: &str) -> Option<&'a str> {
     // Two numbers of one chapter are as far apart as they count; anything else as its letters differ.
     let apart = |other: &str| match (chapter(id), chapter(other)) {
         (Some((a, m)), Some((b, n))) if a == b => (0, m.abs_diff(n)),
-        _ if other.len() > 60 || id.len() > 60 => (usize::MAX, 0),
         _ => (suggest::distance(id, other), 0),
     };
     ids.min_by_key(|other| apart(other))

@@ -70,7 +70,10 @@ impl Work<'_> {
     fn pieces(&mut self, raw: Raw, next: usize, pieces: &mut Vec<Piece>) -> Result<(), Fault> {
         let rows = self.rows(raw);
         let (tags, labels) = self.tags(raw.body);
-        if let Some(rows) = rows.filter(|_| tags.len() > 1 || labels.len() > 1) {
+        let carries = |row: &Span| tags.iter().chain(&labels).any(|n| row.contains(n.span));
+        if let Some(rows) = rows.filter(|_| tags.len() + labels.len() > 1)
+            && rows.iter().filter(|row| carries(row)).take(2).count() == 2
+        {
             for group in self.groups(rows, &tags, &labels) {
                 let own = |all: &[Numbered]| all.iter().filter(|n| group.contains(n.span)).cloned().collect();
                 let raw = Raw { span: group, body: group, delimiter: Delimiter::Rows };
@@ -238,8 +241,7 @@ impl Work<'_> {
     /// The number at `at`, when its line ends with it.
     fn number_ending_line(&self, at: usize, next: usize) -> Option<Numbered> {
         let (id, end) = scan::number(self.source, at)?;
-        let line = scan::line_end(&self.clean, end);
-        let alone = end <= next && self.clean[end..line].iter().all(u8::is_ascii_whitespace);
+        let alone = end <= next && scan::ends_line(&self.clean, end);
         alone.then(|| Numbered { id: id.to_owned(), span: Span::new(at, end) })
     }
 

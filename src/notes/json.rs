@@ -186,10 +186,11 @@ fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
         end += 1;
     }
     let span = Span::new(offset, end);
+    let after_comma = text[..offset].trim_end().ends_with(',') && text[offset..].starts_with(['}', ']']);
     match message {
+        _ if after_comma => Fault::new(span, "a comma before the closing bracket").help("leave the comma out"),
         "trailing characters" => Fault::new(span, "something stands after the end of the JSON value")
             .help("a claims file is one object; is a `}` too early?"),
-        "trailing comma" => Fault::new(span, "a comma before the closing bracket").help("leave the comma out"),
         "control character (\\u0000-\\u001F) found while parsing a string" => {
             Fault::new(span, "a line break or another control character within a string")
                 .help("a JSON string stands on one line; is its closing `\"` missing?")

@@ -82,7 +82,9 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
         while blocks.next_if(|block| block.span.start < i).is_some() {}
         if let Some(block) = blocks.next_if(|block| block.span.start == i) {
             match block.kind {
-                BlockKind::Math(body) => found.raws.push(Raw { span: block.span, body, delimiter: Delimiter::Whole }),
+                BlockKind::Math(body) => {
+                    display(text, Raw { span: block.span, body, delimiter: Delimiter::Whole }, found)?
+                }
                 _ => found.blank.push(block.span),
             }
             i = block.span.end.max(i + 1);
@@ -132,31 +134,33 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
     Ok(())
 }
 
-/// Takes note of the display between two-byte delimiters at `open` and `close`, and of the TeX comments in it.
+/// Takes note of the display between two-byte delimiters at `open` and `close`; the position after it.
 fn pair(text: &str, open: usize, close: usize, found: &mut Scan) -> Result<usize, Fault> {
-    let bytes = text.as_bytes();
-    let mut i = open + 2;
-    while i < close {
-        match bytes[i] {
+    let (span, body) = (Span::new(open, close + 2), Span::new(open + 2, close));
+    display(text, Raw { span, body, delimiter: Delimiter::Pair }, found)?;
+    Ok(span.end)
+}
+
+/// Takes note of a display, and of the TeX comments in it.
+fn display(text: &str, raw: Raw, found: &mut Scan) -> Result<(), Fault> {
+    // The renderers look for the closing delimiter first, so that it ends a comment, too.
+    let text = &text[..raw.body.end];
+    let mut i = raw.body.start;
+    while i < text.len() {
+        match text.as_bytes()[i] {
             b'\\' => i += 2,
-            // The renderers look for the closing delimiter first, so that it ends a comment, too.
-            b'%' => i = found.comment(&text[..close], i)?,
+            b'%' => i = found.comment(text, i)?,
             _ => i += 1,
         }
     }
-    found.raws.push(Raw {
-        span: Span::new(open, close + 2),
-        body: Span::new(open + 2, close),
-        delimiter: Delimiter::Pair,
-    });
-    Ok(close + 2)
+    found.raws.push(raw);
+    Ok(())
 }
 
 /// Whether the two bytes at `at` are all that their line holds.
 fn alone(bytes: &[u8], at: usize) -> bool {
-    let end = scan::line_end(bytes, at);
     let mut before = bytes[..at].iter().rev().take_while(|&&b| b != b'\n');
-    before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && bytes[at + 2..end].iter().all(u8::is_ascii_whitespace)
+    before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && scan::ends_line(bytes, at + 2)
 }
 
 fn unclosed(text: &str, at: usize, found: &Scan) -> Fault {

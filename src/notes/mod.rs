@@ -17,10 +17,8 @@ mod markdown;
 mod rows;
 mod scan;
 pub mod spelling;
-mod suggest;
 mod tex;
 
 pub use address::{Address, Item, Point, Target};
 pub use claims::{Claim, Claims, Sentence, Spanned, claims_beside};
 pub use document::{Display, Kind, MacroDefinition, Notes, Numbered};
-pub use suggest::did_you_mean;

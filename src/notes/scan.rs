@@ -88,6 +88,11 @@ pub(super) fn line_end(bytes: &[u8], at: usize) -> usize {
     bytes[at..].iter().position(|&b| b == b'\n').map_or(bytes.len(), |i| at + i)
 }
 
+/// Whether nothing but space follows in the line of `at`. Looks no further than the first thing that does.
+pub(super) fn ends_line(bytes: &[u8], at: usize) -> bool {
+    bytes[at..].iter().take_while(|&&b| b != b'\n').all(u8::is_ascii_whitespace)
+}
+
 /// The first byte at or after `at` that is no white space.
 pub(super) fn skip_space(bytes: &[u8], mut at: usize) -> usize {
     while bytes.get(at).is_some_and(u8::is_ascii_whitespace) {
@@ -154,12 +159,7 @@ pub(super) fn inline(bytes: &[u8], at: usize, strict: bool) -> Option<usize> {
         match bytes[i] {
             b'\\' => i += 1,
             b'$' => return (!strict || !bytes[i - 1].is_ascii_whitespace()).then_some(i),
-            b'\n' => {
-                let next = line_end(bytes, i + 1);
-                if bytes[i + 1..next].iter().all(u8::is_ascii_whitespace) {
-                    return None;
-                }
-            }
+            b'\n' if ends_line(bytes, i + 1) => return None,
             _ => {}
         }
         i += 1;

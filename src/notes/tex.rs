@@ -56,8 +56,8 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
         "" => at + 2,
         "verb" | "lstinline" => {
             let start = word + usize::from(bytes.get(word) == Some(&b'*'));
-            let end = scan::line_end(bytes, start.min(bytes.len()));
-            let close = bytes.get(start).and_then(|&mark| bytes[start + 1..end].iter().position(|&b| b == mark));
+            let line = bytes.iter().skip(start + 1).take_while(|&&b| b != b'\n');
+            let close = bytes.get(start).and_then(|mark| line.into_iter().position(|b| b == mark));
             close.map_or(word, |i| start + 1 + i + 1)
         }
         // The `\begin{equation}` in the body of a macro opens nothing.

@@ -12,6 +12,8 @@ use super::{Arithmetic, Function};
 
 /// A real value and the size of its rounding error in units of the machine's epsilon.
 ///
+/// A quotient by a number that is nothing but rounding (sin² + cos² − 1) is undefined, hence NaN, and not large.
+///
 /// Constants and inputs have magnitude |value|; for a sum the magnitudes add, for a product it is |a|·mb + |b|·ma, for
 /// a function |f(x)| + |f′(x)|·mx. The magnitude is never below |value|.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +29,14 @@ impl Measured {
     pub fn new(value: f64) -> Self {
         Measured { value, magnitude: value.abs() }
     }
+
+    /// Whether rounding alone could have made this of a zero.
+    fn is_noise(self) -> bool {
+        self.value.abs() <= 8.0 * f64::EPSILON * self.magnitude
+    }
+
+    /// The result of dividing by what may be zero.
+    const UNDEFINED: Measured = Measured { value: f64::NAN, magnitude: f64::NAN };
 
     fn from_slope(value: f64, slope: f64, magnitude: f64) -> Self {
         // an input known exactly (magnitude 0) adds nothing, however steep the function
@@ -61,6 +71,9 @@ impl Arithmetic for Measured {
         Measured { value: self.value * other.value, magnitude }
     }
     fn over(self, other: Self) -> Self {
+        if other.is_noise() {
+            return Measured::UNDEFINED;
+        }
         let value = self.value / other.value;
         Measured { value, magnitude: (self.magnitude + value.abs() * other.magnitude) / other.value.abs() }
     }
@@ -70,6 +83,9 @@ impl Arithmetic for Measured {
     fn power(self, n: i32) -> Self {
         if n == 0 {
             return Measured::new(1.0);
+        }
+        if n < 0 && self.is_noise() {
+            return Measured::UNDEFINED;
         }
         let slope = f64::from(n) * self.value.powi(n - 1);
         Self::from_slope(self.value.powi(n), slope, self.magnitude)
@@ -122,6 +138,16 @@ mod tests {
         // π off by an epsilon: the sine is all error, and the scale says so
         let sine = Measured::new(std::f64::consts::PI).sin();
         assert!(sine.value.abs() <= f64::EPSILON * sine.magnitude);
+    }
+
+    #[test]
+    fn a_quotient_by_rounding_is_undefined() {
+        let x = Measured::new(0.3);
+        let nothing = x.sin() * x.sin() + x.cos() * x.cos() - 1.0;
+        assert!((x / nothing).value.is_nan());
+        assert!(nothing.powi(-1).value.is_nan());
+        // the twin: small, and known to be
+        assert_eq!((Measured::new(1.0) / 1e-200).value, 1e200);
     }
 
     #[test]

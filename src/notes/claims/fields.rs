@@ -1,8 +1,8 @@
 //! Typed access to a JSON object: unknown keys and wrong types are refused at their place.
 
 use crate::notes::json::{Json, Spanned, Value};
-use crate::notes::suggest::did_you_mean;
 use crate::source::{Fault, Span};
+use crate::suggest::nearest;
 
 /// LaTeX or another text, with its place.
 pub(super) type Text = Spanned<String>;
@@ -31,7 +31,7 @@ impl<'a> Fields<'a> {
             }
             let fault = Fault::new(key.span, format!("{what} has no key \"{name}\""));
             let list = || known().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
-            return Err(match did_you_mean(name, known().chain(later.iter().copied())) {
+            return Err(match nearest(name, known().chain(later.iter().copied())) {
                 Some(word) => fault.help(format!("did you mean \"{word}\"? its keys are {}", list())),
                 None => fault.help(format!("its keys are {}", list())),
             });
@@ -139,7 +139,7 @@ pub(super) fn word<T: Copy>(written: &Text, name: &str, words: &[(&str, T)]) -> 
     }
     let fault = Fault::new(written.span, format!("\"{name}\" cannot be \"{}\"", written.value));
     let list = words.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
-    Err(match did_you_mean(&written.value, words.iter().map(|(word, _)| *word)) {
+    Err(match nearest(&written.value, words.iter().map(|(word, _)| *word)) {
         Some(word) => fault.help(format!("did you mean \"{word}\"? it is one of {list}")),
         None => fault.help(format!("it is one of {list}")),
     })

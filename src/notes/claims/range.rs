@@ -2,8 +2,8 @@
 
 use crate::notes::json::Spanned;
 use crate::notes::spelling::plain;
-use crate::notes::suggest::did_you_mean;
 use crate::source::Fault;
+use crate::suggest::nearest;
 
 /// What values a symbol takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +63,7 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
             Some(rest) => integers(written, rest, false)?,
             None => {
                 let fault = Fault::new(written.span, format!("\"{text}\" is no range"));
-                return Err(match did_you_mean(text, ["any", "angle", "integer"]) {
+                return Err(match nearest(text, ["any", "angle", "integer"]) {
                     Some(word) => fault.help(format!("did you mean \"{word}\"? {RANGES}")),
                     None => fault.help(RANGES),
                 });

@@ -1,0 +1,83 @@
+//! What more can be said of a claim that passes: which Euler–Lagrange equations it is made of, and which of its
+//! hypotheses it does not need.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::Result;
+use crate::formula::evaluate::evaluate;
+use crate::formula::{Relation, Value, text};
+use crate::scalar::Measured;
+
+use super::ensemble::Condition;
+use super::identity::{Context, FEWEST, run};
+use super::judge::{DIFFERENCE, Link};
+use super::scene::Scene;
+
+/// A claim that holds on shell, as a combination of the Euler–Lagrange equations with constant coefficients: its
+/// residual off shell is fitted by theirs, and the fit must be exact.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>> {
+    let coordinates = &context.model.coordinates;
+    if !link.free.is_empty() || link.relation != Relation::Equal || !context.conditions.is_empty() {
+        return Ok(None);
+    }
+    let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+    let ensemble = context.ensemble(mode, false, context.options.points.max(2 * coordinates.len() + 4))?;
+    let mut rows: Vec<(Vec<f64>, f64, f64)> = Vec::new();
+    for scene in &ensemble.scenes {
+        let sides = (evaluate(&link.lhs, scene, &[]), evaluate(&link.rhs, scene, &[]));
+        let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = sides else { return Ok(None) };
+        let residual: Measured = (a - b).value();
+        let Some(equations) = scene.euler_lagrange() else { return Ok(None) };
+        let scale = residual.magnitude + equations.iter().map(|e| e.magnitude).sum::<f64>();
+        rows.push((equations.iter().map(|e| e.value).collect(), residual.value, scale));
+    }
+    if rows.len() < coordinates.len() + FEWEST {
+        return Ok(None);
+    }
+    let matrix = DMatrix::from_fn(rows.len(), coordinates.len(), |i, j| rows[i].0[j]);
+    let residuals = DVector::from_fn(rows.len(), |i, _| rows[i].1);
+    let Ok(fit) = matrix.clone().svd(true, true).solve(&residuals, 1e-12) else { return Ok(None) };
+    let rest = matrix * &fit - residuals;
+    let exact = rest.iter().zip(&rows).all(|(rest, (_, _, scale))| rest.abs() <= DIFFERENCE * scale);
+    let terms: Vec<String> = fit
+        .iter()
+        .zip(coordinates)
+        .filter(|(coefficient, _)| coefficient.abs() > 1e-9)
+        .map(|(coefficient, variable)| {
+            let name = text::plain(&context.model.name(variable.symbol));
+            let nearest = (coefficient * 60.0).round() / 60.0;
+            format!("{} × the Euler–Lagrange equation of {name}", if nearest < 0.0 { format!("−{}", -nearest) } else { nearest.to_string() })
+        })
+        .collect();
+    let rational = fit.iter().all(|c| (c * 60.0 - (c * 60.0).round()).abs() < 1e-7);
+    Ok((exact && rational && !terms.is_empty()).then(|| terms.join(" + ")))
+}
+
+/// The hypotheses that a claim which holds does not need, by trying it without each.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn unneeded(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vec<String>> {
+    let mut found = Vec::new();
+    for at in 0..context.conditions.len() {
+        let mut fewer: Vec<Condition> = context.conditions.to_vec();
+        let dropped = fewer.remove(at);
+        let without = Context { conditions: &fewer, ..*context };
+        let mode = without.mode(on_shell, &[&link.lhs, &link.rhs]);
+        let ensemble = without.ensemble(mode, false, context.options.points)?;
+        let holds = |scenes: &[Scene<'_, Measured>]| {
+            run(link, scenes).is_ok_and(|o| {
+                o.failure.is_none() && o.one_sided.is_none() && o.doubtful == 0 && o.points >= FEWEST.min(scenes.len())
+            })
+        };
+        if ensemble.scenes.len() >= FEWEST.min(context.options.points) && holds(&ensemble.scenes) {
+            let symbols = &context.model.symbols;
+            let (lhs, rhs) = (text::formula(&dropped.lhs, symbols), text::formula(&dropped.rhs, symbols));
+            found.push(format!("{lhs} {} {rhs}", dropped.relation.glyph()));
+        }
+    }
+    Ok(found)
+}
