@@ -1,4 +1,113 @@
 //! **onshell** checks the equations in physics notes against what automatic differentiation derives.
+//!
+//! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived on its own, from a
+//! Lagrangian that is a Rust function. The two are held against each other at sampled states. Where they differ, the
+//! author gets the place, a state at which they differ, and the values of both sides there.
+//!
+//! # An example
+//!
+//! Notes, and beside them a claims file that says what the symbols are. Here both are texts, and the Lagrangian is
+//! one of one's own: a mass on a spring that hangs in gravity. Nothing else is needed; what the equation of motion and
+//! the energy are follows from the Lagrangian.
+//!
+//! ```
+//! use onshell::check::Verdict;
+//! use onshell::mechanics::{Lagrangian, State};
+//! use onshell::scalar::Number;
+//! use onshell::systems::Registry;
+//! use onshell::testing::{assert_text, check_text};
+//!
+//! struct Spring; // z points upward, and the spring is at rest where z = 0
+//!
+//! impl Lagrangian<1, 3> for Spring {
+//!     fn name(&self) -> &str { "spring" }
+//!     fn coordinates(&self) -> [&str; 1] { ["z"] }
+//!     fn parameters(&self) -> [&str; 3] { ["m", "k", "g"] }
+//!     fn lagrangian<D: Number>(&self, at: &State<D, 1, 3>) -> D {
+//!         let ([z], [v], [m, k, g]) = (at.q, at.v, at.parameters);
+//!         m * v * v * 0.5 - k * z * z * 0.5 - m * g * z
+//!     }
+//! }
+//!
+//! let notes = r"
+//! The mass moves as
+//!
+//! $$ m \ddot z = - k z - m g \tag{1} $$
+//!
+//! so its energy stays the same:
+//!
+//! $$ E = \frac12 m \dot z^2 + \frac12 k z^2 + m g z \tag{2} $$
+//! ";
+//! let claims = r#"{
+//!     "notes": "spring.md",
+//!     "system": "spring",
+//!     "coordinates": { "z": "any" },
+//!     "constants": { "m, k, g": "> 0" },
+//!     "means": { "E": "energy" },
+//!     "equations": { "2": { "conserved": true } }
+//! }"#;
+//!
+//! let mut registry = Registry::standard();
+//! registry.add(Spring);
+//! assert_text(notes, claims, &registry);
+//!
+//! // A check that cannot fail is worth nothing: one sign, and (1) is refuted.
+//! let document = check_text(&notes.replace("- m g", "+ m g"), claims, &registry)?;
+//! let equation = &document.equations[0];
+//! assert_eq!((equation.id.as_str(), equation.finding.verdict), ("1", Verdict::Refuted));
+//! let found = equation.finding.counterexample.as_ref().unwrap();
+//! assert_ne!(found.lhs, found.rhs);
+//! assert!(found.state.iter().any(|(symbol, _)| symbol == "z"));
+//!
+//! // The other equation does not depend on it.
+//! assert_eq!(document.equations[1].finding.verdict, Verdict::Verified);
+//! # Ok::<(), onshell::Error>(())
+//! ```
+//!
+//! Notes in files are checked with [`testing::assert_file`], or from the command line with `onshell check`.
+//!
+//! # The concepts
+//!
+//! *Notes* ([`notes::Notes`]) are a document as its author wrote it. onshell finds the displays in it, their numbers
+//! and their labels. It keeps the byte range of everything.
+//!
+//! *Claims* ([`notes::Claims`]) are a JSON file beside the notes. It declares the symbols, names the system, and says
+//! what an equation means where its print does not say it. `docs/claims.md` has every key. What onshell does not know
+//! in a claims file is an error at its place, never passed over.
+//!
+//! A *system* ([`mechanics::Lagrangian`], [`systems`]) is a Lagrangian as a Rust function, generic in the number. From
+//! it follow the equations of motion, momenta, the energy, the Hamiltonian and the effective potential
+//! ([`mechanics::World`]). No system contains a closed form that is checked.
+//!
+//! A *formula* ([`formula::Expr`]) is what LaTeX says, apart from how it was typeset. [`latex`] reads it in two steps,
+//! layout and then meaning, and refuses what people read in two ways. The rules are in [`latex::reader`].
+//!
+//! A *state* ([`check::scene::Scene`]) gives every symbol a value and its time derivatives. *Off shell* the
+//! derivatives are free numbers; *on shell* the equations of motion give the accelerations and all above them. An
+//! equation with no word on it in the claims file is tested off shell first, and on shell if it fails there; the
+//! report says which.
+//!
+//! A *verdict* ([`check::Verdict`]) comes with its evidence ([`check::Finding`]): the states that were used of those
+//! that were tried, the largest relative residual, or the counterexample. Every pass is also held against its *twins*
+//! ([`check::twins`]): the same claim with one slip in it. A pass whose states cannot tell it from a twin that is
+//! false elsewhere becomes `undecided`.
+//!
+//! # The house
+//!
+//! Each room imports from the rooms below it alone. `formula` and `mechanics` do not know each other: what is printed
+//! and what is true meet in `check`.
+//!
+//! | room | what it does |
+//! | --- | --- |
+//! | [`cli`], [`testing`] | the command; the same checks as assertions in a test |
+//! | [`report`] | verdicts as text, as JSON, as diagnostics |
+//! | [`check`] | the printed against the derived |
+//! | [`notes`], [`latex`], [`systems`] | documents and claims; LaTeX to formulas and back; named Lagrangians |
+//! | [`formula`], [`mechanics`] | what an equation says; what is true |
+//! | [`scalar`] | the numbers that formulas and Lagrangians are evaluated on |
+//! | [`source`], [`error`], [`suggest`] | texts and places in them; the one error type; "did you mean" |
+//!
+//! `docs/architecture.md` walks through it, and has the reasons.
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
@@ -14,5 +123,6 @@ pub mod scalar;
 pub mod source;
 pub mod suggest;
 pub mod systems;
+pub mod testing;
 
 pub use error::{Error, Result};
