@@ -11,7 +11,7 @@ use crate::notes::claims::{Claim, Claims, Conserved, Erratum, Expect, Expected, 
 use crate::notes::{Display, Notes};
 use crate::source::{Fault, Span};
 use crate::systems::Registry;
-use crate::{Error, Result};
+use crate::{Error, Result, suggest};
 
 use super::draw::Reach;
 use super::ensemble::Condition;
@@ -38,6 +38,12 @@ pub fn check_document(
         macros.define(&definition.name, definition.arguments, &definition.body);
     }
     repeated_numbers(notes)?;
+    for sentence in &claims.sentences {
+        sentences::unsupported(claims, sentence)?;
+    }
+    if let Some((name, _)) = claims.components.first() {
+        return Err(Error::at(&claims.source, name.span, "\"components\" are not supported yet"));
+    }
     let mut model = Model::new(claims, macros, registry)?;
     let assigned = assign(claims, notes)?;
     let mut readings = Vec::new();
@@ -316,6 +322,9 @@ impl Desk<'_> {
         let mut findings = Vec::new();
         for (at, (relation, place)) in statement.relations.iter().enumerate() {
             let last = at + 1 == statement.relations.len();
+            if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
+                continue;
+            }
             if let (0, Some(symbol)) = (at, introduced) {
                 if claim.solves.is_none() {
                     findings.push(self.definition(symbol, statement, context)?);
@@ -362,6 +371,13 @@ impl Desk<'_> {
             parts.push(self.part(identity::conserved(last, context)?, what));
         }
         Ok(parts)
+    }
+
+    /// Whether a member is the unknown that a claim solves for: then what stands beside it is the solution.
+    fn is_unknown_of(&self, member: &Expr, claim: &Claim) -> Result<bool> {
+        let Some(solves) = &claim.solves else { return Ok(false) };
+        let unknowns: Result<Vec<SymbolId>> = solves.unknowns.iter().map(|unknown| self.symbol(unknown)).collect();
+        Ok(member.as_plain_symbol().is_some_and(|id| unknowns.is_ok_and(|unknowns| unknowns.contains(&id))))
     }
 
     /// The verdict on a statement that introduces a symbol.
@@ -497,7 +513,14 @@ impl Desk<'_> {
             into.push(Condition { lhs: link.lhs, relation: link.relation, rhs: link.rhs, throughout });
             return Ok(());
         }
-        for statement in self.statements(latex)? {
+        let statements = self.statements(latex).map_err(|error| {
+            let names = self.claims.conditions.iter().map(|(name, _)| name.value.as_str());
+            match suggest::nearest(&latex.value, names) {
+                Some(near) => error.help(format!("did you mean the condition \"{near}\"?")),
+                None => error,
+            }
+        })?;
+        for statement in statements {
             if statement.relations.is_empty() {
                 let message = format!("“{}” is no condition", latex.value);
                 return Err(Error::at(&self.claims.source, latex.span, message)

@@ -18,7 +18,7 @@ use super::judge;
 use super::model::Model;
 use super::scene::{Mode, Scene, Slot, slots};
 
-/// How many derivatives of a hypothesis that holds throughout are made to vanish; all that are known must.
+/// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
 const THROUGHOUT: usize = 3;
 
 /// A hypothesis of a claim.
@@ -283,7 +283,7 @@ impl<'m> Solver<'m, '_> {
             let Ok(entries) = difference(&scene, condition) else { return Ok(None) };
             let holds = entries.iter().all(|entry| match condition.relation {
                 Relation::Equal | Relation::Identical => {
-                    let derivatives = if condition.throughout { entry.known() } else { 1 };
+                    let derivatives = if condition.throughout { entry.known().min(THROUGHOUT + 1) } else { 1 };
                     (0..derivatives).all(|k| entry.nth_derivative_value(k).is_some_and(judge::vanishes))
                 }
                 relation => judge::holds(relation, entry.value()),

@@ -58,6 +58,9 @@ pub enum Target {
 /// A state's atoms.
 type Atoms = Vec<(SymbolId, f64)>;
 
+/// Moves a state to a special place.
+type Place = Box<dyn Fn(&mut Atoms)>;
+
 /// Atoms as plain numbers: nothing here moves.
 struct Still<'a, D> {
     symbols: &'a Symbols,
@@ -138,7 +141,7 @@ fn is_momentum(quantity: super::model::Quantity) -> bool {
 fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec<Atoms>, usize) {
     let model = context.model;
     let mut draw = Draw::new(context.options.seed, context.topic);
-    let mut places: Vec<Box<dyn Fn(&mut Atoms)>> = Vec::new();
+    let mut places: Vec<Place> = Vec::new();
     let is_constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_)));
     let free: Vec<SymbolId> = atoms.iter().copied().filter(|id| *id != variable).collect();
     for (k, &a) in free.iter().enumerate() {
@@ -169,7 +172,7 @@ fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec
             }
         }
     }
-    let nowhere: Box<dyn Fn(&mut Atoms)> = Box::new(|_| {});
+    let nowhere: Place = Box::new(|_| {});
     let plan = std::iter::repeat_n(&nowhere, RANDOM).chain(places.iter().flat_map(|p| std::iter::repeat_n(p, SPECIAL)));
     let (mut found, mut tried) = (Vec::new(), 0);
     for place in plan {
@@ -225,7 +228,7 @@ fn obey(state: &mut Atoms, variable: SymbolId, context: &Context<'_>) -> bool {
         }
     }
     context.conditions.iter().all(|condition| {
-        difference::<Measured>(state, condition, model, |x| Measured::new(x))
+        difference::<Measured>(state, condition, model, Measured::new)
             .is_some_and(|difference| judge::holds(condition.relation, difference))
     })
 }
@@ -311,7 +314,7 @@ impl Probe<'_> {
         let name = typeset_name(self.model, self.variable);
         match shape {
             Shape::Solutions(wanted) => {
-                let found = roots_on_the_grid(|x| self.value(x));
+                let found = roots_on_the_grid(range, |x| self.value(x));
                 if found == *wanted {
                     return Look::Holds;
                 }

@@ -329,15 +329,19 @@ fn held_against_twins(
     if survivors.is_empty() {
         return Ok(finding);
     }
-    // A twin that holds wherever the claim does, far beyond the ranges, is as true as the claim.
+    // A twin that holds where the claim does and fails where it does, far beyond the ranges, says the same.
     let wide = context.ensemble(ensemble.mode, true, 3 * context.options.points)?;
-    let holding: Vec<&Scene<'_, Measured>> =
-        wide.scenes.iter().filter(|scene| matches!(judge::test(link, scene), Ok(Point::Holds(_)))).collect();
+    let holds = |link: &Link, scene: &Scene<'_, Measured>| match judge::test(link, scene) {
+        Ok(Point::Holds(_)) => Some(true),
+        Ok(Point::Useless) => None,
+        _ => Some(false),
+    };
     for twin in survivors {
-        let differs = |scene: &&&Scene<'_, Measured>| {
-            !matches!(judge::test(&twin.link, scene), Ok(Point::Holds(_) | Point::Useless))
+        let told_apart = |scene: &Scene<'_, Measured>| match (holds(link, scene), holds(&twin.link, scene)) {
+            (Some(a), Some(b)) => a != b,
+            _ => false,
         };
-        if holding.iter().any(|scene| differs(&scene)) {
+        if wide.scenes.iter().any(told_apart) {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
             return Ok(Finding { message, verdict: Verdict::Undecided, ..finding });
         }

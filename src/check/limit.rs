@@ -12,7 +12,7 @@ use crate::scalar::{Measured, Series};
 
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{Failure, Link};
-use super::scene::Scene;
+use super::scene::{Mode, Scene, slots};
 use super::twins::{Slip, twins};
 use super::verdict::{Finding, Verdict};
 
@@ -49,33 +49,49 @@ enum Approach {
     Useless,
 }
 
-/// Checks a claim in the limit of one symbol.
+/// Checks a claim in the limit of one symbol: always, else on shell.
 ///
 /// # Errors
 /// When the world's mass matrix is singular.
 pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Context<'_>) -> Result<Finding> {
-    let mut ensemble = context.ensemble(context.mode(false, &[&link.lhs, &link.rhs]), false, context.options.points)?;
+    let always = match context.on_shell {
+        Some(on_shell) => return check_in(link, variable, towards, context, on_shell),
+        None => check_in(link, variable, towards, context, false)?,
+    };
+    if always.verdict == Verdict::Verified || context.model.world.is_none() {
+        return Ok(always);
+    }
+    let on_shell = check_in(link, variable, towards, context, true)?;
+    Ok(if on_shell.verdict == Verdict::Verified { on_shell } else { always })
+}
+
+fn check_in(
+    link: &Link,
+    variable: SymbolId,
+    towards: Towards,
+    context: &Context<'_>,
+    on_shell: bool,
+) -> Result<Finding> {
+    let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
+    let ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.scenes.is_empty() {
         return Ok(context.no_room(&ensemble));
     }
     let mut powers: Vec<f64> = Vec::new();
-    let mut used = Vec::new();
-    for at in 0..ensemble.scenes.len() {
-        match approach(link, variable, towards, &mut ensemble.scenes[at]) {
+    let mut used: Vec<Steps<'_>> = Vec::new();
+    for base in &ensemble.bases {
+        let steps = Steps { context, mode, base, variable, towards };
+        match steps.approach(link) {
             Ok(Approach::Power(power)) => {
                 powers.push(power);
-                used.push(at);
+                used.push(steps);
             }
             Ok(Approach::Fails(failure)) => {
-                let scene = &mut ensemble.scenes[at];
-                scene.set_only(&[(variable, Series::constant(Measured::new(towards.step(LAST))))]);
-                let found = counterexample(link, scene, &failure);
-                scene.set_only(&[]);
                 return Ok(Finding {
                     points: powers.len() + 1,
                     tried: ensemble.tried,
                     max_residual: Some(failure.residual),
-                    counterexample: Some(found),
+                    counterexample: steps.scene(LAST).map(|scene| counterexample(link, &scene, &failure)),
                     ..context.finding(Verdict::Refuted, "the two sides do not approach each other in this limit")
                 });
             }
@@ -89,10 +105,7 @@ pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Contex
     }
     // Twins in a term that the limit drops are as true; what must be told apart is one symbol from another.
     for twin in twins(link, context.model).into_iter().filter(|twin| twin.slip == Slip::Symbol) {
-        let survives = used.iter().all(|at| {
-            matches!(approach(&twin.link, variable, towards, &mut ensemble.scenes[*at]), Ok(Approach::Power(_)))
-        });
-        if survives {
+        if used.iter().all(|steps| matches!(steps.approach(&twin.link), Ok(Approach::Power(_)))) {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
             return Ok(context.finding(Verdict::Undecided, message));
         }
@@ -116,42 +129,64 @@ pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Contex
 /// The last step that is taken.
 const LAST: i32 = 10;
 
-fn approach(
-    link: &Link,
+/// The states on the way to a limit: one base, with the variable moved.
+struct Steps<'a> {
+    context: &'a Context<'a>,
+    mode: Mode,
+    base: &'a [f64],
     variable: SymbolId,
     towards: Towards,
-    scene: &mut Scene<'_, Measured>,
-) -> Result<Approach, Unavailable> {
-    let mut errors: Vec<f64> = Vec::new();
-    let mut last = None;
-    for k in 0..=LAST {
-        scene.set_only(&[(variable, Series::constant(Measured::new(towards.step(k))))]);
-        let sides = (evaluate(&link.lhs, scene, &[]), evaluate(&link.rhs, scene, &[]));
-        let (Value::Scalar(a), Value::Scalar(b)) = (sides.0?, sides.1?) else {
-            scene.set_only(&[]);
-            return Err(Unavailable::Operation("a limit of something that is no number"));
-        };
-        let (a, b) = (a.value(), b.value());
-        if !a.value.is_finite() || !b.value.is_finite() {
-            continue;
+}
+
+impl<'a> Steps<'a> {
+    /// The state at the k-th step: a number of the base is moved there, anything else is given that value.
+    fn scene(&self, k: i32) -> Option<Scene<'a, Measured>> {
+        let x = self.towards.step(k);
+        let model = self.context.model;
+        let slot =
+            slots(model, self.mode).iter().position(|slot| slot.symbol == Some(self.variable) && slot.order == 0);
+        let mut base: Vec<Measured> = self.base.iter().map(|x| Measured::new(*x)).collect();
+        if let Some(slot) = slot {
+            base[slot] = Measured::new(x);
         }
-        let scale = if b.value == 0.0 { 1.0 } else { b.value.abs() };
-        let error = (a.value - b.value).abs() / scale;
-        let noise = 1e-13 * (a.magnitude + b.magnitude) / scale;
-        last = Some(Failure { lhs: a.value, rhs: b.value, residual: error, entry: None });
-        if error <= noise {
-            break;
+        let mut scene = Scene::new(model, self.mode, &base).ok()?;
+        if slot.is_none() {
+            scene.set_only(&[(self.variable, Series::constant(Measured::new(x)))]);
         }
-        errors.push(error);
+        Some(scene)
     }
-    scene.set_only(&[]);
-    let Some(last) = last else { return Ok(Approach::Useless) };
-    if errors.len() < 3 {
-        // The sides are one to rounding: then they agree in the limit too.
-        return Ok(if last.residual < 1e-9 { Approach::Power(f64::INFINITY) } else { Approach::Useless });
+
+    fn approach(&self, link: &Link) -> Result<Approach, Unavailable> {
+        let mut errors: Vec<f64> = Vec::new();
+        let mut last = None;
+        for k in 0..=LAST {
+            let Some(scene) = self.scene(k) else { continue };
+            let (Value::Scalar(a), Value::Scalar(b)) =
+                (evaluate(&link.lhs, &scene, &[])?, evaluate(&link.rhs, &scene, &[])?)
+            else {
+                return Err(Unavailable::Operation("a limit of something that is no number"));
+            };
+            let (a, b) = (a.value(), b.value());
+            if !a.value.is_finite() || !b.value.is_finite() {
+                continue;
+            }
+            let scale = if b.value == 0.0 { 1.0 } else { b.value.abs() };
+            let error = (a.value - b.value).abs() / scale;
+            let noise = 1e-13 * (a.magnitude + b.magnitude) / scale;
+            last = Some(Failure { lhs: a.value, rhs: b.value, residual: error, entry: None });
+            if error <= noise {
+                break;
+            }
+            errors.push(error);
+        }
+        let Some(last) = last else { return Ok(Approach::Useless) };
+        if errors.len() < 3 {
+            // The sides are one to rounding: then they agree in the limit too.
+            return Ok(if last.residual < 1e-9 { Approach::Power(f64::INFINITY) } else { Approach::Useless });
+        }
+        let tail = &errors[errors.len().saturating_sub(4)..];
+        let power = (tail[0] / tail[tail.len() - 1]).log2() / (tail.len() - 1) as f64;
+        let small = errors.last().is_some_and(|error| *error < 0.05);
+        Ok(if power > 0.3 && small { Approach::Power(power) } else { Approach::Fails(last) })
     }
-    let tail = &errors[errors.len().saturating_sub(4)..];
-    let power = (tail[0] / tail[tail.len() - 1]).log2() / (tail.len() - 1) as f64;
-    let small = errors.last().is_some_and(|error| *error < 0.05);
-    Ok(if power > 0.3 && small { Approach::Power(power) } else { Approach::Fails(last) })
 }

@@ -4,7 +4,7 @@
 //! does not always), a constant of the motion, the shape of a function, the number of solutions of an equation.
 
 use crate::formula::{Expr, Statement, SymbolId, text};
-use crate::notes::claims::{Holds, Property, Sentence, Sign, Spanned, Test};
+use crate::notes::claims::{Claims, Holds, Property, Sentence, Sign, Spanned, Test};
 use crate::{Error, Result};
 
 use super::document::{Desk, expected, merged};
@@ -55,6 +55,30 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
         parts: Vec::new(),
         id,
     })
+}
+
+/// Refuses the keys of an equation's claim that mean nothing for a sentence, or are not supported yet.
+pub(super) fn unsupported(claims: &Claims, sentence: &Sentence) -> Result<()> {
+    let claim = &sentence.claim;
+    let spans = [
+        ("in", sentence.scope.as_ref().map(|address| address.span)),
+        ("where", claim.meanings.first().map(|(name, _)| name.span)),
+        ("also equals", claim.also_equals.as_ref().map(|s| s.span)),
+        ("dropping", claim.dropping.as_ref().map(|s| s.span)),
+        ("up to a constant", claim.up_to_a_constant),
+        ("times", claim.times.as_ref().map(|s| s.span)),
+        ("divided by", claim.divided_by.as_ref().map(|s| s.span)),
+        ("erratum", claim.errata.first().map(|e| e.printed.span)),
+        ("skip", claim.skip.as_ref().map(|s| s.span)),
+        ("defines", claim.defines.first().map(|s| s.span)),
+        ("generates", claim.generates.as_ref().map(|s| s.span)),
+        ("equation of motion of", claim.equation_of_motion_of.as_ref().map(|s| s.span)),
+        ("from", claim.from.first().map(|address| address.span)),
+    ];
+    match spans.into_iter().find_map(|(key, span)| Some((key, span?))) {
+        Some((key, span)) => Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported for a sentence"))),
+        None => Ok(()),
+    }
 }
 
 fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(Finding, String)> {

@@ -6,8 +6,10 @@
 use crate::Result;
 use crate::formula::evaluate::evaluate;
 use crate::formula::{Expr, SymbolId, Value};
+use crate::notes::claims::Range;
 use crate::scalar::{Measured, Series};
 
+use super::draw::contains;
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{self, Failure, Link, Point};
 use super::scene::Scene;
@@ -163,7 +165,8 @@ fn refuted(
 
 /// How many real roots `target` has in the unknown at a state.
 fn count_roots(target: &Link, unknown: SymbolId, scene: &mut Scene<'_, Measured>) -> usize {
-    let roots = roots_on_the_grid(|x| {
+    let range = scene.model().range(unknown);
+    let roots = roots_on_the_grid(&range, |x| {
         scene.set_only(&[(unknown, Series::from_derivatives(&[Measured::new(x)]))]);
         match (evaluate(&target.lhs, scene, &[]), evaluate(&target.rhs, scene, &[])) {
             (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) => (a - b).value().value,
@@ -174,13 +177,14 @@ fn count_roots(target: &Link, unknown: SymbolId, scene: &mut Scene<'_, Measured>
     roots
 }
 
-/// How many real roots a function has on a logarithmic grid of both signs: its changes of sign, and those that it
+/// How many real roots a function has within a range, on a logarithmic grid of both signs: its changes of sign, and those that it
 /// makes twice between two points of the grid, which show as a dip towards zero.
-pub fn roots_on_the_grid(mut value_at: impl FnMut(f64) -> f64) -> usize {
+pub fn roots_on_the_grid(range: &Range, mut value_at: impl FnMut(f64) -> f64) -> usize {
     let exponents = -DECADES * PER_DECADE..=DECADES * PER_DECADE;
     // Off the round numbers, where roots of examples lie.
     let positive: Vec<f64> = exponents.map(|k| 1.0123 * 10f64.powf(f64::from(k) / f64::from(PER_DECADE))).collect();
     let grid = positive.iter().rev().map(|x| -x).chain([0.0]).chain(positive.iter().copied());
+    let grid = grid.filter(|x| contains(range, *x));
     let points: Vec<(f64, f64)> = grid.map(|x| (x, value_at(x))).filter(|(_, value)| value.is_finite()).collect();
     let changes = points.windows(2).filter(|pair| pair[0].1 * pair[1].1 < 0.0).count();
     let zeros = points.iter().filter(|(_, value)| *value == 0.0).count();
@@ -230,17 +234,17 @@ pub fn mentions(expr: &Expr, id: SymbolId) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::roots_on_the_grid;
+    use super::*;
 
     #[test]
     fn roots_are_counted_far_apart_and_close_together() {
-        let between = |a: f64, b: f64| roots_on_the_grid(|x| (x - a) * (x - b));
+        let between = |a: f64, b: f64| roots_on_the_grid(&Range::Any, |x| (x - a) * (x - b));
         assert_eq!(between(1.0, 1000.0), 2);
         assert_eq!(between(1.0, 1.0001), 2);
         assert_eq!(between(-3.0, 0.02), 2);
-        assert_eq!(roots_on_the_grid(|x| (x - 2.0) * (x - 2.0)), 1);
-        assert_eq!(roots_on_the_grid(|x| x * x + 1e-6), 0);
-        assert_eq!(roots_on_the_grid(|x| (x - 2.0) * (x - 2.0) + 1e-9), 0);
-        assert_eq!(roots_on_the_grid(|x| 3.0 * x - 1.0), 1);
+        assert_eq!(roots_on_the_grid(&Range::Any, |x| (x - 2.0) * (x - 2.0)), 1);
+        assert_eq!(roots_on_the_grid(&Range::Any, |x| x * x + 1e-6), 0);
+        assert_eq!(roots_on_the_grid(&Range::Any, |x| (x - 2.0) * (x - 2.0) + 1e-9), 0);
+        assert_eq!(roots_on_the_grid(&Range::Any, |x| 3.0 * x - 1.0), 1);
     }
 }

@@ -3,6 +3,8 @@
 //! A check that accepts a twin has not checked much. Every pass is held against its twins at the very states it used;
 //! the twins of a refuted claim that hold are what its author may have meant.
 
+use std::cell::Cell;
+
 use crate::formula::tree::{Function, Index, Sign};
 use crate::formula::{Expr, Kind, Node, SymbolId, text};
 
@@ -53,14 +55,33 @@ pub fn twins(link: &Link, model: &Model) -> Vec<Twin> {
     }
     present.sort();
     present.dedup();
-    let slips = Slips { model, present };
+    let count = |side: &Expr| {
+        let mut nodes = 0;
+        side.walk(&mut |_| nodes += 1);
+        nodes
+    };
+    // Of a formula too long to try every slip, slips are taken at even distances.
+    let stride = (4 * (count(&link.lhs) + count(&link.rhs)) / MOST).max(1);
+    let slips = Slips { model, present, stride, met: Cell::new(0) };
+    let negated = (!link.rhs.is_zero()).then(|| {
+        let words = text::formula(&link.rhs, &model.symbols);
+        let rhs = link.rhs.clone().negated();
+        Twin { link: Link { rhs, ..link.clone() }, slip: Slip::Sign, change: format!("“−({words})”") }
+    });
     let left = slips.of(&link.lhs).into_iter().map(|(lhs, slip, change)| (Link { lhs, ..link.clone() }, slip, change));
     let right = slips.of(&link.rhs).into_iter().map(|(rhs, slip, change)| (Link { rhs, ..link.clone() }, slip, change));
-    left.chain(right).map(|(link, slip, change)| Twin { link, slip, change }).collect()
+    left.chain(right).map(|(link, slip, change)| Twin { link, slip, change }).chain(negated).collect()
 }
+
+/// About as many twins of one claim are tried.
+const MOST: usize = 2_000;
 
 struct Slips<'a> {
     model: &'a Model,
+    /// One in so many slips is made.
+    stride: usize,
+    /// How many slips were met.
+    met: Cell<usize>,
     /// The symbols of the claim.
     present: Vec<SymbolId>,
 }
@@ -74,13 +95,21 @@ impl Slips<'_> {
             if matches!(&expr.node, Node::Power(..)) && at == 1 {
                 continue;
             }
-            for (changed, slip, change) in self.of(expr.children()[at]) {
+            let inside = self.of(expr.children()[at]);
+            let kept = inside.into_iter().filter(|_| self.stride == 1 || count < MOST / 8 || self.is_wanted());
+            for (changed, slip, change) in kept {
                 let mut whole = expr.clone();
                 *whole.children_mut()[at] = changed;
                 slips.push((whole, slip, change));
             }
         }
         slips
+    }
+
+    /// Whether the slip met now is one of those that are made.
+    fn is_wanted(&self) -> bool {
+        self.met.set(self.met.get() + 1);
+        self.met.get().is_multiple_of(self.stride)
     }
 
     fn words(&self, expr: &Expr) -> String {
@@ -94,6 +123,9 @@ impl Slips<'_> {
         match &expr.node {
             Node::Sum(terms) => {
                 for (at, term) in terms.iter().enumerate() {
+                    if !self.is_wanted() {
+                        continue;
+                    }
                     let words = self.words(&term.expr);
                     let mut flipped = terms.clone();
                     flipped[at].sign = term.sign.flipped();
@@ -108,6 +140,9 @@ impl Slips<'_> {
             }
             Node::Product(factors) => {
                 for at in 0..factors.len() {
+                    if !self.is_wanted() {
+                        continue;
+                    }
                     let mut fewer = factors.clone();
                     let gone = fewer.remove(at);
                     let rest = if fewer.len() == 1 { fewer.remove(0).node } else { Node::Product(fewer) };

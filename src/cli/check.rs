@@ -101,8 +101,11 @@ fn find(path: &Path, claims: Option<&Path>) -> Result<Vec<Job>> {
     if path.extension().is_some_and(|extension| extension == "json") {
         return Ok(vec![Job::Claims(path.to_owned())]);
     }
+    if let Err(error) = path.metadata() {
+        return Err(Error::new(format!("cannot read {}: {error}", path.display())));
+    }
     let claims = claims.map_or_else(|| claims_beside(path), Path::to_owned);
-    if path.exists() && !claims.exists() {
+    if !claims.exists() {
         return Err(Error::new(format!("{} has no claims file", path.display()))
             .help(format!("it would be {}", claims.display())));
     }

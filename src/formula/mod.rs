@@ -2,7 +2,7 @@
 //!
 //! [`tree`] is the formula as a tree whose every node keeps the bytes it came from; [`symbols`] is the table of what
 //! each name is; [`shape`] gives every formula one type (scalar, vector, matrix; free indices) or refuses it, and
-//! makes implied sums explicit; [`evaluate`] gives its value over any [`crate::scalar::Number`]; [`text`] echoes it in
+//! makes implied sums explicit; [`mod@evaluate`] gives its value over any [`crate::scalar::Number`]; [`text`] echoes it in
 //! plain words. This room knows nothing of LaTeX, of mechanics, or of what a claim is.
 
 pub mod assignment;

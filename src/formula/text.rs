@@ -181,11 +181,13 @@ fn matching(inner: &str) -> Option<usize> {
 
 fn mark(command: &str) -> Option<&'static str> {
     Some(match command {
+        "dot" => "\u{307}",
+        "ddot" => "\u{308}",
         "vec" => "\u{20d7}",
         "hat" => "\u{302}",
         "bar" => "\u{304}",
         "tilde" => "\u{303}",
-        "mathbf" | "mathrm" | "mathbb" | "mathcal" => "",
+        "mathbf" | "mathrm" => "",
         _ => return None,
     })
 }

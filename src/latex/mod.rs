@@ -4,7 +4,7 @@
 //! the tokens into what is typeset (groups, fences, fractions, scripts, rows) and cannot fail: what it does not
 //! understand becomes a node that carries the fault. [`reader`] gives the layout its one meaning, with the help of the
 //! declared symbols, or says at which bytes there is none or more than one. [`statements`] reads a whole display, and
-//! [`typeset`] writes a formula so that it reads back as itself.
+//! [`mod@typeset`] writes a formula so that it reads back as itself.
 //!
 //! The rules that settle what authors leave open are in the module documentation of [`reader`].
 

@@ -62,12 +62,11 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
                 subscript(sub, branch, &mut printed.name.subscript)?;
             }
             printed.name.primes = printed.name.primes.saturating_add(*primes);
-            match sup {
-                Some(sup) => match prime_marks(sup) {
+            if let Some(sup) = sup {
+                match prime_marks(sup) {
                     Some(marks) => printed.name.primes = printed.name.primes.saturating_add(marks),
                     None => printed.sup = Some(sup),
-                },
-                None => {}
+                }
             }
             Some(printed)
         }

@@ -237,6 +237,7 @@ impl Reader<'_> {
             expr.span = whole;
             return Ok(expr);
         }
+        let factors: Vec<Expr> = runs.iter().flat_map(|(_, run)| run.iter().cloned()).collect();
         let mut parts: Vec<(Joint, Expr, bool)> = Vec::new();
         for (joint, run) in runs {
             let expr = beside(run);
@@ -244,11 +245,7 @@ impl Reader<'_> {
             parts.push((joint, expr, is_vector));
         }
         if parts.iter().filter(|(_, _, is_vector)| *is_vector).count() < 2 {
-            let factors = parts.into_iter().flat_map(|(_, expr, _)| match expr.node {
-                Node::Product(factors) => factors,
-                _ => vec![expr],
-            });
-            return Ok(Expr::new(Node::Product(factors.collect()), whole));
+            return Ok(Expr::new(Node::Product(factors), whole));
         }
         for (joint, make) in [(Joint::Times, Node::Cross as fn(_, _) -> _), (Joint::CDot, Node::Dot as fn(_, _) -> _)] {
             let mut folded: Vec<(Joint, Expr, bool)> = Vec::new();
@@ -365,6 +362,7 @@ impl Reader<'_> {
             }
             Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
                 (Layout::Fault(fault), _) => Err(fault.clone()),
+                (Layout::Command(name), _) => Err(unknown_command(name, nucleus.span)),
                 (_, Some(sub)) => Err(Fault::new(sub.span, "a subscript on something that is not a symbol")),
                 _ => Err(Fault::new(span, "a prime on something that is not a symbol")),
             },
@@ -586,7 +584,15 @@ impl Reader<'_> {
         items: &[Item],
         cursor: &mut usize,
     ) -> Read<Expr> {
-        let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor) else {
+        let (item, above) = match items.get(*cursor) {
+            // `\mathbf{R}_z(\psi)^T`: what stands above the parenthesis is meant for all of it.
+            Some(Item { layout: Layout::Scripts { nucleus, sub: None, sup: Some(above), primes: 0 }, .. }) => {
+                (Some(nucleus.as_ref()), Some(above.as_ref()))
+            }
+            item => (item, None),
+        };
+        let sup = sup.or(above);
+        let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = item else {
             return Err(Fault::new(span, format!("{} wants its angle in parentheses", self.symbols.entry(id).name)));
         };
         *cursor += 1;

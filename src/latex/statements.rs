@@ -66,8 +66,11 @@ struct Piece<'a> {
     row: usize,
 }
 
+/// The relation before a member and where it stands; none before the first.
+type Printed = Option<(Relation, Span)>;
+
 struct Link<'a> {
-    relation: Option<(Relation, Span)>,
+    relation: Printed,
     items: Vec<&'a Item>,
 }
 
@@ -256,7 +259,7 @@ impl Piece<'_> {
     fn read(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<(Statement, Option<SymbolId>), Fault> {
         let span = self.span();
         let (mut members, mut types, mut relations) = (Vec::new(), Vec::new(), Vec::new());
-        let links: Vec<(Option<(Relation, Span)>, Vec<Item>)> = self
+        let links: Vec<(Printed, Vec<Item>)> = self
             .links
             .iter()
             .map(|link| (link.relation, link.items.iter().map(|item| (*item).clone()).collect()))

@@ -57,8 +57,10 @@ impl Typesetter<'_> {
                     let piece = self.factor(factor, false);
                     if at > 0 {
                         // A number must not run on into the one before, nor a name into a command or a call.
+                        let run_on = matches!(factors[at - 1].node, Node::Number(_))
+                            && matches!(factor.node, Node::Quotient(..) | Node::Root(..));
                         let digits = piece.starts_with(|c: char| c.is_ascii_digit());
-                        text.push_str(if digits { " \\cdot " } else { " \\, " });
+                        text.push_str(if digits || run_on { " \\cdot " } else { " \\, " });
                     }
                     text.push_str(&piece);
                 }
@@ -106,7 +108,11 @@ impl Typesetter<'_> {
             Node::Delta(indices) => format!("\\delta_{{{}}}", self.indices(indices)),
             Node::SumOver { body, implied: true, .. } => self.bare(body),
             Node::SumOver { index, body, .. } => {
-                format!("\\sum_{{{}}} {}", self.symbols.indices[index.0].letter, self.bare(body))
+                let body = match &body.node {
+                    Node::Sum(_) => format!("\\left({}\\right)", self.bare(body)),
+                    _ => self.bare(body),
+                };
+                format!("\\sum_{{{}}} {body}", self.symbols.indices[index.0].letter)
             }
         }
     }

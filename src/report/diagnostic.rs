@@ -24,10 +24,7 @@ pub fn error(error: &Error, colour: bool) -> String {
     match error.place().and_then(|(source, span)| Excerpt::of(source, span)) {
         Some(excerpt) => renderer(colour).render(&[title.element(excerpt.snippet("")).elements(help)]),
         None => {
-            let place = error.place().map(|(source, span)| {
-                let (line, column) = source.line_column(span.start);
-                Level::NOTE.message(format!("at {}:{line}:{column}", source.path))
-            });
+            let place = error.place().map(|(source, span)| place(source, span));
             renderer(colour).render(&[title.elements(place).elements(help)])
         }
     }
@@ -58,7 +55,7 @@ pub fn verdict(
     let notes = notes.into_iter().map(|note| Level::NOTE.message(note));
     match Excerpt::of(source, span) {
         Some(excerpt) => renderer(colour).render(&[title.element(excerpt.snippet(label)).elements(notes)]),
-        None => renderer(colour).render(&[title.elements(notes)]),
+        None => renderer(colour).render(&[title.element(place(source, span)).elements(notes)]),
     }
 }
 
@@ -71,6 +68,12 @@ pub fn evidence(counterexample: &Counterexample) -> Vec<String> {
         format!("at {}", if state.is_empty() { "every state".to_owned() } else { state.join(", ") }),
         format!("left side {}, right side {}{entry}", short(counterexample.lhs, 7), short(counterexample.rhs, 7)),
     ]
+}
+
+/// The place of something whose lines are too long to show.
+fn place(source: &Source, span: Span) -> annotate_snippets::Message<'static> {
+    let (line, column) = source.line_column(span.start);
+    Level::NOTE.message(format!("at {}:{line}:{column}", source.path))
 }
 
 /// A number with so many significant digits.
