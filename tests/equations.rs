@@ -16,6 +16,9 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use paper::Paper;
 use typo::Typo;
 
+/// A test of the tests.
+type Meta = fn(&[Arc<Paper>], &[Typo]) -> Result<(), Failed>;
+
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
     let mut trials = Vec::new();
@@ -37,7 +40,7 @@ fn main() -> ExitCode {
         let (typo, papers) = (typo.clone(), papers.clone());
         trials.push(Trial::test(typo.title(), move || typo.must_fail(home(&typo, &papers)?)));
     }
-    let meta: [(&str, fn(&[Arc<Paper>], &[Typo]) -> Result<(), Failed>); 4] = [
+    let meta: [(&str, Meta); 4] = [
         ("every number from 5.63 to 5.70 and from 6.71 to 6.78 is there", every_number_is_there),
         ("every equation has three typos of three kinds", three_typos_of_three_kinds),
         ("every typo has its equation", every_typo_has_its_equation),

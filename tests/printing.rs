@@ -78,6 +78,34 @@ proptest! {
     }
 }
 
+/// Small formulas that are easily printed wrong; each is read, printed, and read again.
+#[test]
+fn parentheses_and_numbers_survive_printing() {
+    let symbols = table(false);
+    for latex in [
+        r"(2x) \cdot 3",
+        r"(x m) \cdot (2 M)",
+        r"2 \cdot \frac{1}{2}",
+        r"3 \cdot \sqrt{2}",
+        r"\frac{\pi}{2} \cdot 2",
+        r"\mathbf{S}_z(\theta)^T \mathbf{R}",
+        r"\left(\mathbf{S}_z(\theta)\right)^{-1}",
+        r"(\omega_a \omega_a) \cdot (\omega_a \omega_a)",
+        r"\sum_a (\omega_a - \dot\omega_a)",
+        r"(\vec r \times \vec v) \cdot \hat e_1",
+        r"-(x - m)",
+        r"x - (m + M)",
+        r"\left(\frac{x}{m}\right)^2",
+        r"\left(x^2\right)^3",
+        r"\cos^2(\theta) - \cos(\theta^2)",
+        r"\frac{d}{dt}\left(m \dot x\right)",
+    ] {
+        let read = read_formula(latex, &mut table(false), &Macros::default());
+        let read = read.unwrap_or_else(|fault| panic!("{latex} is refused: {}", fault.message));
+        assert_eq!(read_back(&read, &symbols), Ok(read), "{latex}");
+    }
+}
+
 /// The same formula with one slip in it, at one of its nodes.
 fn slip(expr: &Expr, at: prop::sample::Index) -> Expr {
     fn count(expr: &Expr) -> usize {

@@ -16,7 +16,9 @@ const SCALARS: [&str; 10] =
 pub fn table(open: bool) -> Symbols {
     let mut symbols = if open { Symbols::open() } else { Symbols::new() };
     if !open {
-        ["a", "b", "c"].iter().for_each(|letter| drop(symbols.add_index(letter, 3)));
+        for letter in ["a", "b", "c"] {
+            symbols.add_index(letter, 3);
+        }
     }
     let mut add = |latex: &str, kind: Kind| {
         let (name, _) = names::parse(latex).expect("it is a name");
@@ -135,7 +137,6 @@ fn contracted() -> impl Strategy<Value = Expr> {
         any::<bool>().prop_map(move |sums| {
             let terms = vec![(false, symbol(OMEGA, &[a], 0)), (true, symbol(OMEGA, &[a], 1))];
             let body = if sums { sum(terms) } else { product(terms.into_iter().map(|(_, term)| term).collect()) };
-            let body = if sums { product(vec![body, symbol(OMEGA, &[a], 0)]) } else { body };
             node(Node::SumOver { index: IndexId(0), implied: false, body: boxed(body) })
         }),
     ]
