@@ -1,0 +1,233 @@
+//! The kinds of claim about an equation, each true and false.
+
+use onshell::check::Verdict::{Refuted, Undecided, Unreadable, Verified};
+use serde_json::json;
+
+use crate::support::{equation, error, numbers, pendulum, planet, verdict, with};
+
+const FREQUENCY_SQUARED: &str = r"l \ddot\theta = -g \sin\theta";
+
+#[test]
+fn what_is_not_always_true_is_tried_on_shell_and_the_report_says_which() {
+    let energy = equation(&pendulum(), &[r"T = \frac12 m l^2 \dot\theta^2"], json!({}));
+    assert_eq!((energy.finding.verdict, energy.finding.message.as_str()), (Verified, "holds always"));
+    let motion = equation(&pendulum(), &[FREQUENCY_SQUARED], json!({}));
+    assert_eq!((motion.finding.verdict, motion.finding.message.as_str()), (Verified, "holds on shell"));
+    let wrong = equation(&pendulum(), &[r"l \ddot\theta = g \sin\theta"], json!({}));
+    assert_eq!(wrong.finding.verdict, Refuted);
+    assert!(wrong.finding.message.contains("on shell"), "{}", wrong.finding.message);
+}
+
+#[test]
+fn a_pinned_reading_does_not_fall_back() {
+    assert_eq!(verdict(&pendulum(), &[FREQUENCY_SQUARED], json!({ "holds": "on shell" })), Verified);
+    assert_eq!(verdict(&pendulum(), &[FREQUENCY_SQUARED], json!({ "holds": "always" })), Refuted);
+}
+
+#[test]
+fn without_a_system_nothing_is_on_shell() {
+    assert_eq!(verdict(&numbers(), &["(a + b)^2 = a^2 + 2ab + b^2"], json!({})), Verified);
+    assert_eq!(verdict(&numbers(), &["(a + b)^2 = a^2 + b^2"], json!({})), Refuted);
+}
+
+#[test]
+fn every_link_of_a_chain_counts() {
+    assert_eq!(verdict(&numbers(), &["(a + b)^2 = (b + a)^2 = a^2 + 2ab + b^2"], json!({})), Verified);
+    assert_eq!(verdict(&numbers(), &["(a + b)^2 = (b - a)^2 = a^2 - 2ab + b^2"], json!({})), Refuted);
+    assert_eq!(verdict(&numbers(), &["(a + b)^2 = a^2 + 2ab + b^2 = a^2 + b^2"], json!({})), Refuted);
+}
+
+#[test]
+fn every_row_and_every_branch_counts() {
+    let rows = |second: &str| format!(r"\begin{{aligned}} a + b &= b + a \\ a - b &= {second} \end{{aligned}}");
+    assert_eq!(verdict(&numbers(), &[&rows("-(b - a)")], json!({})), Verified);
+    assert_eq!(verdict(&numbers(), &[&rows("b - a")], json!({})), Refuted);
+    assert_eq!(verdict(&numbers(), &[r"(a \pm b)^2 = a^2 \pm 2ab + b^2"], json!({})), Verified);
+    assert_eq!(verdict(&numbers(), &[r"(a \pm b)^2 = a^2 \mp 2ab + b^2"], json!({})), Refuted);
+    assert_eq!(verdict(&numbers(), &[r"(a \pm b)^2 = a^2 + 2ab + b^2"], json!({})), Refuted);
+}
+
+#[test]
+fn at_an_instant_is_not_throughout() {
+    let circular = r"m r \dot\phi^2 = \frac{GMm}{r^2}";
+    assert_eq!(verdict(&planet(), &[circular], json!({ "throughout": r"\dot r = 0" })), Verified);
+    assert_eq!(verdict(&planet(), &[circular], json!({ "assume": r"\dot r = 0" })), Refuted);
+    assert_eq!(verdict(&planet(), &[circular], json!({})), Refuted);
+    let wrong = r"m r \dot\phi^2 = -\frac{GMm}{r^2}";
+    assert_eq!(verdict(&planet(), &[wrong], json!({ "throughout": r"\dot r = 0" })), Refuted);
+}
+
+#[test]
+fn an_assumption_is_used_and_no_more_than_that() {
+    let turning = r"E = -mgl\cos\theta";
+    assert_eq!(verdict(&pendulum(), &[turning], json!({ "assume": r"\dot\theta = 0" })), Verified);
+    assert_eq!(verdict(&pendulum(), &[turning], json!({})), Refuted);
+    let of_positive = with(&numbers(), "equations", json!({}));
+    assert_eq!(verdict(&of_positive, &[r"\sqrt{x^2} = x"], json!({ "assume": "x > 0" })), Verified);
+    assert_eq!(verdict(&of_positive, &[r"\sqrt{x^2} = x"], json!({ "assume": "x < 0" })), Refuted);
+}
+
+#[test]
+fn a_named_condition_is_what_its_name_says() {
+    let named = with(&pendulum(), "conditions", json!({ "at rest": r"\dot\theta = 0" }));
+    assert_eq!(verdict(&named, &[r"E = -mgl\cos\theta"], json!({ "assume": "at rest" })), Verified);
+    assert_eq!(verdict(&named, &[r"E = mgl\cos\theta"], json!({ "assume": "at rest" })), Refuted);
+    assert!(error(&named, &[r"E = -mgl\cos\theta"], json!({ "assume": "at rset" })).contains("claims.json:"));
+}
+
+const QUADRATIC: &str = "x^2 - 2bx + c = 0";
+
+#[test]
+fn solutions_are_all_of_them_and_each_once() {
+    let solves = |solution: &str| {
+        let found = equation(&numbers(), &[QUADRATIC, solution], json!({ "solves": "1", "for": "x" }));
+        let whole = found.parts.iter().find(|part| part.reading.starts_with("solves"));
+        let finding = whole.map_or(found.finding.clone(), |part| part.finding.clone());
+        (finding.verdict, finding.message)
+    };
+    let (found, message) = solves(r"x_{\pm} = b \pm \sqrt{b^2 - c}");
+    assert_eq!(found, Verified, "{message}");
+    assert!(message.starts_with("2 of 2"), "{message}");
+    for (wrong, why) in [
+        (r"x_{\pm} = b \pm \sqrt{b^2 + c}", "does not satisfy"),
+        (r"x_{\pm} = b \pm 2\sqrt{b^2 - c}", "does not satisfy"),
+        (r"x_{\pm} = -b \pm \sqrt{b^2 - c}", "does not satisfy"),
+        (r"x_{+} = b + \sqrt{b^2 - c}", "2 real solutions, and 1"),
+        (r"x_{-} = b - \sqrt{b^2 - c}", "2 real solutions, and 1"),
+        (r"x_{+} = b + \sqrt{b^2 - c} , \quad x_{-} = \sqrt{b^2 - c} + b", "same solution"),
+    ] {
+        let (found, message) = solves(wrong);
+        assert_eq!(found, Refuted, "{wrong}: {message}");
+        assert!(message.contains(why), "{wrong}: {message}");
+    }
+}
+
+#[test]
+fn no_real_solution_is_no_evidence() {
+    let solution = r"x_{\pm} = b \pm \sqrt{b^2 - c}";
+    let found = equation(&numbers(), &[QUADRATIC, solution], json!({ "solves": "1", "for": "x", "assume": "b^2 < c" }));
+    assert!(!found.ok && found.finding.verdict == Undecided, "{}", found.finding.message);
+}
+
+#[test]
+fn a_limit_is_at_its_end_with_its_coefficient() {
+    let limit = |latex: &str, end: &str| verdict(&numbers(), &[latex], json!({ "limit": end }));
+    assert_eq!(limit(r"\sin(ax) \approx a x", r"x \to 0"), Verified);
+    assert_eq!(limit(r"\sin(ax) \approx x", r"x \to 0"), Refuted);
+    assert_eq!(limit(r"\sin(ax) \approx 2a x", r"x \to 0"), Refuted);
+    assert_eq!(limit(r"\sin(ax) \approx a x^2", r"x \to 0"), Refuted);
+    assert_eq!(limit(r"\sin(ax) \approx a x", r"x \to \infty"), Refuted);
+    assert_eq!(limit(r"\sqrt{x^2 + a^2} \approx 2x", r"x \to \infty"), Refuted);
+    assert_eq!(limit(r"\sqrt{x^2 + a^2} \approx x", r"x \to -\infty"), Refuted);
+}
+
+#[test]
+fn a_term_that_dies_in_the_limit_is_no_reason_for_doubt() {
+    let limit = |latex: &str, end: &str| verdict(&numbers(), &[latex], json!({ "limit": end }));
+    assert_eq!(limit(r"\sqrt{x^2 + a^2} \approx x", r"x \to \infty"), Verified);
+    assert_eq!(limit(r"\sqrt{x^2 + a^2} \approx -x", r"x \to -\infty"), Verified);
+    assert_eq!(limit(r"a \tanh x \approx a", r"x \to \infty"), Verified);
+    assert_eq!(limit(r"a \tanh x \approx a", r"x \to -\infty"), Refuted);
+    assert_eq!(limit(r"a \tanh x \approx -a", r"x \to -\infty"), Verified);
+    // But one that stands on the approximate side says more than was checked.
+    assert_ne!(limit(r"\frac{1}{1 - x} \approx 1 + x", r"x \to 0"), Verified);
+    assert_ne!(limit(r"\frac{1}{1 - x} \approx 1 + 2x", r"x \to 0"), Verified);
+}
+
+#[test]
+fn approximately_without_a_limit_is_refused() {
+    let found = equation(&numbers(), &[r"\sin(ax) \approx a x"], json!({}));
+    assert_eq!(found.finding.verdict, Unreadable);
+    assert!(found.finding.message.contains("when?"), "{}", found.finding.message);
+}
+
+#[test]
+fn a_hamiltonian_generates_the_motion() {
+    let claims = with(&pendulum(), "means", json!({ "H": "Hamiltonian" }));
+    let generates = |latex: &str| {
+        let found = equation(&claims, &[latex], json!({ "generates": "the motion" }));
+        let part = found.parts.iter().find(|part| part.reading.contains("generates")).cloned();
+        (found.ok, part.unwrap_or_else(|| panic!("{found:?}")).finding.verdict)
+    };
+    assert_eq!(generates(r"H = \frac{p_\theta^2}{2ml^2} - mgl\cos\theta"), (true, Verified));
+    assert_eq!(generates(r"H = \frac{p_\theta^2}{2ml^2} + mgl\cos\theta"), (false, Refuted));
+    assert_eq!(generates(r"H = \frac{p_\theta^2}{ml^2} - mgl\cos\theta"), (false, Refuted));
+    // It has the right value at every state, and as a function of the momentum is not the Hamiltonian.
+    assert_ne!(generates(r"H = \frac12 p_\theta \dot\theta - mgl\cos\theta").1, Verified);
+    assert_ne!(generates(r"H = \frac12 m l^2 \dot\theta^2 - mgl\cos\theta").1, Verified);
+}
+
+#[test]
+fn what_is_dropped_is_dropped_exactly() {
+    let kinetic = r"E = \frac12 m l^2 \dot\theta^2";
+    assert_eq!(verdict(&pendulum(), &[kinetic], json!({ "dropping": r"-mgl\cos\theta" })), Verified);
+    assert_eq!(verdict(&pendulum(), &[kinetic], json!({ "dropping": r"mgl\cos\theta" })), Refuted);
+    assert_eq!(verdict(&pendulum(), &[kinetic], json!({ "dropping": r"-mg\cos\theta" })), Refuted);
+    assert_eq!(verdict(&pendulum(), &[kinetic], json!({})), Refuted);
+}
+
+#[test]
+fn another_name_for_it_is_held_against_it() {
+    let energy = r"E = \frac12 m l^2 \dot\theta^2 - mgl\cos\theta";
+    assert_eq!(verdict(&pendulum(), &[energy], json!({ "also equals": r"p_\theta \dot\theta - L" })), Verified);
+    assert_eq!(verdict(&pendulum(), &[energy], json!({ "also equals": r"p_\theta \dot\theta + L" })), Refuted);
+    assert_eq!(verdict(&pendulum(), &[energy], json!({ "also equals": "L" })), Refuted);
+}
+
+#[test]
+fn conserved_is_what_varies_and_does_not_on_shell() {
+    let energy = r"E = \frac12 m l^2 \dot\theta^2 - mgl\cos\theta";
+    let conserved = |what: &str| verdict(&pendulum(), &[energy], json!({ "conserved": what }));
+    assert_eq!(conserved("E"), Verified);
+    assert_eq!(conserved(r"E^2 + mgl"), Verified);
+    assert_eq!(conserved(r"p_\theta"), Refuted);
+    assert_eq!(conserved("L"), Refuted);
+    assert_eq!(conserved(r"\frac12 m l^2 \dot\theta^2 + mgl\cos\theta"), Refuted);
+    // It never varies, so nothing is said.
+    assert_eq!(conserved("m l^2"), Undecided);
+    assert_eq!(conserved(r"\sin^2\theta + \cos^2\theta"), Undecided);
+}
+
+#[test]
+fn conserved_can_be_said_in_print() {
+    let planet = planet();
+    let constant = |latex: &str| verdict(&planet, &[latex], json!({}));
+    assert_eq!(constant(r"p_\phi = m r^2 \dot\phi \text{ is constant}"), Verified);
+    assert_eq!(constant(r"p_\phi = m r \dot\phi \text{ is constant}"), Refuted);
+    assert_eq!(constant(r"p_r = m \dot r \text{ is constant}"), Refuted);
+}
+
+#[test]
+fn an_expected_failure_is_that_failure_and_no_other() {
+    let wrong = r"l \ddot\theta = g \sin\theta";
+    let expecting = |latex: &str, verdict: &str| {
+        equation(&pendulum(), &[latex], json!({ "expect": verdict, "because": "it is a test" })).ok
+    };
+    assert!(expecting(wrong, "refuted"));
+    assert!(!expecting(FREQUENCY_SQUARED, "refuted"));
+    assert!(!expecting(wrong, "unreadable"));
+    assert!(!expecting(wrong, "undecided"));
+    assert!(expecting(r"l \ddot\theta = \foo", "unreadable"));
+    assert!(!expecting(r"l \ddot\theta = \foo", "refuted"));
+    for no_reason in [
+        json!({ "expect": "refuted" }),
+        json!({ "because": "why not" }),
+        json!({ "expect": "verified", "because": "." }),
+    ] {
+        assert!(error(&pendulum(), &[wrong], no_reason).contains("claims.json:"));
+    }
+}
+
+#[test]
+fn an_erratum_fails_as_printed_and_passes_as_corrected() {
+    let wrong = r"l \ddot\theta = g \sin\theta";
+    let erratum = |latex: &str, printed: &str, read: &str| {
+        equation(&pendulum(), &[latex], json!({ "erratum": { "for": printed, "read": read } })).ok
+    };
+    assert!(erratum(wrong, "= g", "= -g"));
+    assert!(!erratum(wrong, "= g", "= -2g"));
+    assert!(!erratum(FREQUENCY_SQUARED, "-g", "- g"));
+    assert!(!erratum(FREQUENCY_SQUARED, "-g", "g"));
+    let absent = error(&pendulum(), &[wrong], json!({ "erratum": { "for": "= h", "read": "= -g" } }));
+    assert!(absent.contains("stands 0 times") && absent.contains("claims.json:"), "{absent}");
+}

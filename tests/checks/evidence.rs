@@ -1,0 +1,175 @@
+//! The ways in which a wrong equation could pass, and what stops each.
+
+use onshell::check::Verdict::{Domain, Refuted, Undecided, Unreadable, Verified};
+use serde_json::json;
+
+use crate::support::{document, equation, error, numbered, numbers, pendulum, verdict, with};
+
+#[test]
+fn hypotheses_that_contradict_each_other_leave_nothing_to_check() {
+    let claim = |assume| equation(&numbers(), &["a + b = b + 2a"], json!({ "assume": assume }));
+    let contradiction = claim(json!(["a > b", "b > a"]));
+    assert_eq!(contradiction.finding.verdict, Undecided);
+    assert!(contradiction.finding.message.contains("contradict"), "{}", contradiction.finding.message);
+    assert_eq!(claim(json!(["a = -1"])).finding.verdict, Undecided);
+    assert_eq!(claim(json!(["a > b"])).finding.verdict, Refuted);
+}
+
+#[test]
+fn a_claim_that_is_its_own_hypothesis_is_not_checked() {
+    let claim = |latex: &str| equation(&pendulum(), &[latex], json!({ "assume": r"\dot\theta = 0" })).finding;
+    assert_eq!(claim(r"\dot\theta = 0").verdict, Undecided);
+    assert_eq!(claim(r"0 = \dot\theta").verdict, Undecided);
+    assert_eq!(claim(r"T = 0").verdict, Verified);
+    assert_eq!(claim(r"U = 0").verdict, Refuted);
+}
+
+#[test]
+fn a_hypothesis_in_other_words_is_no_result() {
+    let claim = |latex: &str| equation(&pendulum(), &[latex], json!({ "assume": r"\dot\theta = 0" })).finding;
+    for latex in [r"2\dot\theta = 0", r"\theta \dot\theta = 0", r"-\dot\theta = \dot\theta^2"] {
+        let found = claim(latex);
+        assert!(found.verdict == Undecided || found.message.contains("assumptions alone"), "{latex}: {found:?}");
+    }
+    assert_eq!(claim(r"E = U").verdict, Verified);
+    assert_eq!(claim(r"2\dot\theta = 1").verdict, Refuted);
+}
+
+#[test]
+fn a_narrow_range_hides_no_fault() {
+    let within = |range: &str| with(&pendulum(), "coordinates", json!({ r"\theta": range }));
+    let (right, wrong) = (r"l \ddot\theta = -g \sin\theta", r"l \ddot\theta = -g \sin^2\theta");
+    assert_eq!(verdict(&within("(0, \\pi)"), &[right], json!({})), Verified);
+    assert_eq!(verdict(&within("(0, \\pi)"), &[wrong], json!({})), Refuted);
+    let found = equation(&within("[1.5707, 1.5709]"), &[wrong], json!({}));
+    assert!(matches!(found.finding.verdict, Undecided | Refuted), "{:?}", found.finding);
+}
+
+#[test]
+fn a_range_too_narrow_to_tell_is_no_evidence() {
+    let within = |range: &str| with(&pendulum(), "coordinates", json!({ r"\theta": range }));
+    for narrow in ["[1.57079, 1.5708]", "[1.570796, 1.570797]", "[1.57079632, 1.57079633]"] {
+        let right = equation(&within(narrow), &[r"l \ddot\theta = -g \sin\theta"], json!({})).finding;
+        assert_ne!(right.verdict, Refuted, "{narrow}: {}", right.message);
+        let wrong = equation(&within(narrow), &[r"l \ddot\theta = -g \sin^2\theta"], json!({})).finding;
+        assert!(matches!(wrong.verdict, Undecided | Refuted), "{narrow}: {wrong:?}");
+    }
+}
+
+#[test]
+fn a_condition_hides_no_fault() {
+    let wrong = r"l \ddot\theta = -g \sin^2\theta";
+    let upright = json!({ "assume": r"\theta = \frac{\pi}{2}" });
+    assert_ne!(verdict(&pendulum(), &[wrong], upright), Refuted);
+    // It is true there; what it is true under is what the author says.
+    assert_eq!(verdict(&pendulum(), &[wrong], json!({ "assume": r"\theta = \frac{\pi}{4}" })), Refuted);
+}
+
+#[test]
+fn a_large_offset_makes_nothing_equal() {
+    let offset = |latex: &str| verdict(&numbers(), &[latex], json!({}));
+    assert_eq!(offset("a^2 + 10^3 = 10^3 + a^2"), Verified);
+    assert_eq!(offset("a^2 + 10^3 = a^3 + 10^3"), Refuted);
+    assert_ne!(offset("a^2 + 10^{12} = a^3 + 10^{12}"), Verified);
+    assert_ne!(offset("a^2 + 10^{15} = a^3 + 10^{15}"), Verified);
+}
+
+#[test]
+fn tiny_numbers_are_no_zeros() {
+    assert_eq!(verdict(&numbers(), &["10^{-30} a = 2 \\cdot 10^{-30} a"], json!({})), Refuted);
+    assert_eq!(verdict(&numbers(), &["10^{-30} a = a \\cdot 10^{-30}"], json!({})), Verified);
+    assert_eq!(verdict(&numbers(), &["10^{-30} a = 0"], json!({})), Refuted);
+}
+
+#[test]
+fn equal_letters_are_not_drawn_equal() {
+    assert_eq!(verdict(&numbers(), &["a + b = 2a"], json!({})), Refuted);
+    assert_eq!(verdict(&numbers(), &["ab = b^2"], json!({})), Refuted);
+    assert_eq!(verdict(&numbers(), &["a = a + 0"], json!({})), Verified);
+}
+
+#[test]
+fn defined_on_one_side_only_is_a_verdict_of_its_own() {
+    let domain = |latex: &str| verdict(&numbers(), &[latex], json!({}));
+    assert_eq!(domain(r"2\ln x = \ln(x^2)"), Domain);
+    assert_eq!(domain(r"2\ln a = \ln(a^2)"), Verified);
+    assert_eq!(domain(r"3\ln x = \ln(x^2)"), Refuted);
+    // Two sides without any value agree on nothing.
+    assert_eq!(domain(r"\ln(-1 - a) = \ln(-2 - a)"), Undecided);
+}
+
+#[test]
+fn both_sides_one_formula_is_no_evidence() {
+    let defined = with(&numbers(), "define", json!({ "f": "a + b" }));
+    let copied = equation(&defined, &["f = a + b"], json!({}));
+    assert!(copied.finding.message.contains("by definition"), "{:?}", copied.finding);
+    assert_ne!(copied.finding.verdict, Verified);
+    assert_eq!(verdict(&defined, &["f^2 = a^2 + 2ab + b^2"], json!({})), Verified);
+    assert_eq!(verdict(&defined, &["f = a - b"], json!({})), Refuted);
+}
+
+#[test]
+fn a_definition_that_nothing_stands_on_is_no_pass() {
+    assert_eq!(verdict(&numbers(), &["s = a + b"], json!({})), Undecided);
+    let notes = numbered(&["s = a + b", "s^2 = a^2 + 2ab + b^2"]);
+    let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
+    assert!(found.equations.iter().all(|equation| equation.ok), "{:?}", found.equations);
+    let wrong = numbered(&["s = a - b", "s^2 = a^2 + 2ab + b^2"]);
+    let found = document(&numbers(), &wrong, &Default::default(), None).unwrap();
+    assert_eq!(found.equations[1].finding.verdict, Refuted);
+}
+
+#[test]
+fn a_counterexample_is_one() {
+    let found = equation(&numbers(), &["(a + b)^2 = a^2 + ab + b^2"], json!({})).finding.counterexample.unwrap();
+    let value = |name: &str| found.state.iter().find(|(known, _)| known == name).unwrap().1;
+    let (a, b) = (value("a"), value("b"));
+    assert!((found.lhs - (a + b).powi(2)).abs() < 1e-12 * found.lhs);
+    assert!((found.rhs - (a * a + a * b + b * b)).abs() < 1e-12 * found.rhs);
+}
+
+#[test]
+fn the_message_says_what_would_be_true() {
+    let found = equation(&pendulum(), &[r"l \ddot\theta - g \sin\theta = 0"], json!({}));
+    assert!(found.finding.message.contains("it would hold with “"), "{}", found.finding.message);
+    let hopeless = equation(&pendulum(), &[r"l \ddot\theta = g^3 \tan\theta + l^5"], json!({}));
+    assert!(!hopeless.finding.message.contains("it would hold with"), "{}", hopeless.finding.message);
+}
+
+#[test]
+fn the_sign_before_all_of_a_side_is_a_sign_too() {
+    let found = equation(&pendulum(), &[r"l \ddot\theta = g \sin\theta"], json!({}));
+    assert!(found.finding.message.contains("it would hold with"), "{}", found.finding.message);
+    let square = equation(&pendulum(), &[r"-2mT = m^2 l^2 \dot\theta^2"], json!({}));
+    assert!(square.finding.message.contains("it would hold with"), "{}", square.finding.message);
+}
+
+#[test]
+fn an_undeclared_symbol_is_refused_with_the_nearest_one() {
+    let claims = with(&numbers(), "constants", json!({ r"\omega_0, \lambda_1": "> 0", "a": "any" }));
+    let found = equation(&claims, &[r"a \omega_0 = \omega_1 a"], json!({}));
+    assert_eq!(found.finding.verdict, Unreadable);
+    assert!(found.finding.message.contains(r"did you mean \omega_0?"), "{}", found.finding.message);
+    let dots = equation(&claims, &[r"a = \lambda_1 \Lambda_1"], json!({}));
+    assert!(dots.finding.message.contains(r"did you mean \lambda_1?"), "{}", dots.finding.message);
+    assert_eq!(verdict(&claims, &[r"a \omega_0 = \omega_0 a \cdot 1"], json!({})), Verified);
+    let claimed = error(&claims, &[r"a \omega_0 = \omega_0 a \cdot 1"], json!({ "assume": r"\omgea_0 > 1" }));
+    assert!(claimed.contains("claims.json:"), "{claimed}");
+}
+
+#[test]
+fn what_is_not_understood_is_refused_and_never_passed_over() {
+    for latex in [r"a/bc = \frac{a}{bc}", r"\sin a b = \sin(ab)", r"a = \foo", r"\int a = b", r"a = b + \text{small}"] {
+        assert_eq!(verdict(&numbers(), &[latex], json!({})), Unreadable, "{latex}");
+    }
+    assert_eq!(verdict(&numbers(), &["a b"], json!({})), Unreadable);
+    assert_eq!(verdict(&numbers(), &[r"\sin(ab) = \sin(b a)"], json!({})), Verified);
+}
+
+#[test]
+fn without_a_claim_an_unnumbered_display_is_left_alone_and_a_numbered_one_is_not() {
+    let notes = "$$ a = b $$\n\n$$ a = b \\tag{1} $$\n";
+    let found = document(&numbers(), notes, &Default::default(), None).unwrap();
+    assert_eq!(found.equations.len(), 1);
+    assert_eq!(found.equations[0].finding.verdict, Refuted);
+}

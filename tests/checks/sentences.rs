@@ -1,0 +1,163 @@
+//! Sentences of the prose, each kind true and false.
+
+use onshell::check::Verdict::{self, Refuted, Undecided, Unreadable, Verified};
+use onshell::systems::Registry;
+use serde_json::{Value as Json, json};
+
+use crate::support::{document, numbers, pendulum, planet, with};
+
+/// The verdict on a sentence; (1) of the document is a quadratic equation for x, (2) a double well.
+fn sentence(claims: &Json, test: Json) -> Verdict {
+    let notes = "It is as I say.\n\n$$ x^2 - 2bx + c = 0 \\tag{1} $$\n\n$$ V = x^4 - 2a x^2 \\tag{2} $$\n";
+    let mut test = test;
+    test["quote"] = json!("It is as I say.");
+    test["name"] = json!("the sentence");
+    let claims = with(claims, "sentences", json!([test]));
+    let claims = match claims.get("system") {
+        Some(_) => claims,
+        None => with(&claims, "define", json!({ "V": "x^4 - 2a x^2" })),
+    };
+    let found = document(&claims, notes, &Registry::standard(), None).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(found.sentences.len(), 1);
+    found.sentences[0].finding.verdict
+}
+
+fn of_numbers(test: Json) -> Verdict {
+    sentence(&numbers(), test)
+}
+
+#[test]
+fn the_sign_of_something() {
+    let sign = |of: &str, sign: &str| of_numbers(json!({ "of": of, "sign": sign, "against": "x" }));
+    assert_eq!(sign("x^2 + a", "positive"), Verified);
+    assert_eq!(sign("x^2 + a", "negative"), Refuted);
+    assert_eq!(sign("x^2 + a", "changes"), Refuted);
+    assert_eq!(sign("-x^2 - a", "negative"), Verified);
+    assert_eq!(sign(r"\frac{x}{a}", "changes"), Verified);
+    assert_eq!(sign(r"\frac{x}{a}", "positive"), Refuted);
+    // Only special states show it.
+    assert_eq!(sign("x^2 - 2bx + c", "positive"), Refuted);
+}
+
+#[test]
+fn what_any_number_can_be_has_no_end() {
+    let sign = |of: &str, sign: &str| of_numbers(json!({ "of": of, "sign": sign, "against": "x" }));
+    assert_eq!(sign("x - a", "positive"), Refuted);
+    assert_eq!(sign("x - a", "changes"), Verified);
+}
+
+#[test]
+fn minima_and_maxima_are_counted() {
+    let minima = |n: usize| of_numbers(json!({ "of": "x^4 - 2a x^2", "minima": n, "against": "x" }));
+    assert_eq!((minima(2), minima(1), minima(0), minima(3)), (Verified, Refuted, Refuted, Refuted));
+    let maxima = |n: usize| of_numbers(json!({ "of": "x^4 - 2a x^2", "maxima": n, "against": "x" }));
+    assert_eq!((maxima(1), maxima(0), maxima(2)), (Verified, Refuted, Refuted));
+    let hill = |n: usize| of_numbers(json!({ "of": "a - x^2", "minima": n, "against": "x" }));
+    assert_eq!((hill(0), hill(1)), (Verified, Refuted));
+}
+
+#[test]
+fn where_something_tends_to() {
+    let tends = |of: &str, end: &str, value: &str| of_numbers(json!({ "of": of, "tends to": { end: value } }));
+    assert_eq!(tends(r"\frac{a \sin x}{x}", r"x \to 0", "a"), Verified);
+    assert_eq!(tends(r"\frac{a \sin x}{x}", r"x \to 0", "1"), Refuted);
+    assert_eq!(tends(r"\frac{a \sin x}{x}", r"x \to 0", r"\infty"), Refuted);
+    let positive = with(&numbers(), "constants", json!({ "a, b, c, x": "> 0" }));
+    let diverges =
+        |value: &str| sentence(&positive, json!({ "of": r"\frac{a}{x}", "tends to": { r"x \to 0": value } }));
+    assert_eq!((diverges(r"\infty"), diverges(r"-\infty"), diverges("0")), (Verified, Refuted, Refuted));
+}
+
+#[test]
+fn a_limit_is_reached_however_steep_the_way() {
+    let tends = |value: &str| {
+        of_numbers(json!({ "of": r"\frac{\sin(ax)}{x}", "tends to": { r"x \to 0": value }, "assume": "x > 0" }))
+    };
+    assert_eq!(tends("1"), Refuted);
+    assert_eq!(tends("a"), Verified);
+}
+
+#[test]
+fn rising_and_falling() {
+    let positive = with(&numbers(), "constants", json!({ "a, b, c, x": "> 0" }));
+    let rises = |of: &str| sentence(&positive, json!({ "of": of, "rises with": "x" }));
+    let falls = |of: &str| sentence(&positive, json!({ "of": of, "falls with": "x" }));
+    assert_eq!((rises("a x^2"), falls("a x^2")), (Verified, Refuted));
+    assert_eq!((rises(r"\frac{a}{x}"), falls(r"\frac{a}{x}")), (Refuted, Verified));
+    assert_eq!((rises("x^2 - 2bx"), falls("x^2 - 2bx")), (Refuted, Refuted));
+}
+
+#[test]
+fn solutions_are_counted() {
+    let solutions =
+        |n: usize, assume: &str| of_numbers(json!({ "solutions": n, "of": "1", "for": "x", "assume": assume }));
+    assert_eq!(
+        (solutions(2, "b^2 > c"), solutions(1, "b^2 > c"), solutions(0, "b^2 > c")),
+        (Verified, Refuted, Refuted)
+    );
+    assert_eq!((solutions(0, "b^2 < c"), solutions(2, "b^2 < c")), (Verified, Refuted));
+    assert_eq!(solutions(2, "b > 0"), Refuted);
+}
+
+#[test]
+fn not_always_needs_a_counterexample() {
+    let not_always = |latex: &str| of_numbers(json!({ "not always": latex }));
+    assert_eq!(not_always(r"\sqrt{x^2} = x"), Verified);
+    assert_eq!(not_always("(a + b)^2 = a^2 + 2ab + b^2"), Refuted);
+    assert_eq!(of_numbers(json!({ "not always": r"\sqrt{x^2} = x", "assume": "x > 0" })), Refuted);
+}
+
+#[test]
+fn a_claim_in_other_words() {
+    let claim = |latex: &str| of_numbers(json!({ "claim": latex }));
+    assert_eq!(claim("(a + b)^2 = a^2 + 2ab + b^2"), Verified);
+    assert_eq!(claim("(a + b)^2 = a^2 + b^2"), Refuted);
+    assert_eq!(claim(r"(a + b)^2 = a^2 + 2ab + b^2 , \quad a = b"), Refuted);
+}
+
+#[test]
+fn inequalities_hold_or_fail() {
+    let claim = |latex: &str| of_numbers(json!({ "claim": latex }));
+    assert_eq!(claim("a^2 + b^2 > 3ab"), Refuted);
+    assert_eq!(claim("a + b < a"), Refuted);
+    assert_eq!(claim(r"a \neq b"), Verified);
+    assert_eq!(claim("a^2 + b^2 > ab"), Verified);
+}
+
+#[test]
+fn constants_of_the_motion() {
+    let conserved = |claims: &Json, what: &str| sentence(claims, json!({ "conserved": what }));
+    assert_eq!(conserved(&planet(), r"m r^2 \dot\phi"), Verified);
+    assert_eq!(conserved(&planet(), r"m r \dot\phi"), Refuted);
+    assert_eq!(conserved(&planet(), r"m \dot r"), Refuted);
+    assert_eq!(conserved(&planet(), "m G"), Undecided);
+    assert_eq!(conserved(&pendulum(), "E"), Verified);
+    assert_eq!(conserved(&pendulum(), "T"), Refuted);
+}
+
+#[test]
+fn independent_of() {
+    let independent = |of: &str| of_numbers(json!({ "of": of, "independent of": ["x"] }));
+    assert_eq!(independent(r"a (\sin^2(x) + \cos^2(x))"), Verified);
+    assert_eq!(independent(r"a (\sin^2(x) - \cos^2(x))"), Refuted);
+}
+
+#[test]
+fn a_function_of_a_velocity_is_not_a_function_of_a_number() {
+    let of = |of: &str| sentence(&pendulum(), json!({ "of": of, "sign": "positive", "against": r"\theta" }));
+    assert_eq!(of(r"\dot\theta^2 + \theta"), Unreadable);
+    assert_eq!(of(r"\theta^2 + m"), Verified);
+}
+
+#[test]
+fn the_quoted_formula_is_the_claim_where_nothing_else_is() {
+    let claims = |quote: &str| with(&numbers(), "sentences", json!([{ "quote": quote }]));
+    let notes = "We know that $a + b = b + a$ and not that $a = b$, which is all.\n\n$$ x = 0 $$\n";
+    let check = |quote: &str| document(&claims(quote), notes, &Registry::standard(), None);
+    assert_eq!(check("We know that $a + b = b + a$").unwrap().sentences[0].finding.verdict, Verified);
+    assert_eq!(check("and not that $a = b$").unwrap().sentences[0].finding.verdict, Refuted);
+    for quote in ["which is all", "which is nothing", "a"] {
+        let error = check(quote).map(|_| ()).unwrap_err().to_string();
+        assert!(error.starts_with("claims.json:"), "{error}");
+    }
+}

@@ -1,0 +1,80 @@
+//! Documents in strings.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use onshell::check::{Document, Equation, Options, Verdict, check_document};
+use onshell::notes::document::Kind;
+use onshell::notes::{Claims, Notes};
+use onshell::source::Source;
+use onshell::systems::Registry;
+use serde_json::{Value as Json, json};
+
+/// The claims of a document about a plane pendulum, to be completed.
+pub fn pendulum() -> Json {
+    json!({
+        "system": "simple_pendulum",
+        "coordinates": { r"\theta": "angle" },
+        "constants": { "m, l, g": "> 0" },
+        "means": { "L": "Lagrangian", "T": "kinetic energy", "U": "potential energy", "E": "energy" },
+    })
+}
+
+/// The claims of a document about a planet, to be completed.
+pub fn planet() -> Json {
+    json!({
+        "system": "kepler",
+        "coordinates": { "r": "> 0", r"\phi": "angle" },
+        "constants": { "m, G, M": "> 0" },
+    })
+}
+
+/// The claims of a document about numbers alone, to be completed.
+pub fn numbers() -> Json {
+    json!({ "constants": { "a, b, c": "> 0", "x": "any" } })
+}
+
+/// The same claims with a key more, or another value for it.
+pub fn with(claims: &Json, key: &str, value: Json) -> Json {
+    let mut claims = claims.clone();
+    claims[key] = value;
+    claims
+}
+
+/// Notes in which each of these displays has its place in the list, from 1, as its number.
+pub fn numbered(displays: &[&str]) -> String {
+    let display = |(at, latex): (usize, &&str)| format!("$$\n{latex}\n\\tag{{{}}}\n$$\n\n", at + 1);
+    displays.iter().enumerate().map(display).collect()
+}
+
+/// Checks notes against claims, with the systems of a registry.
+pub fn document(claims: &Json, notes: &str, registry: &Registry, only: Option<&str>) -> onshell::Result<Document> {
+    let claims = with(claims, "notes", json!("notes.md"));
+    let claims = Arc::new(Source::new("claims.json", format!("{claims:#}")));
+    let claims = Claims::parse(claims, Path::new("claims.json"))?;
+    let notes = Notes::parse(Arc::new(Source::new("notes.md", notes)), Kind::Markdown)?;
+    check_document(&claims, &notes, registry, Options { seed: 1, points: 24 }, only)
+}
+
+/// The last of these displays, checked under a claim of its own.
+pub fn equation(claims: &Json, displays: &[&str], claim: Json) -> Equation {
+    let id = displays.len().to_string();
+    let claims = with(claims, "equations", json!({ id.as_str(): claim }));
+    let found = document(&claims, &numbered(displays), &Registry::standard(), Some(&id));
+    found.unwrap_or_else(|error| panic!("{displays:?}: {error}")).equations.remove(0)
+}
+
+/// The verdict on it.
+pub fn verdict(claims: &Json, displays: &[&str], claim: Json) -> Verdict {
+    equation(claims, displays, claim).finding.verdict
+}
+
+/// The error in checking it.
+pub fn error(claims: &Json, displays: &[&str], claim: Json) -> String {
+    let id = displays.len().to_string();
+    let claims = with(claims, "equations", json!({ id.as_str(): claim }));
+    match document(&claims, &numbered(displays), &Registry::standard(), None) {
+        Ok(document) => panic!("no error: {:?}", document.equations),
+        Err(error) => error.to_string(),
+    }
+}

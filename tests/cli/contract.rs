@@ -1,0 +1,144 @@
+//! The JSON report is a promise: which fields there are, of which type, and what they say of the notes.
+
+use serde_json::{Value, json};
+
+use crate::support::{Desk, SIGN};
+
+const VERDICTS: [&str; 9] =
+    ["certified", "verified", "definition", "law", "refuted", "domain", "undecided", "unreadable", "unclaimed"];
+
+/// Whether a report keeps the promise; `notes` gives the text of a document's file.
+fn kept(report: &Value, notes: impl Fn(&str) -> String) -> Result<(), String> {
+    expect(report["schema"] == 1, "schema is 1", report)?;
+    let documents = report["documents"].as_array().ok_or("documents is a list")?;
+    let (mut counts, mut unexpected) = (serde_json::Map::new(), 0);
+    for document in documents {
+        let path = document["path"].as_str().ok_or("path is a string")?;
+        expect(document["claims"].is_string() || document["claims"].is_null(), "claims is a path or null", document)?;
+        let text = notes(path);
+        let equations = document["equations"].as_array().ok_or("equations is a list")?;
+        for equation in equations.iter().chain(document["sentences"].as_array().into_iter().flatten()) {
+            fields(equation, &text)?;
+            for part in equation.get("parts").and_then(Value::as_array).into_iter().flatten() {
+                fields(part, &text)?;
+                expect(part["id"] == equation["id"], "a part has the number of its equation", part)?;
+            }
+            let count = counts.entry(equation["verdict"].as_str().unwrap_or_default()).or_insert(json!(0));
+            *count = json!(count.as_u64().unwrap_or(0) + 1);
+            unexpected += u64::from(equation["ok"] == false);
+        }
+    }
+    counts.insert("unexpected".to_owned(), json!(unexpected));
+    expect(report["summary"] == Value::Object(counts), "the summary counts what is listed", &report["summary"])
+}
+
+fn fields(item: &Value, notes: &str) -> Result<(), String> {
+    expect(item["id"].as_str().is_some_and(|id| !id.is_empty()), "id is a string", item)?;
+    let line = item["line"].as_u64().ok_or_else(|| format!("line is a number: {item:#}"))?;
+    expect(line >= 1 && line as usize <= notes.lines().count(), "line is a line of the notes", item)?;
+    let latex = item["latex"].as_str().ok_or_else(|| format!("latex is a string: {item:#}"))?;
+    expect(!latex.is_empty() && notes.contains(latex), "latex stands in the notes exactly so", item)?;
+    expect(item["reading"].is_string(), "reading is a string", item)?;
+    expect(item["verdict"].as_str().is_some_and(|word| VERDICTS.contains(&word)), "verdict is one", item)?;
+    expect(item["ok"].is_boolean(), "ok is true or false", item)?;
+    let (points, tried) = (item["points"].as_u64(), item["tried"].as_u64());
+    expect(points.zip(tried).is_some_and(|(points, tried)| points <= tried), "points of tried", item)?;
+    let residual = &item["max_residual"];
+    expect(residual.is_null() || residual.as_f64().is_some_and(|r| r >= 0.0), "max_residual is a number", item)?;
+    expect(item["message"].as_str().is_some_and(|message| !message.is_empty()), "message is a string", item)?;
+    let found = &item["counterexample"];
+    if item["verdict"] == "refuted" || !found.is_null() {
+        let state = found["state"].as_object().ok_or_else(|| format!("a state: {item:#}"))?;
+        expect(!state.is_empty() && state.values().all(Value::is_number), "the state is numbers", item)?;
+        // JSON has no infinities: they are words.
+        let value = |side: &Value| side.is_number() || ["inf", "-inf", "NaN"].iter().any(|word| side == word);
+        expect(value(&found["lhs"]) && value(&found["rhs"]), "both sides have values", item)?;
+        // What a sentence says of a whole curve fails on the whole of it; an equation fails at the state.
+        let is_equation = item["reading"].as_str().is_some_and(|reading| reading.contains(" = "));
+        expect(found["lhs"] != found["rhs"] || !is_equation, "the sides differ", item)?;
+    }
+    Ok(())
+}
+
+fn expect(holds: bool, what: &str, found: &Value) -> Result<(), String> {
+    if holds { Ok(()) } else { Err(format!("broken: {what}, in {found:#}")) }
+}
+
+#[test]
+fn the_promise_is_kept_by_a_sound_and_by_an_unsound_report() {
+    let desk = Desk::with_the_derivations("contract");
+    let notes = |path: &str| desk.read(path);
+    let sound = desk.onshell(&["check", "derivations", "--format", "json"]);
+    assert_eq!(sound.code, 0);
+    assert_eq!(kept(&sound.json(), notes), Ok(()));
+    assert_eq!(sound.json()["summary"]["unexpected"], 0);
+
+    desk.change("derivations/06-spinning-top.md", SIGN);
+    let unsound = desk.onshell(&["check", "derivations", "--format", "json"]);
+    assert_eq!(unsound.code, 1);
+    assert_eq!(kept(&unsound.json(), notes), Ok(()));
+    assert_ne!(unsound.json()["summary"]["unexpected"], 0);
+}
+
+#[test]
+fn a_broken_promise_is_seen() {
+    let desk = Desk::with_the_derivations("broken-contract");
+    let notes = |path: &str| desk.read(path);
+    let report = desk.onshell(&["check", "derivations", "--format", "json"]).json();
+    for (pointer, wrong) in [
+        ("/schema", json!(2)),
+        ("/documents/0/path", json!(7)),
+        ("/documents/0/equations/0/id", json!(5.63)),
+        ("/documents/0/equations/0/line", json!(0)),
+        ("/documents/0/equations/0/latex", json!("E = mc^2")),
+        ("/documents/0/equations/0/verdict", json!("true")),
+        ("/documents/0/equations/0/verdict", json!("refuted")),
+        ("/documents/0/equations/0/points", json!(1e9 as u64)),
+        ("/documents/0/equations/0/max_residual", json!("NaN")),
+        ("/summary/unexpected", json!(1)),
+    ] {
+        let mut changed = report.clone();
+        *changed.pointer_mut(pointer).unwrap_or_else(|| panic!("no {pointer}")) = wrong.clone();
+        let result = std::panic::catch_unwind(|| kept(&changed, notes));
+        assert!(!matches!(result, Ok(Ok(()))), "{pointer} may be {wrong}");
+    }
+}
+
+#[test]
+fn paths_are_as_seen_from_where_the_command_was_started() {
+    let desk = Desk::with_the_derivations("paths");
+    for given in ["derivations", "derivations/06-spinning-top.md", "derivations/06-spinning-top.json"] {
+        let report = desk.onshell(&["check", given, "--only", "6.73", "--format", "json"]).json();
+        assert_eq!(report["documents"][0]["path"], "derivations/06-spinning-top.md");
+        assert_eq!(report["documents"][0]["claims"], "derivations/06-spinning-top.json");
+    }
+}
+
+#[test]
+fn every_number_of_the_two_sections_is_in_the_report() {
+    let desk = Desk::with_the_derivations("numbers");
+    let report = desk.onshell(&["check", "derivations", "--format", "json"]).json();
+    let ids = |k: usize| -> Vec<String> {
+        let equations = report["documents"][k]["equations"].as_array().unwrap();
+        equations.iter().map(|equation| equation["id"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(ids(0), (63..=70).map(|n| format!("5.{n}")).collect::<Vec<_>>());
+    assert_eq!(ids(1), (71..=78).map(|n| format!("6.{n}")).collect::<Vec<_>>());
+}
+
+#[test]
+fn several_statements_under_one_number_are_parts_and_the_worst_counts() {
+    let desk = Desk::with_the_derivations("parts");
+    desk.change(
+        "derivations/06-spinning-top.md",
+        ("\\Omega_{-} \\approx \\frac{MgR}", "\\Omega_{-} \\approx \\frac{2MgR}"),
+    );
+    let report = desk.onshell(&["check", "derivations", "--only", "6.76", "--format", "json"]).json();
+    let equation = &report["documents"][0]["equations"][0];
+    let verdicts: Vec<&Value> = equation["parts"].as_array().unwrap().iter().map(|part| &part["verdict"]).collect();
+    assert_eq!(verdicts, ["verified", "refuted"]);
+    assert_eq!(equation["verdict"], "refuted");
+    let latex = |k: usize| equation["parts"][k]["latex"].as_str().unwrap();
+    assert!(latex(0).contains("\\Omega_{+}") && !latex(0).contains("\\Omega_{-}"), "{}", latex(0));
+    assert!(latex(1).contains("\\Omega_{-}") && !latex(1).contains("\\Omega_{+}"), "{}", latex(1));
+}

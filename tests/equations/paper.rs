@@ -1,0 +1,111 @@
+//! A document of `derivations/` with its claims, checked once, its equations and sentences asked for one by one.
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use libtest_mimic::Failed;
+use onshell::Result;
+use onshell::check::{Document, Equation, Finding, Options, check_document, document};
+use onshell::notes::{Claims, Notes, json};
+use onshell::report::diagnostic;
+use onshell::systems::Registry;
+
+/// What the command line checks with, unless told otherwise.
+const OPTIONS: Options = Options { seed: 1, points: 24 };
+
+/// A document and its claims.
+pub struct Paper {
+    /// The name of the files without their extensions.
+    pub stem: String,
+    pub claims: Claims,
+    pub notes: Notes,
+    checked: OnceLock<Result<Document>>,
+}
+
+/// Every claims file in `derivations/`, in order.
+pub fn claims_files() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations");
+    let entries = std::fs::read_dir(folder).expect("derivations/ can be read");
+    let paths = entries.map(|entry| entry.expect("derivations/ can be read").path());
+    let is_claims = |path: &PathBuf| {
+        path.extension().is_some_and(|extension| extension == "json")
+            && std::fs::read_to_string(path).is_ok_and(|text| json::read(&text).is_err() || text.contains("\"notes\""))
+    };
+    let mut found: Vec<PathBuf> = paths.filter(is_claims).collect();
+    found.sort();
+    found
+}
+
+/// The name of a file without folder and extension.
+pub fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+impl Paper {
+    /// Reads a claims file and its notes, known by their paths within the repository.
+    pub fn read(path: &Path) -> Result<Paper> {
+        let shown = |path: &Path| format!("derivations/{}", path.file_name().unwrap_or_default().to_string_lossy());
+        let claims = Claims::read(path, &shown(path))?;
+        let notes = Notes::read(&claims.notes_path(), &shown(&claims.notes_path()))?;
+        Ok(Paper { stem: stem(path), claims, notes, checked: OnceLock::new() })
+    }
+
+    /// The numbers of its equations, in order.
+    pub fn numbers(&self) -> Vec<String> {
+        self.notes.equations.iter().filter_map(document::id).map(str::to_owned).collect()
+    }
+
+    /// What the `at`-th sentence is called in reports.
+    pub fn sentence_name(&self, at: usize) -> String {
+        let name = self.claims.sentences[at].name.as_ref();
+        name.map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone())
+    }
+
+    /// Checks these notes, the paper's own or others like them, against the paper's claims.
+    pub fn check(&self, notes: &Notes, only: Option<&str>) -> Result<Document> {
+        check_document(&self.claims, notes, &Registry::standard(), OPTIONS, only)
+    }
+
+    /// The test of one equation.
+    pub fn equation(&self, id: &str) -> Result<(), Failed> {
+        let document = self.checked()?;
+        let found = document.equations.iter().find(|equation| equation.id == id);
+        as_expected(found.ok_or_else(|| format!("({id}) is not in the report"))?)
+    }
+
+    /// The test of one sentence.
+    pub fn sentence(&self, at: usize) -> Result<(), Failed> {
+        as_expected(self.checked()?.sentences.get(at).ok_or("it is not in the report")?)
+    }
+
+    fn checked(&self) -> Result<&Document, Failed> {
+        let checked = self.checked.get_or_init(|| self.check(&self.notes, None));
+        checked.as_ref().map_err(|error| Failed::from(error.to_string()))
+    }
+}
+
+fn as_expected(item: &Equation) -> Result<(), Failed> {
+    if item.ok { Ok(()) } else { Err(Failed::from(describe(item))) }
+}
+
+/// The equation, its verdict, and for each part that fails the state and both sides' values.
+pub fn describe(item: &Equation) -> String {
+    let mut text = format!("({}), line {}, is {}", item.id, item.line, item.finding.verdict);
+    if let Some(because) = &item.because {
+        text.push_str(&format!(", where another verdict was expected: {because}"));
+    }
+    for finding in failing(item) {
+        text.push_str(&format!("\n  {}: {}", finding.verdict, finding.message));
+        for line in finding.counterexample.iter().flat_map(diagnostic::evidence) {
+            text.push_str(&format!("\n    {line}"));
+        }
+    }
+    text.push_str(&format!("\n  {}", item.latex.trim()));
+    text
+}
+
+/// The findings of the parts that are not as expected, or else of the whole.
+pub fn failing(item: &Equation) -> Vec<&Finding> {
+    let parts: Vec<&Finding> = item.parts.iter().filter(|part| !part.ok).map(|part| &part.finding).collect();
+    if parts.is_empty() { vec![&item.finding] } else { parts }
+}

@@ -1,0 +1,142 @@
+//! A single slip in a printed equation: applied in memory, and refuted.
+
+use std::sync::Arc;
+
+use libtest_mimic::Failed;
+use onshell::check::model::Model;
+use onshell::check::{Counterexample, Equation, Verdict, document};
+use onshell::formula::{Assignment, Expr, Value, evaluate};
+use onshell::latex::{Macros, names, read_display};
+use onshell::notes::{Notes, document::Kind};
+use onshell::source::Source;
+use onshell::systems::Registry;
+
+use crate::paper::{Paper, describe, failing};
+
+/// "For … read …", where what is to be read is wrong.
+#[derive(Clone, Debug)]
+pub struct Typo {
+    /// The notes.
+    pub document: String,
+    /// The number of the equation.
+    pub equation: String,
+    /// What is printed, once in the equation.
+    pub printed: String,
+    /// The slip.
+    pub slip: String,
+    /// What kind of slip it is.
+    pub kind: String,
+}
+
+/// The typos of `tests/typos.json`.
+pub fn all() -> Vec<Typo> {
+    let list: Vec<serde_json::Value> = serde_json::from_str(include_str!("../typos.json")).expect("typos.json is JSON");
+    let typo = |entry: &serde_json::Value| {
+        let text = |key: &str| entry[key].as_str().unwrap_or_else(|| panic!("no “{key}” in {entry}")).to_owned();
+        Typo {
+            document: text("document"),
+            equation: text("equation"),
+            printed: text("for"),
+            slip: text("read"),
+            kind: text("kind"),
+        }
+    };
+    list.iter().map(typo).collect()
+}
+
+impl Typo {
+    /// The name of its test.
+    pub fn title(&self) -> String {
+        format!("typo::{}::{}: for “{}” read “{}”", self.equation, self.kind, self.printed, self.slip)
+    }
+
+    /// The notes with the slip in them.
+    pub fn apply(&self, paper: &Paper) -> Result<Notes, Failed> {
+        let numbered = |display: &&onshell::notes::Display| document::id(display) == Some(&self.equation);
+        let display = paper.notes.equations.iter().find(numbered);
+        let display = display.ok_or_else(|| format!("({}) is not in {}", self.equation, self.document))?;
+        let body = paper.notes.source.slice(display.body);
+        let places: Vec<usize> = body.match_indices(&self.printed).map(|(at, _)| at + display.body.start).collect();
+        let [place] = places.as_slice() else {
+            let count = places.len();
+            return Err(Failed::from(format!("“{}” stands {count} times in ({})", self.printed, self.equation)));
+        };
+        let mut text = paper.notes.source.text.clone();
+        text.replace_range(*place..place + self.printed.len(), &self.slip);
+        Notes::parse(Arc::new(Source::new(&self.document, text)), Kind::Markdown).map_err(|e| e.to_string().into())
+    }
+
+    /// The test: the slip is refuted, with a counterexample that stands, or it is no formula any more.
+    pub fn must_fail(&self, paper: &Paper) -> Result<(), Failed> {
+        let notes = self.apply(paper)?;
+        let report = paper.check(&notes, Some(&self.equation)).map_err(|error| error.to_string())?;
+        let [equation] = report.equations.as_slice() else {
+            return Err(Failed::from(format!("{} equations in the report, for one", report.equations.len())));
+        };
+        if equation.ok {
+            return Err(Failed::from(format!("the slip goes unnoticed: {}", describe(equation))));
+        }
+        match equation.finding.verdict {
+            Verdict::Unreadable if equation.finding.message.is_empty() => Err("refused without a reason".into()),
+            Verdict::Unreadable => Ok(()),
+            Verdict::Refuted => stands(equation, &notes, paper),
+            _ => Err(Failed::from(format!("neither refuted nor unreadable: {}", describe(equation)))),
+        }
+    }
+}
+
+/// Whether the counterexamples of a refuted equation are ones: finite, both sides different, and the printed sides have
+/// these values at that state wherever they are plain formulas of it.
+fn stands(equation: &Equation, notes: &Notes, paper: &Paper) -> Result<(), Failed> {
+    let links = links(equation, notes, paper)?;
+    for finding in failing(equation).into_iter().filter(|finding| finding.verdict == Verdict::Refuted) {
+        let Some(found) = &finding.counterexample else { continue };
+        let finite = found.state.iter().map(|(_, value)| *value).chain([found.lhs, found.rhs]).all(f64::is_finite);
+        if !finite || found.lhs == found.rhs || found.state.is_empty() {
+            return Err(Failed::from(format!("this is no counterexample: {}", describe(equation))));
+        }
+        if links.plain && found.entry.is_none() && !links.give(found) {
+            return Err(Failed::from(format!("the two sides have other values there: {}", describe(equation))));
+        }
+    }
+    Ok(())
+}
+
+/// The printed sides of an equation, to be computed again without the checker.
+struct Links {
+    model: Model,
+    sides: Vec<(Expr, Expr)>,
+    /// Whether what is checked is just these links, between numbers.
+    plain: bool,
+}
+
+fn links(equation: &Equation, notes: &Notes, paper: &Paper) -> Result<Links, Failed> {
+    let mut model = Model::new(&paper.claims, Macros::default(), &Registry::standard()).map_err(|e| e.to_string())?;
+    let display = notes.equations.iter().find(|display| document::id(display) == Some(&equation.id));
+    let display = display.ok_or("the equation is gone")?;
+    let statements = read_display(&display.text, &mut model.symbols, &Macros::default()).statements;
+    let mut sides = Vec::new();
+    for statement in statements.iter().flatten() {
+        sides.extend(statement.members.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())));
+    }
+    let plain = ["5.69", "5.70", "6.71", "6.73", "6.74"].contains(&equation.id.as_str());
+    Ok(Links { model, sides, plain })
+}
+
+impl Links {
+    /// Whether one of the links has these values at this state.
+    fn give(&self, found: &Counterexample) -> bool {
+        let mut state = Assignment::<f64>::new(&self.model.symbols);
+        for (name, value) in &found.state {
+            let Some((name, dots)) = names::parse(name) else { return false };
+            let Some((id, _)) = self.model.symbols.find(&name) else { return false };
+            state.set(id, dots, *value);
+        }
+        let value = |expr: &Expr| match evaluate(expr, &state, &[]) {
+            Ok(Value::Scalar(value)) => value.value(),
+            _ => f64::NAN,
+        };
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * (1.0 + a.abs() + b.abs());
+        self.sides.iter().any(|(lhs, rhs)| near(value(lhs), found.lhs) && near(value(rhs), found.rhs))
+    }
+}

@@ -1,0 +1,202 @@
+//! Random formulas: of numbers alone, and of vectors, matrices and indices too.
+
+use onshell::formula::tree::{Index, IndexId, Sign};
+use onshell::formula::{Expr, Function, Kind, Node, SymbolId, Symbols, Term};
+use onshell::latex::names;
+use onshell::source::Span;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::select;
+
+/// Numbers; the first are in both tables.
+const SCALARS: [&str; 10] =
+    ["x", "m", "M", r"\theta", r"\lambda_1", "p_\\psi", r"\omega_0", "x'", r"T_{\mathrm{rot}}", r"\Omega_{+}"];
+
+/// A table of names; a closed one has indices, vectors and matrices as well.
+pub fn table(open: bool) -> Symbols {
+    let mut symbols = if open { Symbols::open() } else { Symbols::new() };
+    if !open {
+        for letter in ["a", "b", "c"] {
+            symbols.add_index(letter, 3);
+        }
+    }
+    let mut add = |latex: &str, kind: Kind| {
+        let (name, _) = names::parse(latex).expect("it is a name");
+        let id = symbols.add(name, kind).expect("it is new");
+        symbols.entry_mut(id).varies = true;
+    };
+    SCALARS.iter().for_each(|name| add(name, Kind::Scalar));
+    if !open {
+        add(r"\vec{r}", Kind::Vector);
+        add(r"\vec{v}", Kind::Vector);
+        add(r"\hat{e}_a", Kind::Vector);
+        add(r"\omega_a", Kind::Scalar);
+        add(r"R_{ab}", Kind::Scalar);
+        add(r"\mathbf{R}", Kind::Matrix);
+        add(r"\mathbf{S}_z", Kind::Rotation);
+    }
+    symbols
+}
+
+const VEC_R: SymbolId = SymbolId(10);
+const VEC_V: SymbolId = SymbolId(11);
+const AXES: SymbolId = SymbolId(12);
+const OMEGA: SymbolId = SymbolId(13);
+const ENTRIES: SymbolId = SymbolId(14);
+const MATRIX: SymbolId = SymbolId(15);
+const ROTATION: SymbolId = SymbolId(16);
+
+fn node(node: Node) -> Expr {
+    Expr::new(node, Span::default())
+}
+
+fn symbol(id: SymbolId, indices: &[Index], dots: u8) -> Expr {
+    node(Node::Symbol { id, indices: indices.to_vec(), dots })
+}
+
+fn product(factors: Vec<Expr>) -> Expr {
+    node(Node::Product(factors))
+}
+
+fn boxed(expr: Expr) -> Box<Expr> {
+    Box::new(expr)
+}
+
+/// Terms with signs; a lone term is negative, or it would be no sum.
+fn sum(terms: Vec<(bool, Expr)>) -> Expr {
+    let lone = terms.len() == 1;
+    let term = |(minus, expr): (bool, Expr)| Term {
+        sign: if minus || lone { Sign::Minus } else { Sign::Plus },
+        sign_span: None,
+        expr,
+    };
+    node(Node::Sum(terms.into_iter().map(term).collect()))
+}
+
+fn number() -> impl Strategy<Value = Expr> {
+    select(vec!["0", "1", "2", "12", "0.5", "3.25"]).prop_map(|digits| node(Node::Number(digits.to_owned())))
+}
+
+fn letter() -> impl Strategy<Value = Expr> {
+    (0..SCALARS.len(), 0..4u8).prop_map(|(at, dots)| symbol(SymbolId(at), &[], dots))
+}
+
+/// What two scalars and more make, over any scalars.
+fn scalars(leaf: BoxedStrategy<Expr>) -> BoxedStrategy<Expr> {
+    let deeper = |inner: BoxedStrategy<Expr>| {
+        let functions: Vec<Function> = Function::ALL.iter().map(|(function, _)| *function).collect();
+        let two = (inner.clone(), inner.clone());
+        prop_oneof![
+            3 => vec((any::<bool>(), inner.clone()), 1..4).prop_map(sum),
+            3 => vec(inner.clone(), 2..4).prop_map(product),
+            2 => two.clone().prop_map(|(a, b)| node(Node::Quotient(boxed(a), boxed(b)))),
+            2 => two.prop_map(|(a, b)| node(Node::Power(boxed(a), boxed(b)))),
+            1 => inner.clone().prop_filter("e² is refused", |a| a.as_digits().is_none())
+                .prop_map(|a| node(Node::Power(boxed(node(Node::Euler)), boxed(a)))),
+            1 => (2..5u32, inner.clone()).prop_map(|(n, a)| node(Node::Root(n, boxed(a)))),
+            2 => (select(functions), inner.clone()).prop_map(|(f, a)| node(Node::Call(f, boxed(a)))),
+            1 => (1..4u8, inner.clone()).prop_map(|(n, a)| node(Node::TimeDerivative(n, boxed(a)))),
+            1 => inner.prop_map(|a| node(Node::Norm(boxed(a)))),
+        ]
+        .boxed()
+    };
+    leaf.prop_recursive(4, 24, 3, deeper).boxed()
+}
+
+/// Formulas of numbers alone.
+pub fn open() -> impl Strategy<Value = Expr> {
+    scalars(prop_oneof![2 => number(), 4 => letter(), 1 => Just(node(Node::Pi))].boxed())
+}
+
+fn fixed() -> impl Strategy<Value = Index> {
+    (1..=3u8).prop_map(Index::Fixed)
+}
+
+fn index(at: usize) -> Index {
+    Index::Letter(IndexId(at))
+}
+
+/// Numbers that indices make: components, and sums over repeated letters.
+fn contracted() -> impl Strategy<Value = Expr> {
+    let (a, b, c) = (index(0), index(1), index(2));
+    prop_oneof![
+        (fixed(), 0..2u8).prop_map(|(i, dots)| symbol(OMEGA, &[i], dots)),
+        (fixed(), fixed(), 0..2u8).prop_map(|(i, j, dots)| symbol(ENTRIES, &[i, j], dots)),
+        (fixed(), fixed(), any::<bool>()).prop_map(|(i, j, inverse)| entry(inverse, i, j)),
+        Just(symbol(ENTRIES, &[a, a], 0)),
+        Just(product(vec![symbol(OMEGA, &[a], 0), symbol(OMEGA, &[a], 1)])),
+        (0..2u8).prop_map(move |dots| product(vec![
+            symbol(OMEGA, &[a], 0),
+            symbol(ENTRIES, &[a, b], dots),
+            symbol(OMEGA, &[b], 0)
+        ])),
+        any::<bool>().prop_map(move |inverse| product(vec![symbol(ENTRIES, &[a, b], 1), entry(inverse, b, a)])),
+        Just(product(vec![node(Node::Epsilon([a, b, c])), symbol(ENTRIES, &[a, b], 0), symbol(OMEGA, &[c], 0)])),
+        fixed().prop_map(move |i| product(vec![node(Node::Epsilon([a, i, b])), symbol(ENTRIES, &[a, b], 0)])),
+        Just(product(vec![node(Node::Delta([a, b])), symbol(ENTRIES, &[b, a], 0)])),
+        any::<bool>().prop_map(move |sums| {
+            let terms = vec![(false, symbol(OMEGA, &[a], 0)), (true, symbol(OMEGA, &[a], 1))];
+            let body = if sums { sum(terms) } else { product(terms.into_iter().map(|(_, term)| term).collect()) };
+            node(Node::SumOver { index: IndexId(0), implied: false, body: boxed(body) })
+        }),
+    ]
+}
+
+/// `R_{ij}^{-1}` or `R_{ij}^{T}`.
+fn entry(inverse: bool, i: Index, j: Index) -> Expr {
+    let whole = boxed(symbol(ENTRIES, &[], 0));
+    let changed = if inverse { Node::Inverse(whole) } else { Node::Transpose(whole) };
+    node(Node::Entry(boxed(node(changed)), i, j))
+}
+
+fn vectors(scalar: BoxedStrategy<Expr>) -> BoxedStrategy<Expr> {
+    let leaf = prop_oneof![
+        (select(vec![VEC_R, VEC_V]), 0..3u8).prop_map(|(id, dots)| symbol(id, &[], dots)),
+        (fixed(), 0..2u8).prop_map(|(i, dots)| symbol(AXES, &[i], dots)),
+        Just(symbol(OMEGA, &[], 0)),
+        Just(product(vec![symbol(OMEGA, &[index(0)], 0), symbol(AXES, &[index(0)], 0)])),
+        vec(scalar.clone(), 3).prop_map(|entries| node(Node::Matrix(entries.into_iter().map(|x| vec![x]).collect()))),
+    ];
+    leaf.prop_recursive(3, 12, 3, move |inner| {
+        prop_oneof![
+            vec((any::<bool>(), inner.clone()), 1..3).prop_map(sum),
+            (scalar.clone(), inner.clone()).prop_map(|(x, v)| product(vec![x, v])),
+            (inner.clone(), scalar.clone()).prop_map(|(v, x)| node(Node::Quotient(boxed(v), boxed(x)))),
+            (inner.clone(), inner.clone()).prop_map(|(v, w)| node(Node::Cross(boxed(v), boxed(w)))),
+            inner.clone().prop_map(|v| node(Node::TimeDerivative(1, boxed(v)))),
+            inner.prop_map(|v| product(vec![symbol(MATRIX, &[], 0), v])),
+        ]
+    })
+    .boxed()
+}
+
+fn matrices(scalar: BoxedStrategy<Expr>) -> BoxedStrategy<Expr> {
+    let leaf = prop_oneof![
+        (0..2u8).prop_map(|dots| symbol(MATRIX, &[], dots)),
+        Just(symbol(ENTRIES, &[], 0)),
+        scalar.clone().prop_map(|angle| node(Node::Apply(ROTATION, vec![angle]))),
+        vec(vec(scalar.clone(), 3), 3).prop_map(|rows| node(Node::Matrix(rows))),
+    ];
+    leaf.prop_recursive(3, 12, 3, move |inner| {
+        prop_oneof![
+            vec((any::<bool>(), inner.clone()), 1..3).prop_map(sum),
+            vec(inner.clone(), 2..4).prop_map(product),
+            (scalar.clone(), inner.clone()).prop_map(|(x, m)| product(vec![x, m])),
+            inner.clone().prop_map(|m| node(Node::Transpose(boxed(m)))),
+            inner.prop_map(|m| node(Node::Inverse(boxed(m)))),
+        ]
+    })
+    .boxed()
+}
+
+/// Formulas of everything: a number, a vector or a matrix.
+pub fn closed() -> impl Strategy<Value = Expr> {
+    let small = prop_oneof![2 => number(), 4 => letter(), 3 => contracted()].boxed();
+    let vector = vectors(small.clone());
+    let of_vectors = prop_oneof![
+        (vector.clone(), vector.clone()).prop_map(|(v, w)| node(Node::Dot(boxed(v), boxed(w)))),
+        vector.clone().prop_map(|v| node(Node::Norm(boxed(v)))),
+    ];
+    let scalar = scalars(prop_oneof![3 => small.clone(), 1 => of_vectors].boxed());
+    prop_oneof![scalar, vector, matrices(small)]
+}
