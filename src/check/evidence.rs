@@ -120,23 +120,33 @@ pub fn unseen(link: &Link, scenes: &[Scene<'_, Measured>]) -> Option<String> {
     Some(text::formula(all[hidden], &scenes.first()?.model().symbols))
 }
 
-/// Why a claim that holds says nothing of the world: it follows from its hypotheses alone, or restates them.
+/// How little a claim that holds says of the world.
+pub enum Emptiness {
+    /// It says something.
+    None,
+    /// It follows from its hypotheses, whatever the world; that may still be worth printing.
+    Follows,
+    /// It says nothing, for this reason.
+    Empty(&'static str),
+}
+
+/// Whether a claim that holds says anything of the world, or follows from its hypotheses alone, or restates them.
 ///
 /// # Errors
 /// When the world's mass matrix is singular.
-pub fn empty(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Option<String>> {
+pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Emptiness> {
     let formulas = [&link.lhs, &link.rhs].into_iter();
     if on_shell || context.conditions.is_empty() || formulas.clone().any(|f| concerns_world(f, context.model)) {
-        return Ok(None);
+        return Ok(Emptiness::None);
     }
     let unconditional = Context { conditions: &[], ..*context };
     let mode = unconditional.mode(false, &[&link.lhs, &link.rhs]);
     let free = unconditional.ensemble(mode, false, context.options.points)?;
     if run(link, &free.scenes).is_ok_and(|outcome| outcome.failure.is_none()) {
-        return Ok(None);
+        return Ok(Emptiness::None);
     }
     if context.conditions.iter().any(|condition| condition.throughout) {
-        return Ok(Some("it follows from its hypotheses alone, whatever the motion".to_owned()));
+        return Ok(Emptiness::Empty("it follows from its assumptions alone, whatever the motion"));
     }
     // The converse: if the claim in turn gives the hypotheses, the two say the same.
     let (lhs, rhs) = (link.lhs.clone(), link.rhs.clone());
@@ -149,7 +159,7 @@ pub fn empty(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Optio
         run(&link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.points >= FEWEST.min(states.scenes.len()))
     };
     let restates = !states.scenes.is_empty() && context.conditions.iter().all(given_back);
-    Ok(restates.then(|| "it only restates its hypotheses".to_owned()))
+    Ok(if restates { Emptiness::Empty("it only restates its assumptions") } else { Emptiness::Follows })
 }
 
 /// Whether a formula speaks of something that the world determines.

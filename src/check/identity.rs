@@ -10,7 +10,7 @@ use crate::source::Span;
 
 use super::draw::{Draw, Reach};
 use super::ensemble::{Condition, Ensemble, Setting};
-use super::evidence;
+use super::evidence::{self, Emptiness};
 use super::judge::{self, Failure, Link, Point};
 use super::model::{Meaning, Model, Quantity};
 use super::scene::{Mode, Scene};
@@ -174,16 +174,14 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
         return Ok(finding);
     }
     match (context.on_shell, &context.model.world) {
-        (Some(on_shell), Some(_)) => check_in(link, context, on_shell),
-        (_, None) => check_in(link, context, false),
+        (Some(on_shell), Some(_)) => Ok(check_in(link, context, on_shell)?.0),
+        (_, None) => Ok(check_in(link, context, false)?.0),
         (None, Some(_)) => {
-            let always = check_in(link, context, false)?;
-            // What is claimed of all states is claimed of the motions: an inequality may fail on them alone.
-            let settled = always.verdict == Verdict::Verified && is_equality(link.relation);
-            if settled || !matches!(always.verdict, Verdict::Verified | Verdict::Refuted | Verdict::Undecided) {
+            let (always, next) = check_in(link, context, false)?;
+            if next == Next::Settled {
                 return Ok(always);
             }
-            let on_shell = check_in(link, context, true)?;
+            let (on_shell, _) = check_in(link, context, true)?;
             Ok(match (always.verdict, on_shell.verdict) {
                 (Verdict::Verified, Verdict::Verified) => always,
                 (Verdict::Undecided, Verdict::Refuted | Verdict::Undecided) => always,
@@ -193,47 +191,62 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     }
 }
 
+/// Whether a claim tested off shell must be tested on shell as well.
+#[derive(Clone, Copy, PartialEq)]
+enum Next {
+    Settled,
+    OnShell,
+}
+
 fn is_equality(relation: Relation) -> bool {
     matches!(relation, Relation::Equal | Relation::Identical)
 }
 
 /// Checks a claim at states on shell or off.
-fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Finding> {
+fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Finding, Next)> {
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
     let mut ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.scenes.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok((context.no_room(&ensemble), Next::Settled));
     }
     if !is_equality(link.relation) {
         ensemble.scenes.extend(context.special(mode)?.scenes);
     }
     let outcome = match run(link, &ensemble.scenes) {
         Ok(outcome) => outcome,
-        Err(reason) => return Ok(context.unavailable(&reason)),
+        Err(reason) => return Ok((context.unavailable(&reason), Next::Settled)),
     };
     let finding = conclude(link, context, &ensemble, &outcome);
+    // What is claimed of all states is claimed of the motions: an inequality may fail on them alone.
+    let open = outcome.failure.is_some() || outcome.doubtful > 0 || !is_equality(link.relation);
+    let next = if open { Next::OnShell } else { Next::Settled };
     // Near misses of an inequality are inequalities too: only an equality is held against its twins.
     if finding.verdict != Verdict::Verified || !is_equality(link.relation) {
-        return Ok(finding);
+        return Ok((finding, next));
     }
-    let withheld = |message: String| Ok(Finding { verdict: Verdict::Undecided, message, ..finding.clone() });
+    let withheld =
+        |message: String| Ok((Finding { verdict: Verdict::Undecided, message, ..finding.clone() }, Next::Settled));
     if let Some(term) = evidence::unseen(link, &ensemble.scenes) {
         return withheld(format!("“{term}” is too small beside the other terms to be seen"));
     }
-    if let Some(reason) = evidence::empty(link, context, on_shell)? {
-        return withheld(reason);
+    let emptiness = evidence::emptiness(link, context, on_shell)?;
+    if let Emptiness::Empty(reason) = emptiness {
+        return withheld(reason.to_owned());
     }
     let mut finding = held_against_twins(link, context, &ensemble, finding)?;
     if finding.verdict == Verdict::Verified {
         if on_shell && let Some(combination) = evidence::combination(link, context)? {
             finding.message.push_str(&format!(": it is {combination}"));
         }
+        if let Emptiness::Follows = emptiness {
+            finding.message.push_str("; it follows from its assumptions alone");
+        }
         let unneeded = evidence::unneeded(link, context, on_shell)?;
         if !unneeded.is_empty() {
             finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
         }
     }
-    Ok(finding)
+    Ok((finding, Next::Settled))
 }
 
 /// Claims that say nothing: both sides the same formula, or the hypothesis itself.

@@ -103,9 +103,16 @@ fn check_in(
         let message = format!("only {} of {} states reach the limit", powers.len(), ensemble.tried);
         return Ok(context.finding(Verdict::Undecided, message));
     }
-    // Twins in a term that the limit drops are as true; what must be told apart is one symbol from another.
-    for twin in twins(link, context.model).into_iter().filter(|twin| twin.slip == Slip::Symbol) {
-        if used.iter().all(|steps| matches!(steps.approach(&twin.link), Ok(Approach::Power(_)))) {
+    // Each printed term must earn its place: without it, or with a slip in it, the right side must be farther off.
+    // On the left, terms that the limit drops may be anything; there only symbols must be told apart.
+    for twin in twins(link, context.model) {
+        if twin.link.rhs == link.rhs && twin.slip != Slip::Symbol {
+            continue;
+        }
+        let as_near = used.iter().zip(&powers).all(
+            |(steps, power)| matches!(steps.approach(&twin.link), Ok(Approach::Power(other)) if other > power - 0.5),
+        );
+        if as_near {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
             return Ok(context.finding(Verdict::Undecided, message));
         }

@@ -111,7 +111,11 @@ fn both_sides_one_formula_is_no_evidence() {
 #[test]
 fn a_definition_that_nothing_stands_on_is_no_pass() {
     assert_eq!(verdict(&numbers(), &["s = a + b"], json!({})), Undecided);
+    // In its square the sign of s would go unnoticed.
     let notes = numbered(&["s = a + b", "s^2 = a^2 + 2ab + b^2"]);
+    let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
+    assert_eq!(found.equations[0].finding.verdict, Undecided);
+    let notes = numbered(&["s = a + b", "s(a - b) = a^2 - b^2"]);
     let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
     assert!(found.equations.iter().all(|equation| equation.ok), "{:?}", found.equations);
     let wrong = numbered(&["s = a - b", "s^2 = a^2 + 2ab + b^2"]);
