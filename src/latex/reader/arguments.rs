@@ -1,0 +1,220 @@
+//! Functions and where their arguments end.
+
+use crate::formula::symbols::Name;
+use crate::formula::tree::{Expr, Function, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::lexer::Space;
+use super::super::names;
+use super::items::{contents, is_number, is_numeric, is_numeric_item};
+use super::{Read, Reader, two_ways};
+
+/// The items that could be the argument of a function.
+struct Run {
+    /// One past the last of them.
+    end: usize,
+    /// The symbols among them, and whether each is an angle.
+    symbols: Vec<(bool, Name)>,
+    /// Whether it is one fraction or root.
+    stands_alone: bool,
+}
+
+impl Run {
+    fn has_angle(&self) -> bool {
+        self.symbols.iter().any(|(is_angle, _)| *is_angle)
+    }
+}
+
+impl Reader<'_> {
+    /// A function with its argument.
+    pub(super) fn call(
+        &mut self,
+        function: Function,
+        power: Option<&Item>,
+        head: Span,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<(Expr, bool)> {
+        while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
+            *cursor += 1;
+        }
+        let Some(first) = items.get(*cursor) else {
+            return Err(Fault::new(head, format!("\\{} wants an argument", function.name())));
+        };
+        let (argument, enclosed) = match &first.layout {
+            Layout::Fence(..) | Layout::Group(_) => {
+                *cursor += 1;
+                (self.item(first)?, true)
+            }
+            Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(..) | Layout::Group(_)) => {
+                return Err(two_ways(head.to(first.span), "a power after the argument of a function")
+                    .help(format!("write \\{}^2(…) for the power of the function", function.name())));
+            }
+            _ => (self.run_on(function, head, items, cursor)?, false),
+        };
+        let span = head.to(argument.span);
+        let call = Expr::new(Node::Call(function, Box::new(argument)), span);
+        match power {
+            Some(power) => {
+                let exponent = self.item(power)?;
+                Ok((Expr::new(Node::Power(Box::new(call), Box::new(exponent)), span), enclosed))
+            }
+            None => Ok((call, enclosed)),
+        }
+    }
+
+    /// The argument of a function that nothing encloses: as many of the following items as can only be meant.
+    fn run_on(&mut self, function: Function, head: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        let start = *cursor;
+        let run = self.gather(function, head, items, start)?;
+        if run.end == start {
+            return Err(match items.get(start) {
+                Some(Item { layout: Layout::Fault(fault), .. }) => fault.clone(),
+                item => {
+                    let span = item.map_or(head, |item| item.span);
+                    Fault::new(span, format!("the argument of \\{} is missing", function.name()))
+                }
+            });
+        }
+        if !self.is_settled(&run, items)? {
+            let span = head.to(items[run.end.min(items.len() - 1)].span);
+            let shown = function.name();
+            return Err(two_ways(span, &format!("where the argument of \\{shown} ends"))
+                .help(format!("enclose it, \\{shown}(…), or end it with a thin space \\,")));
+        }
+        *cursor = run.end;
+        self.term(&items[start..run.end])
+    }
+
+    /// Numbers, then symbols, up to the first that is an angle or dotted; a fraction or a root stands alone.
+    fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
+        let mut run = Run { end: start, symbols: Vec::new(), stands_alone: false };
+        let mut numbers = 0;
+        while let Some(item) = items.get(run.end) {
+            if self.is_leading_number(item, run.end == start) {
+                if !run.symbols.is_empty() {
+                    break;
+                }
+                numbers += 1;
+                run.end += 1;
+                if matches!(item.layout, Layout::Fraction(..) | Layout::Root(..)) && !is_numeric_item(item) {
+                    run.stands_alone = true;
+                    break;
+                }
+                continue;
+            }
+            let Some(printed) = names::printed(item, self.branch) else { break };
+            if printed.dots > 0 && run.end > start {
+                break;
+            }
+            if printed.sup.is_some() {
+                // After an angle the argument is over; before that, the power could be of the symbol or the function.
+                if run.end == start || run.symbols.is_empty() && numbers > 0 || !run.has_angle() {
+                    return Err(two_ways(head.to(item.span), "a power at the end of an argument")
+                        .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
+                }
+                break;
+            }
+            let entry = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));
+            let (angle, varies) = entry.map_or((false, false), |entry| (entry.angle, entry.varies));
+            let is_angle = angle && printed.dots == 0;
+            run.symbols.push((is_angle, printed.name));
+            run.end += 1;
+            if varies && items.get(run.end).is_some_and(|item| self.is_time_in_parentheses(item)) {
+                run.end += 1;
+            }
+            if printed.dots > 0 || is_angle {
+                break;
+            }
+        }
+        Ok(run)
+    }
+
+    fn is_leading_number(&self, item: &Item, is_first: bool) -> bool {
+        match &item.layout {
+            Layout::Number(_) => true,
+            Layout::Fraction(a, b) => is_first || is_numeric(a) && is_numeric(b),
+            Layout::Root(..) => is_first,
+            Layout::Command(name) => name == "\\pi" && self.symbols.find(&Name::plain("\\pi")).is_none(),
+            _ => false,
+        }
+    }
+
+    /// Whether nothing else can be meant than this run of items.
+    fn is_settled(&self, run: &Run, items: &[Item]) -> Read<bool> {
+        let sure = match run.symbols.as_slice() {
+            [] | [_] | [.., (true, _)] => true,
+            [(_, first), (_, second)] => {
+                let is_frequency = matches!(first.base.as_str(), "\\omega" | "\\Omega" | "\\nu");
+                is_frequency && Some(second) == self.symbols.time.as_ref()
+            }
+            _ => false,
+        };
+        let next = items.get(run.end);
+        let parenthesis = match next.map(|item| &item.layout) {
+            Some(Layout::Fence(..)) => true,
+            Some(Layout::Scripts { .. }) => next.is_some_and(|item| names::printed(item, self.branch).is_none()),
+            _ => false,
+        };
+        let could_go_on = parenthesis && !run.has_angle() && function_head(&items[run.end])?.is_none()
+            || run.stands_alone && self.goes_on(items, run.end)
+            || !run.has_angle() && self.time_follows(items, run.end);
+        Ok(sure && !could_go_on)
+    }
+
+    /// Whether a symbol without a dot, or a number, stands beside what was read.
+    fn goes_on(&self, items: &[Item], at: usize) -> bool {
+        items.get(at).is_some_and(|item| {
+            is_number(item)
+                || matches!(item.layout, Layout::Fraction(..) | Layout::Root(..))
+                || names::printed(item, self.branch).is_some_and(|printed| printed.dots == 0)
+        })
+    }
+
+    /// Whether `\,t` follows an argument that is not an angle yet: `\cos\omega\,t`.
+    fn time_follows(&self, items: &[Item], at: usize) -> bool {
+        let space = items.get(at).is_some_and(|item| matches!(item.layout, Layout::Space(Space::Thin)));
+        let time = items.get(at + 1).and_then(|item| names::printed(item, self.branch)).map(|printed| printed.name);
+        space && time.is_some() && time == self.symbols.time
+    }
+
+    /// `(t)` after something that varies is only a way of writing it.
+    pub(super) fn is_time_in_parentheses(&self, item: &Item) -> bool {
+        let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+        let [only] = inside.as_slice() else { return false };
+        let printed = names::printed(only, None).filter(|printed| printed.dots == 0 && printed.sup.is_none());
+        printed.map(|printed| printed.name) == self.symbols.time
+    }
+}
+
+/// A function's command with the power on it.
+pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>)>> {
+    let named = |item: &Item| match &item.layout {
+        Layout::Command(name) => name.strip_prefix('\\').and_then(Function::named),
+        Layout::Style(style, inner) if style == "\\mathrm" => {
+            let word: String =
+                contents(inner).iter().map(|item| if let Layout::Letter(c) = item.layout { c } else { ' ' }).collect();
+            Function::named(&word)
+        }
+        _ => None,
+    };
+    if let Some(function) = named(item) {
+        return Ok(Some((function, None)));
+    }
+    let Layout::Scripts { nucleus, sub, sup, primes } = &item.layout else {
+        return Ok(None);
+    };
+    let Some(function) = named(nucleus) else {
+        return Ok(None);
+    };
+    if sub.is_some() || *primes > 0 {
+        return Err(Fault::new(item.span, "a subscript or prime on a function is not read"));
+    }
+    match sup.as_deref() {
+        Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
+            Err(two_ways(item.span, "a negative power of a function").help("write \\arcsin or \\frac{1}{\\sin x}"))
+        }
+        sup => Ok(Some((function, sup))),
+    }
+}

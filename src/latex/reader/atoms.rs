@@ -1,0 +1,135 @@
+//! A single item as a formula: a number, a group, a fraction, a root, a matrix, and what is raised above it.
+
+use crate::formula::shape::{self, Shape};
+use crate::formula::tree::{Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::names;
+use super::items::{contents, is_minus_one, is_transpose, whole_number};
+use super::operators::starts_differential;
+use super::{Read, Reader, two_ways, unknown_command};
+
+impl Reader<'_> {
+    /// A single item as a formula.
+    pub(super) fn item(&mut self, item: &Item) -> Read<Expr> {
+        let span = item.span;
+        if let Some(printed) = names::printed(item, self.branch) {
+            return self.symbol(span, printed, &[], &mut 0);
+        }
+        match &item.layout {
+            Layout::Fault(fault) => Err(fault.clone()),
+            Layout::Number(digits) => {
+                if digits.parse::<f64>().is_ok_and(f64::is_finite) {
+                    Ok(Expr::new(Node::Number(digits.clone()), span))
+                } else {
+                    Err(Fault::new(span, "this number is too large to compute with"))
+                }
+            }
+            Layout::Group(items) => self.sum(items, span),
+            Layout::Fence(delimiter, items) => self.fence(*delimiter, items, span),
+            Layout::Fraction(numerator, denominator) => {
+                if starts_differential(numerator) || starts_differential(denominator) {
+                    return Err(Fault::new(span, "a derivative by something other than the time is not read"));
+                }
+                let (a, b) = (self.item(numerator)?, self.item(denominator)?);
+                Ok(Expr::new(Node::Quotient(Box::new(a), Box::new(b)), span))
+            }
+            Layout::Root(index, radicand) => {
+                let degree = match index.as_deref().map(|index| whole_number(index).ok_or(index.span)) {
+                    None => 2,
+                    Some(Ok(degree)) if degree >= 2 => degree,
+                    Some(Ok(_)) => return Err(Fault::new(span, "the index of a root is a whole number from 2 up")),
+                    Some(Err(span)) => return Err(Fault::new(span, "the index of a root is a whole number from 2 up")),
+                };
+                Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
+            }
+            Layout::Accent(command, inner) if matches!(command.as_str(), "\\dot" | "\\ddot" | "\\dddot") => {
+                let order = command.matches('d').count() as u8;
+                Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span))
+            }
+            Layout::Environment(name, rows) => self.matrix(name, rows, span),
+            Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
+                let base = self.item(nucleus)?;
+                if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
+                    return Err(two_ways(span, "a power of braces, which do not print").help("use parentheses"));
+                }
+                self.raised(base, sup, span)
+            }
+            Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
+                (Layout::Fault(fault), _) => Err(fault.clone()),
+                (Layout::Command(name), _) => Err(unknown_command(name, nucleus.span)),
+                (_, Some(sub)) => Err(Fault::new(sub.span, "a subscript on something that is not a symbol")),
+                _ => Err(Fault::new(span, "a prime on something that is not a symbol")),
+            },
+            Layout::Command(name) => Err(unknown_command(name, span)),
+            Layout::Style(name, _) | Layout::Accent(name, _) => {
+                Err(Fault::new(span, format!("{name} of this has no meaning here")))
+            }
+            Layout::Text(word) => Err(Fault::new(span, format!("the words “{word}” have no meaning here"))),
+            Layout::Other(c) => Err(Fault::new(span, format!("“{c}” is not understood here"))),
+            Layout::Letter(_) | Layout::Space(_) | Layout::Row | Layout::Align => {
+                Err(Fault::new(span, "this is not understood here"))
+            }
+        }
+    }
+
+    fn fence(&mut self, delimiter: Delimiter, items: &[Item], span: Span) -> Read<Expr> {
+        if let [Item { layout: Layout::Environment(name, rows), .. }] = items
+            && matches!(delimiter, Delimiter::Round | Delimiter::Square)
+        {
+            return self.matrix(name, rows, span);
+        }
+        match delimiter {
+            Delimiter::Round | Delimiter::Square | Delimiter::Curly => {
+                let mut inner = self.sum(items, span)?;
+                inner.span = span;
+                Ok(inner)
+            }
+            Delimiter::Bar | Delimiter::PlainBar | Delimiter::DoubleBar => {
+                Ok(Expr::new(Node::Norm(Box::new(self.sum(items, span)?)), span))
+            }
+            Delimiter::Angle => Err(Fault::new(span, "angle brackets have no meaning here")),
+        }
+    }
+
+    fn matrix(&mut self, name: &str, rows: &[Vec<Vec<Item>>], span: Span) -> Read<Expr> {
+        match name {
+            "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" => {
+                let rows: Read<Vec<Vec<Expr>>> =
+                    rows.iter().map(|row| row.iter().map(|cell| self.sum(cell, span)).collect()).collect();
+                let rows = rows?;
+                match rows.iter().find(|row| row.len() != rows[0].len()) {
+                    Some(_) => Err(Fault::new(span, "the rows of this matrix are not equally long")),
+                    None => Ok(Expr::new(Node::Matrix(rows), span)),
+                }
+            }
+            _ => Err(Fault::new(span, format!("the environment {name} is not read here"))),
+        }
+    }
+
+    /// A base with something above the line: a power, a transpose, an inverse.
+    pub(super) fn raised(&mut self, base: Expr, sup: &Item, span: Span) -> Read<Expr> {
+        let shape = shape::shape_of(&base, self.symbols)?;
+        let boxed = Box::new(base);
+        if let Shape::Matrix(..) = shape {
+            if is_transpose(sup) {
+                return Ok(Expr::new(Node::Transpose(boxed), span));
+            }
+            if is_minus_one(sup) {
+                return Ok(Expr::new(Node::Inverse(boxed), span));
+            }
+        }
+        if matches!(&sup.layout, Layout::Command(name) if matches!(name.as_str(), "\\dagger" | "\\circ" | "\\ast"))
+            || matches!(sup.layout, Layout::Other('*'))
+            || matches!(contents(sup), [Item { layout: Layout::Fence(Delimiter::Round, _), .. }])
+        {
+            return Err(Fault::new(sup.span, "this superscript is not read"));
+        }
+        if shape == Shape::Vector && whole_number(sup) == Some(2) {
+            return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));
+        }
+        let exponent = self.item(sup)?;
+        Ok(Expr::new(Node::Power(boxed, Box::new(exponent)), span))
+    }
+}

@@ -1,0 +1,148 @@
+//! Operators that act on what follows: time derivatives and sums.
+
+use crate::formula::symbols::Name;
+use crate::formula::tree::{Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Item, Layout};
+use super::super::lexer::Space;
+use super::super::names;
+use super::items::{contents, extent, joint, whole_number};
+use super::{Joint, Read, Reader, two_ways};
+
+impl Reader<'_> {
+    /// What `\frac{d}{dt}` acts on.
+    pub(super) fn operand(&mut self, items: &[Item], cursor: &mut usize, operator: Span) -> Read<Expr> {
+        while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
+            *cursor += 1;
+        }
+        let missing = || Fault::new(operator, "nothing follows this derivative");
+        let first = items.get(*cursor).ok_or_else(missing)?;
+        if matches!(first.layout, Layout::Fence(..)) {
+            *cursor += 1;
+            return self.item(first);
+        }
+        let rest = &items[*cursor..];
+        let one = rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count() == 1;
+        if !one {
+            return Err(two_ways(operator.to(first.span), "how far this derivative reaches").help("put parentheses"));
+        }
+        *cursor = items.len();
+        self.sum(rest, operator)
+    }
+
+    /// `\frac{d^n …}{dt^n}`: the order and what stands beside the upper d.
+    pub(super) fn derivative<'i>(&self, numerator: &'i Item, denominator: &Item) -> Read<Option<(u8, &'i [Item])>> {
+        let upper = contents(numerator);
+        let lower = contents(denominator);
+        let (Some(order), [d, time]) = (upper.first().and_then(differential), lower) else {
+            return Ok(None);
+        };
+        let Some(time) = names::printed(time, None).filter(|_| differential(d) == Some(1)) else {
+            return Ok(None);
+        };
+        let below = match time.sup {
+            None => Some(1),
+            Some(sup) => whole_number(sup),
+        };
+        if Some(&time.name) != self.symbols.time.as_ref() {
+            return Ok(None);
+        }
+        let span = numerator.span.to(denominator.span);
+        if self.symbols.find(&Name::plain("d")).is_some() {
+            return Err(two_ways(span, "d, which is declared as a symbol").help("write \\mathrm{d} for the derivative"));
+        }
+        if below != Some(order) {
+            return Err(Fault::new(span, "the orders above and below in this derivative differ"));
+        }
+        match u8::try_from(order) {
+            Ok(order @ 1..=5) => Ok(Some((order, &upper[1..]))),
+            _ => Err(Fault::new(span, "derivatives are read up to the fifth")),
+        }
+    }
+
+    /// `d\theta/dt` typed on one line: d, θ, slash, d, t.
+    pub(super) fn derivative_slash(&self, items: &[Item], at: usize) -> Option<u8> {
+        let [d, inner, slash, below, time, ..] = items.get(at..)? else { return None };
+        let is_time = names::printed(time, None).is_some_and(|p| Some(&p.name) == self.symbols.time.as_ref());
+        let fits = differential(d) == Some(1)
+            && names::printed(inner, self.branch).is_some()
+            && joint(slash) == Some(Joint::Slash)
+            && differential(below) == Some(1)
+            && is_time
+            && self.symbols.find(&Name::plain("d")).is_none();
+        fits.then_some(1)
+    }
+
+    /// `\sum_{a=1}^{3} …` or `\sum_a …` over declared indices.
+    pub(super) fn big_sum(&mut self, sigma: &Item, rest: &[Item]) -> Read<Expr> {
+        let span = extent(rest).map_or(sigma.span, |rest| sigma.span.to(rest));
+        let want = || Fault::new(sigma.span, "a sum wants a declared index below, \\sum_{a=1}^{3}");
+        let Layout::Scripts { sub: Some(sub), sup, .. } = &sigma.layout else {
+            return Err(want());
+        };
+        let below = contents(sub);
+        let (letters, lower) = match below.iter().position(|item| item.layout == Layout::Other('=')) {
+            Some(at) => (&below[..at], below.get(at + 1)),
+            None => (below, None),
+        };
+        let mut indices = Vec::new();
+        for item in letters.iter().filter(|item| !matches!(item.layout, Layout::Other(',') | Layout::Space(_))) {
+            let name = names::printed(item, None).ok_or_else(want)?.name;
+            indices.push(self.symbols.index(&name.to_string()).ok_or_else(want)?);
+        }
+        if indices.is_empty() || lower.is_some_and(|item| whole_number(item) != Some(1)) {
+            return Err(want());
+        }
+        if let Some(upper) = sup {
+            for index in &indices {
+                let declared = self.symbols.indices[index.0].upper;
+                if whole_number(upper) != Some(declared.into()) {
+                    return Err(Fault::new(upper.span, format!("this index is declared to run to {declared}")));
+                }
+            }
+        }
+        if rest.is_empty() {
+            return Err(Fault::new(sigma.span, "nothing follows this sum"));
+        }
+        let mut body = self.term(rest)?;
+        for index in indices.into_iter().rev() {
+            body = Expr::new(Node::SumOver { index, implied: false, body: Box::new(body) }, span);
+        }
+        Ok(body)
+    }
+}
+
+/// `\sum`, with or without limits.
+pub(super) fn is_big_sum(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Command(name) => name == "\\sum",
+        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == "\\sum"),
+        _ => false,
+    }
+}
+
+/// The order of a differential d, `d^2`, `\mathrm{d}`.
+fn differential(item: &Item) -> Option<u32> {
+    let is_d = |item: &Item| {
+        item.layout == Layout::Letter('d')
+            || matches!(&item.layout, Layout::Style(style, inner) if style == "\\mathrm"
+                && matches!(contents(inner), [Item { layout: Layout::Letter('d'), .. }]))
+    };
+    match &item.layout {
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } if is_d(nucleus) => whole_number(sup),
+        _ if is_d(item) => Some(1),
+        _ => None,
+    }
+}
+
+/// Whether a numerator or denominator begins with a d and goes on: `dx`, `\partial L`.
+pub(super) fn starts_differential(item: &Item) -> bool {
+    match contents(item) {
+        [first, second, ..] => {
+            let partial = matches!(&first.layout, Layout::Command(name) if name == "\\partial");
+            partial || differential(first).is_some() && names::printed(second, None).is_some()
+        }
+        _ => false,
+    }
+}

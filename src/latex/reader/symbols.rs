@@ -1,0 +1,208 @@
+//! A printed name as a symbol of the table, with what a superscript and a following parenthesis make of it.
+
+use crate::formula::symbols::{Kind, Name, SymbolId};
+use crate::formula::tree::{Expr, Index, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::names::{self, Printed};
+use super::items::{is_minus_one, is_transpose, whole_number};
+use super::{Read, Reader, two_ways};
+
+impl Reader<'_> {
+    /// A printed name as a symbol of the table, with what its superscript and a following parenthesis make of it.
+    pub(super) fn symbol(
+        &mut self,
+        span: Span,
+        printed: Printed<'_>,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Expr> {
+        let name = &printed.name;
+        if name.base == "e" || name.base == "\\mathrm{e}" {
+            let declared = self.symbols.find(name).is_some();
+            if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots) {
+                if name.base == "e" && whole_number(sup).is_some() {
+                    return Err(two_ways(span, "e with a plain number above it")
+                        .help("write \\exp(2) for the exponential, or declare e"));
+                }
+                let exponent = self.item(sup)?;
+                let euler = Expr::new(Node::Euler, span);
+                return Ok(Expr::new(Node::Power(Box::new(euler), Box::new(exponent)), span));
+            }
+            if !declared && name.subscript.is_empty() {
+                return Err(two_ways(span, "e alone").help("write \\exp(1) for the number, or declare e"));
+            }
+        }
+        if let Some(special) = self.special(&printed, span)? {
+            return match printed.sup {
+                Some(sup) => self.raised(special, sup, span),
+                None => Ok(special),
+            };
+        }
+        let dots = printed.dots;
+        if let Some((id, indices)) = self.symbols.find(name) {
+            if self.symbols.entry(id).kind == Kind::Rotation {
+                return self.rotation(id, printed.sup, span, items, cursor);
+            }
+            if indices.len() == 2
+                && let Some(sup) = printed.sup
+                && (is_transpose(sup) || is_minus_one(sup))
+            {
+                let whole = Box::new(Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, span));
+                let node = if is_transpose(sup) { Node::Transpose(whole) } else { Node::Inverse(whole) };
+                return Ok(Expr::new(Node::Entry(Box::new(Expr::new(node, span)), indices[0], indices[1]), span));
+            }
+            return self.applied(Node::Symbol { id, indices, dots }, printed.sup, span, items, cursor);
+        }
+        if name.subscript.is_empty()
+            && name.primes == 0
+            && let Some(id) = self.symbols.find_whole(&name.base)
+        {
+            return self.applied(Node::Symbol { id, indices: Vec::new(), dots }, printed.sup, span, items, cursor);
+        }
+        if self.symbols.open {
+            return self.undeclared(printed, span, items, cursor);
+        }
+        let fault = Fault::new(span, format!("{name} is not declared"));
+        Err(match self.symbols.nearest(name) {
+            Some(near) => fault.help(format!("did you mean {near}? Else declare {name} in the claims file")),
+            None => fault.help(format!("declare {name} in the claims file")),
+        })
+    }
+
+    /// In a formula without a file, an unknown letter is a real number.
+    fn undeclared(&mut self, printed: Printed<'_>, span: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        let name = &printed.name;
+        let next = items.get(*cursor).filter(|item| names::printed(item, self.branch).is_some());
+        if name.base == "d" && name.subscript.is_empty() && next.is_some() {
+            return Err(two_ways(span, "d before a symbol").help("only \\frac{d}{dt} is read as a derivative"));
+        }
+        let fence = items.get(*cursor).is_some_and(|item| matches!(item.layout, Layout::Fence(Delimiter::Round, _)));
+        let is_function_name = ["f", "F", "h", "G", "V", "W", "J", "Y", "\\Gamma", "\\Phi"]
+            .contains(&name.base.as_str())
+            || name.base.starts_with("\\mathrm{") && name.base.len() > "\\mathrm{x}".len();
+        if fence && is_function_name {
+            return Err(two_ways(span, &format!("{name}(…), a call or a product"))
+                .help("for a product put a thin space \\, before the parenthesis"));
+        }
+        if name.base.contains("\\vec") || name.base.contains("\\mathbf") || name.base.contains("\\hat") {
+            return Err(Fault::new(span, format!("{name} looks like a vector, and nothing says what it is"))
+                .help("vectors and matrices need a claims file that declares them"));
+        }
+        let Some(id) = self.symbols.add(name.clone(), Kind::Scalar) else {
+            return Err(Fault::new(span, format!("{name} cannot be told from another symbol")));
+        };
+        let node = Node::Symbol { id, indices: Vec::new(), dots: printed.dots };
+        self.applied(node, printed.sup, span, items, cursor)
+    }
+
+    /// π, ε_abc and δ_ab, unless they are declared.
+    fn special(&self, printed: &Printed<'_>, span: Span) -> Read<Option<Expr>> {
+        let name = &printed.name;
+        if printed.dots > 0 || name.primes > 0 || self.symbols.find(name).is_some() {
+            return Ok(None);
+        }
+        let indices = |tokens: &[String]| -> Option<Vec<Index>> {
+            let index = |token: &String| match self.symbols.index(token) {
+                Some(id) => Some(Index::Letter(id)),
+                None => token.parse().ok().filter(|n| (1..=3).contains(n)).map(Index::Fixed),
+            };
+            let found: Option<Vec<Index>> = tokens.iter().map(index).collect();
+            found.filter(|found| found.iter().any(|index| matches!(index, Index::Letter(_))))
+        };
+        let node = match (name.base.as_str(), name.subscript.len()) {
+            ("\\pi", 0) => Some(Node::Pi),
+            ("\\epsilon" | "\\varepsilon", 3) => {
+                indices(&name.subscript).and_then(|found| found.try_into().ok()).map(Node::Epsilon)
+            }
+            ("\\delta", 2) => indices(&name.subscript).and_then(|found| found.try_into().ok()).map(Node::Delta),
+            _ => None,
+        };
+        Ok(node.map(|node| Expr::new(node, span)))
+    }
+
+    /// A symbol with its power; a parenthesis after it is a factor of its own, unless that could be a call.
+    fn applied(
+        &mut self,
+        node: Node,
+        sup: Option<&Item>,
+        span: Span,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Expr> {
+        if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor)
+            && let Node::Symbol { id, .. } = &node
+        {
+            let plain = |item: &&Item| !matches!(item.layout, Layout::Space(_));
+            let inside: Vec<&Item> = inside.iter().filter(plain).collect();
+            let lone = inside.iter().all(|item| {
+                names::printed(item, self.branch).is_some_and(|p| p.sup.is_none())
+                    || matches!(item.layout, Layout::Other(','))
+            }) && (inside.len() == 1 || inside.iter().any(|item| matches!(item.layout, Layout::Other(','))));
+            if self.is_time_in_parentheses(&items[*cursor]) && self.symbols.entry(*id).varies {
+                *cursor += 1;
+            } else if lone {
+                let name = self.symbols.entry(*id).name.to_string();
+                return Err(two_ways(span.to(*fence), &format!("{name}(…), a call or a product"))
+                    .help("for a product leave the parentheses out"));
+            }
+        }
+        let expr = Expr::new(node, span);
+        match sup {
+            Some(sup) => self.raised(expr, sup, span),
+            None => Ok(expr),
+        }
+    }
+
+    fn rotation(
+        &mut self,
+        id: SymbolId,
+        sup: Option<&Item>,
+        span: Span,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Expr> {
+        let (item, above) = match items.get(*cursor) {
+            // `\mathbf{R}_z(\psi)^T`: what stands above the parenthesis is meant for all of it.
+            Some(Item { layout: Layout::Scripts { nucleus, sub: None, sup: Some(above), primes: 0 }, .. }) => {
+                (Some(nucleus.as_ref()), Some(above.as_ref()))
+            }
+            item => (item, None),
+        };
+        let sup = sup.or(above);
+        let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = item else {
+            return Err(Fault::new(span, format!("{} wants its angle in parentheses", self.symbols.entry(id).name)));
+        };
+        *cursor += 1;
+        let angle = self.sum(inside, *fence)?;
+        let applied = Expr::new(Node::Apply(id, vec![angle]), span.to(*fence));
+        match sup {
+            Some(sup) => self.raised(applied, sup, span.to(*fence)),
+            None => Ok(applied),
+        }
+    }
+
+    /// `\Delta x` as one symbol, unless Δ itself is declared.
+    pub(super) fn compound(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let (Some(first), Some(second)) = (items.get(*cursor), items.get(*cursor + 1)) else {
+            return Ok(None);
+        };
+        let is_difference = matches!(&first.layout, Layout::Command(name) if name == "\\Delta" || name == "\\delta");
+        let Some(mut printed) = names::printed(second, self.branch).filter(|_| is_difference) else {
+            return Ok(None);
+        };
+        let Layout::Command(command) = &first.layout else {
+            return Ok(None);
+        };
+        if self.symbols.find(&Name::plain(command)).is_some() {
+            return Ok(None);
+        }
+        if command == "\\delta" && self.symbols.open {
+            return Err(two_ways(first.span.to(second.span), "\\delta before a symbol"));
+        }
+        printed.name.base = format!("{command} {}", printed.name.base);
+        *cursor += 2;
+        self.symbol(first.span.to(second.span), printed, items, cursor).map(Some)
+    }
+}
