@@ -7,9 +7,11 @@
 //! pass is held against its [`twins`].
 
 pub mod definitions;
+mod desk;
 pub mod document;
 pub mod draw;
 pub mod ensemble;
+mod equation;
 pub mod evidence;
 pub mod functions;
 pub mod generates;

@@ -7,8 +7,9 @@ use crate::formula::{Expr, Statement, SymbolId, text};
 use crate::notes::claims::{Claims, Holds, Property, Sentence, Sign, Spanned, Test};
 use crate::{Error, Result};
 
-use super::document::{Desk, expected, merged};
+use super::desk::Desk;
 use super::draw::Reach;
+use super::equation::{expected, merged};
 use super::functions::{self, Shape, Target};
 use super::identity::{self, Context};
 use super::limit::{self, Towards};

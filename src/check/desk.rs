@@ -1,0 +1,157 @@
+//! The desk at which one document is checked: its claims, notes, symbols and readings, and what a claims file names
+//! among them (an equation, a symbol, a formula, a condition, a limit).
+
+use crate::formula::{Assignment, Expr, Relation, Statement, SymbolId, Value, evaluate, shape};
+use crate::latex::{Reading, names, read_display, read_formula};
+use crate::notes::claims::{Claim, Claims, Spanned};
+use crate::notes::{Display, Notes};
+use crate::source::Fault;
+use crate::{Error, Result, suggest};
+
+use super::ensemble::Condition;
+use super::identity::Options;
+use super::judge::Link;
+use super::limit::Towards;
+use super::model::{Model, formula_error};
+
+/// Everything that checking one equation or sentence needs.
+pub(super) struct Desk<'a> {
+    pub claims: &'a Claims,
+    pub notes: &'a Notes,
+    pub model: &'a Model,
+    pub readings: &'a [Reading],
+    pub assigned: &'a [Option<&'a Claim>],
+    pub options: Options,
+}
+
+impl Desk<'_> {
+    /// A link between two formulas, typed.
+    pub fn link(&self, lhs: &Expr, relation: Relation, rhs: &Expr) -> Result<Link> {
+        let typed = |expr: &Expr| shape::bind(expr.clone(), &self.model.symbols);
+        let fault = |fault: Fault| Error::new(fault.message);
+        let ((lhs, a), (rhs, b)) = (typed(lhs).map_err(fault)?, typed(rhs).map_err(fault)?);
+        shape::comparable((&lhs, &a), (&rhs, &b)).map_err(fault)?;
+        let free = if a.free.is_empty() { b.free } else { a.free };
+        Ok(Link { lhs, relation, rhs, free })
+    }
+
+    /// The hypotheses of a claim: its own and those of the whole file.
+    pub fn conditions(&self, claim: &Claim) -> Result<Vec<Condition>> {
+        let mut conditions = Vec::new();
+        for latex in self.claims.assume.iter().chain(&claim.assume) {
+            self.condition(latex, false, &mut conditions)?;
+        }
+        for latex in &claim.throughout {
+            self.condition(latex, true, &mut conditions)?;
+        }
+        Ok(conditions)
+    }
+
+    fn condition(&self, latex: &Spanned<String>, throughout: bool, into: &mut Vec<Condition>) -> Result<()> {
+        if let Some((_, named)) = self.claims.conditions.iter().find(|(name, _)| name.value == latex.value) {
+            return named.iter().try_for_each(|latex| self.condition(latex, throughout, into));
+        }
+        if self.display(&latex.value).is_some() {
+            let link = self.target(latex)?;
+            into.push(Condition { lhs: link.lhs, relation: link.relation, rhs: link.rhs, throughout });
+            return Ok(());
+        }
+        let statements = self.statements(latex).map_err(|error| {
+            let names = self.claims.conditions.iter().map(|(name, _)| name.value.as_str());
+            match suggest::nearest(&latex.value, names) {
+                Some(near) => error.help(format!("did you mean the condition \"{near}\"?")),
+                None => error,
+            }
+        })?;
+        for statement in statements {
+            if statement.relations.is_empty() {
+                let message = format!("“{}” is no condition", latex.value);
+                return Err(Error::at(&self.claims.source, latex.span, message)
+                    .help("write a relation, \\dot\\theta = 0, or the name of one of the \"conditions\""));
+            }
+            for (at, (relation, _)) in statement.relations.iter().enumerate() {
+                let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+                into.push(Condition { lhs: link.lhs, relation: link.relation, rhs: link.rhs, throughout });
+            }
+        }
+        Ok(())
+    }
+
+    /// The statements of LaTeX in the claims file; they introduce nothing.
+    pub fn statements(&self, latex: &Spanned<String>) -> Result<Vec<Statement>> {
+        let mut symbols = self.model.symbols.clone();
+        let known = symbols.len();
+        let reading = read_display(&latex.value, &mut symbols, &self.model.macros);
+        if let Some((id, _)) = reading.introduced.iter().find(|(id, _)| id.0 >= known) {
+            let message = format!("{} is not declared", symbols.entry(*id).name);
+            return Err(Error::at(&self.claims.source, latex.span, message));
+        }
+        reading.statements.into_iter().map(|s| s.map_err(|fault| formula_error(self.claims, latex, fault))).collect()
+    }
+
+    /// A formula of the claims file.
+    pub fn formula(&self, latex: &Spanned<String>) -> Result<Expr> {
+        let mut symbols = self.model.symbols.clone();
+        read_formula(&latex.value, &mut symbols, &self.model.macros)
+            .map_err(|fault| formula_error(self.claims, latex, fault))
+    }
+
+    /// A symbol named in the claims file.
+    pub fn symbol(&self, latex: &Spanned<String>) -> Result<SymbolId> {
+        let name = names::parse(&latex.value).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
+        let found = name.as_ref().and_then(|name| self.model.symbols.find(name));
+        found.map(|(id, _)| id).ok_or_else(|| {
+            let error = Error::at(&self.claims.source, latex.span, format!("there is no symbol {}", latex.value));
+            match name.and_then(|name| self.model.symbols.nearest(&name)) {
+                Some(near) => error.help(format!("did you mean {near}?")),
+                None => error,
+            }
+        })
+    }
+
+    /// The reading of the display with this number or label.
+    pub fn display(&self, address: &str) -> Option<&Reading> {
+        let named =
+            |display: &Display| display.number.iter().chain(&display.labels).any(|numbered| numbered.id == address);
+        self.notes.equations.iter().position(named).map(|at| &self.readings[at])
+    }
+
+    /// The first statement of an equation, as a link between its first two members.
+    pub fn target(&self, address: &Spanned<String>) -> Result<Link> {
+        let missing = |message: String| Error::at(&self.claims.source, address.span, message);
+        let reading =
+            self.display(&address.value).ok_or_else(|| missing(format!("there is no ({})", address.value)))?;
+        match reading.statements.first() {
+            Some(Ok(Statement { members, relations, .. })) if members.len() > 1 => {
+                self.link(&members[0], relations[0].0, &members[1])
+            }
+            Some(Err(fault)) => Err(missing(format!("({}) cannot be read: {}", address.value, fault.message))),
+            _ => Err(missing(format!("({}) is not an equation", address.value))),
+        }
+    }
+
+    /// `x \to a`.
+    pub fn limit(&self, latex: &Spanned<String>) -> Result<(SymbolId, Towards)> {
+        let wrong = || {
+            Error::at(&self.claims.source, latex.span, format!("“{}” is no limit", latex.value))
+                .help("write \\omega_3 \\to \\infty")
+        };
+        let arrow = ["\\to", "\\rightarrow"].into_iter().find_map(|arrow| latex.value.split_once(arrow));
+        let (variable, end) = arrow.ok_or_else(wrong)?;
+        let symbol = self.symbol(&Spanned { value: variable.trim().to_owned(), span: latex.span })?;
+        let towards = match end.replace(' ', "").as_str() {
+            "\\infty" | "+\\infty" => Towards::Infinity,
+            "-\\infty" => Towards::MinusInfinity,
+            _ => {
+                let end = Spanned { value: end.to_owned(), span: latex.span };
+                let formula = self.formula(&end)?;
+                let nothing = Assignment::<f64>::new(&self.model.symbols);
+                match evaluate(&formula, &nothing, &[]) {
+                    Ok(Value::Scalar(value)) if value.value().is_finite() => Towards::Number(value.value()),
+                    _ => return Err(wrong()),
+                }
+            }
+        };
+        Ok((symbol, towards))
+    }
+}

@@ -1,0 +1,342 @@
+//! One equation: its statements link by link, and what else is claimed of it.
+
+use crate::formula::{Expr, Relation, Statement, SymbolId, text};
+use crate::latex::{Reading, read_display};
+use crate::notes::Display;
+use crate::notes::claims::{Claim, Conserved, Erratum, Expect, Expected, Holds, Solved, Spanned};
+use crate::source::{Fault, Span};
+use crate::{Error, Result};
+
+use super::desk::Desk;
+use super::document::id;
+use super::draw::Reach;
+use super::ensemble::Condition;
+use super::identity::{self, Context};
+use super::verdict::{Equation, Finding, Part, Verdict};
+use super::{definitions, generates, limit, solves};
+
+/// The verdict that a claims file expects.
+pub(super) fn expected(expect: &Expect) -> Verdict {
+    match expect.verdict.value {
+        Expected::Refuted => Verdict::Refuted,
+        Expected::Domain => Verdict::Domain,
+        Expected::Undecided => Verdict::Undecided,
+        Expected::Unreadable => Verdict::Unreadable,
+        Expected::Unclaimed => Verdict::Unclaimed,
+    }
+}
+
+impl Desk<'_> {
+    /// The finding on an equation, with its parts.
+    pub fn equation(&self, at: usize, claim: Option<&Claim>) -> Result<Equation> {
+        let display = &self.notes.equations[at];
+        let none = Claim::default();
+        let claim = claim.unwrap_or(&none);
+        let offset = display.body.start;
+        let reading = &self.readings[at];
+        let topic = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
+        let mut parts = self.parts(reading, claim, offset, &topic)?;
+        let mut because = claim.expect.as_ref().map(|expect| expect.because.value.clone());
+        let passes = |parts: &[Part]| parts.iter().all(|part| part.finding.verdict.passes());
+        let mut as_expected = match &claim.expect {
+            Some(expect) => {
+                let verdict = expected(expect);
+                let pinned = |part: &Part| part.finding.verdict == verdict;
+                parts.iter().any(pinned) && parts.iter().all(|part| pinned(part) || part.finding.verdict.passes())
+            }
+            None => passes(&parts),
+        };
+        if !claim.errata.is_empty() {
+            let corrected = self.corrected(display, &claim.errata)?;
+            let mut symbols = self.model.symbols.clone();
+            let reading = read_display(&corrected, &mut symbols, &self.model.macros);
+            let mended = self.parts(&reading, claim, offset, &topic)?;
+            let failed = !passes(&parts);
+            as_expected = failed && passes(&mended);
+            let edits: Vec<String> =
+                claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
+            let verdict = match (failed, as_expected) {
+                (true, true) => "as corrected it passes".to_owned(),
+                (true, false) => format!("as corrected it does not pass: {}", worst(&mended).message),
+                (false, _) => "but it passes as printed".to_owned(),
+            };
+            because = Some(format!("{}; {verdict}", edits.join(", ")));
+        }
+        if let Some(expect) = &claim.expect {
+            // A pinned equation is as expected as a whole; its sound parts need no excuse.
+            parts.iter_mut().for_each(|part| part.ok = part.ok || part.finding.verdict == expected(expect));
+        }
+        let finding = worst(&parts);
+        let readings: Vec<&str> = parts.iter().map(|part| part.reading.as_str()).filter(|r| !r.is_empty()).collect();
+        Ok(Equation {
+            id: topic,
+            line: display.line,
+            latex: self.notes.source.slice(display.body).to_owned(),
+            reading: readings.join("; "),
+            finding,
+            ok: as_expected,
+            because,
+            parts: if parts.len() > 1 { parts } else { Vec::new() },
+        })
+    }
+
+    fn corrected(&self, display: &Display, errata: &[Erratum]) -> Result<String> {
+        let mut text = display.text.clone();
+        for erratum in errata {
+            let found = text.matches(&erratum.printed.value).count();
+            if found != erratum.times {
+                let message = format!("“{}” stands {found} times in this equation", erratum.printed.value);
+                return Err(Error::at(&self.claims.source, erratum.printed.span, message)
+                    .help("quote more of it, or say how often with \"times\""));
+            }
+            text = text.replace(&erratum.printed.value, &erratum.read.value);
+        }
+        Ok(text)
+    }
+
+    /// Every statement of a display, and what else is claimed of it.
+    fn parts(&self, reading: &Reading, claim: &Claim, offset: usize, topic: &str) -> Result<Vec<Part>> {
+        if let Some(reason) = &claim.skip {
+            let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
+            return Ok(vec![self.part(finding, String::new())]);
+        }
+        let conditions = self.conditions(claim)?;
+        let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
+        let context = |topic: &'_ str, span: Span| -> (String, Span) { (topic.to_owned(), span.shifted(offset)) };
+        let mut parts = Vec::new();
+        for (at, statement) in reading.statements.iter().enumerate() {
+            let (topic, span) = match statement {
+                Ok(statement) => context(&format!("{topic} part {}", at + 1), statement.span),
+                Err(fault) => {
+                    parts.push(self.part(unreadable(fault, offset), String::new()));
+                    continue;
+                }
+            };
+            let Ok(statement) = statement else { continue };
+            let context = Context {
+                model: self.model,
+                options: self.options,
+                conditions: &conditions,
+                on_shell,
+                topic: &topic,
+                span,
+                reach: Reach::Declared,
+            };
+            let introduced = reading.introduced.iter().find(|(_, place)| *place == at).map(|(id, _)| *id);
+            parts.extend(self.statement(statement, introduced, claim, &context)?);
+        }
+        self.whole(reading, claim, &conditions, offset, topic, &mut parts)?;
+        if parts.is_empty() {
+            let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), "nothing says what this should mean");
+            parts.push(self.part(finding, String::new()));
+        }
+        Ok(parts)
+    }
+
+    fn part(&self, finding: Finding, reading: String) -> Part {
+        let latex = self.notes.source.slice(finding.span).to_owned();
+        let ok = finding.verdict.passes();
+        Part { latex, reading, finding, ok }
+    }
+
+    /// The links of one statement, as one part with the worst of them; "is constant" is a part of its own.
+    fn statement(
+        &self,
+        statement: &Statement,
+        introduced: Option<SymbolId>,
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Vec<Part>> {
+        let reading = text::statement(statement, &self.model.symbols);
+        let mut findings = Vec::new();
+        for (at, (relation, place)) in statement.relations.iter().enumerate() {
+            let last = at + 1 == statement.relations.len();
+            if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
+                continue;
+            }
+            if let (0, Some(symbol)) = (at, introduced) {
+                if claim.solves.is_none() {
+                    findings.push(self.definition(symbol, statement, context)?);
+                }
+                continue;
+            }
+            let mut link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+            if let (true, Some(dropped), None) = (last, &claim.dropping, &claim.also_equals) {
+                let dropped = self.formula(dropped)?;
+                link.rhs = identity::with_dropped(&link.rhs, &dropped);
+            }
+            let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
+            let context = Context { span: from.to(to).shifted(context.span.start - statement.span.start), ..*context };
+            let finding = match (relation, &claim.limit) {
+                (Relation::Approximately, Some(limit)) => {
+                    let (variable, towards) = self.limit(limit)?;
+                    limit::check(&link, variable, towards, &context)?
+                }
+                (Relation::Approximately, None) => {
+                    let span = place.shifted(context.span.start - from.start);
+                    Finding {
+                        span,
+                        ..context.finding(Verdict::Unreadable, "approximately, but when? Name the \"limit\"")
+                    }
+                }
+                (Relation::Proportional, _) => context.finding(Verdict::Unreadable, "∝ is not checked yet"),
+                _ => identity::check(&link, &context)?,
+            };
+            findings.push(finding);
+        }
+        let mut parts = Vec::new();
+        if let Some(mut finding) = merged(findings) {
+            if finding.verdict.passes() {
+                finding.span = context.span;
+            }
+            parts.push(self.part(finding, reading.clone()));
+        }
+        if statement.relations.is_empty() && statement.constant.is_none() {
+            let message = "a formula without a relation claims nothing";
+            parts.push(self.part(context.finding(Verdict::Unreadable, message), reading.clone()));
+        }
+        if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
+            let what = format!("{} is constant", text::formula(last, &self.model.symbols));
+            parts.push(self.part(identity::conserved(last, context)?, what));
+        }
+        Ok(parts)
+    }
+
+    /// Whether a member is the unknown that a claim solves for: then what stands beside it is the solution.
+    fn is_unknown_of(&self, member: &Expr, claim: &Claim) -> Result<bool> {
+        let Some(solves) = &claim.solves else { return Ok(false) };
+        let unknowns: Result<Vec<SymbolId>> = solves.unknowns.iter().map(|unknown| self.symbol(unknown)).collect();
+        Ok(member.as_plain_symbol().is_some_and(|id| unknowns.is_ok_and(|unknowns| unknowns.contains(&id))))
+    }
+
+    /// The verdict on a statement that introduces a symbol.
+    fn definition(&self, symbol: SymbolId, statement: &Statement, context: &Context<'_>) -> Result<Finding> {
+        let mut claims = Vec::new();
+        for (at, reading) in self.readings.iter().enumerate() {
+            let claim = self.assigned[at];
+            for (place, other) in reading.statements.iter().enumerate() {
+                let own = reading.introduced.iter().any(|(id, at)| *id == symbol && *at == place);
+                let Ok(other) = other else { continue };
+                let links = other.relations.iter().enumerate().skip(usize::from(own));
+                for (k, (relation, _)) in links {
+                    let uses = other.members[k..k + 2].iter().any(|member| solves::mentions(member, symbol));
+                    if uses && matches!(relation, Relation::Equal | Relation::Identical) {
+                        let link = self.link(&other.members[k], *relation, &other.members[k + 1])?;
+                        let conditions = claim.map(|claim| self.conditions(claim)).transpose()?.unwrap_or_default();
+                        let display = &self.notes.equations[at];
+                        let id = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
+                        claims.push((id, link, conditions));
+                    }
+                }
+            }
+        }
+        let mut users: Vec<definitions::User<'_>> = claims
+            .iter()
+            .map(|(id, link, conditions)| definitions::User {
+                id: id.clone(),
+                link: link.clone(),
+                context: Context { conditions, topic: id, on_shell: None, ..*context },
+            })
+            .collect();
+        definitions::check(symbol, &statement.members[1], &mut users, context)
+    }
+
+    /// What a claim adds to the statements: solutions, other expressions, conservation, the motion.
+    fn whole(
+        &self,
+        reading: &Reading,
+        claim: &Claim,
+        conditions: &[Condition],
+        offset: usize,
+        topic: &str,
+        parts: &mut Vec<Part>,
+    ) -> Result<()> {
+        let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
+        let Some(last) = statements.last() else { return Ok(()) };
+        let Some(printed) = last.members.last() else { return Ok(()) };
+        let span = statements[0].span.to(last.span).shifted(offset);
+        let topic = format!("{topic} whole");
+        let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
+        let context = Context {
+            model: self.model,
+            options: self.options,
+            conditions,
+            on_shell,
+            topic: &topic,
+            span,
+            reach: Reach::Declared,
+        };
+        if let Some(solves) = &claim.solves {
+            let address = match &solves.of {
+                Solved::Equation(address) => Spanned::new(address.text.clone(), address.span),
+                Solved::EquationsOfMotion(span) => {
+                    let message = "solutions of the equations of motion are not supported yet";
+                    return Err(Error::at(&self.claims.source, *span, message));
+                }
+            };
+            let [unknown] = solves.unknowns.as_slice() else {
+                return Err(Error::at(&self.claims.source, address.span, "one unknown at a time is supported"));
+            };
+            let target = self.target(&address)?;
+            let symbol = self.symbol(unknown)?;
+            let branches: Vec<Expr> = statements.iter().filter_map(|s| s.members.last().cloned()).collect();
+            let finding = solves::check(&target, symbol, &branches, &context)?;
+            let reading = format!("solves ({}) for {}", address.value, text::plain(&self.model.name(symbol)));
+            parts.push(self.part(finding, reading));
+        }
+        if let Some(also) = &claim.also_equals {
+            let other = self.formula(also)?;
+            let printed = match &claim.dropping {
+                Some(dropped) => identity::with_dropped(printed, &self.formula(dropped)?),
+                None => printed.clone(),
+            };
+            let link = self.link(&other, Relation::Equal, &printed)?;
+            let finding = identity::check(&link, &context)?;
+            let reading =
+                text::formula(&link.lhs, &self.model.symbols) + " = " + &text::formula(&link.rhs, &self.model.symbols);
+            parts.push(self.part(finding, reading));
+        }
+        if let Some(conserved) = &claim.conserved {
+            let what = match &conserved.value {
+                Conserved::Expression(latex) => self.formula(&Spanned::new(latex.clone(), conserved.span))?,
+                Conserved::This => printed.clone(),
+            };
+            let finding = identity::conserved(&what, &context)?;
+            parts.push(self.part(finding, format!("{} is constant", text::formula(&what, &self.model.symbols))));
+        }
+        if claim.generates.is_some() {
+            let finding = generates::check(printed, &context)?;
+            parts.push(self.part(finding, "it generates the motion by Hamilton's equations".to_owned()));
+        }
+        Ok(())
+    }
+}
+
+fn unreadable(fault: &Fault, offset: usize) -> Finding {
+    let message = match &fault.help {
+        Some(help) => format!("{}; {help}", fault.message),
+        None => fault.message.clone(),
+    };
+    Finding::new(Verdict::Unreadable, fault.span.shifted(offset), message)
+}
+
+/// Several findings as one: the worst speaks, the evidence is taken together.
+pub(super) fn merged(findings: Vec<Finding>) -> Option<Finding> {
+    let fewest = findings.iter().filter(|f| f.points > 0).map(|f| f.points).min();
+    let largest = findings.iter().filter_map(|f| f.max_residual).reduce(f64::max);
+    let tried = findings.iter().map(|f| f.tried).max();
+    let mut worst =
+        findings.into_iter().reduce(|a, b| if b.verdict.severity() > a.verdict.severity() { b } else { a })?;
+    if worst.verdict.passes() {
+        worst.points = fewest.unwrap_or(0);
+        worst.max_residual = largest;
+        worst.tried = tried.unwrap_or(0);
+    }
+    Some(worst)
+}
+
+/// The worst finding of some parts, which the whole carries.
+fn worst(parts: &[Part]) -> Finding {
+    merged(parts.iter().map(|part| part.finding.clone()).collect())
+        .unwrap_or_else(|| Finding::new(Verdict::Unclaimed, Span::default(), "nothing is claimed"))
+}
