@@ -67,7 +67,8 @@ impl Desk<'_> {
             parts.iter_mut().for_each(|part| part.ok = part.ok || part.finding.verdict == expected(expect));
         }
         let finding = worst(&parts);
-        let readings: Vec<&str> = parts.iter().map(|part| part.reading.as_str()).filter(|r| !r.is_empty()).collect();
+        let statements = reading.statements.iter().flatten();
+        let readings: Vec<String> = statements.map(|s| text::statement(s, &self.model.symbols)).collect();
         Ok(Equation {
             id: topic,
             line: display.line,
@@ -101,6 +102,11 @@ impl Desk<'_> {
             return Ok(vec![self.part(finding, String::new())]);
         }
         let conditions = self.conditions(claim)?;
+        // The hypotheses of a claim that adds "also equals" are those of the addition alone.
+        let printed = match claim.also_equals {
+            Some(_) => self.conditions(&Claim::default())?,
+            None => conditions.clone(),
+        };
         let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
         let context = |topic: &'_ str, span: Span| -> (String, Span) { (topic.to_owned(), span.shifted(offset)) };
         let mut parts = Vec::new();
@@ -116,7 +122,7 @@ impl Desk<'_> {
             let context = Context {
                 model: self.model,
                 options: self.options,
-                conditions: &conditions,
+                conditions: &printed,
                 on_shell,
                 topic: &topic,
                 span,
@@ -155,7 +161,9 @@ impl Desk<'_> {
                 continue;
             }
             if let (0, Some(symbol)) = (at, introduced) {
-                if claim.solves.is_none() {
+                // What defines it is checked right here, where the chain goes on or the claim says more of it.
+                let says_more = claim.also_equals.is_some() || claim.generates.is_some() || claim.solves.is_some();
+                if last && !says_more {
                     findings.push(self.definition(symbol, statement, context)?);
                 }
                 continue;
@@ -279,10 +287,19 @@ impl Desk<'_> {
             };
             let target = self.target(&address)?;
             let symbol = self.symbol(unknown)?;
+            let name = text::plain(&self.model.name(symbol));
             let branches: Vec<Expr> = statements.iter().filter_map(|s| s.members.last().cloned()).collect();
+            if branches.len() > 1 {
+                for (statement, branch) in statements.iter().zip(&branches) {
+                    let span = statement.span.shifted(offset);
+                    let of_branch = Context { span, ..context };
+                    let finding = solves::check_branch(&target, symbol, branch, &of_branch)?;
+                    let reading = text::statement(statement, &self.model.symbols);
+                    parts.push(self.part(finding, format!("{reading} solves ({}) for {name}", address.value)));
+                }
+            }
             let finding = solves::check(&target, symbol, &branches, &context)?;
-            let reading = format!("solves ({}) for {}", address.value, text::plain(&self.model.name(symbol)));
-            parts.push(self.part(finding, reading));
+            parts.push(self.part(finding, format!("all solutions of ({}) for {name}", address.value)));
         }
         if let Some(also) = &claim.also_equals {
             let other = self.formula(also)?;
