@@ -289,6 +289,8 @@ impl Desk<'_> {
             let symbol = self.symbol(unknown)?;
             let name = text::plain(&self.model.name(symbol));
             let branches: Vec<Expr> = statements.iter().filter_map(|s| s.members.last().cloned()).collect();
+            let finding = solves::check(&target, symbol, &branches, &context)?;
+            parts.push(self.part(finding, format!("all solutions of ({}) for {name}", address.value)));
             if branches.len() > 1 {
                 for (statement, branch) in statements.iter().zip(&branches) {
                     let span = statement.span.shifted(offset);
@@ -298,8 +300,6 @@ impl Desk<'_> {
                     parts.push(self.part(finding, format!("{reading} solves ({}) for {name}", address.value)));
                 }
             }
-            let finding = solves::check(&target, symbol, &branches, &context)?;
-            parts.push(self.part(finding, format!("all solutions of ({}) for {name}", address.value)));
         }
         if let Some(also) = &claim.also_equals {
             let other = self.formula(also)?;

@@ -106,7 +106,8 @@ fn put_in_and_count(
         let message = format!("the roots found on the grid are the given ones at {counted} of {points} states only");
         return Ok(context.finding(Verdict::Undecided, message));
     }
-    if let Some(change) = survivor(target, unknown, branches, context, &mut ensemble.scenes, &used) {
+    // The twin of one branch may be the other; the whole is held against its twins, not each branch.
+    if all_of_them && let Some(change) = survivor(target, unknown, branches, context, &mut ensemble.scenes, &used) {
         let message = format!("these states cannot tell it from the same solution with {change}");
         return Ok(context.finding(Verdict::Undecided, message));
     }
