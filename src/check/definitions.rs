@@ -56,7 +56,7 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
                     scene.replace(symbol, value);
                     let found = judge::test(&user.link, scene);
                     scene.set_only(&[]);
-                    !matches!(found, Ok(Point::Holds(_) | Point::Useless))
+                    matches!(found, Ok(Point::Fails(_) | Point::OneSided(_)))
                 })
             });
             if !names.contains(&user.id) {

@@ -92,7 +92,7 @@ impl<'m> Ensemble<'m> {
 
 impl<'m> Ensemble<'m> {
     /// States at special places: each number of the base in turn far larger and far smaller than the rest, zero, of the
-    /// other sign, at the ends of its range.
+    /// other sign, at the ends of its range, equal and opposite to another; and at rest.
     ///
     /// # Errors
     /// When the mass matrix is singular at all of them.
@@ -100,6 +100,7 @@ impl<'m> Ensemble<'m> {
         let mode = setting.mode;
         let mut solver = Solver { model, setting, slots: slots(model, mode), plan: Vec::new() };
         let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode };
+        let mut bases = Vec::new();
         for place in 1..solver.slots.len() {
             let range = solver.slots[place].range.clone();
             let typical = draw.value(&range, Reach::Declared);
@@ -107,16 +108,35 @@ impl<'m> Ensemble<'m> {
             if let Range::Interval { low, high, .. } = range {
                 values.extend([low, high]);
             }
-            for value in values.into_iter().filter(|value| contains(&range, *value)) {
-                ensemble.tried += 1;
+            for value in values {
                 let mut base = draw.base(&solver.slots, setting.reach);
                 base[place] = value;
-                if let Ok(Some(base)) = solver.solve(base)
-                    && let Ok(Some(scene)) = solver.accept(&base)
-                {
-                    ensemble.scenes.push(scene);
-                    ensemble.bases.push(base);
+                bases.push(base);
+            }
+            for other in (1..place).filter(|other| solver.slots[*other].order == solver.slots[place].order) {
+                for sign in [1.0, -1.0] {
+                    let mut base = draw.base(&solver.slots, setting.reach);
+                    base[place] = sign * base[other];
+                    bases.push(base);
                 }
+            }
+        }
+        // At rest: every rate zero; and with every number that may be zero at zero.
+        let mut rest = draw.base(&solver.slots, setting.reach);
+        let rates = solver.slots.iter().zip(&mut rest).filter(|(slot, _)| slot.order > 0);
+        rates.for_each(|(_, value)| *value = 0.0);
+        bases.push(rest.clone());
+        let may_vanish = solver.slots.iter().zip(&mut rest).filter(|(slot, _)| contains(&slot.range, 0.0));
+        may_vanish.for_each(|(_, value)| *value = 0.0);
+        bases.push(rest);
+        for base in bases {
+            ensemble.tried += 1;
+            if solver.slots.iter().zip(&base).all(|(slot, value)| contains(&slot.range, *value))
+                && let Ok(Some(base)) = solver.solve(base)
+                && let Ok(Some(scene)) = solver.accept(&base)
+            {
+                ensemble.scenes.push(scene);
+                ensemble.bases.push(base);
             }
         }
         Ok(ensemble)

@@ -342,9 +342,18 @@ pub(super) fn merged(findings: Vec<Finding>) -> Option<Finding> {
     let fewest = findings.iter().filter(|f| f.points > 0).map(|f| f.points).min();
     let largest = findings.iter().filter_map(|f| f.max_residual).reduce(f64::max);
     let tried = findings.iter().map(|f| f.tried).max();
+    let mut messages: Vec<String> = Vec::new();
+    for finding in findings.iter().filter(|finding| finding.verdict.passes()) {
+        if !messages.contains(&finding.message) {
+            messages.push(finding.message.clone());
+        }
+    }
     let mut worst =
         findings.into_iter().reduce(|a, b| if b.verdict.severity() > a.verdict.severity() { b } else { a })?;
     if worst.verdict.passes() {
+        if messages.len() <= 2 {
+            worst.message = messages.join("; ");
+        }
         worst.points = fewest.unwrap_or(0);
         worst.max_residual = largest;
         worst.tried = tried.unwrap_or(0);

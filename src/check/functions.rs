@@ -174,15 +174,23 @@ fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec
     }
     let nowhere: Place = Box::new(|_| {});
     let plan = std::iter::repeat_n(&nowhere, RANDOM).chain(places.iter().flat_map(|p| std::iter::repeat_n(p, SPECIAL)));
+    let plan = plan.map(|place| (place, context.conditions.to_vec()));
+    // A hypothesis that allows equality is also taken at its edge.
+    let edges = context.conditions.iter().enumerate().filter_map(|(at, condition)| {
+        let mut tight = context.conditions.to_vec();
+        tight[at].relation = Relation::Equal;
+        matches!(condition.relation, Relation::LessEqual | Relation::GreaterEqual).then_some((&nowhere, tight))
+    });
     let (mut found, mut tried) = (Vec::new(), 0);
-    for place in plan {
+    for (place, conditions) in plan.chain(edges.flat_map(|edge| std::iter::repeat_n(edge, 4))) {
         // Where a hypothesis is an inequality, several draws may be needed to meet it.
         for _ in 0..12 {
             tried += 1;
             let mut state: Atoms =
                 atoms.iter().map(|id| (*id, draw.value(&model.range(*id), Reach::Declared))).collect();
             place(&mut state);
-            if obey(&mut state, variable, context) && state.iter().all(|(id, x)| contains(&model.range(*id), *x)) {
+            let in_range = |state: &Atoms| state.iter().all(|(id, x)| contains(&model.range(*id), *x));
+            if obey(&mut state, variable, model, &conditions) && in_range(&state) {
                 found.push(state);
                 break;
             }
@@ -200,8 +208,7 @@ fn set(state: &mut Atoms, id: SymbolId, f: impl Fn(f64) -> f64) {
 }
 
 /// Moves a state onto the hypotheses that are equalities, and asks whether it obeys the others.
-fn obey(state: &mut Atoms, variable: SymbolId, context: &Context<'_>) -> bool {
-    let model = context.model;
+fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, conditions: &[Condition]) -> bool {
     let is_equality = |c: &&Condition| matches!(c.relation, Relation::Equal | Relation::Identical);
     let candidates = |condition: &Condition| -> Vec<SymbolId> {
         let ids = condition.lhs.symbols().into_iter().chain(condition.rhs.symbols()).map(|(id, _)| id);
@@ -210,7 +217,7 @@ fn obey(state: &mut Atoms, variable: SymbolId, context: &Context<'_>) -> bool {
         ids.dedup();
         ids
     };
-    let mut equalities: Vec<&Condition> = context.conditions.iter().filter(is_equality).collect();
+    let mut equalities: Vec<&Condition> = conditions.iter().filter(is_equality).collect();
     equalities.sort_by_key(|condition| candidates(condition).len());
     let mut taken = Vec::new();
     for condition in &equalities {
@@ -227,7 +234,7 @@ fn obey(state: &mut Atoms, variable: SymbolId, context: &Context<'_>) -> bool {
             None => return false,
         }
     }
-    context.conditions.iter().all(|condition| {
+    conditions.iter().all(|condition| {
         difference::<Measured>(state, condition, model, Measured::new)
             .is_some_and(|difference| judge::holds(condition.relation, difference))
     })
@@ -330,6 +337,7 @@ impl Probe<'_> {
         let (mut minima, mut maxima, mut last_slope) = (0, 0, 0.0_f64);
         let (mut positive, mut negative, mut seen) = (false, false, 0);
         let mut signs: Vec<(f64, f64, f64, f64)> = Vec::new();
+        let mut last_value = None;
         for x in grid(range) {
             let Some((value, slope)) = self.at(x) else { continue };
             seen += 1;
@@ -338,7 +346,11 @@ impl Probe<'_> {
             positive |= sign > 0.0;
             negative |= sign < 0.0;
             let fails = |found: f64, what: &str| Look::Fails { at: Some(x), found, wanted: 0.0, what: what.to_owned() };
+            let step = last_value.map(|last: Measured| clear(value - last));
+            last_value = Some(value);
             match shape {
+                Shape::Rises if step.is_some_and(|step| step < 0.0) => return fails(value.value, "it falls to here"),
+                Shape::Falls if step.is_some_and(|step| step > 0.0) => return fails(value.value, "it rises to here"),
                 Shape::Positive if sign < 0.0 => return fails(value.value, "it is negative here"),
                 Shape::Negative if sign > 0.0 => return fails(value.value, "it is positive here"),
                 Shape::Rises if slope_sign < 0.0 => return fails(slope.value, "it falls here"),
@@ -390,11 +402,25 @@ impl Probe<'_> {
     }
 
     fn tends(&self, end: f64, target: &Target, range: &Range) -> Look {
-        let inward = match range {
-            Range::Interval { low, .. } if (end - low).abs() > 1e-9 => -1.0,
-            Range::Negative => -1.0,
-            _ => 1.0,
+        let sides: &[f64] = match range {
+            Range::Interval { low, high, .. } if (end - low).abs() > 1e-9 && (end - high).abs() > 1e-9 => &[1.0, -1.0],
+            Range::Interval { low, .. } if (end - low).abs() > 1e-9 => &[-1.0],
+            Range::Interval { .. } | Range::Positive => &[1.0],
+            Range::Negative => &[-1.0],
+            Range::Any | Range::Angle | Range::Integer { .. } => &[1.0, -1.0],
         };
+        let mut look = Look::Useless;
+        for inward in sides {
+            look = self.tends_from(end, *inward, target);
+            if !matches!(look, Look::Holds) {
+                break;
+            }
+        }
+        look
+    }
+
+    /// The same from one side.
+    fn tends_from(&self, end: f64, inward: f64, target: &Target) -> Look {
         let wanted = match target {
             Target::Infinite(Towards::MinusInfinity) => f64::NEG_INFINITY,
             Target::Infinite(_) => f64::INFINITY,
@@ -455,14 +481,19 @@ fn grid(range: &Range) -> Vec<f64> {
     match range {
         Range::Interval { low, high, .. } => interval(*low, *high),
         Range::Angle => interval(-pi, pi),
-        Range::Positive => (-60..=60).map(|k| 10f64.powf(f64::from(k) / 10.0)).collect(),
-        Range::Negative => (-60..=60).rev().map(|k| -(10f64.powf(f64::from(k) / 10.0))).collect(),
+        Range::Positive => decades(),
+        Range::Negative => decades().into_iter().rev().map(|x| -x).collect(),
         Range::Any => {
-            let positive: Vec<f64> = (-60..=60).map(|k| 10f64.powf(f64::from(k) / 10.0)).collect();
+            let positive = decades();
             positive.iter().rev().map(|x| -x).chain(positive.iter().copied()).collect()
         }
         Range::Integer { low, high } => (*low..=last(high, *low)).map(|n| n as f64).collect(),
     }
+}
+
+/// Positive numbers of any order of magnitude that parameters can bring about.
+fn decades() -> Vec<f64> {
+    (-72..=72).map(|k| 10f64.powf(f64::from(k) / 6.0)).collect()
 }
 
 /// An equation as the function whose zeros solve it.

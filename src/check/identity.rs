@@ -229,6 +229,9 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     if let Some(term) = evidence::unseen(link, &ensemble.scenes) {
         return withheld(format!("“{term}” is too small beside the other terms to be seen"));
     }
+    if on_shell && evidence::vanishes_throughout(link, &ensemble.scenes) {
+        return withheld("both sides vanish on shell, so nothing tells one factor from another".to_owned());
+    }
     let emptiness = evidence::emptiness(link, context, on_shell)?;
     if let Emptiness::Empty(reason) = emptiness {
         return withheld(reason.to_owned());
@@ -323,10 +326,16 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
 /// The first twin that holds at all states: what may have been meant.
 fn meant(link: &Link, model: &Model, scenes: &[Scene<'_, Measured>]) -> Option<Twin> {
     twins(link, model).into_iter().find(|twin| {
-        run(&twin.link, scenes).is_ok_and(|outcome| {
-            let clean = outcome.failure.is_none() && outcome.one_sided.is_none() && outcome.doubtful == 0;
-            clean && outcome.points >= FEWEST.min(scenes.len())
-        })
+        let mut points = 0;
+        let clean = scenes.iter().all(|scene| match judge::test(&twin.link, scene) {
+            Ok(Point::Holds(_)) => {
+                points += 1;
+                true
+            }
+            Ok(Point::Useless) => true,
+            _ => false,
+        });
+        clean && points >= FEWEST.min(scenes.len())
     })
 }
 

@@ -61,7 +61,8 @@ pub fn twins(link: &Link, model: &Model) -> Vec<Twin> {
         nodes
     };
     // Of a formula too long to try every slip, slips are taken at even distances.
-    let stride = (4 * (count(&link.lhs) + count(&link.rhs)) / MOST).max(1);
+    let nodes = count(&link.lhs) + count(&link.rhs);
+    let stride = (4 * nodes / MOST.min(LARGEST / nodes.max(1)).max(1)).max(1);
     let slips = Slips { model, present, stride, met: Cell::new(0) };
     let negated = (!link.rhs.is_zero()).then(|| {
         let words = text::formula(&link.rhs, &model.symbols);
@@ -75,6 +76,9 @@ pub fn twins(link: &Link, model: &Model) -> Vec<Twin> {
 
 /// About as many twins of one claim are tried.
 const MOST: usize = 2_000;
+
+/// All twins of one claim together have about as many nodes at most.
+const LARGEST: usize = 1_000_000;
 
 struct Slips<'a> {
     model: &'a Model,

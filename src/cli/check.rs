@@ -43,42 +43,39 @@ pub struct Arguments {
 pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     let options = Options { seed: arguments.seed, points: arguments.points as usize };
     let colour = colours(&std::io::stderr());
-    let mut errors = String::new();
+    let mut errors: Vec<Error> = Vec::new();
     let mut result = Report::default();
     let mut jobs = Vec::new();
     for path in &arguments.paths {
         match find(path, arguments.claims.as_deref()) {
             Ok(found) => jobs.extend(found),
-            Err(error) => errors.push_str(&format!("{}\n", report::diagnostic::error(&error, colour))),
+            Err(error) => errors.push(error),
         }
     }
     let only = arguments.only.as_deref();
-    let mut failures: Vec<Error> = Vec::new();
     let checked: Vec<Result<Document>> = jobs.par_iter().map(|job| document(job, registry, options, only)).collect();
     for document in checked {
         match document {
             Ok(document) => result.documents.push(document),
-            Err(error) => failures.push(error),
+            Err(error) => errors.push(error),
         }
-    }
-    for error in &failures {
-        errors.push_str(&format!("{}\n", report::diagnostic::error(error, colour)));
     }
     if let Some(only) = only {
         // With several documents, `--only` means the one that has the equation.
         result.documents.retain(|document| !document.equations.is_empty());
         if result.documents.is_empty() && errors.is_empty() {
             let error = Error::new(format!("there is no equation ({only})")).help("name it by its number or its label");
-            errors.push_str(&format!("{}\n", report::diagnostic::error(&error, colour)));
+            errors.push(error);
         }
     }
     let code = if errors.is_empty() { result.exit_code() } else { 2 };
     let output = match arguments.format {
         Format::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
         Format::Text => report::text::report(&result, arguments.verbose, colours(&std::io::stdout())),
-        Format::Json => format!("{:#}\n", report::json::report(&result)),
+        Format::Json => format!("{:#}\n", report::json::report(&result, &errors)),
     };
-    Outcome { output, errors, code }
+    let shown = errors.iter().map(|error| report::diagnostic::error(error, colour) + "\n").collect();
+    Outcome { output, errors: shown, code }
 }
 
 /// Notes with their claims, or without.

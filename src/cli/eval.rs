@@ -39,7 +39,8 @@ fn value(formula: &Expr, symbols: &Symbols, given: &[String]) -> Result<String> 
     for pair in given {
         let (name, dots, value) = setting(pair)?;
         let Some((id, _)) = symbols.find(&name) else {
-            return Err(Error::new(format!("{name} does not occur in the formula")));
+            let shown = text::with_dots(&name.to_string(), dots);
+            return Err(Error::new(format!("{shown} does not occur in the formula")));
         };
         if known.contains(&(id, dots)) {
             return Err(Error::new(format!("{} is set twice", text::with_dots(&name.to_string(), dots))));

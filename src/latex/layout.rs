@@ -153,7 +153,10 @@ impl<'a> Parser<'a> {
                 break;
             }
             let item = self.scripted(false);
-            items.push(item);
+            // `{}` sets nothing.
+            if item.layout != Layout::Group(Vec::new()) {
+                items.push(item);
+            }
         }
         self.depth -= 1;
         items

@@ -59,9 +59,8 @@ impl Macros {
             let expansion: Vec<Token> = substitute(body, &values, token.span);
             produced += expansion.len() + 1;
             if produced > LARGEST_EXPANSION {
-                return Err(
-                    Fault::new(token.span, format!("{name} expands without end")).help("a macro may not call itself")
-                );
+                return Err(Fault::new(token.span, format!("{name} expands to too much, or without end"))
+                    .help("a macro may not call itself"));
             }
             pending.extend(expansion.into_iter().rev());
         }

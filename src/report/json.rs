@@ -2,19 +2,33 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::Error;
 use crate::check::plain::Answer;
 use crate::check::{Counterexample, Document, Equation, Finding, Report};
 use crate::formula::text::plain;
 
 /// The whole report.
-pub fn report(report: &Report) -> Value {
+pub fn report(report: &Report, errors: &[Error]) -> Value {
     let mut summary: Map<String, Value> =
         report.counts().into_iter().map(|(verdict, count)| (verdict.to_owned(), json!(count))).collect();
     summary.insert("unexpected".to_owned(), json!(report.unexpected()));
     json!({
         "schema": 1,
         "documents": report.documents.iter().map(document).collect::<Vec<_>>(),
+        "errors": errors.iter().map(error).collect::<Vec<_>>(),
         "summary": summary,
+    })
+}
+
+/// What could not be checked at all.
+fn error(error: &Error) -> Value {
+    let place = error.place().map(|(source, span)| (source.path.clone(), source.line_column(span.start)));
+    json!({
+        "message": error.message(),
+        "help": error.advice(),
+        "path": place.as_ref().map(|(path, _)| path),
+        "line": place.as_ref().map(|(_, (line, _))| line),
+        "column": place.as_ref().map(|(_, (_, column))| column),
     })
 }
 

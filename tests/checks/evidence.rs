@@ -177,3 +177,12 @@ fn without_a_claim_an_unnumbered_display_is_left_alone_and_a_numbered_one_is_not
     assert_eq!(found.equations.len(), 1);
     assert_eq!(found.equations[0].finding.verdict, Refuted);
 }
+
+#[test]
+fn zero_on_shell_tells_no_factor() {
+    let claim = |latex: &str| verdict(&pendulum(), &[latex], json!({}));
+    assert_eq!(claim(r"\dot E = m l^2 \dot\theta (\ddot\theta + \frac{g}{l} \sin\theta)"), Verified);
+    assert_eq!(claim(r"\dot E = 5 m (l \ddot\theta + g \sin\theta)"), Undecided);
+    assert_eq!(claim(r"\dot E = m l \dot\theta (\ddot\theta + \frac{g}{l} \sin\theta)"), Undecided);
+    assert_eq!(claim(r"\dot E = 0"), Verified);
+}

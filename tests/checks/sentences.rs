@@ -120,7 +120,11 @@ fn inequalities_hold_or_fail() {
     let claim = |latex: &str| of_numbers(json!({ "claim": latex }));
     assert_eq!(claim("a^2 + b^2 > 3ab"), Refuted);
     assert_eq!(claim("a + b < a"), Refuted);
-    assert_eq!(claim(r"a \neq b"), Verified);
+    assert_eq!(claim(r"a \neq -b"), Verified);
+    // Two unrelated numbers may be equal.
+    assert_eq!(claim(r"a \neq b"), Refuted);
+    assert_eq!(claim("a^2 + b^2 > 2ab"), Refuted);
+    assert_eq!(claim(r"a^2 + b^2 \geq 2ab"), Verified);
     assert_eq!(claim("a^2 + b^2 > ab"), Verified);
 }
 

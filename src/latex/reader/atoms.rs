@@ -6,7 +6,7 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::items::{contents, is_minus_one, is_transpose, whole_number};
+use super::items::{contents, is_minus_one, is_number, is_transpose, whole_number};
 use super::operators::starts_differential;
 use super::{Read, Reader, two_ways, unknown_command};
 
@@ -46,6 +46,9 @@ impl Reader<'_> {
             }
             Layout::Accent(command, inner) if matches!(command.as_str(), "\\dot" | "\\ddot" | "\\dddot") => {
                 let order = command.matches('d').count() as u8;
+                if is_number(inner) {
+                    return Err(Fault::new(span, "a dot over a number"));
+                }
                 Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span))
             }
             Layout::Environment(name, rows) => self.matrix(name, rows, span),

@@ -75,7 +75,7 @@ impl Reader<'_> {
     fn undeclared(&mut self, printed: Printed<'_>, span: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let name = &printed.name;
         let next = items.get(*cursor).filter(|item| names::printed(item, self.branch).is_some());
-        if name.base == "d" && name.subscript.is_empty() && next.is_some() {
+        if matches!(name.base.as_str(), "d" | "\\mathrm{d}") && name.subscript.is_empty() && next.is_some() {
             return Err(two_ways(span, "d before a symbol").help("only \\frac{d}{dt} is read as a derivative"));
         }
         let fence = items.get(*cursor).is_some_and(|item| matches!(item.layout, Layout::Fence(Delimiter::Round, _)));
