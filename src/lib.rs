@@ -88,9 +88,10 @@
 //! report says which.
 //!
 //! A *verdict* ([`check::Verdict`]) comes with its evidence ([`check::Finding`]): the states that were used of those
-//! that were tried, the largest relative residual, or the counterexample. Every pass is also held against its *twins*
-//! ([`check::twins`]): the same claim with one slip in it. A pass whose states cannot tell it from a twin that is
-//! false elsewhere becomes `undecided`.
+//! that were tried, the largest relative residual, or the counterexample. An equality that passes is also held against
+//! its *twins* ([`check::twins`]): the same claim with one slip in it. A pass whose states cannot tell it from a twin
+//! that is false elsewhere becomes `undecided`, and so does a claim that only restates its hypotheses
+//! ([`check::evidence`]). A *definition* passes if each slip in it breaks another equation ([`check::definitions`]).
 //!
 //! # The house
 //!
