@@ -72,13 +72,18 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
         let link = Link { lhs: twin.clone(), relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
         !run(&link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
     });
+    // The sign of the whole is often a convention, as of a root that is only used squared.
+    let whole = formula.clone().negated();
+    let signed = loose.len();
+    loose.retain(|(twin, _)| *twin != whole);
+    let aside = if loose.len() < signed { ", its sign aside" } else { "" };
     match loose.first() {
         Some((_, change)) => {
             let message = format!("introduces {name} loosely: nothing would notice it with {change}");
             Ok(context.finding(Verdict::Undecided, message))
         }
         None => {
-            let message = format!("introduces {name}; each slip in it breaks ({})", names.join(") or ("));
+            let message = format!("introduces {name}; each slip in it{aside} breaks ({})", names.join(") or ("));
             Ok(Finding { points, tried: points, ..context.finding(Verdict::Definition, message) })
         }
     }

@@ -110,6 +110,16 @@ impl Desk<'_> {
         let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
         let context = |topic: &'_ str, span: Span| -> (String, Span) { (topic.to_owned(), span.shifted(offset)) };
         let mut parts = Vec::new();
+        let approximates = |s: &Statement| s.relations.iter().any(|(relation, _)| *relation == Relation::Approximately);
+        if let Some(limit) = &claim.limit
+            && !reading.statements.iter().flatten().any(approximates)
+        {
+            return Err(Error::at(
+                &self.claims.source,
+                limit.span,
+                "there is no ≈ in this equation, and only that has a limit",
+            ));
+        }
         for (at, statement) in reading.statements.iter().enumerate() {
             let (topic, span) = match statement {
                 Ok(statement) => context(&format!("{topic} part {}", at + 1), statement.span),

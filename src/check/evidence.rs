@@ -66,24 +66,27 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
 /// When the world's mass matrix is singular.
 pub fn unneeded(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vec<String>> {
     let mut found = Vec::new();
-    for at in 0..context.conditions.len() {
-        let mut fewer: Vec<Condition> = context.conditions.to_vec();
-        let dropped = fewer.remove(at);
-        let without = Context { conditions: &fewer, ..*context };
-        let mode = without.mode(on_shell, &[&link.lhs, &link.rhs]);
-        let ensemble = without.ensemble(mode, false, context.options.points)?;
-        let holds = |scenes: &[Scene<'_, Measured>]| {
-            run(link, scenes).is_ok_and(|o| {
-                o.failure.is_none() && o.one_sided.is_none() && o.doubtful == 0 && o.points >= FEWEST.min(scenes.len())
-            })
-        };
-        if ensemble.scenes.len() >= FEWEST.min(context.options.points) && holds(&ensemble.scenes) {
+    for (at, dropped) in context.conditions.iter().enumerate() {
+        if holds_without(link, context, at, on_shell)? {
             let symbols = &context.model.symbols;
             let (lhs, rhs) = (text::formula(&dropped.lhs, symbols), text::formula(&dropped.rhs, symbols));
             found.push(format!("{lhs} {} {rhs}", dropped.relation.glyph()));
         }
     }
     Ok(found)
+}
+
+/// Whether a claim holds without its `at`-th hypothesis.
+fn holds_without(link: &Link, context: &Context<'_>, at: usize, on_shell: bool) -> Result<bool> {
+    let mut fewer: Vec<Condition> = context.conditions.to_vec();
+    fewer.remove(at);
+    let without = Context { conditions: &fewer, ..*context };
+    let mode = without.mode(on_shell, &[&link.lhs, &link.rhs]);
+    let ensemble = without.ensemble(mode, false, context.options.points)?;
+    let enough = |points: usize| points >= FEWEST.min(context.options.points);
+    Ok(enough(ensemble.scenes.len())
+        && run(link, &ensemble.scenes)
+            .is_ok_and(|o| o.failure.is_none() && o.one_sided.is_none() && o.doubtful == 0 && enough(o.points)))
 }
 
 /// A term of a claim that cannot be seen at any state: it is there, and so small beside the others that leaving it out
@@ -165,7 +168,13 @@ pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<E
         let link = Link { lhs, relation, rhs, free: Vec::new() };
         run(&link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.points >= FEWEST.min(states.scenes.len()))
     };
-    let restates = !states.scenes.is_empty() && context.conditions.iter().all(given_back);
+    let mut needed: Vec<&Condition> = Vec::new();
+    for (at, condition) in context.conditions.iter().enumerate() {
+        if !holds_without(link, context, at, false)? {
+            needed.push(condition);
+        }
+    }
+    let restates = !states.scenes.is_empty() && !needed.is_empty() && needed.into_iter().all(given_back);
     Ok(if restates { Emptiness::Empty("it only restates its assumptions") } else { Emptiness::Follows })
 }
 

@@ -94,7 +94,8 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
     }
     for (id, dots) in formulas.iter().flat_map(|formula| formula.symbols()) {
         if dots > 0 || matches!(model.meaning(id), Some(Meaning::World(quantity)) if !is_momentum(*quantity)) {
-            let message = format!("{} is not an independent number here: write it out", model.name(id));
+            let shown = crate::formula::text::with_dots(&model.name(id), dots);
+            let message = format!("{shown} is not an independent number here: write it out");
             return context.finding(Verdict::Unreadable, message);
         }
         if !atoms.contains(&id) {

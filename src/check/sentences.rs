@@ -3,7 +3,7 @@
 //! A sentence is quoted verbatim, so that it cannot drift from the notes, and says one thing: a formula that holds (or
 //! does not always), a constant of the motion, the shape of a function, the number of solutions of an equation.
 
-use crate::formula::{Expr, Statement, SymbolId, text};
+use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::notes::claims::{Claims, Holds, Property, Sentence, Sign, Spanned, Test};
 use crate::{Error, Result};
 
@@ -76,7 +76,10 @@ pub(super) fn unsupported(claims: &Claims, sentence: &Sentence) -> Result<()> {
         ("equation of motion of", claim.equation_of_motion_of.as_ref().map(|s| s.span)),
         ("from", claim.from.first().map(|address| address.span)),
     ];
-    match spans.into_iter().find_map(|(key, span)| Some((key, span?))) {
+    let runs_along =
+        matches!(&sentence.test, Test::Of(_, Property::Sign(_) | Property::Minima(_) | Property::Maxima(_)));
+    let against = sentence.against.as_ref().filter(|_| !runs_along).map(|against| against.span);
+    match spans.into_iter().chain([("against", against)]).find_map(|(key, span)| Some((key, span?))) {
         Some((key, span)) => Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported for a sentence"))),
         None => Ok(()),
     }
@@ -149,12 +152,12 @@ fn claim(desk: &Desk<'_>, sentence: &Sentence, statements: &[Statement], context
     for statement in statements {
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
             let link = desk.link(&statement.members[at], *relation, &statement.members[at + 1])?;
-            findings.push(match &sentence.claim.limit {
-                Some(limit) => {
+            findings.push(match (&sentence.claim.limit, relation) {
+                (Some(limit), Relation::Approximately) => {
                     let (variable, towards) = desk.limit(limit)?;
                     limit::check(&link, variable, towards, context)?
                 }
-                None => identity::check(&link, context)?,
+                _ => identity::check(&link, context)?,
             });
         }
         if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {

@@ -77,7 +77,10 @@ fn put_in_and_count(
         for root in &roots {
             match put_in(target, unknown, *root, scene) {
                 Ok(Point::Holds(found)) => residual = residual.max(found),
-                Ok(Point::Fails(failure)) => return Ok(refuted(target, context, scene, &failure, points)),
+                Ok(Point::Fails(failure)) => {
+                    scene.set_only(&[(unknown, Series::constant(*root))]);
+                    return Ok(refuted(target, context, scene, &failure, points));
+                }
                 Ok(_) => {}
                 Err(reason) => return Ok(context.unavailable(&reason)),
             }
@@ -143,6 +146,9 @@ fn survivor(
                 let scene = &mut scenes[*at];
                 let Ok(Value::Scalar(root)) = evaluate(&twin.link.rhs, scene, &[]) else { return false };
                 let value = root.value();
+                if !contains(&context.model.range(unknown), value.value) {
+                    return false;
+                }
                 // Another branch is a solution too; then the printed one is the twin of that.
                 let other = branches.iter().any(|other| {
                     matches!(evaluate(other, scene, &[]), Ok(Value::Scalar(r)) if judge::vanishes(r.value() - value))

@@ -107,7 +107,9 @@ fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
     let shown = findings.into_iter().map(|finding| {
         let title = match (&item.because, finding.verdict.passes()) {
             (Some(because), true) => format!("({}) passes, and was expected not to: {because}", item.id),
-            (Some(because), false) => format!("({}) is {}: {because}", item.id, finding.verdict),
+            (Some(because), false) => {
+                format!("({}) is {}: {}; expected otherwise: {because}", item.id, finding.verdict, finding.message)
+            }
             (None, _) => format!("({}) is {}: {}", item.id, finding.verdict, finding.message),
         };
         let label = match finding.verdict {
@@ -131,7 +133,9 @@ fn summary(report: &Report) -> String {
         (1, _) => "1 is not as expected".to_owned(),
         (n, _) => format!("{n} are not as expected"),
     };
-    format!("{equations} equations, {sentences} sentences: {} — {verdict}", counts.join(", "))
+    let plural = |n: usize, word: &str| if n == 1 { format!("1 {word}") } else { format!("{n} {word}s") };
+    let (equations, sentences) = (plural(equations, "equation"), plural(sentences, "sentence"));
+    format!("{equations}, {sentences}: {} — {verdict}", counts.join(", "))
 }
 
 fn paint(text: &str, verdict: Verdict, ok: bool, colour: bool) -> String {

@@ -111,8 +111,11 @@ fn both_sides_one_formula_is_no_evidence() {
 #[test]
 fn a_definition_that_nothing_stands_on_is_no_pass() {
     assert_eq!(verdict(&numbers(), &["s = a + b"], json!({})), Undecided);
-    // In its square the sign of s would go unnoticed.
+    // In its square the sign of s goes unnoticed, and the verdict says so; a factor in s² = s·s is not noticed at all.
     let notes = numbered(&["s = a + b", "s^2 = a^2 + 2ab + b^2"]);
+    let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
+    assert!(found.equations[0].finding.message.contains("its sign aside"), "{:?}", found.equations[0]);
+    let notes = numbered(&["s = a + b", "s s = s^2"]);
     let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
     assert_eq!(found.equations[0].finding.verdict, Undecided);
     let notes = numbered(&["s = a + b", "s(a - b) = a^2 - b^2"]);
