@@ -135,7 +135,8 @@ fn summary(report: &Report) -> String {
     };
     let plural = |n: usize, word: &str| if n == 1 { format!("1 {word}") } else { format!("{n} {word}s") };
     let (equations, sentences) = (plural(equations, "equation"), plural(sentences, "sentence"));
-    format!("{equations}, {sentences}: {} — {verdict}", counts.join(", "))
+    let counts = if counts.is_empty() { String::new() } else { format!(": {}", counts.join(", ")) };
+    format!("{equations}, {sentences}{counts} — {verdict}")
 }
 
 fn paint(text: &str, verdict: Verdict, ok: bool, colour: bool) -> String {
