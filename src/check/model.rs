@@ -98,6 +98,21 @@ pub struct Model {
 }
 
 impl Model {
+    /// The model of these names, none of which means anything yet.
+    pub fn empty(symbols: Symbols, macros: Macros) -> Model {
+        Model {
+            symbols,
+            meanings: Vec::new(),
+            world: None,
+            coordinates: Vec::new(),
+            constants: Vec::new(),
+            parameters: Vec::new(),
+            varying: Vec::new(),
+            macros,
+            inferred: Vec::new(),
+        }
+    }
+
     /// Builds the model of a claims file; `macros` are those defined in the notes.
     ///
     /// # Errors
@@ -108,20 +123,7 @@ impl Model {
         for (name, body) in &claims.macros {
             macros.define(&name.value, Macros::arguments_of(&body.value), &body.value);
         }
-        let mut builder = Builder {
-            claims,
-            model: Model {
-                symbols: Symbols::new(),
-                meanings: Vec::new(),
-                world: None,
-                coordinates: Vec::new(),
-                constants: Vec::new(),
-                parameters: Vec::new(),
-                varying: Vec::new(),
-                macros,
-                inferred: Vec::new(),
-            },
-        };
+        let mut builder = Builder { claims, model: Model::empty(Symbols::new(), macros) };
         builder.declarations()?;
         builder.world(registry)?;
         builder.means()?;

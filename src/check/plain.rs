@@ -36,17 +36,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let macros = Macros::default();
     let lhs = read_formula(a, &mut symbols, &macros).map_err(|fault| (0, fault))?;
     let rhs = read_formula(b, &mut symbols, &macros).map_err(|fault| (1, fault))?;
-    let mut model = Model {
-        meanings: Vec::new(),
-        world: None,
-        coordinates: Vec::new(),
-        constants: Vec::new(),
-        parameters: Vec::new(),
-        varying: Vec::new(),
-        macros,
-        inferred: Vec::new(),
-        symbols,
-    };
+    let mut model = Model::empty(symbols, macros);
     for (name, _) in ranges {
         if model.symbols.find(name).is_none() {
             return Err((2, Fault::new(Span::default(), format!("{name} is in neither formula"))));
