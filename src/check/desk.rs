@@ -30,9 +30,11 @@ impl Desk<'_> {
         let typed = |expr: &Expr| shape::bind(expr.clone(), &self.model.symbols);
         let fault = |fault: Fault| Error::new(fault.message);
         let ((lhs, a), (rhs, b)) = (typed(lhs).map_err(fault)?, typed(rhs).map_err(fault)?);
-        shape::comparable((&lhs, &a), (&rhs, &b)).map_err(fault)?;
-        let free = if a.free.is_empty() { b.free } else { a.free };
-        Ok(Link { lhs, relation, rhs, free })
+        let symbols = &self.model.symbols;
+        let (lhs, a) = shape::entries_of((&lhs, &a), (&rhs, &b), symbols).unwrap_or((lhs, a));
+        let (rhs, b) = shape::entries_of((&rhs, &b), (&lhs, &a), symbols).unwrap_or((rhs, b));
+        shape::comparable((&lhs, &a), (&rhs, &b), symbols).map_err(fault)?;
+        Ok(Link { lhs, relation, rhs, free: shape::union(&a.free, &b.free) })
     }
 
     /// The hypotheses of a claim: its own and those of the whole file.

@@ -6,7 +6,7 @@
 
 use approx::{AbsDiffEq, abs_diff_eq};
 
-use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::formula::evaluate::{Environment, Unavailable, evaluate};
 use crate::formula::{Expr, IndexId, Relation, Value};
 use crate::scalar::Measured;
 
@@ -115,7 +115,7 @@ pub fn test(link: &Link, scene: &Scene<'_, Measured>) -> Result<Point, Unavailab
             let found = compare(link.relation, a, b, || label(k, shape));
             worst = worse(worst, found);
         }
-        if !advance(&mut indices, scene) {
+        if !advance(&mut indices, scene)? {
             return Ok(worst);
         }
     }
@@ -194,15 +194,18 @@ fn worse(a: Point, b: Point) -> Point {
 }
 
 /// The next values of the free indices; false after the last.
-fn advance(indices: &mut [(IndexId, u8)], scene: &Scene<'_, Measured>) -> bool {
+pub fn advance<B: crate::scalar::Number>(
+    indices: &mut [(IndexId, u8)],
+    scene: &Scene<'_, B>,
+) -> Result<bool, Unavailable> {
     for (id, value) in indices.iter_mut() {
-        if *value < scene.model().symbols.indices[id.0].upper {
+        if *value < scene.count(*id)? {
             *value += 1;
-            return true;
+            return Ok(true);
         }
         *value = 1;
     }
-    false
+    Ok(false)
 }
 
 #[cfg(test)]

@@ -249,6 +249,9 @@ impl Slips<'_> {
             | Node::Norm(_)
             | Node::Dot(..)
             | Node::Delta(_)
+            | Node::Integral(..)
+            | Node::Shrinking(..)
+            | Node::Component(..)
             | Node::SumOver { .. } => {}
         }
         slips.into_iter().map(|(node, slip, change)| (Expr::new(node, span), slip, change)).collect()
@@ -270,7 +273,7 @@ impl Slips<'_> {
             slips.push((symbol(id, &[*j, *i], dots), Slip::Index, format!("the indices of {name} swapped")));
         }
         if let [Index::Fixed(value)] = indices {
-            for other in (1..=entry.slots[0].1).filter(|other| other != value) {
+            for other in (1..=self.model.symbols.extents(id)[0]).filter(|other| other != value) {
                 slips.push((
                     symbol(id, &[Index::Fixed(other)], dots),
                     Slip::Index,

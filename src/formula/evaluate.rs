@@ -48,11 +48,31 @@ pub trait Environment<D: Moving> {
     fn symbols(&self) -> &Symbols;
     /// The value of a symbol, for given values of its indices.
     fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<D>, Unavailable>;
+    /// How many values an index takes here.
+    fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
+        let entry = &self.symbols().indices[index.0];
+        entry.count.map_or(Ok(entry.upper), |count| Err(Unavailable::Symbol(count)))
+    }
+    /// The integral over a continuum of what `body` gives at the point at hand.
+    fn integral(&self, region: SymbolId, _body: Body<'_, D>) -> Result<Value<D>, Unavailable> {
+        Err(Unavailable::Symbol(region))
+    }
+    /// What `body` tends to as the part of a continuum at hand shrinks to its point.
+    fn shrinking(&self, region: SymbolId, _body: Body<'_, D>) -> Result<Value<D>, Unavailable> {
+        Err(Unavailable::Symbol(region))
+    }
+    /// How many particles lie in the part of a continuum at hand.
+    fn count_within(&self, region: SymbolId) -> Result<u8, Unavailable> {
+        Err(Unavailable::Symbol(region))
+    }
     /// The matrix that an elementary rotation's symbol stands for, at an angle.
     fn rotation(&self, id: SymbolId, _angle: D) -> Result<Matrix3<D>, Unavailable> {
         Err(Unavailable::Symbol(id))
     }
 }
+
+/// A formula to be evaluated at one place after another.
+pub type Body<'b, D> = &'b mut dyn FnMut() -> Result<Value<D>, Unavailable>;
 
 /// Evaluates a formula whose free indices have the values `free`.
 pub fn evaluate<D: Moving>(
@@ -200,10 +220,27 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 let equal = self.index(*a)? == self.index(*b)?;
                 Value::Scalar(constant(if equal { 1.0 } else { 0.0 }))
             }
-            Node::SumOver { index, body, .. } => {
-                let upper = self.environment.symbols().indices[index.0].upper;
+            Node::Integral(region, body) => {
+                let environment = self.environment;
+                environment.integral(*region, &mut || self.value(body))?
+            }
+            Node::Shrinking(region, body) => {
+                let environment = self.environment;
+                environment.shrinking(*region, &mut || self.value(body))?
+            }
+            Node::Component(inner, index) => {
+                let at = usize::from(self.index(*index)?).wrapping_sub(1);
+                let vector = self.vector(inner)?;
+                Value::Scalar(*vector.get(at).ok_or(Unavailable::Operation("such a component"))?)
+            }
+            Node::SumOver { index, except, within, body, .. } => {
+                let upper = match within {
+                    Some(region) => self.environment.count_within(*region)?,
+                    None => self.environment.count(*index)?,
+                };
+                let except = except.map(|except| self.index(except)).transpose()?;
                 let mut total: Option<Value<D>> = None;
-                for value in 1..=upper {
+                for value in (1..=upper).filter(|value| Some(*value) != except) {
                     self.indices.push((*index, value));
                     let term = self.value(body);
                     self.indices.pop();
@@ -246,15 +283,16 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     }
 
     fn symbol(&self, id: SymbolId, indices: &[Index]) -> Evaluated<Value<D>> {
-        let entry = self.environment.symbols().entry(id);
+        let symbols = self.environment.symbols();
+        let entry = symbols.entry(id);
         if indices.is_empty() && !entry.slots.is_empty() && entry.kind == Kind::Scalar {
-            let member = |indices: &[u8]| match self.environment.symbol(id, indices)? {
+            let member = |indices: &[u8]| match self.member(id, indices)? {
                 Value::Scalar(value) => Ok(value),
                 _ => Err(Unavailable::Symbol(id)),
             };
-            return match entry.slots.as_slice() {
+            return match symbols.extents(id).as_slice() {
                 [_] => Ok(Value::Vector(Vector3::new(member(&[1])?, member(&[2])?, member(&[3])?))),
-                [(_, rows), (_, columns)] => {
+                [rows, columns] => {
                     let mut entries = Vec::new();
                     for i in 1..=*rows {
                         for j in 1..=*columns {
@@ -267,7 +305,23 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             };
         }
         let values: Evaluated<Vec<u8>> = indices.iter().map(|index| self.index(*index)).collect();
-        self.environment.symbol(id, &values?)
+        self.member(id, &values?)
+    }
+
+    /// A symbol for given values of its indices; of a family that was put together, the member of that name.
+    fn member(&self, id: SymbolId, indices: &[u8]) -> Evaluated<Value<D>> {
+        let symbols = self.environment.symbols();
+        let entry = symbols.entry(id);
+        if entry.members.is_empty() {
+            return self.environment.symbol(id, indices);
+        }
+        let extents = symbols.extents(id);
+        let place = indices
+            .iter()
+            .zip(&extents)
+            .fold(0, |place, (index, extent)| place * usize::from(*extent) + usize::from(*index) - 1);
+        let member = entry.members.get(place).ok_or(Unavailable::Symbol(id))?;
+        self.environment.symbol(*member, &[])
     }
 
     fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<D> {

@@ -53,7 +53,7 @@ pub fn shape_of(expr: &Expr, symbols: &Symbols) -> Result<Shape, Fault> {
 }
 
 /// Whether two members of an equation can be compared: the same type, but that 0 is any zero and 1 any unit matrix.
-pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type)) -> Result<(), Fault> {
+pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Result<(), Fault> {
     for ((literal, _), (_, found)) in [(a, b), (b, a)] {
         let unit = matches!(&literal.node, Node::Number(text) if text == "1");
         if literal.is_zero() || unit && matches!(found.shape, Shape::Matrix(n, m) if n == m) {
@@ -65,10 +65,46 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type)) -> Result<(), Fault> {
         let message = format!("{} is set against {}", a.1.shape.noun(), b.1.shape.noun());
         return Err(Fault::new(span, message));
     }
-    if a.1.free != b.1.free {
+    if components(&a.1.free, symbols) != components(&b.1.free, symbols) {
         return Err(Fault::new(span, "the free indices of the two sides do not match"));
     }
     Ok(())
+}
+
+/// A matrix set against something with two free component indices, `R_{ab} = (…)`, means its entries: it is given the
+/// indices in the order in which the other side prints them.
+pub fn entries_of(matrix: (&Expr, &Type), other: (&Expr, &Type), symbols: &Symbols) -> Option<(Expr, Type)> {
+    let free = components(&other.1.free, symbols);
+    let (Shape::Matrix(3, 3), Shape::Scalar, [_, _]) = (matrix.1.shape, other.1.shape, free.as_slice()) else {
+        return None;
+    };
+    if !components(&matrix.1.free, symbols).is_empty() {
+        return None;
+    }
+    let mut printed: Vec<IndexId> = Vec::new();
+    let mut note = |indices: &[Index]| {
+        for index in indices {
+            if let Index::Letter(letter) = index
+                && free.contains(letter)
+                && !printed.contains(letter)
+            {
+                printed.push(*letter);
+            }
+        }
+    };
+    other.0.walk(&mut |expr| match &expr.node {
+        Node::Symbol { indices, .. } => note(indices),
+        Node::Entry(_, a, b) => note(&[*a, *b]),
+        Node::Component(_, a) => note(&[*a]),
+        Node::Delta(indices) => note(indices),
+        Node::Epsilon(indices) => note(indices),
+        _ => {}
+    });
+    let [row, column] = printed.as_slice() else { return None };
+    let span = matrix.0.span;
+    let node = Node::Entry(Box::new(matrix.0.clone()), Index::Letter(*row), Index::Letter(*column));
+    let free = union(&matrix.1.free, &free);
+    Some((Expr::new(node, span), Type { shape: Shape::Scalar, free }))
 }
 
 struct Binder<'a> {
@@ -82,15 +118,16 @@ impl Binder<'_> {
         self.bind(expr).map(|found| found.shape)
     }
 
-    fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<(), Fault> {
+    /// The labels that are free in a scalar; it may have no other free indices.
+    fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
         let found = self.bind(expr)?;
         if found.shape != Shape::Scalar {
             return Err(Fault::new(expr.span, format!("{what} must be a scalar, and this is {}", found.shape.noun())));
         }
-        if !found.free.is_empty() {
+        if found.free.iter().any(|letter| !self.is_label(*letter)) {
             return Err(Fault::new(expr.span, format!("{what} has a free index")));
         }
-        Ok(())
+        Ok(found.free)
     }
 
     fn letters(&self, indices: &[Index]) -> Vec<IndexId> {
@@ -108,10 +145,13 @@ impl Binder<'_> {
             Node::Number(_) | Node::Pi | Node::Euler => Ok(scalar),
             Node::Symbol { id, indices, .. } => {
                 let entry = self.symbols.entry(*id);
+                let extents = self.symbols.extents(*id);
                 let shape = match (entry.kind, entry.slots.len(), indices.len()) {
                     (Kind::Scalar, slots, given) if slots == given => Shape::Scalar,
-                    (Kind::Scalar, 1, 0) if entry.slots[0].1 == 3 => Shape::Vector,
-                    (Kind::Scalar, 2, 0) => Shape::Matrix(entry.slots[0].1.into(), entry.slots[1].1.into()),
+                    (Kind::Scalar, 1, 0) if extents == [3] && !self.is_label(entry.slots[0].1) => Shape::Vector,
+                    (Kind::Scalar, 2, 0) if !entry.slots.iter().any(|(_, letter)| self.is_label(*letter)) => {
+                        Shape::Matrix(extents[0].into(), extents[1].into())
+                    }
                     (Kind::Vector, slots, given) if slots == given => Shape::Vector,
                     (Kind::Matrix, slots, given) if slots == given => Shape::Matrix(3, 3),
                     (Kind::Rotation, ..) => {
@@ -144,13 +184,15 @@ impl Binder<'_> {
                             let (a, b) = (found.shape.noun(), first.shape.noun());
                             return Err(Fault::new(term.expr.span, format!("{a} is added to {b}")));
                         }
-                        Some(first) if first.free != found.free => {
+                        Some(first)
+                            if components(&first.free, self.symbols) != components(&found.free, self.symbols) =>
+                        {
                             return Err(Fault::new(
                                 term.expr.span,
                                 "the free indices of this term do not match those of the terms before it",
                             ));
                         }
-                        Some(_) => {}
+                        Some(known) => first = Some(Type { free: union(&known.free, &found.free), ..*known }),
                     }
                 }
                 Ok(first.unwrap_or(scalar))
@@ -171,31 +213,32 @@ impl Binder<'_> {
             }
             Node::Quotient(a, b) => {
                 let found = self.bind(a)?;
-                self.scalar(b, "a denominator")?;
-                Ok(found)
+                let labels = self.scalar(b, "a denominator")?;
+                Ok(Type { free: union(&found.free, &labels), ..found })
             }
             Node::Power(a, b) => {
-                self.scalar(b, "an exponent")?;
+                let labels = self.scalar(b, "an exponent")?;
                 let found = self.bind(a)?;
                 if found.shape != Shape::Scalar {
                     return Err(Fault::new(span, format!("{} has no such power", found.shape.noun())));
                 }
-                if !found.free.is_empty() {
+                if found.free.iter().any(|letter| !self.is_label(*letter)) {
                     return Err(Fault::new(span, "a power of something with a free index: is it summed over?")
                         .help("write the sum, \\sum_a, or both factors"));
                 }
-                Ok(found)
+                Ok(Type { free: union(&found.free, &labels), ..found })
             }
-            Node::Root(_, a) => self.scalar(a, "what stands under a root").map(|()| scalar),
+            Node::Root(_, a) => self.scalar(a, "what stands under a root").map(|free| Type { free, ..scalar }),
             Node::Call(function, a) => {
                 let what = format!("the argument of \\{}", function.name());
-                self.scalar(a, &what).map(|()| scalar)
+                self.scalar(a, &what).map(|free| Type { free, ..scalar })
             }
             Node::Apply(_, arguments) => {
+                let mut free = Vec::new();
                 for argument in arguments {
-                    self.scalar(argument, "an argument")?;
+                    free = union(&free, &self.scalar(argument, "an argument")?);
                 }
-                Ok(Type { shape: Shape::Matrix(3, 3), free: Vec::new() })
+                Ok(Type { shape: Shape::Matrix(3, 3), free })
             }
             Node::TimeDerivative(_, a) => self.bind(a),
             Node::Norm(a) => {
@@ -221,16 +264,28 @@ impl Binder<'_> {
             Node::Matrix(rows) => {
                 let columns = rows.first().map_or(0, Vec::len);
                 let count = rows.len();
+                let mut free = Vec::new();
                 for row in rows {
                     if row.len() != columns {
                         return Err(Fault::new(span, "the rows of this matrix are not equally long"));
                     }
                     for entry in row {
-                        self.scalar(entry, "an entry of a matrix")?;
+                        free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
                     }
                 }
                 let shape = if (count, columns) == (3, 1) { Shape::Vector } else { Shape::Matrix(count, columns) };
-                Ok(Type { shape, free: Vec::new() })
+                Ok(Type { shape, free })
+            }
+            Node::Integral(_, a) | Node::Shrinking(_, a) => self.bind(a),
+            Node::Component(a, index) => {
+                let indices = [*index];
+                let found = self.bind(a)?;
+                if found.shape != Shape::Vector {
+                    return Err(Fault::new(span, format!("{} has no components", found.shape.noun())));
+                }
+                let letters = found.free.into_iter().chain(self.letters(&indices)).collect();
+                let free = self.contract(letters, expr)?;
+                Ok(Type { free, ..scalar })
             }
             Node::Transpose(a) | Node::Inverse(a) => {
                 let found = self.bind(a)?;
@@ -249,7 +304,7 @@ impl Binder<'_> {
                 let free = self.contract(letters, expr)?;
                 Ok(Type { free, ..scalar })
             }
-            Node::SumOver { index, implied, body } => {
+            Node::SumOver { index, implied, body, .. } => {
                 if *implied {
                     // Made here before: binding a bound formula again changes nothing.
                     self.summed.push(*index);
@@ -268,17 +323,24 @@ impl Binder<'_> {
         }
     }
 
-    /// Wraps `expr` in a sum for every index that occurs twice; returns those that occur once, in order.
+    /// Whether a letter labels things, and so is never summed over by repetition.
+    fn is_label(&self, letter: IndexId) -> bool {
+        self.symbols.indices[letter.0].labels
+    }
+
+    /// Wraps `expr` in a sum for every component index that occurs twice; returns the free ones, in order.
     fn contract(&self, mut letters: Vec<IndexId>, expr: &mut Expr) -> Result<Vec<IndexId>, Fault> {
         letters.sort();
         let mut free = Vec::new();
         for group in letters.chunk_by(|a, b| a == b) {
             match group {
                 [index] => free.push(*index),
+                [index, ..] if self.is_label(*index) => free.push(*index),
                 [index, _] => {
                     let span = expr.span;
                     let body = std::mem::replace(expr, Expr::new(Node::Pi, span));
-                    expr.node = Node::SumOver { index: *index, implied: true, body: Box::new(body) };
+                    let body = Box::new(body);
+                    expr.node = Node::SumOver { index: *index, implied: true, except: None, within: None, body };
                 }
                 _ => return Err(self.thrice(group[0], expr.span)),
             }
@@ -291,6 +353,19 @@ impl Binder<'_> {
         Fault::new(span, format!("the index {letter} occurs more than twice in this term"))
             .help(format!("if it is summed over, write \\sum_{letter}"))
     }
+}
+
+/// The indices among these that count components, not things.
+fn components(free: &[IndexId], symbols: &Symbols) -> Vec<IndexId> {
+    free.iter().copied().filter(|letter| !symbols.indices[letter.0].labels).collect()
+}
+
+/// All indices of both, in order.
+pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
+    let mut all: Vec<IndexId> = a.iter().chain(b).copied().collect();
+    all.sort();
+    all.dedup();
+    all
 }
 
 /// The shape of two things side by side.

@@ -79,12 +79,18 @@ pub struct Entry {
     pub name: Name,
     /// What it stands for, for each value of its indices.
     pub kind: Kind,
-    /// For each token of the subscript that is an index slot: its position and how many values it takes.
-    pub slots: Vec<(usize, u8)>,
+    /// For each token of the subscript that is an index slot: its position and the letter it was declared with.
+    pub slots: Vec<(usize, IndexId)>,
     /// Whether it is known to be an angle, which settles where the argument of a cosine ends.
     pub angle: bool,
     /// Whether it varies with time or is the time itself.
     pub varies: bool,
+    /// What may stand behind it in parentheses without a change of meaning: the `\vec{r}` of `\rho(\vec r)`.
+    pub argument: Option<Name>,
+    /// Whether it is introduced by its square: `\omega_{eff}^2 = …`, and stands for that.
+    pub squared: bool,
+    /// The members of a family that was put together from names of their own: λ₁, λ₂, λ₃ for λ_a.
+    pub members: Vec<SymbolId>,
 }
 
 /// A declared index letter.
@@ -92,8 +98,12 @@ pub struct Entry {
 pub struct IndexEntry {
     /// The letter, as LaTeX.
     pub letter: String,
-    /// It runs from 1 to this.
+    /// It runs from 1 to this, or to at most this where a count is named.
     pub upper: u8,
+    /// The symbol of the number that it runs to, where that is not fixed.
+    pub count: Option<SymbolId>,
+    /// Whether it labels things (particles), and is never summed over by repetition.
+    pub labels: bool,
 }
 
 /// The names of a document.
@@ -120,10 +130,27 @@ impl Symbols {
         Symbols { open: true, ..Symbols::new() }
     }
 
-    /// Declares an index letter that runs from 1 to `upper`.
+    /// Declares an index letter that runs from 1 to `upper` and is summed over where a product repeats it.
     pub fn add_index(&mut self, letter: &str, upper: u8) -> IndexId {
-        self.indices.push(IndexEntry { letter: letter.to_owned(), upper });
+        self.indices.push(IndexEntry { letter: letter.to_owned(), upper, count: None, labels: false });
         IndexId(self.indices.len() - 1)
+    }
+
+    /// Declares a letter that labels things: `count` of them, where that is a symbol, and at most `upper`.
+    pub fn add_label(&mut self, letter: &str, upper: u8, count: Option<SymbolId>) -> IndexId {
+        self.indices.push(IndexEntry { letter: letter.to_owned(), upper, count, labels: true });
+        IndexId(self.indices.len() - 1)
+    }
+
+    /// Whether two letters run over the same values of the same things.
+    pub fn same_range(&self, a: IndexId, b: IndexId) -> bool {
+        let (a, b) = (&self.indices[a.0], &self.indices[b.0]);
+        a.upper == b.upper && a.count == b.count && a.labels == b.labels
+    }
+
+    /// The most values that the slots of a symbol take, slot by slot.
+    pub fn extents(&self, id: SymbolId) -> Vec<u8> {
+        self.entry(id).slots.iter().map(|(_, letter)| self.indices[letter.0].upper).collect()
     }
 
     /// The index that a subscript token names.
@@ -140,11 +167,20 @@ impl Symbols {
             .subscript
             .iter()
             .enumerate()
-            .filter_map(|(at, token)| self.index(token).map(|index| (at, self.indices[index.0].upper)))
+            .filter_map(|(at, token)| self.index(token).map(|index| (at, index)))
             .collect();
         let id = SymbolId(self.entries.len());
         self.exact.insert(name.clone(), id);
-        self.entries.push(Entry { name, kind, slots, angle: false, varies: false });
+        self.entries.push(Entry {
+            name,
+            kind,
+            slots,
+            angle: false,
+            varies: false,
+            argument: None,
+            squared: false,
+            members: Vec::new(),
+        });
         Some(id)
     }
 
@@ -202,17 +238,17 @@ impl Symbols {
         }
         let mut indices = Vec::with_capacity(entry.slots.len());
         for (at, (declared, printed)) in entry.name.subscript.iter().zip(&name.subscript).enumerate() {
-            let Some((_, upper)) = entry.slots.iter().find(|(slot, _)| *slot == at) else {
+            let Some((_, declared_with)) = entry.slots.iter().find(|(slot, _)| *slot == at) else {
                 if declared == printed {
                     continue;
                 }
                 return None;
             };
             let index = match self.index(printed) {
-                Some(letter) if self.indices[letter.0].upper == *upper => Index::Letter(letter),
+                Some(letter) if self.same_range(letter, *declared_with) => Index::Letter(letter),
                 Some(_) => return None,
                 None => match printed.parse::<u8>() {
-                    Ok(value) if (1..=*upper).contains(&value) => Index::Fixed(value),
+                    Ok(value) if (1..=self.indices[declared_with.0].upper).contains(&value) => Index::Fixed(value),
                     _ => return None,
                 },
             };

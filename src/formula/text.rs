@@ -115,9 +115,20 @@ impl Writer<'_> {
             Node::Entry(a, i, j) => format!("({})_{}{}", self.bare(a), self.index(*i), self.index(*j)),
             Node::Epsilon([a, b, c]) => format!("ε_{}{}{}", self.index(*a), self.index(*b), self.index(*c)),
             Node::Delta([a, b]) => format!("δ_{}{}", self.index(*a), self.index(*b)),
-            Node::SumOver { index, body, .. } => {
-                format!("Σ_{} {}", self.symbols.indices[index.0].letter, self.write(body, 1))
+            Node::SumOver { index, except, within, body, .. } => {
+                let letter = &self.symbols.indices[index.0].letter;
+                let except = except.map_or_else(String::new, |except| format!("≠{}", self.index(except)));
+                let within = within
+                    .map_or_else(String::new, |id| format!("∈{}", plain(&self.symbols.entry(id).name.to_string())));
+                format!("Σ_{letter}{except}{within} {}", self.write(body, 1))
             }
+            Node::Integral(region, a) => {
+                format!("∫_{} {}", plain(&self.symbols.entry(*region).name.to_string()), self.write(a, 1))
+            }
+            Node::Shrinking(region, a) => {
+                format!("lim_{{{} → 0}} {}", plain(&self.symbols.entry(*region).name.to_string()), self.write(a, 1))
+            }
+            Node::Component(a, index) => format!("({})_{}", self.bare(a), self.index(*index)),
         }
     }
 

@@ -82,9 +82,19 @@ pub enum Node {
         index: IndexId,
         /// Whether it is implied by repetition.
         implied: bool,
+        /// A value that it leaves out: the i of `\sum_{j \neq i}`.
+        except: Option<Index>,
+        /// The continuum in whose part at hand the particles summed over lie: `\sum_{\vec r_i \in V(\vec r)}`.
+        within: Option<SymbolId>,
         /// What is summed.
         body: Box<Expr>,
     },
+    /// `\int_V … d^3r` over a declared continuum.
+    Integral(SymbolId, Box<Expr>),
+    /// `\lim_{V(\vec r) \to 0}`: as the part of a continuum around a point of it shrinks.
+    Shrinking(SymbolId, Box<Expr>),
+    /// One component of a vector along the fixed axes.
+    Component(Box<Expr>, Index),
 }
 
 /// A term of a sum with its sign.
@@ -300,6 +310,9 @@ impl Expr {
             | Node::Transpose(a)
             | Node::Inverse(a)
             | Node::Entry(a, _, _)
+            | Node::Integral(_, a)
+            | Node::Shrinking(_, a)
+            | Node::Component(a, _)
             | Node::SumOver { body: a, .. } => vec![a],
         }
     }
@@ -321,6 +334,9 @@ impl Expr {
             | Node::Transpose(a)
             | Node::Inverse(a)
             | Node::Entry(a, _, _)
+            | Node::Integral(_, a)
+            | Node::Shrinking(_, a)
+            | Node::Component(a, _)
             | Node::SumOver { body: a, .. } => vec![a],
         }
     }

@@ -300,7 +300,11 @@ impl Piece<'_> {
         }
         for pair in 1..members.len() {
             let (a, b) = (&members[pair - 1], &members[pair]);
-            shape::comparable((a, &types[pair - 1]), (b, &types[pair]))?;
+            let (of_a, of_b) = ((a, &types[pair - 1]), (b, &types[pair]));
+            let matrices = [shape::entries_of(of_a, of_b, symbols), shape::entries_of(of_b, of_a, symbols)];
+            if matrices.iter().all(Option::is_none) {
+                shape::comparable(of_a, of_b, symbols)?;
+            }
             let (relation, place) = relations[pair - 1];
             let is_order = !matches!(relation, Relation::Equal | Relation::Identical | Relation::Approximately);
             if is_order && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {

@@ -20,7 +20,13 @@ impl Typesetter<'_> {
     fn factor(&self, expr: &Expr, raised: bool) -> String {
         let text = self.bare(expr);
         let enclose = match &expr.node {
-            Node::Sum(_) | Node::Product(_) | Node::Cross(..) | Node::Dot(..) | Node::SumOver { .. } => true,
+            Node::Sum(_)
+            | Node::Product(_)
+            | Node::Cross(..)
+            | Node::Dot(..)
+            | Node::SumOver { .. }
+            | Node::Integral(..)
+            | Node::Shrinking(..) => true,
             Node::TimeDerivative(..) | Node::Quotient(..) | Node::Power(..) | Node::Call(..) => raised,
             Node::Transpose(_) | Node::Inverse(_) | Node::Entry(..) | Node::Root(..) | Node::Matrix(_) => raised,
             _ => false,
@@ -107,13 +113,19 @@ impl Typesetter<'_> {
             Node::Epsilon(indices) => format!("\\epsilon_{{{}}}", self.indices(indices)),
             Node::Delta(indices) => format!("\\delta_{{{}}}", self.indices(indices)),
             Node::SumOver { body, implied: true, .. } => self.bare(body),
-            Node::SumOver { index, body, .. } => {
+            Node::SumOver { index, except, body, .. } => {
+                let except = except.map_or_else(String::new, |except| format!(" \\neq {}", self.index(except)));
                 let body = match &body.node {
                     Node::Sum(_) => format!("\\left({}\\right)", self.bare(body)),
                     _ => self.bare(body),
                 };
-                format!("\\sum_{{{}}} {body}", self.symbols.indices[index.0].letter)
+                format!("\\sum_{{{}{except}}} {body}", self.symbols.indices[index.0].letter)
             }
+            Node::Integral(region, a) => format!("\\int_{} {}", self.symbols.entry(*region).name, self.bare(a)),
+            Node::Shrinking(region, a) => {
+                format!("\\lim_{{{} \\to 0}} {}", self.symbols.entry(*region).name, self.bare(a))
+            }
+            Node::Component(a, index) => format!("({})_{}", self.bare(a), self.index(*index)),
         }
     }
 

@@ -137,7 +137,7 @@ fn contracted() -> impl Strategy<Value = Expr> {
         any::<bool>().prop_map(move |sums| {
             let terms = vec![(false, symbol(OMEGA, &[a], 0)), (true, symbol(OMEGA, &[a], 1))];
             let body = if sums { sum(terms) } else { product(terms.into_iter().map(|(_, term)| term).collect()) };
-            node(Node::SumOver { index: IndexId(0), implied: false, body: boxed(body) })
+            node(Node::SumOver { index: IndexId(0), implied: false, except: None, within: None, body: boxed(body) })
         }),
     ]
 }

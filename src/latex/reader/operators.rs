@@ -107,7 +107,8 @@ impl Reader<'_> {
         }
         let mut body = self.term(rest)?;
         for index in indices.into_iter().rev() {
-            body = Expr::new(Node::SumOver { index, implied: false, body: Box::new(body) }, span);
+            let node = Node::SumOver { index, implied: false, except: None, within: None, body: Box::new(body) };
+            body = Expr::new(node, span);
         }
         Ok(body)
     }
