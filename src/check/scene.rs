@@ -2,70 +2,56 @@
 //!
 //! A state is fixed by its *base*: numbers for the time, the constants, and the derivatives of everything that
 //! varies. Off shell the base holds all derivatives up to the order in use; on shell it holds q and q̇, and the Euler–
-//! Lagrange equations give the rest. The same code runs over measured numbers (to judge) and dual numbers (to solve
-//! conditions for a variable).
+//! Lagrange equations give the rest. Hypotheses that are [`Rule`]s are followed when their symbol is asked for. The same
+//! code runs over measured numbers (to judge) and dual numbers (to solve conditions for a variable).
 
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell, RefCell};
+use std::collections::HashMap;
+use std::sync::Arc;
 
-use nalgebra::Matrix3;
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::Result;
-use crate::formula::evaluate::{Environment, Unavailable, evaluate};
-use crate::formula::{SymbolId, Symbols, Value};
+use crate::formula::evaluate::{Body, Environment, Unavailable, evaluate};
+use crate::formula::{IndexId, Kind, Sign, SymbolId, Symbols, Value};
 use crate::mechanics::{Quantities, rotations};
-use crate::notes::claims::{Range, Turning};
+use crate::notes::claims::Turning;
 use crate::scalar::{Number, Series};
 
-use super::model::{Meaning, Model, Quantity};
+use super::crowd::{Crowd, Place};
+use super::layout::Base;
+use super::model::{FrameQuantity, Meaning, Model, Quantity};
+use super::rules::{Action, Rule};
 
 /// How states are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mode {
-    /// Whether the accelerations obey the Euler–Lagrange equations.
+    /// Whether the accelerations obey the Euler–Lagrange equations, and the laws hold.
     pub on_shell: bool,
     /// The highest time derivative that is known.
     pub order: usize,
 }
 
-/// One number of a base.
-#[derive(Clone, Debug)]
-pub struct Slot {
-    /// The symbol whose value or derivative it is; none for the time.
-    pub symbol: Option<SymbolId>,
-    /// The order of the derivative.
-    pub order: usize,
-    /// Where it is drawn from.
-    pub range: Range,
-    /// Whether it is a constant.
-    pub constant: bool,
-}
-
-/// The numbers of a base, in order: time, constants, coordinates, free functions with their derivatives.
-pub fn slots(model: &Model, mode: Mode) -> Vec<Slot> {
-    let mut slots = vec![Slot { symbol: None, order: 0, range: Range::Any, constant: false }];
-    for constant in &model.constants {
-        let (symbol, range) = (Some(constant.symbol), constant.range.clone());
-        slots.push(Slot { symbol, order: 0, range, constant: true });
-    }
-    let coordinates = model.coordinates.iter().map(|v| (v, if mode.on_shell { 1 } else { mode.order }));
-    for (variable, highest) in coordinates.chain(model.varying.iter().map(|v| (v, mode.order))) {
-        for order in 0..=highest {
-            let range = if order == 0 { variable.range.clone() } else { Range::Any };
-            slots.push(Slot { symbol: Some(variable.symbol), order, range, constant: false });
-        }
-    }
-    slots
-}
+/// A value, or why there is none.
+type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 
 /// A state.
 pub struct Scene<'m, B: Number> {
-    model: &'m Model,
-    time: Series<B>,
-    constants: Vec<B>,
+    pub(super) model: &'m Model,
+    pub(super) base: Base<B>,
     coordinates: Vec<Series<B>>,
-    varying: Vec<Series<B>>,
+    rules: Arc<[Rule]>,
     overrides: Vec<(SymbolId, Value<Series<B>>)>,
     quantities: OnceCell<Option<Quantities<Series<B>>>>,
+    turning: OnceCell<Option<rotations::Turning<Series<B>>>>,
+    /// Where in a continuum the formula at hand is evaluated.
+    pub(super) place: RefCell<Place<B>>,
+    /// Particles that stand in for those of a family.
+    crowd: RefCell<Option<Arc<Crowd<B>>>>,
+    /// Whether the formula at hand means them.
+    crowded: Cell<bool>,
+    /// Values of defined and ruled symbols.
+    memo: RefCell<HashMap<(SymbolId, [u8; 3]), Value<Series<B>>>>,
 }
 
 impl<'m, B: Number> Scene<'m, B> {
@@ -73,35 +59,29 @@ impl<'m, B: Number> Scene<'m, B> {
     ///
     /// # Errors
     /// When the mass matrix is singular there.
-    pub fn new(model: &'m Model, mode: Mode, base: &[B]) -> Result<Self> {
-        let missing = B::from(f64::NAN);
-        let mut base = base.iter().copied();
-        let mut take = || base.next().unwrap_or(missing);
-        let time = take();
-        let constants: Vec<B> = model.constants.iter().map(|_| take()).collect();
-        let mut jets = |count: usize, highest: usize| -> Vec<Vec<B>> {
-            (0..count).map(|_| (0..=highest).map(|_| take()).collect()).collect()
-        };
-        let on_shell = mode.on_shell && model.world.is_some();
-        let coordinates = jets(model.coordinates.len(), if mode.on_shell { 1 } else { mode.order });
-        let varying = jets(model.varying.len(), mode.order);
+    pub fn new(model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
+        let base = Base::of(model, mode, base);
         let coordinates = match &model.world {
-            Some(world) if on_shell => {
-                let q: Vec<B> = coordinates.iter().map(|jet| jet[0]).collect();
-                let v: Vec<B> = coordinates.iter().map(|jet| jet[1]).collect();
-                let parameters: Vec<B> = model.parameters.iter().map(|place| constants[*place]).collect();
-                world.motion(time, &q, &v, &parameters, mode.order.max(1))?
+            Some(world) if mode.on_shell => {
+                let q: Vec<B> = base.coordinates.iter().map(|jet| jet[0]).collect();
+                let v: Vec<B> = base.coordinates.iter().map(|jet| jet[1]).collect();
+                let parameters: Vec<B> = model.parameters.iter().map(|place| base.constants[*place][0]).collect();
+                world.motion(base.time, &q, &v, &parameters, mode.order.max(1))?
             }
-            _ => coordinates.iter().map(|jet| Series::from_derivatives(jet)).collect(),
+            _ => base.coordinates.iter().map(|jet| Series::from_derivatives(jet)).collect(),
         };
         Ok(Scene {
             model,
-            time: Series::time(time),
-            constants,
+            base,
             coordinates,
-            varying: varying.iter().map(|jet| Series::from_derivatives(jet)).collect(),
+            rules: rules.clone(),
             overrides: Vec::new(),
             quantities: OnceCell::new(),
+            turning: OnceCell::new(),
+            place: RefCell::new(Place::default()),
+            crowd: RefCell::new(None),
+            crowded: Cell::new(false),
+            memo: RefCell::new(HashMap::new()),
         })
     }
 
@@ -113,11 +93,20 @@ impl<'m, B: Number> Scene<'m, B> {
     /// Gives a symbol a value of its own, whatever it means, and takes the earlier ones back.
     pub fn set_only(&mut self, overrides: &[(SymbolId, Series<B>)]) {
         self.overrides = overrides.iter().map(|(id, value)| (*id, Value::Scalar(*value))).collect();
+        self.memo.borrow_mut().clear();
     }
 
     /// The same for one symbol of any shape.
     pub fn replace(&mut self, id: SymbolId, value: Value<Series<B>>) {
         self.overrides = vec![(id, value)];
+        self.memo.borrow_mut().clear();
+    }
+
+    /// Lets these particles stand in for a family from now on.
+    pub fn populate(&self, crowd: Crowd<B>) {
+        *self.crowd.borrow_mut() = Some(Arc::new(crowd));
+        self.crowded.set(true);
+        self.memo.borrow_mut().clear();
     }
 
     /// The coordinates as functions of time.
@@ -130,7 +119,7 @@ impl<'m, B: Number> Scene<'m, B> {
         let compute = || {
             let world = self.model.world.as_ref()?;
             let (q, v) = (&self.coordinates, self.velocities());
-            Some(world.quantities(self.time, q, &v, &self.parameters()))
+            Some(world.quantities(self.time(), q, &v, &self.parameters()))
         };
         self.quantities.get_or_init(compute).as_ref()
     }
@@ -141,9 +130,13 @@ impl<'m, B: Number> Scene<'m, B> {
         let derivative = |order: usize| -> Option<Vec<B>> {
             self.coordinates.iter().map(|q| q.nth_derivative_value(order)).collect()
         };
-        let parameters: Vec<B> = self.model.parameters.iter().map(|place| self.constants[*place]).collect();
+        let parameters: Vec<B> = self.model.parameters.iter().map(|place| self.base.constants[*place][0]).collect();
         let (q, v, a) = (derivative(0)?, derivative(1)?, derivative(2)?);
-        Some(world.euler_lagrange(self.time.value(), &q, &v, &parameters, &a))
+        Some(world.euler_lagrange(self.base.time, &q, &v, &parameters, &a))
+    }
+
+    fn time(&self) -> Series<B> {
+        Series::time(self.base.time)
     }
 
     fn velocities(&self) -> Vec<Series<B>> {
@@ -151,12 +144,20 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn parameters(&self) -> Vec<Series<B>> {
-        self.model.parameters.iter().map(|place| Series::constant(self.constants[*place])).collect()
+        self.model.parameters.iter().map(|place| Series::constant(self.base.constants[*place][0])).collect()
     }
 
-    fn quantity(&self, quantity: Quantity, id: SymbolId, indices: &[u8]) -> Result<Value<Series<B>>, Unavailable> {
+    /// How the document's frame turns.
+    fn turning(&self) -> Option<&rotations::Turning<Series<B>>> {
+        self.turning.get_or_init(|| self.base.turning(self.model.frame?)).as_ref()
+    }
+
+    fn quantity(&self, quantity: Quantity, id: SymbolId, indices: &[u8]) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
+        if quantity == Quantity::SpaceAxes {
+            return Ok(Value::Vector(unit(place(0)?)));
+        }
         let all = self.quantities().ok_or_else(none)?;
         Ok(match quantity {
             Quantity::Lagrangian => Value::Scalar(all.lagrangian),
@@ -167,7 +168,7 @@ impl<'m, B: Number> Scene<'m, B> {
             Quantity::EffectivePotential => {
                 let world = self.model.world.as_ref().ok_or_else(none)?;
                 let v = self.velocities();
-                let value = world.effective_potential(self.time, &self.coordinates, &v, &self.parameters());
+                let value = world.effective_potential(self.time(), &self.coordinates, &v, &self.parameters());
                 Value::Scalar(value.map_err(|_| none())?)
             }
             Quantity::RotationMatrix => {
@@ -182,17 +183,168 @@ impl<'m, B: Number> Scene<'m, B> {
                 _ => Value::Scalar(all.body_rates.as_ref().ok_or_else(none)?[place(0)?]),
             },
             Quantity::BodyAxes => Value::Vector(all.orientation.as_ref().ok_or_else(none)?.row(place(0)?).transpose()),
-            Quantity::SpaceAxes => {
-                let at = place(0)?;
-                let unit = |k: usize| Series::constant(if k == at { B::one() } else { B::zero() });
-                Value::Vector(nalgebra::Vector3::new(unit(0), unit(1), unit(2)))
-            }
+            Quantity::SpaceAxes => Value::Vector(unit(place(0)?)),
         })
+    }
+
+    /// A symbol after the first `upto` rules.
+    fn ruled(&self, id: SymbolId, indices: &[u8], upto: usize) -> Valued<B> {
+        let Some(at) = self.rules[..upto].iter().rposition(|rule| rule.symbol == id) else {
+            return self.raw(id, indices);
+        };
+        let rule = &self.rules[at];
+        let before = || self.ruled(id, indices, at);
+        let letters: Vec<(IndexId, u8)> = rule.letters.iter().copied().zip(indices.iter().copied()).collect();
+        let wrong = Unavailable::Operation("a sum of different shapes");
+        let target = match &rule.action {
+            Action::Equals(formula) => {
+                let value = evaluate(formula, self, &letters)?;
+                match (self.model.symbols.entry(id).kind, value) {
+                    (Kind::Vector, Value::Scalar(zero)) => Value::Vector(Vector3::from_element(zero)),
+                    (_, value) => value,
+                }
+            }
+            Action::Symmetric { permutation, sign } => {
+                let permuted: Vec<u8> = permutation.iter().map(|at| indices[*at]).collect();
+                let image = self.ruled(id, &permuted, at)?;
+                let image = if *sign == Sign::Minus { image.map(|x| -x) } else { image };
+                before()?.plus(image).ok_or(wrong.clone())?.map(|x| x * 0.5)
+            }
+            Action::Parallel(along) => match (before()?, evaluate(along, self, &letters)?) {
+                (Value::Vector(v), Value::Vector(a)) => {
+                    let square = a.dot(&a);
+                    match square.re() == 0.0 {
+                        true => Value::Vector(Vector3::zeros()),
+                        false => Value::Vector(a * (v.dot(&a) / square)),
+                    }
+                }
+                _ => return Err(wrong),
+            },
+            Action::Union(_) => return Err(Unavailable::Symbol(id)),
+        };
+        if rule.throughout || !self.model.symbols.entry(id).varies {
+            return Ok(target);
+        }
+        // At the instant only: the value is the target's, the derivatives are its own.
+        let own = before()?;
+        let shift = target.plus(own.clone().map(|x| -x)).ok_or(wrong.clone())?;
+        own.plus(shift.map(|x| Series::constant(x.value()))).ok_or(wrong)
+    }
+
+    /// A symbol by its meaning alone.
+    fn raw(&self, id: SymbolId, indices: &[u8]) -> Valued<B> {
+        let none = || Unavailable::Symbol(id);
+        let entry = self.model.symbols.entry(id);
+        if self.crowded.get()
+            && let Some(member) = self.crowd.borrow().as_ref().and_then(|crowd| crowd.member(id, indices))
+        {
+            return Ok(member);
+        }
+        let numbers = |numbers: &[Series<B>]| {
+            let extents = self.model.symbols.extents(id);
+            let place = indices.iter().zip(&extents).fold(0, |at, (i, n)| at * usize::from(*n) + usize::from(*i) - 1);
+            match entry.kind {
+                Kind::Vector => numbers.get(3 * place..3 * place + 3).map(|v| Value::Vector(Vector3::from_row_slice(v))),
+                _ => numbers.get(place).map(|x| Value::Scalar(*x)),
+            }
+            .ok_or_else(none)
+        };
+        match self.model.meaning(id).ok_or_else(none)? {
+            Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
+            Meaning::Constant(i) => {
+                numbers(&self.base.constants[*i].iter().map(|x| Series::constant(*x)).collect::<Vec<_>>())
+            }
+            Meaning::Varying(i) => numbers(&self.base.varying[*i]),
+            Meaning::Time => Ok(Value::Scalar(self.time())),
+            Meaning::World(quantity) => self.quantity(*quantity, id, indices),
+            Meaning::Defined(formula) => {
+                let free: Vec<(IndexId, u8)> =
+                    entry.slots.iter().map(|(_, letter)| *letter).zip(indices.iter().copied()).collect();
+                let outer = self.crowded.get();
+                if let Some(crowd) = self.crowd.borrow().as_ref().filter(|crowd| crowd.stands_in_partly()) {
+                    self.crowded.set(self.model.depends_on(formula, &crowd.symbols()));
+                }
+                let value = evaluate(formula, self, &free);
+                self.crowded.set(outer);
+                value
+            }
+            Meaning::Rotation(..) => Err(none()),
+            Meaning::FixedAxis(k) => Ok(Value::Vector(unit(*k))),
+            Meaning::Frame(FrameQuantity::Angle) => self.base.frame_angles.first().copied().map(Value::Scalar).ok_or_else(none),
+            Meaning::Frame(FrameQuantity::AngularVelocity) => {
+                Ok(Value::Vector(self.turning().ok_or_else(none)?.angular_velocity))
+            }
+            Meaning::Frame(FrameQuantity::Axes) => {
+                let at = indices.first().map(|index| usize::from(*index) - 1).ok_or_else(none)?;
+                Ok(Value::Vector(self.turning().ok_or_else(none)?.orientation.row(at).transpose()))
+            }
+            Meaning::Rigid(i) => {
+                let fixed: Vec<Series<B>> = self.base.rigid[*i].iter().map(|x| Series::constant(*x)).collect();
+                let Value::Vector(fixed) = numbers(&fixed)? else { return Err(none()) };
+                let turned = self.turning().ok_or_else(none)?.orientation.transpose() * fixed;
+                match self.model.rigid[*i].about {
+                    None => Ok(Value::Vector(turned)),
+                    Some(about) => {
+                        let sum = self.symbol(about, &[])?.plus(Value::Vector(turned));
+                        sum.ok_or(Unavailable::Operation("a sum of different shapes"))
+                    }
+                }
+            }
+            Meaning::Particles(quantity, masses, positions) => {
+                self.of_particles(*quantity, *masses, *positions, id, indices)
+            }
+            Meaning::Region(at) => self.size_of_part(*at).map(Value::Scalar).ok_or_else(none),
+            Meaning::Density(at) => self.density(*at).map(Value::Scalar).ok_or_else(none),
+            Meaning::Point => self.point().map(Value::Vector).ok_or_else(none),
+        }
+    }
+
+    /// Whether what a symbol stands for may be kept for the next time that it is asked for.
+    fn keeps(&self, id: SymbolId) -> bool {
+        let costly = matches!(
+            self.model.meaning(id),
+            Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_))
+        ) || self.rules.iter().any(|rule| rule.symbol == id);
+        costly && self.crowd.borrow().is_none() && self.place.borrow().is_default()
+    }
+
+    /// Lets the rules that join families take effect: their members stand in for the family that is joined.
+    pub(super) fn join(&self) -> Result<(), Unavailable> {
+        let unions: Vec<&Rule> =
+            self.rules.iter().filter(|rule| matches!(rule.action, Action::Union(_))).collect();
+        if unions.is_empty() {
+            return Ok(());
+        }
+        let mut members = Vec::new();
+        let mut label = None;
+        for rule in unions {
+            let Action::Union(parts) = &rule.action else { continue };
+            let mut joined = Vec::new();
+            for part in parts {
+                let letter = self.model.symbols.entry(*part).slots.first().map(|(_, letter)| *letter);
+                let letter = letter.ok_or(Unavailable::Symbol(*part))?;
+                label = Some(letter);
+                for value in 1..=self.count(letter)? {
+                    joined.push(self.symbol(*part, &[value])?);
+                }
+            }
+            members.push((rule.symbol, joined));
+        }
+        if let Some(label) = label {
+            *self.crowd.borrow_mut() = Some(Arc::new(Crowd::joined(members, label)));
+            self.memo.borrow_mut().clear();
+        }
+        Ok(())
     }
 }
 
-fn matrix<B: Number>(m: &Matrix3<Series<B>>) -> Value<Series<B>> {
-    Value::Matrix(nalgebra::DMatrix::from_fn(3, 3, |i, j| m[(i, j)]))
+/// The k-th unit vector.
+fn unit<B: Number>(k: usize) -> Vector3<Series<B>> {
+    Vector3::from_fn(|i, _| Series::constant(if i == k { B::one() } else { B::zero() }))
+}
+
+pub(super) fn matrix<B: Number>(m: &Matrix3<Series<B>>) -> Value<Series<B>> {
+    Value::Matrix(DMatrix::from_fn(3, 3, |i, j| m[(i, j)]))
 }
 
 impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
@@ -200,19 +352,49 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
         &self.model.symbols
     }
 
-    fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Series<B>>, Unavailable> {
+    fn symbol(&self, id: SymbolId, indices: &[u8]) -> Valued<B> {
         if let Some((_, value)) = self.overrides.iter().find(|(known, _)| *known == id) {
             return Ok(value.clone());
         }
-        match self.model.meaning(id).ok_or(Unavailable::Symbol(id))? {
-            Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
-            Meaning::Constant(i) => Ok(Value::Scalar(Series::constant(self.constants[*i]))),
-            Meaning::Varying(i) => Ok(Value::Scalar(self.varying[*i])),
-            Meaning::Time => Ok(Value::Scalar(self.time)),
-            Meaning::World(quantity) => self.quantity(*quantity, id, indices),
-            Meaning::Defined(formula) => evaluate(formula, self, &[]),
-            Meaning::Rotation(..) => Err(Unavailable::Symbol(id)),
+        if indices.len() > 3 || !self.keeps(id) {
+            return self.ruled(id, indices, self.rules.len());
         }
+        let mut key = [0; 3];
+        key[..indices.len()].copy_from_slice(indices);
+        if let Some(value) = self.memo.borrow().get(&(id, key)) {
+            return Ok(value.clone());
+        }
+        let value = self.ruled(id, indices, self.rules.len())?;
+        self.memo.borrow_mut().insert((id, key), value.clone());
+        Ok(value)
+    }
+
+    fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
+        let entry = &self.model.symbols.indices[index.0];
+        if self.crowded.get()
+            && let Some(crowd) = self.crowd.borrow().as_ref()
+            && self.model.symbols.same_range(crowd.label, index)
+        {
+            return Ok(crowd.len());
+        }
+        let Some(count) = entry.count else { return Ok(entry.upper) };
+        match self.symbol(count, &[])? {
+            Value::Scalar(n) => Ok((n.value().re() as u8).clamp(1, entry.upper)),
+            _ => Err(Unavailable::Symbol(count)),
+        }
+    }
+
+    fn integral(&self, region: SymbolId, body: Body<'_, Series<B>>) -> Valued<B> {
+        self.integrate(region, body)
+    }
+
+    fn shrinking(&self, region: SymbolId, body: Body<'_, Series<B>>) -> Valued<B> {
+        self.shrink(region, body)
+    }
+
+    fn count_within(&self, region: SymbolId) -> Result<u8, Unavailable> {
+        let place = self.place.borrow();
+        place.part.as_ref().map(|part| part.len()).ok_or(Unavailable::Symbol(region))
     }
 
     fn rotation(&self, id: SymbolId, angle: Series<B>) -> Result<Matrix3<Series<B>>, Unavailable> {

@@ -1,0 +1,220 @@
+//! Hypotheses that say outright what something is, and so need no solving.
+//!
+//! `\vec F_{ij} = -\vec F_{ji}` is a symmetry, `\vec F_{ij} \propto \vec r_{ij}` a direction, and Newton's second law can
+//! be written as the value of one of its forces. Such a hypothesis about a vector, or about a family, becomes a [`Rule`]
+//! that the state follows whenever it is asked for the symbol: exactly, for all members, over any number, and with all
+//! derivatives where it holds throughout. The others are left to [`super::ensemble`], which moves numbers onto them.
+
+use crate::formula::{Expr, Index, IndexId, Kind, Node, Relation, Sign, SymbolId, Term};
+use crate::source::Span;
+
+use super::ensemble::Condition;
+use super::model::{Meaning, Model};
+
+/// What a hypothesis, or the meaning of a symbol in one equation, makes of a symbol.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    /// The symbol.
+    pub symbol: SymbolId,
+    /// The letters that stand for its indices.
+    pub letters: Vec<IndexId>,
+    /// What it is.
+    pub action: Action,
+    /// Whether at all times, and not only at the instant.
+    pub throughout: bool,
+}
+
+/// What a rule makes of a symbol.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// The value of a formula.
+    Equals(Expr),
+    /// The part of what it was before that goes over into itself, or into its negative, when its indices are permuted.
+    Symmetric {
+        /// For each of its indices, which one takes its place.
+        permutation: Vec<usize>,
+        /// The sign.
+        sign: Sign,
+    },
+    /// The part of what it was before that is parallel to a vector.
+    Parallel(Expr),
+    /// The members of several families, one after the other.
+    Union(Vec<SymbolId>),
+}
+
+/// The rules that these hypotheses are, and whether each of them is one.
+pub fn rules(model: &Model, conditions: &[Condition]) -> (Vec<Rule>, Vec<bool>) {
+    let mut rules: Vec<Rule> = Vec::new();
+    let mut explicit = vec![false; conditions.len()];
+    // A hypothesis that fixes a whole vector by itself goes before the laws, which leave a choice.
+    for (at, condition) in conditions.iter().enumerate() {
+        let found = symmetry(model, condition).or_else(|| parallel(model, condition));
+        let found = found.or_else(|| value(model, condition, &rules));
+        if let Some(rule) = found {
+            explicit[at] = true;
+            rules.push(rule);
+        }
+    }
+    (rules, explicit)
+}
+
+fn is_equality(condition: &Condition) -> bool {
+    matches!(condition.relation, Relation::Equal | Relation::Identical)
+}
+
+/// A symbol that is drawn, a vector or a family, with a letter of its own for each index.
+fn free_symbol(model: &Model, expr: &Expr) -> Option<(SymbolId, Vec<IndexId>)> {
+    let Node::Symbol { id, indices, dots: 0 } = &expr.node else { return None };
+    if !matches!(model.meaning(*id)?, Meaning::Varying(_) | Meaning::Constant(_)) {
+        return None;
+    }
+    let entry = model.symbols.entry(*id);
+    if entry.kind != Kind::Vector && entry.slots.is_empty() || indices.len() != entry.slots.len() {
+        return None;
+    }
+    let mut letters = Vec::new();
+    for index in indices {
+        match index {
+            Index::Letter(letter) if !letters.contains(letter) => letters.push(*letter),
+            _ => return None,
+        }
+    }
+    Some((*id, letters))
+}
+
+/// `X_{ij} = ± X_{ji}`.
+fn symmetry(model: &Model, condition: &Condition) -> Option<Rule> {
+    if !is_equality(condition) {
+        return None;
+    }
+    let (symbol, letters) = free_symbol(model, &condition.lhs)?;
+    let (sign, other) = match &condition.rhs.node {
+        Node::Sum(terms) => match terms.as_slice() {
+            [Term { sign, expr, .. }] => (*sign, expr),
+            _ => return None,
+        },
+        _ => (Sign::Plus, &condition.rhs),
+    };
+    let (image, permuted) = free_symbol(model, other)?;
+    if image != symbol {
+        return None;
+    }
+    let permutation: Option<Vec<usize>> =
+        permuted.iter().map(|letter| letters.iter().position(|known| known == letter)).collect();
+    let permutation = permutation?;
+    let is_involution = permutation.iter().enumerate().all(|(at, to)| permutation[*to] == at);
+    let moves = permutation.iter().enumerate().any(|(at, to)| at != *to);
+    (is_involution && moves).then(|| Rule {
+        symbol,
+        letters,
+        action: Action::Symmetric { permutation, sign },
+        throughout: condition.throughout,
+    })
+}
+
+/// `\vec X \propto \vec Y`.
+fn parallel(model: &Model, condition: &Condition) -> Option<Rule> {
+    if condition.relation != Relation::Proportional {
+        return None;
+    }
+    [(&condition.lhs, &condition.rhs), (&condition.rhs, &condition.lhs)].into_iter().find_map(|(a, b)| {
+        let (symbol, letters) = free_symbol(model, a)?;
+        (!model.depends_on(b, &[symbol])).then(|| Rule {
+            symbol,
+            letters,
+            action: Action::Parallel(b.clone()),
+            throughout: condition.throughout,
+        })
+    })
+}
+
+/// An equation with a term that is a free symbol alone, which occurs nowhere else in it: solved for that term.
+fn value(model: &Model, condition: &Condition, before: &[Rule]) -> Option<Rule> {
+    if !is_equality(condition) {
+        return None;
+    }
+    let mut terms: Vec<(Sign, Expr)> = Vec::new();
+    flatten(model, &condition.lhs, Sign::Plus, 0, &mut terms);
+    let left = terms.len();
+    flatten(model, &condition.rhs, Sign::Minus, 0, &mut terms);
+    // The left side is what is being said; and of two candidates the later one is the finer.
+    let order = (0..left).rev().chain(left..terms.len());
+    for at in order {
+        let (sign, term) = &terms[at];
+        let Some((symbol, letters)) = free_symbol(model, term) else { continue };
+        let others: Vec<&(Sign, Expr)> =
+            terms.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, term)| term).collect();
+        if others.iter().any(|(_, other)| reaches(model, before, other, symbol)) {
+            continue;
+        }
+        if before.iter().any(|rule| rule.symbol == symbol) || !same_letters(model, &letters, &others) {
+            continue;
+        }
+        let flipped = *sign == Sign::Plus;
+        let rest: Vec<Term> = others
+            .into_iter()
+            .map(|(sign, expr)| Term {
+                sign: if flipped { sign.flipped() } else { *sign },
+                sign_span: None,
+                expr: expr.clone(),
+            })
+            .collect();
+        let formula = match rest.is_empty() {
+            true => Expr::integer(0, Span::default()),
+            false => Expr::new(Node::Sum(rest), Span::default()),
+        };
+        return Some(Rule { symbol, letters, action: Action::Equals(formula), throughout: condition.throughout });
+    }
+    None
+}
+
+/// Whether the labels that are free in the other terms are all among the letters of the symbol.
+fn same_letters(model: &Model, letters: &[IndexId], others: &[&(Sign, Expr)]) -> bool {
+    others.iter().all(|(_, other)| {
+        crate::formula::shape::bind(other.clone(), &model.symbols)
+            .is_ok_and(|(_, found)| found.free.iter().all(|letter| letters.contains(letter)))
+    })
+}
+
+/// The terms of a formula, definitions opened where a term is nothing but a defined name.
+fn flatten(model: &Model, expr: &Expr, sign: Sign, depth: usize, into: &mut Vec<(Sign, Expr)>) {
+    match &expr.node {
+        Node::Sum(terms) => {
+            for term in terms {
+                let sign = if term.sign == Sign::Minus { sign.flipped() } else { sign };
+                flatten(model, &term.expr, sign, depth, into);
+            }
+        }
+        Node::Symbol { id, indices, dots: 0 } if depth < 8 => {
+            let entry = model.symbols.entry(*id);
+            let own = entry.slots.iter().map(|(_, letter)| Index::Letter(*letter));
+            match model.meaning(*id) {
+                Some(Meaning::Defined(formula)) if own.eq(indices.iter().copied()) => {
+                    flatten(model, formula, sign, depth + 1, into);
+                }
+                _ => into.push((sign, expr.clone())),
+            }
+        }
+        _ if expr.is_zero() => {}
+        _ => into.push((sign, expr.clone())),
+    }
+}
+
+/// Whether the value of a formula depends on a symbol, through definitions and earlier rules.
+fn reaches(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> bool {
+    let mut reached = vec![symbol];
+    // Whatever a rule builds on the symbol depends on it as well.
+    loop {
+        let more = rules.iter().find(|rule| {
+            !reached.contains(&rule.symbol)
+                && match &rule.action {
+                    Action::Equals(formula) | Action::Parallel(formula) => model.depends_on(formula, &reached),
+                    Action::Symmetric { .. } | Action::Union(_) => false,
+                }
+        });
+        match more {
+            Some(rule) => reached.push(rule.symbol),
+            None => return model.depends_on(expr, &reached),
+        }
+    }
+}
