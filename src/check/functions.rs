@@ -408,7 +408,7 @@ impl Probe<'_> {
             Range::Interval { low, .. } if (end - low).abs() > 1e-9 => &[-1.0],
             Range::Interval { .. } | Range::Positive => &[1.0],
             Range::Negative => &[-1.0],
-            Range::Any | Range::Angle | Range::Integer { .. } => &[1.0, -1.0],
+            _ => &[1.0, -1.0],
         };
         let mut look = Look::Useless;
         for inward in sides {
@@ -484,7 +484,7 @@ fn grid(range: &Range) -> Vec<f64> {
         Range::Angle => interval(-pi, pi),
         Range::Positive => decades(),
         Range::Negative => decades().into_iter().rev().map(|x| -x).collect(),
-        Range::Any => {
+        Range::Any | Range::Rigid { .. } | Range::FixedDirection | Range::Labels { .. } => {
             let positive = decades();
             positive.iter().rev().map(|x| -x).chain(positive.iter().copied()).collect()
         }

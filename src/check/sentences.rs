@@ -135,6 +135,9 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
             let finding = merged(findings).unwrap_or_else(|| context.finding(Verdict::Unclaimed, "nothing is said"));
             Ok((finding, format!("{} of {words}", property_words(property))))
         }
+        Test::RefersTo { number, .. } => {
+            Err(Error::at(&desk.claims.source, number.span, "\"refers to\" is not supported yet"))
+        }
         Test::Solutions { count, of, unknown } => {
             let target = functions::as_function(&desk.target(&Spanned::new(of.text.clone(), of.span))?);
             let variable = desk.symbol(unknown)?;

@@ -6,11 +6,18 @@
 //! ([`World::effective_potential`]). [`World`] has all of it traced once, for many evaluations; the generic functions
 //! of the other modules run the Lagrangian itself, and the two are tested against each other.
 //!
+//! What needs no Lagrangian: frames that turn ([`frames`]), bodies as nodes to integrate over ([`bodies`]), and what
+//! resists their turning ([`inertia`]).
+//!
 //! This floor knows numbers ([`crate::scalar`]) and nothing of formulas or notes: no closed form that is printed
 //! somewhere may enter here.
 
+pub mod bodies;
+mod cubature;
 mod cyclic;
 pub mod euler_lagrange;
+pub mod frames;
+pub mod inertia;
 mod lagrangian;
 pub mod legendre;
 mod linear;
@@ -22,6 +29,8 @@ mod tape;
 mod trace;
 mod world;
 
+pub use bodies::{Body, Nodes};
+pub use frames::Frame;
 pub use lagrangian::{Lagrangian, State};
 pub use linear::{MAX_CONDITION, condition_number};
 pub use tape::{LANES, Op, Tape};

@@ -48,6 +48,18 @@ pub struct Claim {
     pub equation_of_motion_of: Option<Spanned<String>>,
     /// `from`: it also follows from these as printed.
     pub from: Vec<Address>,
+    /// `for each`: the index that symbols of a family have where the print leaves it out.
+    pub for_each: Option<Spanned<String>>,
+    /// `small`: the symbols that scale with one small number.
+    pub small: Vec<Spanned<String>>,
+    /// `order`: up to which power of it both sides agree. 1 where only `small` is given; never without `small`.
+    pub order: Option<Spanned<u32>>,
+    /// `continuum limit of`: the equation of which this is the limit, its pieces ever finer.
+    pub continuum_limit_of: Option<Address>,
+    /// `true exactly when`: the alternatives, each of them conditions that hold together.
+    pub exactly_when: Vec<Vec<Spanned<String>>>,
+    /// `units`: `off`, and where that is said.
+    pub units_off: Option<Span>,
 }
 
 /// When an equation holds.
@@ -153,24 +165,27 @@ pub(super) const KEYS: &[&str] = &[
     "generates",
     "equation of motion of",
     "from",
+    "for each",
+    "small",
+    "order",
+    "continuum limit of",
+    "true exactly when",
+    "units",
 ];
 
 /// Keys of the proposal that are yet to be built.
 pub(super) const LATER: &[&str] = &[
-    "for each",
     "starting at",
-    "small",
-    "order",
-    "continuum limit of",
     "up to a term without",
     "up to a factor without",
     "up to a total time derivative",
     "equivalent to",
-    "true exactly when",
     "minimum of",
     "at",
-    "units",
 ];
+
+/// No expansion goes further.
+const HIGHEST_ORDER: u32 = 9;
 
 /// Reads the claim about the equation at `address`.
 pub(super) fn claim(json: &Json, address: &str, source: &Source) -> Result<Claim, Fault> {
@@ -186,6 +201,7 @@ pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Faul
     fields.together("expect", "because", "an expectation needs its reason, and a reason its expectation")?;
     let holds = fields.text("holds")?;
     let generates = fields.text("generates")?;
+    let units = fields.text("units")?;
     let generating = |g: &Text| fields::word(g, "generates", &[("the motion", Generates::TheMotion)]);
     Ok(Claim {
         span: fields.span,
@@ -210,7 +226,55 @@ pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Faul
         generates: generates.as_ref().map(generating).transpose()?,
         equation_of_motion_of: fields.text("equation of motion of")?,
         from: fields.texts("from")?.iter().map(|from| Address::parse(from, source)).collect::<Result<_, _>>()?,
+        for_each: fields.text("for each")?,
+        order: order(fields)?,
+        small: small(fields, source)?,
+        continuum_limit_of: fields.text("continuum limit of")?.map(|of| Address::parse(&of, source)).transpose()?,
+        exactly_when: exactly_when(fields)?,
+        units_off: units.map(|off| fields::word(&off, "units", &[("off", ())])).transpose()?.map(|off| off.span),
     })
+}
+
+fn small(fields: &Fields<'_>, source: &Source) -> Result<Vec<Text>, Fault> {
+    let mut small = Vec::new();
+    for list in fields.texts("small")? {
+        small.extend(fields::names(&list, source)?);
+    }
+    Ok(small)
+}
+
+fn order(fields: &Fields<'_>) -> Result<Option<Spanned<u32>>, Fault> {
+    let small = fields.entry("small").map(|(key, _)| Spanned::new(1, key.span));
+    let Some((key, json)) = fields.entry("order") else { return Ok(small) };
+    if small.is_none() {
+        return Err(Fault::new(key.span, "\"order\" needs \"small\" beside it").help("in which symbol?"));
+    }
+    let order = fields::count(json, "order")?;
+    match u32::try_from(order.value) {
+        Ok(value) if value <= HIGHEST_ORDER => Ok(Some(Spanned::new(value, order.span))),
+        _ => Err(Fault::new(order.span, format!("\"order\" is at most {HIGHEST_ORDER}"))
+            .help("1 where the print is linear in what is small")),
+    }
+}
+
+/// The conditions under which a claim holds, and outside of which it does not.
+fn exactly_when(fields: &Fields<'_>) -> Result<Vec<Vec<Text>>, Fault> {
+    const KEY: &str = "true exactly when";
+    let Some(json) = fields.get(KEY) else { return Ok(Vec::new()) };
+    if !matches!(json.value, Value::Object(_)) {
+        return Ok(vec![fields::texts(json, KEY)?]);
+    }
+    let inner = Fields::new(json, &format!("\"{KEY}\""), &[&["any of"]], &[])?;
+    match inner.get("any of") {
+        Some(Json { value: Value::Array(items), .. }) if !items.is_empty() => {
+            items.iter().map(|item| fields::texts(item, "any of")).collect()
+        }
+        Some(json) => Err(fields::wrong(json, "any of", "a list of conditions")),
+        None => {
+            Err(Fault::new(json.span, format!("\"{KEY}\" is empty"))
+                .help("as in { \"any of\": [\"a = 0\", \"b = 0\"] }"))
+        }
+    }
 }
 
 fn conserved(fields: &Fields<'_>) -> Result<Option<Spanned<Conserved>>, Fault> {

@@ -1,7 +1,7 @@
 //! Typed access to a JSON object: unknown keys and wrong types are refused at their place.
 
-use crate::notes::json::{Json, Spanned, Value};
-use crate::source::{Fault, Span};
+use crate::notes::json::{Json, Spanned, Value, place_in_string};
+use crate::source::{Fault, Source, Span};
 use crate::suggest::nearest;
 
 /// LaTeX or another text, with its place.
@@ -60,6 +60,15 @@ impl<'a> Fields<'a> {
         let Some(json) = self.get(name) else { return Ok(Vec::new()) };
         let entries = object(json, &format!("\"{name}\""))?;
         entries.iter().map(|(key, value)| Ok((key.clone(), text(value, &key.value)?))).collect()
+    }
+
+    /// As [`Fields::pairs`], one for each of the names that a key lists.
+    pub fn declared(&self, name: &str, source: &Source) -> Result<Vec<(Text, Text)>, Fault> {
+        let mut declared = Vec::new();
+        for (key, value) in self.pairs(name)? {
+            declared.extend(names(&key, source)?.into_iter().map(|name| (name, value.clone())));
+        }
+        Ok(declared)
     }
 
     /// A count, from 0.
@@ -143,4 +152,42 @@ pub(super) fn word<T: Copy>(written: &Text, name: &str, words: &[(&str, T)]) -> 
         Some(word) => fault.help(format!("did you mean \"{word}\"? it is one of {list}")),
         None => fault.help(format!("it is one of {list}")),
     })
+}
+
+/// The bytes `part` of a text, without the space around them, at their own place.
+pub(super) fn piece(text: &Text, part: std::ops::Range<usize>, source: &Source) -> Text {
+    let inside = &text.value[part.clone()];
+    let start = part.start + inside.len() - inside.trim_start().len();
+    let inside = inside.trim();
+    let span = place_in_string(&source.text, text.span, Span::new(start, start + inside.len()));
+    Text::new(inside.to_owned(), span)
+}
+
+/// The names in a text such as `M, g, R`: parted at the commas outside of brackets, each with its own place.
+pub(super) fn names(list: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
+    let text = &list.value;
+    let mut depth = 0usize;
+    let mut chars = text.char_indices();
+    let mut ends = Vec::new();
+    while let Some((at, c)) = chars.next() {
+        match c {
+            // `\,` is a space.
+            '\\' => drop(chars.next()),
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            ',' if depth == 0 => ends.push(at),
+            _ => {}
+        }
+    }
+    ends.push(text.len());
+    let (mut names, mut start) = (Vec::new(), 0);
+    for end in ends {
+        let name = piece(list, start..end, source);
+        if name.value.is_empty() {
+            return Err(Fault::new(list.span, format!("a name is missing in \"{text}\"")).help("as in \"M, g, R\""));
+        }
+        names.push(name);
+        start = end + 1;
+    }
+    Ok(names)
 }

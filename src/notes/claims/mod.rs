@@ -4,21 +4,25 @@
 //! or does not support yet, is an error.
 
 mod claim;
+mod continua;
 mod fields;
 mod range;
 mod sentence;
+mod vectors;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use super::json::Spanned;
 pub use claim::{Claim, Conserved, Erratum, Expect, Expected, Generates, Holds, Solved, Solves};
+pub use continua::{Continuum, Solid, SolidKind};
 pub use range::{Count, Range};
 pub use sentence::{Property, Sentence, Sign, Test};
+pub use vectors::{Axes, Components};
 
 use super::address::Address;
 use super::document::read_text;
-use super::json::{self, Json, Value, place_in_string};
+use super::json::{self, Json, Value};
 use super::spelling::plain;
 use crate::source::{Fault, Source, Span};
 use crate::{Error, Result};
@@ -39,8 +43,16 @@ pub struct Claims {
     pub independent_variable: Option<Spanned<String>>,
     /// The symbols, one by one.
     pub declarations: Vec<Declaration>,
+    /// `axes`: right-handed unit vectors, and how they turn.
+    pub axes: Vec<(Spanned<String>, Spanned<Axes>)>,
     /// `components`: the names of a vector's components.
-    pub components: Vec<(Spanned<String>, Spanned<String>)>,
+    pub components: Vec<(Spanned<String>, Spanned<Components>)>,
+    /// `continua`: bodies whose mass is spread out.
+    pub continua: Vec<Continuum>,
+    /// `laws`: hypotheses obeyed on shell and never checked, each an address or LaTeX.
+    pub laws: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `units`: symbols, and their units in SI.
+    pub units: Vec<(Spanned<String>, Spanned<String>)>,
     /// `rotations`: matrices, and what they turn.
     pub rotations: Vec<(Spanned<String>, Spanned<Turning>)>,
     /// `means`: what names mean in the world.
@@ -112,8 +124,12 @@ const KEYS: &[&str] = &[
     "constants",
     "functions",
     "indices",
+    "axes",
     "components",
+    "continua",
     "rotations",
+    "laws",
+    "units",
     "means",
     "define",
     "conditions",
@@ -124,21 +140,8 @@ const KEYS: &[&str] = &[
 ];
 
 /// Keys of the proposal that are yet to be built.
-const LATER: &[&str] = &[
-    "covers",
-    "builds on",
-    "prime",
-    "imaginary unit",
-    "bodies",
-    "gravity",
-    "potential",
-    "Lagrangian",
-    "laws",
-    "axes",
-    "continua",
-    "units",
-    "unsure",
-];
+const LATER: &[&str] =
+    &["covers", "builds on", "prime", "imaginary unit", "bodies", "gravity", "potential", "Lagrangian", "unsure"];
 
 /// Where the claims of the notes at `path` are looked for: beside them, as `.json`.
 pub fn claims_beside(path: &Path) -> PathBuf {
@@ -171,15 +174,17 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
     };
     let rotations = rotations(&fields, source)?;
     let declarations = declarations(&fields, source)?;
-    let mut means = Vec::new();
-    for (key, meaning) in fields.pairs("means")? {
-        means.extend(names_in(&key, source)?.into_iter().map(|name| (name, meaning.clone())));
-    }
+    let axes = vectors::axes(&fields, source)?;
+    let continua = continua::continua(&fields, source)?;
+    let means = fields.declared("means", source)?;
+    let units = fields.declared("units", source)?;
     let define = fields.pairs("define")?;
     let declared = declarations.iter().map(|declaration| &declaration.name);
-    let turned = rotations.iter().map(|(name, _)| name);
+    let turned = rotations.iter().map(|(name, _)| name).chain(axes.iter().map(|(name, _)| name));
+    let spread = continua.iter().map(|continuum| &continuum.name);
     let tied = means.iter().chain(&define).map(|(name, _)| name);
-    once(declared.chain(turned).chain(tied), source)?;
+    once(declared.chain(turned).chain(spread).chain(tied), source)?;
+    once(units.iter().map(|(name, _)| name), source)?;
     Ok(Claims {
         source: source.clone(),
         path: path.to_owned(),
@@ -187,7 +192,11 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         system: system(&fields)?,
         independent_variable: fields.text("independent variable")?,
         declarations,
-        components: fields.pairs("components")?,
+        axes,
+        components: vectors::components(&fields, source)?,
+        continua,
+        laws: fields.pairs("laws")?,
+        units,
         rotations,
         means,
         define,
@@ -228,20 +237,14 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Vec<Declaration>
             let range = match role {
                 Role::Index => range::index(&value)?,
                 Role::Function => fields::word(&value, &key.value, &[("any", ())])?.map(|()| Range::Any),
-                Role::VariesWithTime if unsupported_motion(&value.value) => {
-                    return Err(Fault::new(value.span, format!("\"{}\" is not supported yet", value.value)));
-                }
-                _ => range::range(&value)?,
+                Role::VariesWithTime => range::motion(&value)?,
+                Role::Coordinate | Role::Constant => range::range(&value)?,
             };
-            let names = names_in(&key, source)?;
+            let names = fields::names(&key, source)?;
             declarations.extend(names.into_iter().map(|name| Declaration { role, name, range: range.clone() }));
         }
     }
     Ok(declarations)
-}
-
-fn unsupported_motion(range: &str) -> bool {
-    range.starts_with("rigid") || range == "fixed direction"
 }
 
 fn rotations(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Spanned<Turning>)>, Fault> {
@@ -249,7 +252,7 @@ fn rotations(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Spanned<
     for (key, value) in fields.pairs("rotations")? {
         let words = &[("of the axes", Turning::Axes), ("of the vectors", Turning::Vectors)];
         let turning = fields::word(&value, &key.value, words)?;
-        rotations.extend(names_in(&key, source)?.into_iter().map(|name| (name, turning.clone())));
+        rotations.extend(fields::names(&key, source)?.into_iter().map(|name| (name, turning.clone())));
     }
     Ok(rotations)
 }
@@ -275,37 +278,6 @@ fn sentences(fields: &Fields<'_>, source: &Source) -> Result<Vec<Sentence>, Faul
         }
         Some(json) => Err(fields::wrong(json, "sentences", "a list")),
     }
-}
-
-/// The names in a key such as `M, g, R`: parted at the commas outside of brackets, each with its own place.
-fn names_in(key: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
-    let text = &key.value;
-    let (mut names, mut start, mut depth) = (Vec::new(), 0, 0usize);
-    let mut chars = text.char_indices();
-    let mut ends = Vec::new();
-    while let Some((at, c)) = chars.next() {
-        match c {
-            // `\,` is a space.
-            '\\' => drop(chars.next()),
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            ',' if depth == 0 => ends.push(at),
-            _ => {}
-        }
-    }
-    ends.push(text.len());
-    for end in ends {
-        let piece = &text[start..end];
-        let at = start + piece.len() - piece.trim_start().len();
-        let name = piece.trim();
-        if name.is_empty() {
-            return Err(Fault::new(key.span, format!("a name is missing in \"{text}\"")).help("as in \"M, g, R\""));
-        }
-        let span = place_in_string(&source.text, key.span, Span::new(at, at + name.len()));
-        names.push(Text::new(name.to_owned(), span));
-        start = end + 1;
-    }
-    Ok(names)
 }
 
 /// Refuses a symbol that comes twice; of functions, `V` and `V(r)` are one.

@@ -34,6 +34,21 @@ pub enum Range {
         /// The last.
         high: Count,
     },
+    /// `labels 1..4`, `labels 1..n`: a label from 1 on, which no repetition sums over. Of indices only.
+    Labels {
+        /// The last.
+        high: Count,
+    },
+    /// `rigid, turning with \vec\omega`: a vector of fixed length that varies at the rate ω × itself; `about \vec c`:
+    /// a position whose distance from **c** does. Of what varies with time only.
+    Rigid {
+        /// ω, in LaTeX.
+        turning_with: String,
+        /// The point that stays in the body, in LaTeX; the origin, if nothing is said.
+        about: Option<String>,
+    },
+    /// `fixed direction`: a vector whose length alone varies. Of what varies with time only.
+    FixedDirection,
 }
 
 /// The last value of an index.
@@ -47,7 +62,9 @@ pub enum Count {
 
 const RANGES: &str = "a range is \"> 0\", \"< 0\", \"any\", \"angle\", an interval such as \"(0, \\\\pi)\" or \
                       \"[0.2, 2.9]\", or \"integer 2..5\"";
-const INDICES: &str = "an index runs over \"1..3\" or \"1..n\"";
+const INDICES: &str = "an index runs over \"1..3\" or \"1..n\"; one that is never summed over is \"labels 1..3\"";
+const MOTIONS: &str =
+    "as in \"rigid, turning with \\\\vec\\\\omega\", with \"about \\\\vec c\" after it where it turns about a point";
 
 /// Reads the range of a symbol.
 pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
@@ -63,6 +80,9 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
             Some(rest) => integers(written, rest, false)?,
             None => {
                 let fault = Fault::new(written.span, format!("\"{text}\" is no range"));
+                if text == "fixed direction" || text.starts_with("rigid") {
+                    return Err(fault.help("it is how a vector varies: declare it under \"varies with time\""));
+                }
                 return Err(match nearest(text, ["any", "angle", "integer"]) {
                     Some(word) => fault.help(format!("did you mean \"{word}\"? {RANGES}")),
                     None => fault.help(RANGES),
@@ -73,9 +93,36 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
     Ok(Spanned::new(range, written.span))
 }
 
+/// Reads how something varies freely with time: a range, or the motion of a vector.
+pub(super) fn motion(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
+    let text = written.value.trim();
+    if text == "fixed direction" {
+        return Ok(Spanned::new(Range::FixedDirection, written.span));
+    }
+    let Some(rest) = text.strip_prefix("rigid") else { return range(written) };
+    let turning = rest.trim_start().strip_prefix(',').map(str::trim_start);
+    let turning = turning.and_then(|rest| rest.strip_prefix("turning with ")).map(str::trim);
+    let (rate, about) = match turning.map(|rest| (rest, rest.split_once(" about "))) {
+        Some((_, Some((rate, point)))) => (rate.trim(), Some(point.trim())),
+        Some((rate, None)) => (rate, None),
+        None => ("", None),
+    };
+    if rate.is_empty() || about == Some("") || rate.ends_with(" about") {
+        return Err(Fault::new(written.span, format!("\"{text}\" does not say how it turns")).help(MOTIONS));
+    }
+    let range = Range::Rigid { turning_with: rate.to_owned(), about: about.map(str::to_owned) };
+    Ok(Spanned::new(range, written.span))
+}
+
 /// Reads the range of an index.
 pub(super) fn index(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
     let rest = written.value.trim();
+    if let Some(labels) = rest.strip_prefix("labels ") {
+        return match integers(written, labels, true)? {
+            Range::Integer { low: 1, high } => Ok(Spanned::new(Range::Labels { high }, written.span)),
+            _ => Err(Fault::new(written.span, "labels count from 1").help(INDICES)),
+        };
+    }
     let rest = rest.strip_prefix("integer ").unwrap_or(rest);
     Ok(Spanned::new(integers(written, rest, true)?, written.span))
 }
@@ -87,7 +134,8 @@ fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Ran
     let (low, high) = rest.split_once("..").ok_or_else(unread)?;
     let low: i64 = low.trim().parse().map_err(|_| unread())?;
     let high = high.trim();
-    let is_symbol = symbolic && high.starts_with(|c: char| c.is_alphabetic() || c == '\\');
+    let in_name = |c: char| c.is_alphanumeric() || matches!(c, '\\' | '_' | '{' | '}' | '\'');
+    let is_symbol = symbolic && high.starts_with(|c: char| c.is_alphabetic() || c == '\\') && high.chars().all(in_name);
     let high = match high.parse() {
         Ok(number) => Count::Number(number),
         Err(_) if is_symbol => Count::Symbol(high.to_owned()),

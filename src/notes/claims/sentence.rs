@@ -45,6 +45,13 @@ pub enum Test {
         /// For which unknown.
         unknown: Spanned<String>,
     },
+    /// `refers to`: the sentence cites an equation, and means one with this formula in it.
+    RefersTo {
+        /// The number that it cites.
+        number: Spanned<String>,
+        /// `containing`: LaTeX that must stand in that equation.
+        containing: Spanned<String>,
+    },
 }
 
 /// A property of an expression.
@@ -77,7 +84,7 @@ pub enum Sign {
     Changes,
 }
 
-const KEYS: &[&str] = &["name", "quote", "in", "against", "claim", "not always", "of"];
+const KEYS: &[&str] = &["name", "quote", "in", "against", "claim", "not always", "of", "refers to", "containing"];
 /// Keys that need `of`.
 const OF: &[&str] =
     &["independent of", "sign", "minima", "maxima", "tends to", "rises with", "falls with", "solutions"];
@@ -103,7 +110,8 @@ pub(super) fn sentence(json: &Json, source: &Source) -> Result<Sentence, Fault> 
 }
 
 fn test(fields: &Fields<'_>, source: &Source) -> Result<Test, Fault> {
-    let tests = ["claim", "not always", "conserved", "of"];
+    fields.together("refers to", "containing", "a reference is tested by a formula that its equation contains")?;
+    let tests = ["claim", "not always", "conserved", "of", "refers to"];
     let mut present = tests.iter().filter_map(|name| fields.entry(name));
     let first = present.next();
     if let (Some((first, _)), Some((second, _))) = (first, present.next()) {
@@ -127,6 +135,11 @@ fn test(fields: &Fields<'_>, source: &Source) -> Result<Test, Fault> {
         "claim" => Ok(Test::Claim(fields::text(json, "claim")?)),
         "not always" => Ok(Test::NotAlways(fields::text(json, "not always")?)),
         "conserved" => Ok(Test::Conserved(fields::text(json, "conserved")?)),
+        "refers to" => {
+            let number = fields::text(json, "refers to")?;
+            let Some(containing) = fields.text("containing")? else { return Ok(Test::Quoted) };
+            Ok(Test::RefersTo { number, containing })
+        }
         _ => of(fields, key, fields::text(json, "of")?, source),
     }
 }

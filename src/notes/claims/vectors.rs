@@ -1,0 +1,72 @@
+//! Unit vectors and components: what the claims file says of the frames that vectors are written in.
+
+use super::fields::{self, Fields, Text};
+use crate::notes::json::Spanned;
+use crate::source::{Fault, Source};
+
+/// How a triad of unit vectors moves.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Axes {
+    /// `fixed`: not at all.
+    Fixed,
+    /// `turning with \vec\omega`: at the rate ω × ê, with this ω.
+    TurningWith(String),
+}
+
+/// How the components of a vector are called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Components {
+    /// `x_i, y_i, z_i`: along the fixed axes, in their order.
+    Names([Spanned<String>; 3]),
+    /// `along \hat e_a`: the vector's letter, with the index of these axes.
+    Along(Spanned<String>),
+}
+
+/// Reads `axes`.
+pub(super) fn axes(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Spanned<Axes>)>, Fault> {
+    let read = |(name, value): (Text, Text)| {
+        let text = value.value.trim();
+        let axes = match text.strip_prefix("turning with").map(str::trim) {
+            Some(rate) if !rate.is_empty() => Spanned::new(Axes::TurningWith(rate.to_owned()), value.span),
+            _ if text == "fixed" => Spanned::new(Axes::Fixed, value.span),
+            _ => {
+                return Err(Fault::new(value.span, format!("axes cannot be \"{text}\""))
+                    .help("they are \"fixed\" or \"turning with \\\\vec\\\\omega\""));
+            }
+        };
+        Ok((name, axes))
+    };
+    fields.declared("axes", source)?.into_iter().map(read).collect()
+}
+
+/// Reads `components`.
+pub(super) fn components(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Spanned<Components>)>, Fault> {
+    const HELP: &str = "as in \"x_i, y_i, z_i\", or \"along \\\\hat e_a\"";
+    let mut components = Vec::new();
+    for (key, value) in fields.pairs("components")? {
+        let vectors = fields::names(&key, source)?;
+        let start = value.value.len() - value.value.trim_start().len();
+        let along = value.value[start..].strip_prefix("along").filter(|rest| !rest.starts_with(char::is_alphabetic));
+        let read = if let Some(axes) = along {
+            let axes = fields::piece(&value, value.value.len() - axes.len()..value.value.len(), source);
+            if axes.value.is_empty() {
+                return Err(Fault::new(value.span, "along which axes?").help(HELP));
+            }
+            Components::Along(axes)
+        } else {
+            let names = fields::names(&value, source)?;
+            let count = names.len();
+            let names = <[Text; 3]>::try_from(names).map_err(|_| {
+                Fault::new(value.span, format!("a vector has three components, not {count}")).help(HELP)
+            })?;
+            if let Some(second) = vectors.get(1) {
+                return Err(Fault::new(second.span, "two vectors cannot share the names of their components")
+                    .help("give each vector its own line"));
+            }
+            Components::Names(names)
+        };
+        let read = Spanned::new(read, value.span);
+        components.extend(vectors.into_iter().map(|vector| (vector, read.clone())));
+    }
+    Ok(components)
+}
