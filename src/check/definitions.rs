@@ -83,7 +83,7 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
             Ok(context.finding(Verdict::Undecided, message))
         }
         None => {
-            let message = format!("introduces {name}; each slip in it{aside} breaks ({})", names.join(") or ("));
+            let message = format!("introduces {name}; each slip in it{aside} breaks {}", names.join(" or "));
             Ok(Finding { points, tried: points, ..context.finding(Verdict::Definition, message) })
         }
     }

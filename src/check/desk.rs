@@ -1,8 +1,9 @@
 //! The desk at which one document is checked: its claims, notes, symbols and readings, and what a claims file names
 //! among them (an equation, a symbol, a formula, a condition, a limit).
 
-use crate::formula::{Assignment, Expr, Relation, Statement, SymbolId, Value, evaluate, shape};
+use crate::formula::{Assignment, Expr, Index, Relation, Statement, SymbolId, Value, evaluate, shape};
 use crate::latex::{Reading, names, read_display, read_formula};
+use crate::notes::address::{Address, Target};
 use crate::notes::claims::{Claim, Claims, Spanned};
 use crate::notes::{Display, Notes};
 use crate::source::Fault;
@@ -12,7 +13,8 @@ use super::ensemble::Condition;
 use super::identity::Options;
 use super::judge::Link;
 use super::limit::Towards;
-use super::model::{Model, formula_error};
+use super::model::{Law, Model, formula_error};
+use super::rules::{Action, Rule};
 
 /// Everything that checking one equation or sentence needs.
 pub(super) struct Desk<'a> {
@@ -49,13 +51,96 @@ impl Desk<'_> {
         Ok(conditions)
     }
 
+    /// What the claim says that symbols mean in its equation only.
+    pub fn local(&self, claim: &Claim) -> Result<Vec<Rule>> {
+        let mut rules = Vec::new();
+        for (name, meaning) in &claim.meanings {
+            let at = |message: String| Error::at(&self.claims.source, meaning.span, message);
+            let known = names::parse(&name.value).and_then(|(name, _)| self.model.symbols.find(&name));
+            let (symbol, indices) = match known {
+                Some(known) => known,
+                None => (self.symbol(name)?, Vec::new()),
+            };
+            let letters = indices.iter().filter_map(|index| match index {
+                Index::Letter(letter) => Some(*letter),
+                Index::Fixed(_) => None,
+            });
+            let letters: Vec<_> = letters.collect();
+            let parts: Vec<&str> = meaning.value.split("\\cup").map(str::trim).collect();
+            let action = if parts.len() > 1 {
+                let part = |part: &&str| self.symbol(&Spanned::new((*part).to_owned(), meaning.span));
+                Action::Union(parts.iter().map(part).collect::<Result<_>>()?)
+            } else {
+                let formula = self.formula(meaning)?;
+                if self.model.depends_on(&formula, &[symbol]) {
+                    return Err(at(format!("{} cannot mean something that it is part of", name.value)));
+                }
+                Action::Equals(formula)
+            };
+            rules.push(Rule { symbol, letters, action, throughout: true });
+        }
+        Ok(rules)
+    }
+
+    /// The laws of the claims file, as hypotheses.
+    pub fn laws(&self) -> Result<Vec<Law>> {
+        let mut laws = Vec::new();
+        for (name, what) in &self.claims.laws {
+            let printed = self.printed(what)?;
+            let statements = match &printed {
+                Some(places) => places.iter().map(|(display, at)| self.read_statement(*display, *at, what)).collect::<Result<_>>()?,
+                None => self.statements(what)?,
+            };
+            let mut conditions = Vec::new();
+            for statement in &statements {
+                for (at, (relation, _)) in statement.relations.iter().enumerate() {
+                    let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+                    conditions.push(Condition::of(link, true));
+                }
+            }
+            laws.push(Law { name: name.value.clone(), printed: printed.unwrap_or_default(), conditions });
+        }
+        Ok(laws)
+    }
+
+    /// The statements that an address names: of each, its display and its place in it. None, if the text is no address.
+    fn printed(&self, what: &Spanned<String>) -> Result<Option<Vec<(usize, usize)>>> {
+        let Ok(address) = Address::parse(what, &self.claims.source) else { return Ok(None) };
+        let Some(point) = address.single() else { return Ok(None) };
+        if !matches!(point.target, Target::Number(_) | Target::Label(_) | Target::Name(_)) {
+            return Ok(None);
+        }
+        let displays = match address.resolve(self.notes, &self.claims.source) {
+            Ok(displays) => displays,
+            Err(error) if matches!(point.target, Target::Number(_)) => return Err(error),
+            Err(_) => return Ok(None),
+        };
+        let mut places = Vec::new();
+        for display in displays {
+            let all = 0..self.readings[display].statements.len();
+            places.extend(all.filter(|at| point.part.is_none_or(|part| part == at + 1)).map(|at| (display, at)));
+        }
+        Ok(Some(places))
+    }
+
+    fn read_statement(&self, display: usize, at: usize, what: &Spanned<String>) -> Result<Statement> {
+        match self.readings[display].statements.get(at) {
+            Some(Ok(statement)) => Ok(statement.clone()),
+            Some(Err(fault)) => {
+                let message = format!("({}) cannot be read: {}", what.value, fault.message);
+                Err(Error::at(&self.claims.source, what.span, message))
+            }
+            None => Err(Error::at(&self.claims.source, what.span, format!("({}) has no such part", what.value))),
+        }
+    }
+
     fn condition(&self, latex: &Spanned<String>, throughout: bool, into: &mut Vec<Condition>) -> Result<()> {
         if let Some((_, named)) = self.claims.conditions.iter().find(|(name, _)| name.value == latex.value) {
             return named.iter().try_for_each(|latex| self.condition(latex, throughout, into));
         }
         if self.display(&latex.value).is_some() {
             let link = self.target(latex)?;
-            into.push(Condition { lhs: link.lhs, relation: link.relation, rhs: link.rhs, throughout });
+            into.push(Condition::of(link, throughout));
             return Ok(());
         }
         let statements = self.statements(latex).map_err(|error| {
@@ -73,7 +158,7 @@ impl Desk<'_> {
             }
             for (at, (relation, _)) in statement.relations.iter().enumerate() {
                 let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
-                into.push(Condition { lhs: link.lhs, relation: link.relation, rhs: link.rhs, throughout });
+                into.push(Condition::of(link, throughout));
             }
         }
         Ok(())

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use rayon::prelude::*;
 
-use crate::latex::{Macros, Reading, read_display};
+use crate::latex::Macros;
 use crate::notes::address::Address;
 use crate::notes::claims::{Claim, Claims};
 use crate::notes::{Display, Notes};
@@ -14,6 +14,7 @@ use crate::{Error, Result};
 use super::desk::Desk;
 use super::identity::Options;
 use super::model::Model;
+use super::reading;
 use super::sentences;
 use super::verdict::{Document, Equation, Finding, Verdict};
 
@@ -36,17 +37,11 @@ pub fn check_document(
     for sentence in &claims.sentences {
         sentences::unsupported(claims, sentence)?;
     }
-    if let Some((name, _)) = claims.components.first() {
-        return Err(Error::at(&claims.source, name.span, "\"components\" are not supported yet"));
-    }
     let mut model = Model::new(claims, macros, registry)?;
     let assigned = assign(claims, notes)?;
-    let mut readings = Vec::new();
-    for (display, claim) in notes.equations.iter().zip(&assigned) {
-        let wanted = id(display).is_some() || claim.is_some();
-        let reading = if wanted { read(&display.text, &mut model) } else { Reading::default() };
-        readings.push(reading);
-    }
+    let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
+    let laws = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options }.laws()?;
+    model.laws = laws;
     let desk = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options };
     let chosen = |display: &&Display| only.is_none_or(|only| id(display) == Some(only));
     let work: Vec<usize> = (0..notes.equations.len())
@@ -136,7 +131,6 @@ fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option<&'c Claim>
 /// Refuses what the format has and this version does not check yet, rather than pass it over.
 fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> Result<()> {
     let spans = [
-        ("where", claim.meanings.first().map(|(name, _)| name.span)),
         ("up to a constant", claim.up_to_a_constant),
         ("times", claim.times.as_ref().map(|s| s.span)),
         ("divided by", claim.divided_by.as_ref().map(|s| s.span)),
@@ -157,16 +151,4 @@ fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> Result<()> 
         .help("claim it of the whole equation"));
     }
     Ok(())
-}
-
-/// Reads a display and gives the symbols that it introduces their meaning.
-fn read(text: &str, model: &mut Model) -> Reading {
-    let macros = model.macros.clone();
-    let reading = read_display(text, &mut model.symbols, &macros);
-    for (id, at) in &reading.introduced {
-        if let Some(Ok(statement)) = reading.statements.get(*at) {
-            model.define(*id, statement.members[1].clone());
-        }
-    }
-    reading
 }

@@ -4,19 +4,23 @@
 //! before velocities before coordinates before constants. *Assuming* it, it holds at the instant; *throughout*, its time
 //! derivatives vanish too, each solved for a further number or found to vanish by itself. Inequalities select.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
 
 use crate::formula::evaluate::{Unavailable, evaluate};
-use crate::formula::{Expr, Relation, Value};
+use crate::formula::{Expr, IndexId, Relation, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
 use crate::{Error, Result};
 
 use super::draw::{Draw, Reach, contains};
-use super::judge;
+use super::judge::{self, Link};
 use super::model::Model;
-use super::scene::{Mode, Scene, Slot, slots};
+use super::base::{Slot, slots};
+use super::rules::{Rule, rules};
+use super::scene::{Mode, Scene};
 
 /// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
 const THROUGHOUT: usize = 3;
@@ -30,15 +34,27 @@ pub struct Condition {
     pub relation: Relation,
     /// Its right side.
     pub rhs: Expr,
+    /// The free indices, for all of whose values it holds.
+    pub free: Vec<IndexId>,
     /// Whether it holds at all times and not only at the instant.
     pub throughout: bool,
+}
+
+impl Condition {
+    /// A link, taken for granted.
+    pub fn of(link: Link, throughout: bool) -> Self {
+        let Link { lhs, relation, rhs, free } = link;
+        Condition { lhs, relation, rhs, free, throughout }
+    }
 }
 
 /// What a claim takes for granted, and how its states are made.
 #[derive(Clone, Debug)]
 pub struct Setting<'c> {
-    /// The hypotheses.
+    /// The hypotheses; on shell, the laws are added to them.
     pub conditions: &'c [Condition],
+    /// What symbols mean in this claim only.
+    pub local: &'c [Rule],
     /// On shell or off, and how many derivatives.
     pub mode: Mode,
     /// How far from the declared ranges to draw.
@@ -55,6 +71,8 @@ pub struct Ensemble<'m> {
     pub tried: usize,
     /// The mode they were made in.
     pub mode: Mode,
+    /// What the hypotheses make of some symbols.
+    pub rules: Arc<[Rule]>,
 }
 
 impl<'m> Ensemble<'m> {
@@ -64,8 +82,9 @@ impl<'m> Ensemble<'m> {
     /// When no state could be made because the mass matrix is singular at all of them.
     pub fn draw(model: &'m Model, setting: &Setting<'_>, points: usize, draw: &mut Draw) -> Result<Self> {
         let mode = setting.mode;
-        let mut solver = Solver { model, setting, slots: slots(model, mode), plan: Vec::new() };
-        let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode };
+        let mut solver = Solver::new(model, setting);
+        let rules = solver.rules.clone();
+        let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode, rules };
         let mut failure: Option<Error> = None;
         while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 {
             ensemble.tried += 1;
@@ -98,10 +117,12 @@ impl<'m> Ensemble<'m> {
     /// When the mass matrix is singular at all of them.
     pub fn special(model: &'m Model, setting: &Setting<'_>, draw: &mut Draw) -> Result<Self> {
         let mode = setting.mode;
-        let mut solver = Solver { model, setting, slots: slots(model, mode), plan: Vec::new() };
-        let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode };
+        let mut solver = Solver::new(model, setting);
+        let rules = solver.rules.clone();
+        let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode, rules };
         let mut bases = Vec::new();
-        for place in 1..solver.slots.len() {
+        let single: Vec<usize> = (1..solver.slots.len()).filter(|at| !solver.slots[*at].one_of_many).collect();
+        for &place in &single {
             let range = solver.slots[place].range.clone();
             let typical = draw.value(&range, Reach::Declared);
             let mut values = vec![1e3 * typical, 1e-3 * typical, 0.0, -typical];
@@ -113,7 +134,8 @@ impl<'m> Ensemble<'m> {
                 base[place] = value;
                 bases.push(base);
             }
-            for other in (1..place).filter(|other| solver.slots[*other].order == solver.slots[place].order) {
+            let alike = |other: &&usize| solver.slots[**other].order == solver.slots[place].order && **other < place;
+            for &other in single.iter().filter(alike) {
                 for sign in [1.0, -1.0] {
                     let mut base = draw.base(&solver.slots, setting.reach);
                     base[place] = sign * base[other];
@@ -143,9 +165,14 @@ impl<'m> Ensemble<'m> {
     }
 }
 
-struct Solver<'m, 's> {
+struct Solver<'m> {
     model: &'m Model,
-    setting: &'s Setting<'s>,
+    mode: Mode,
+    reach: Reach,
+    conditions: Vec<Condition>,
+    /// Which of the conditions are rules, and so need no solving.
+    explicit: Vec<bool>,
+    rules: Arc<[Rule]>,
     slots: Vec<Slot>,
     /// Which row is solved for which slot; found at the first state that works.
     plan: Vec<(Row, usize)>,
@@ -154,20 +181,36 @@ struct Solver<'m, 's> {
 /// The `derivative`-th time derivative of the `condition`-th hypothesis, one entry of it.
 type Row = (usize, usize, usize);
 
-impl<'m> Solver<'m, '_> {
+impl<'m> Solver<'m> {
+    fn new(model: &'m Model, setting: &Setting<'_>) -> Self {
+        let mode = setting.mode;
+        let mut conditions = setting.conditions.to_vec();
+        if mode.on_shell {
+            conditions.extend(model.laws.iter().flat_map(|law| law.conditions.iter().cloned()));
+        }
+        let (mut found, explicit) = rules(model, &conditions);
+        found.extend_from_slice(setting.local);
+        let slots = slots(model, mode);
+        let (rules, plan) = (found.into(), Vec::new());
+        Solver { model, mode, reach: setting.reach, conditions, explicit, rules, slots, plan }
+    }
+
     fn equalities(&self) -> impl Iterator<Item = (usize, &Condition)> {
         let is_equality = |c: &Condition| matches!(c.relation, Relation::Equal | Relation::Identical);
-        self.setting.conditions.iter().enumerate().filter(move |(_, c)| is_equality(c))
+        self.conditions.iter().enumerate().filter(move |(at, c)| is_equality(c) && !self.explicit[*at])
     }
 
     /// The value of a row over any number; `None` where it has none.
     fn row<B: Number>(&self, scene: &Scene<'m, B>, row: Row) -> Option<B> {
-        let condition = &self.setting.conditions[row.0];
+        let condition = &self.conditions[row.0];
         difference(scene, condition).ok()?.get(row.2)?.nth_derivative_value(row.1)
     }
 
     fn scene<B: Number>(&self, base: &[B]) -> Result<Scene<'m, B>> {
-        Scene::new(self.model, self.setting.mode, base)
+        let scene = Scene::new(self.model, self.mode, base, &self.rules)?;
+        let joined = scene.join();
+        joined.map_err(|_| Error::new("families that are joined must be families of one label"))?;
+        Ok(scene)
     }
 
     /// Moves a base onto the equalities.
@@ -292,17 +335,17 @@ impl<'m> Solver<'m, '_> {
             }
         }
         let in_range =
-            |slot: usize| self.setting.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
+            |slot: usize| self.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
         Ok(plan.iter().all(|(_, slot)| in_range(*slot)))
     }
 
     /// The state of a base, if every hypothesis holds there.
     fn accept(&self, base: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
         let scene = self.measured(base)?;
-        for condition in self.setting.conditions {
+        for condition in &self.conditions {
             let Ok(entries) = difference(&scene, condition) else { return Ok(None) };
             let holds = entries.iter().all(|entry| match condition.relation {
-                Relation::Equal | Relation::Identical => {
+                Relation::Equal | Relation::Identical | Relation::Proportional => {
                     let derivatives = if condition.throughout { entry.known().min(THROUGHOUT + 1) } else { 1 };
                     (0..derivatives).all(|k| entry.nth_derivative_value(k).is_some_and(judge::vanishes))
                 }
@@ -316,14 +359,23 @@ impl<'m> Solver<'m, '_> {
     }
 }
 
-/// lhs − rhs, entry by entry.
+/// lhs − rhs, entry by entry, for all values of the free indices.
 fn difference<B: Number>(scene: &Scene<'_, B>, condition: &Condition) -> Result<Vec<Series<B>>, Unavailable> {
-    let (lhs, rhs) = (evaluate(&condition.lhs, scene, &[])?, evaluate(&condition.rhs, scene, &[])?);
-    let entries = match (lhs, rhs) {
-        (Value::Scalar(a), Value::Scalar(b)) => vec![a - b],
-        (a, b) if a.shape() == b.shape() => a.entries().iter().zip(b.entries()).map(|(a, b)| *a - b).collect(),
-        (a, _) if condition.rhs.is_zero() => a.entries(),
-        _ => return Err(Unavailable::Operation("a condition between different shapes")),
-    };
-    Ok(entries)
+    let mut indices: Vec<(IndexId, u8)> = condition.free.iter().map(|id| (*id, 1)).collect();
+    let mut all = Vec::new();
+    loop {
+        let (lhs, rhs) = (evaluate(&condition.lhs, scene, &indices)?, evaluate(&condition.rhs, scene, &indices)?);
+        match (lhs, rhs) {
+            (Value::Vector(a), Value::Vector(b)) if condition.relation == Relation::Proportional => {
+                all.extend(a.cross(&b).iter());
+            }
+            (Value::Scalar(a), Value::Scalar(b)) => all.push(a - b),
+            (a, b) if a.shape() == b.shape() => all.extend(a.entries().iter().zip(b.entries()).map(|(a, b)| *a - b)),
+            (a, _) if condition.rhs.is_zero() => all.extend(a.entries()),
+            _ => return Err(Unavailable::Operation("a condition between different shapes")),
+        }
+        if !judge::advance(&mut indices, scene)? {
+            return Ok(all);
+        }
+    }
 }

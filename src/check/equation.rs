@@ -1,7 +1,7 @@
 //! One equation: its statements link by link, and what else is claimed of it.
 
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
-use crate::latex::{Reading, read_display};
+use crate::latex::{Introduced, Reading, read_display};
 use crate::notes::Display;
 use crate::notes::claims::{Claim, Conserved, Erratum, Expect, Expected, Holds, Solved, Spanned};
 use crate::source::{Fault, Span};
@@ -11,7 +11,10 @@ use super::desk::Desk;
 use super::document::id;
 use super::draw::Reach;
 use super::ensemble::Condition;
-use super::identity::{self, Context};
+use super::identity::{self, Context, is_equality};
+use super::model::Law;
+use super::rules::Rule;
+use super::reading::for_each;
 use super::verdict::{Equation, Finding, Part, Verdict};
 use super::{definitions, generates, limit, solves};
 
@@ -35,7 +38,7 @@ impl Desk<'_> {
         let offset = display.body.start;
         let reading = &self.readings[at];
         let topic = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
-        let mut parts = self.parts(reading, claim, offset, &topic)?;
+        let mut parts = self.parts(Some(at), reading, claim, offset, &topic)?;
         let mut because = claim.expect.as_ref().map(|expect| expect.because.value.clone());
         let passes = |parts: &[Part]| parts.iter().all(|part| part.finding.verdict.passes());
         let mut as_expected = match &claim.expect {
@@ -49,8 +52,9 @@ impl Desk<'_> {
         if !claim.errata.is_empty() {
             let corrected = self.corrected(display, &claim.errata)?;
             let mut symbols = self.model.symbols.clone();
+            symbols.for_each = for_each(Some(claim), self.model);
             let reading = read_display(&corrected, &mut symbols, &self.model.macros);
-            let mended = self.parts(&reading, claim, offset, &topic)?;
+            let mended = self.parts(None, &reading, claim, offset, &topic)?;
             let failed = !passes(&parts);
             as_expected = failed && passes(&mended);
             let edits: Vec<String> =
@@ -96,12 +100,20 @@ impl Desk<'_> {
     }
 
     /// Every statement of a display, and what else is claimed of it.
-    fn parts(&self, reading: &Reading, claim: &Claim, offset: usize, topic: &str) -> Result<Vec<Part>> {
+    fn parts(
+        &self,
+        display: Option<usize>,
+        reading: &Reading,
+        claim: &Claim,
+        offset: usize,
+        topic: &str,
+    ) -> Result<Vec<Part>> {
         if let Some(reason) = &claim.skip {
             let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
             return Ok(vec![self.part(finding, String::new())]);
         }
         let conditions = self.conditions(claim)?;
+        let local = self.local(claim)?;
         // The hypotheses of a claim that adds "also equals" are those of the addition alone.
         let printed = match claim.also_equals {
             Some(_) => self.conditions(&Claim::default())?,
@@ -137,16 +149,47 @@ impl Desk<'_> {
                 topic: &topic,
                 span,
                 reach: Reach::Declared,
+                local: &local,
             };
-            let introduced = reading.introduced.iter().find(|(_, place)| *place == at).map(|(id, _)| *id);
-            parts.extend(self.statement(statement, introduced, claim, &context)?);
+            if let Some(finding) = self.law(display, at, statement, &context)? {
+                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+                continue;
+            }
+            let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == at).collect();
+            parts.extend(self.statement(statement, &introduced, claim, &context)?);
         }
-        self.whole(reading, claim, &conditions, offset, topic, &mut parts)?;
+        self.whole(reading, claim, (&conditions, &local), offset, topic, &mut parts)?;
         if parts.is_empty() {
             let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), "nothing says what this should mean");
             parts.push(self.part(finding, String::new()));
         }
         Ok(parts)
+    }
+
+    /// The verdict on a statement that the claims file calls a law: it is not checked, unless it can be.
+    fn law(
+        &self,
+        display: Option<usize>,
+        at: usize,
+        statement: &Statement,
+        context: &Context<'_>,
+    ) -> Result<Option<Finding>> {
+        let is_here = |law: &&Law| display.is_some_and(|display| law.printed.contains(&(display, at)));
+        let Some(law) = self.model.laws.iter().find(is_here) else { return Ok(None) };
+        for (at, (relation, _)) in statement.relations.iter().enumerate() {
+            let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+            let always = Context { on_shell: Some(false), conditions: &[], local: &[], ..*context };
+            let finding = identity::check(&link, &always)?;
+            if finding.verdict.passes() {
+                let message = format!("this is no law, it can be checked: {}", finding.message);
+                return Ok(Some(context.finding(Verdict::Undecided, message)));
+            }
+            if self.model.world.is_some() {
+                let message = "where a system says how things move there are no further laws: let it be checked";
+                return Ok(Some(context.finding(Verdict::Undecided, message)));
+            }
+        }
+        Ok(Some(context.finding(Verdict::Law, format!("taken for granted: {}", law.name))))
     }
 
     fn part(&self, finding: Finding, reading: String) -> Part {
@@ -159,7 +202,7 @@ impl Desk<'_> {
     fn statement(
         &self,
         statement: &Statement,
-        introduced: Option<SymbolId>,
+        introduced: &[&Introduced],
         claim: &Claim,
         context: &Context<'_>,
     ) -> Result<Vec<Part>> {
@@ -170,11 +213,18 @@ impl Desk<'_> {
             if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
                 continue;
             }
-            if let (0, Some(symbol)) = (at, introduced) {
-                // What defines it is checked right here, where the chain goes on or the claim says more of it.
-                let says_more = claim.also_equals.is_some() || claim.generates.is_some() || claim.solves.is_some();
+            // What defines a name is checked right here, where the chain goes on or the claim says more of it.
+            let says_more = claim.also_equals.is_some() || claim.generates.is_some() || claim.solves.is_some();
+            if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
                 if last && !says_more {
-                    findings.push(self.definition(symbol, statement, context)?);
+                    findings.push(self.definition(first, context)?);
+                }
+                continue;
+            }
+            let here: Vec<&&Introduced> = introduced.iter().filter(|i| i.member == at + 1).collect();
+            if !here.is_empty() {
+                for introduced in here.into_iter().filter(|_| last && !says_more) {
+                    findings.push(self.definition(introduced, context)?);
                 }
                 continue;
             }
@@ -228,35 +278,51 @@ impl Desk<'_> {
     }
 
     /// The verdict on a statement that introduces a symbol.
-    fn definition(&self, symbol: SymbolId, statement: &Statement, context: &Context<'_>) -> Result<Finding> {
+    fn definition(&self, introduced: &Introduced, context: &Context<'_>) -> Result<Finding> {
+        let symbol = introduced.symbol;
+        let uses = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
         let mut claims = Vec::new();
         for (at, reading) in self.readings.iter().enumerate() {
-            let claim = self.assigned[at];
+            let none = Claim::default();
+            let claim = self.assigned[at].unwrap_or(&none);
             for (place, other) in reading.statements.iter().enumerate() {
-                let own = reading.introduced.iter().any(|(id, at)| *id == symbol && *at == place);
                 let Ok(other) = other else { continue };
-                let links = other.relations.iter().enumerate().skip(usize::from(own));
-                for (k, (relation, _)) in links {
-                    let uses = other.members[k..k + 2].iter().any(|member| solves::mentions(member, symbol));
-                    if uses && matches!(relation, Relation::Equal | Relation::Identical) {
+                for (k, (relation, _)) in other.relations.iter().enumerate() {
+                    let defines = |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
+                    if reading.introduced.iter().any(defines) || !is_equality(*relation) {
+                        continue;
+                    }
+                    if other.members[k..k + 2].iter().any(uses) {
                         let link = self.link(&other.members[k], *relation, &other.members[k + 1])?;
-                        let conditions = claim.map(|claim| self.conditions(claim)).transpose()?.unwrap_or_default();
                         let display = &self.notes.equations[at];
-                        let id = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
-                        claims.push((id, link, conditions));
+                        let name = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
+                        claims.push((format!("({name})"), link, self.conditions(claim)?, self.local(claim)?));
+                    }
+                }
+            }
+        }
+        for sentence in self.claims.sentences.iter().filter(|sentence| sentence.claim.expect.is_none()) {
+            let Some(statements) = self.claimed_by(sentence) else { continue };
+            for statement in &statements {
+                for (k, (relation, _)) in statement.relations.iter().enumerate() {
+                    if is_equality(*relation) && statement.members[k..k + 2].iter().any(uses) {
+                        let link = self.link(&statement.members[k], *relation, &statement.members[k + 1])?;
+                        let name = sentence.name.as_ref().map_or("a sentence", |name| name.value.as_str());
+                        let claim = &sentence.claim;
+                        claims.push((format!("“{name}”"), link, self.conditions(claim)?, self.local(claim)?));
                     }
                 }
             }
         }
         let mut users: Vec<definitions::User<'_>> = claims
             .iter()
-            .map(|(id, link, conditions)| definitions::User {
+            .map(|(id, link, conditions, local)| definitions::User {
                 id: id.clone(),
                 link: link.clone(),
-                context: Context { conditions, topic: id, on_shell: None, ..*context },
+                context: Context { conditions, local, topic: id, on_shell: None, ..*context },
             })
             .collect();
-        definitions::check(symbol, &statement.members[1], &mut users, context)
+        definitions::check(symbol, &introduced.formula, &mut users, context)
     }
 
     /// What a claim adds to the statements: solutions, other expressions, conservation, the motion.
@@ -264,7 +330,7 @@ impl Desk<'_> {
         &self,
         reading: &Reading,
         claim: &Claim,
-        conditions: &[Condition],
+        (conditions, local): (&[Condition], &[Rule]),
         offset: usize,
         topic: &str,
         parts: &mut Vec<Part>,
@@ -283,6 +349,7 @@ impl Desk<'_> {
             topic: &topic,
             span,
             reach: Reach::Declared,
+            local,
         };
         if let Some(solves) = &claim.solves {
             let address = match &solves.of {
@@ -358,8 +425,7 @@ pub(super) fn merged(findings: Vec<Finding>) -> Option<Finding> {
             messages.push(finding.message.clone());
         }
     }
-    let mut worst =
-        findings.into_iter().reduce(|a, b| if b.verdict.severity() > a.verdict.severity() { b } else { a })?;
+    let mut worst = findings.into_iter().reduce(|a, b| if rank(b.verdict) > rank(a.verdict) { b } else { a })?;
     if worst.verdict.passes() {
         if messages.len() <= 2 {
             worst.message = messages.join("; ");
@@ -369,6 +435,17 @@ pub(super) fn merged(findings: Vec<Finding>) -> Option<Finding> {
         worst.tried = tried.unwrap_or(0);
     }
     Some(worst)
+}
+
+/// Of several verdicts the one of the highest rank counts: the worst; and of passes the one that was tested most.
+fn rank(verdict: Verdict) -> usize {
+    match verdict {
+        Verdict::Definition => 0,
+        Verdict::Law => 1,
+        Verdict::Certified => 2,
+        Verdict::Verified => 3,
+        verdict => verdict.severity(),
+    }
 }
 
 /// The worst finding of some parts, which the whole carries.

@@ -159,13 +159,12 @@ pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<E
         return Ok(Emptiness::Empty("it follows from its assumptions alone, whatever the motion"));
     }
     // The converse: if the claim in turn gives the hypotheses, the two say the same.
-    let (lhs, rhs) = (link.lhs.clone(), link.rhs.clone());
-    let claim = [Condition { lhs, relation: Relation::Equal, rhs, throughout: false }];
+    let claim = [Condition::of(Link { relation: Relation::Equal, ..link.clone() }, false)];
     let converse = Context { conditions: &claim, ..*context };
     let states = converse.ensemble(mode, false, context.options.points)?;
     let given_back = |condition: &Condition| {
-        let (lhs, relation, rhs) = (condition.lhs.clone(), condition.relation, condition.rhs.clone());
-        let link = Link { lhs, relation, rhs, free: Vec::new() };
+        let Condition { lhs, relation, rhs, free, .. } = condition.clone();
+        let link = Link { lhs, relation, rhs, free };
         run(&link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.points >= FEWEST.min(states.scenes.len()))
     };
     let mut needed: Vec<&Condition> = Vec::new();

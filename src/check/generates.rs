@@ -23,7 +23,9 @@ use super::verdict::{Counterexample, Finding, Verdict};
 pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let model = context.model;
     let momentum = |i: usize| {
-        let is = |(_, m): &(usize, &Meaning)| matches!(m, Meaning::World(Quantity::Momentum(k)) if *k == i);
+        let is = |(_, m): &(usize, &Option<Meaning>)| {
+            matches!(m, Some(Meaning::World(Quantity::Momentum(k))) if *k == i)
+        };
         model.meanings.iter().enumerate().find(is).map(|(at, _)| SymbolId(at))
     };
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|v| v.symbol).collect();
@@ -39,7 +41,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let (mut points, mut worst) = (0, 0.0_f64);
     for (scene, base) in ensemble.scenes.iter().zip(&ensemble.bases) {
         let base: Vec<Dual<Measured>> = base.iter().map(|x| Dual::from_re(Measured::new(*x))).collect();
-        let mut free = Scene::new(model, mode, &base)?;
+        let mut free = Scene::new(model, mode, &base, &ensemble.rules)?;
         let Some(known) = scene.quantities() else { continue };
         let point: Vec<(SymbolId, Measured)> = coordinates
             .iter()

@@ -12,7 +12,8 @@ use super::draw::{Draw, Reach};
 use super::ensemble::{Condition, Ensemble, Setting};
 use super::evidence::{self, Emptiness};
 use super::judge::{self, Failure, Link, Point};
-use super::model::{Meaning, Model, Quantity};
+use super::model::{FrameQuantity, Meaning, Model, Quantity};
+use super::rules::{Action, Rule};
 use super::scene::{Mode, Scene};
 use super::twins::{Twin, twins};
 use super::verdict::{Counterexample, Finding, Verdict};
@@ -46,13 +47,26 @@ pub struct Context<'a> {
     pub span: Span,
     /// How far from the declared ranges its states are drawn.
     pub reach: Reach,
+    /// What symbols mean in this claim only.
+    pub local: &'a [Rule],
 }
 
 impl<'a> Context<'a> {
     /// The mode of states on shell or off, with enough derivatives for these formulas and one more dot.
     pub fn mode(&self, on_shell: bool, formulas: &[&Expr]) -> Mode {
         let of_conditions = self.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
-        let needed = formulas.iter().copied().chain(of_conditions).map(|f| derivatives(f, self.model)).max();
+        let of_laws = self.model.laws.iter().flat_map(|law| &law.conditions).flat_map(|c| [&c.lhs, &c.rhs]);
+        let of_laws = of_laws.filter(|_| on_shell);
+        let of_rules = self.local.iter().filter_map(|rule| match &rule.action {
+            Action::Equals(formula) | Action::Parallel(formula) => Some(formula),
+            Action::Symmetric { .. } | Action::Union(_) => None,
+        });
+        // A symbol that a hypothesis or a law gives its value is differentiated as often as it is itself, and then as
+        // often as the formula is.
+        let beneath = of_conditions.chain(of_laws).chain(of_rules).map(|f| derivatives(f, self.model)).max();
+        let needed = formulas.iter().map(|f| derivatives(f, self.model)).max();
+        let stacked = on_shell && !self.model.laws.is_empty() || !self.local.is_empty();
+        let needed = if stacked { needed.map(|n| n + beneath.unwrap_or(0)) } else { needed.max(beneath) };
         let least = if self.conditions.iter().any(|c| c.throughout) { 4 } else { 2 };
         Mode { on_shell, order: (needed.unwrap_or(0) + 1).max(least).min(TERMS - 1) }
     }
@@ -63,7 +77,7 @@ impl<'a> Context<'a> {
     /// When the mass matrix is singular at all of them.
     pub fn ensemble(&self, mode: Mode, relaxed: bool, points: usize) -> Result<Ensemble<'a>> {
         let reach = if relaxed { Reach::Beyond } else { self.reach };
-        let setting = Setting { conditions: self.conditions, mode, reach };
+        let setting = Setting { conditions: self.conditions, local: self.local, mode, reach };
         Ensemble::draw(self.model, &setting, points, &mut self.draw(mode, if relaxed { "beyond" } else { "" }))
     }
 
@@ -72,7 +86,7 @@ impl<'a> Context<'a> {
     /// # Errors
     /// When the mass matrix is singular at all of them.
     pub fn special(&self, mode: Mode) -> Result<Ensemble<'a>> {
-        let setting = Setting { conditions: self.conditions, mode, reach: self.reach };
+        let setting = Setting { conditions: self.conditions, local: self.local, mode, reach: self.reach };
         Ensemble::special(self.model, &setting, &mut self.draw(mode, "special"))
     }
 
@@ -112,7 +126,7 @@ pub fn derivatives(expr: &Expr, model: &Model) -> usize {
         Node::Symbol { id, dots, .. } => {
             let own = match model.meaning(*id) {
                 Some(Meaning::World(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)) => 0,
-                Some(Meaning::World(_)) => 1,
+                Some(Meaning::World(_) | Meaning::Frame(FrameQuantity::AngularVelocity)) => 1,
                 Some(Meaning::Defined(formula)) => derivatives(formula, model),
                 _ => 0,
             };
@@ -173,10 +187,10 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     if let Some(finding) = trivial(link, context) {
         return Ok(finding);
     }
-    match (context.on_shell, &context.model.world) {
-        (Some(on_shell), Some(_)) => Ok(check_in(link, context, on_shell)?.0),
-        (_, None) => Ok(check_in(link, context, false)?.0),
-        (None, Some(_)) => {
+    match (context.on_shell, context.model.has_motion()) {
+        (Some(on_shell), true) => Ok(check_in(link, context, on_shell)?.0),
+        (_, false) => Ok(check_in(link, context, false)?.0),
+        (None, true) => {
             let (always, next) = check_in(link, context, false)?;
             if next == Next::Settled {
                 return Ok(always);
@@ -198,7 +212,8 @@ enum Next {
     OnShell,
 }
 
-fn is_equality(relation: Relation) -> bool {
+/// Whether a relation says that two things are the same.
+pub fn is_equality(relation: Relation) -> bool {
     matches!(relation, Relation::Equal | Relation::Identical)
 }
 
@@ -287,6 +302,13 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
         (false, false) => "under its hypotheses",
         (true, true) => "on shell",
         (true, false) => "on shell, under its hypotheses",
+    };
+    let whence = &match (ensemble.mode.on_shell, context.model.laws.as_slice()) {
+        (false, _) | (_, []) => whence.to_owned(),
+        (true, laws) => {
+            let names: Vec<&str> = laws.iter().map(|law| law.name.as_str()).collect();
+            format!("{}, given {}", whence.replace("on shell", "by law"), names.join(", "))
+        }
     };
     if let Some((failure, at)) = &outcome.failure {
         let message = match (&failure.entry, link.relation) {
@@ -412,12 +434,13 @@ pub fn values(formulas: &[&Expr], scene: &Scene<'_, Measured>) -> Vec<(String, f
 /// # Errors
 /// When the world's mass matrix is singular.
 pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
-    if context.model.world.is_none() {
-        return Ok(context.finding(Verdict::Undecided, "nothing says how it moves: name a \"system\""));
+    if !context.model.has_motion() {
+        return Ok(context.finding(Verdict::Undecided, "nothing says how it moves: name a \"system\" or \"laws\""));
     }
     let rate = Expr::new(Node::TimeDerivative(1, Box::new(expr.clone())), expr.span);
     let zero = Expr::integer(0, expr.span);
-    let link = Link { lhs: rate, relation: Relation::Equal, rhs: zero, free: Vec::new() };
+    let free = crate::formula::shape::bind(expr.clone(), &context.model.symbols).map(|(_, found)| found.free);
+    let link = Link { lhs: rate, relation: Relation::Equal, rhs: zero, free: free.unwrap_or_default() };
     let off_shell = context.ensemble(context.mode(false, &[&link.lhs]), false, context.options.points)?;
     match run(&link, &off_shell.scenes) {
         Err(reason) => return Ok(context.unavailable(&reason)),

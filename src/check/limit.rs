@@ -4,6 +4,8 @@
 //! and at a rate: the error is followed over several steps towards the limit and must fall as a power, which is
 //! reported. Steps at which rounding would drown the error are not used.
 
+use std::sync::Arc;
+
 use crate::Result;
 use crate::formula::SymbolId;
 use crate::formula::Value;
@@ -12,7 +14,9 @@ use crate::scalar::{Measured, Series};
 
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{Failure, Link};
-use super::scene::{Mode, Scene, slots};
+use super::base::slots;
+use super::rules::Rule;
+use super::scene::{Mode, Scene};
 use super::twins::{Slip, twins};
 use super::verdict::{Finding, Verdict};
 
@@ -58,7 +62,7 @@ pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Contex
         Some(on_shell) => return check_in(link, variable, towards, context, on_shell),
         None => check_in(link, variable, towards, context, false)?,
     };
-    if always.verdict == Verdict::Verified || context.model.world.is_none() {
+    if always.verdict == Verdict::Verified || !context.model.has_motion() {
         return Ok(always);
     }
     let on_shell = check_in(link, variable, towards, context, true)?;
@@ -80,7 +84,7 @@ fn check_in(
     let mut powers: Vec<f64> = Vec::new();
     let mut used: Vec<Steps<'_>> = Vec::new();
     for base in &ensemble.bases {
-        let steps = Steps { context, mode, base, variable, towards };
+        let steps = Steps { context, mode, base, rules: &ensemble.rules, variable, towards };
         match steps.approach(link) {
             Ok(Approach::Power(power)) => {
                 powers.push(power);
@@ -141,6 +145,7 @@ struct Steps<'a> {
     context: &'a Context<'a>,
     mode: Mode,
     base: &'a [f64],
+    rules: &'a Arc<[Rule]>,
     variable: SymbolId,
     towards: Towards,
 }
@@ -156,7 +161,7 @@ impl<'a> Steps<'a> {
         if let Some(slot) = slot {
             base[slot] = Measured::new(x);
         }
-        let mut scene = Scene::new(model, self.mode, &base).ok()?;
+        let mut scene = Scene::new(model, self.mode, &base, self.rules).ok()?;
         if slot.is_none() {
             scene.set_only(&[(self.variable, Series::constant(Measured::new(x)))]);
         }

@@ -6,6 +6,9 @@
 //! made in [`ensemble`] (drawn, and moved onto the hypotheses), evaluated in [`scene`], judged in [`judge`]; and every
 //! pass is held against its [`twins`].
 
+mod base;
+mod builder;
+mod crowd;
 pub mod definitions;
 mod desk;
 pub mod document;
@@ -20,6 +23,8 @@ pub mod judge;
 pub mod limit;
 pub mod model;
 pub mod plain;
+mod reading;
+mod rules;
 pub mod scene;
 mod sentences;
 pub mod solves;

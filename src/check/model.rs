@@ -124,8 +124,8 @@ pub struct Piece {
 pub struct Law {
     /// Its name.
     pub name: String,
-    /// The equation that prints it: its place among the displays and the statement's place in it.
-    pub printed: Option<(usize, usize)>,
+    /// The statements that print it: the place of the display, and of the statement in it.
+    pub printed: Vec<(usize, usize)>,
     /// What it says.
     pub conditions: Vec<Condition>,
 }

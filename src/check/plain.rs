@@ -50,8 +50,8 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
         if given.is_none() {
             assumed.push(format!("{shown} is a real number"));
         }
-        model.meanings.push(Meaning::Varying(model.varying.len()));
-        model.varying.push(Variable { symbol, range: given.unwrap_or(Range::Any) });
+        model.mean(symbol, Meaning::Varying(model.varying.len()));
+        model.varying.push(Variable::number(symbol, given.unwrap_or(Range::Any)));
         model.symbols.entry_mut(symbol).varies = true;
     }
     let readings = [text::formula(&lhs, &model.symbols), text::formula(&rhs, &model.symbols)];
@@ -62,7 +62,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     }
     let reach = Reach::Vast;
     let context =
-        Context { model: &model, options, conditions: &[], on_shell: Some(false), topic: "equal", span, reach };
+        Context { model: &model, options, conditions: &[], on_shell: Some(false), topic: "equal", span, reach, local: &[] };
     let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };
     let finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
     Ok(Answer { finding, readings, assumed })

@@ -18,8 +18,8 @@ use crate::mechanics::{Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Number, Series};
 
+use super::base::Base;
 use super::crowd::{Crowd, Place};
-use super::layout::Base;
 use super::model::{FrameQuantity, Meaning, Model, Quantity};
 use super::rules::{Action, Rule};
 
@@ -240,6 +240,9 @@ impl<'m, B: Number> Scene<'m, B> {
         {
             return Ok(member);
         }
+        if let Some(member) = self.place.borrow().part.as_ref().and_then(|(part, _)| part.member(id, indices)) {
+            return Ok(member);
+        }
         let numbers = |numbers: &[Series<B>]| {
             let extents = self.model.symbols.extents(id);
             let place = indices.iter().zip(&extents).fold(0, |at, (i, n)| at * usize::from(*n) + usize::from(*i) - 1);
@@ -394,7 +397,7 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
 
     fn count_within(&self, region: SymbolId) -> Result<u8, Unavailable> {
         let place = self.place.borrow();
-        place.part.as_ref().map(|part| part.len()).ok_or(Unavailable::Symbol(region))
+        place.part.as_ref().map(|(part, _)| part.len()).ok_or(Unavailable::Symbol(region))
     }
 
     fn rotation(&self, id: SymbolId, angle: Series<B>) -> Result<Matrix3<Series<B>>, Unavailable> {

@@ -31,6 +31,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
     };
     let id = sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone());
     let conditions = desk.conditions(&sentence.claim)?;
+    let local = desk.local(&sentence.claim)?;
     let on_shell = sentence.claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
     let context = Context {
         model: desk.model,
@@ -40,6 +41,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
         topic: &id,
         span: place,
         reach: Reach::Declared,
+        local: &local,
     };
     let (finding, reading) = test(desk, sentence, &context)?;
     let ok = match &sentence.claim.expect {
@@ -63,7 +65,6 @@ pub(super) fn unsupported(claims: &Claims, sentence: &Sentence) -> Result<()> {
     let claim = &sentence.claim;
     let spans = [
         ("in", sentence.scope.as_ref().map(|address| address.span)),
-        ("where", claim.meanings.first().map(|(name, _)| name.span)),
         ("also equals", claim.also_equals.as_ref().map(|s| s.span)),
         ("dropping", claim.dropping.as_ref().map(|s| s.span)),
         ("up to a constant", claim.up_to_a_constant),
@@ -89,7 +90,7 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
     let symbols = &desk.model.symbols;
     match &sentence.test {
         Test::Quoted => {
-            let formulas: String = sentence.quote.value.split('$').skip(1).step_by(2).collect::<Vec<_>>().join(", ");
+            let formulas = quoted(sentence);
             if formulas.is_empty() {
                 let message = "this quotes no formula, and nothing says what it claims";
                 return Err(Error::at(&desk.claims.source, sentence.quote.span, message)
@@ -147,6 +148,23 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
             Ok((functions::check(&target, variable, &shape, context), reading))
         }
     }
+}
+
+impl Desk<'_> {
+    /// What a sentence says in formulas that must hold, if it does.
+    pub(super) fn claimed_by(&self, sentence: &Sentence) -> Option<Vec<Statement>> {
+        let latex = match &sentence.test {
+            Test::Claim(latex) if sentence.claim.limit.is_none() => latex.clone(),
+            Test::Quoted => Spanned::new(quoted(sentence), sentence.quote.span),
+            _ => return None,
+        };
+        self.statements(&latex).ok()
+    }
+}
+
+/// The formulas that a sentence quotes.
+fn quoted(sentence: &Sentence) -> String {
+    sentence.quote.value.split('$').skip(1).step_by(2).collect::<Vec<_>>().join(", ")
 }
 
 /// Every link of some statements.

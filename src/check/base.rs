@@ -1,0 +1,174 @@
+//! The numbers that fix a state, in their order, and what they are put together to.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::formula::SymbolId;
+use crate::mechanics::rotations::{Turning, euler_angles};
+use crate::mechanics;
+use crate::notes::claims::Range;
+use crate::scalar::{Number, Series, TERMS};
+
+use super::model::{Frame, Model, Variable};
+use super::scene::Mode;
+
+/// One number of a base.
+#[derive(Clone, Debug)]
+pub struct Slot {
+    /// The symbol whose value or derivative it is; none for the time and for what has no name.
+    pub symbol: Option<SymbolId>,
+    /// The order of the derivative.
+    pub order: usize,
+    /// Where it is drawn from.
+    pub range: Range,
+    /// Whether it is a constant.
+    pub constant: bool,
+    /// Whether it is one of many of its kind: of a vector, a family, a body.
+    pub one_of_many: bool,
+}
+
+/// Numbers of one kind: so many, each with so many derivatives.
+struct Group {
+    symbol: Option<SymbolId>,
+    range: Range,
+    constant: bool,
+    numbers: usize,
+    derivatives: usize,
+}
+
+/// The groups of a base, in order: time, constants, what is fixed in the frame and its direction, continua; coordinates,
+/// free functions and the angles of the frame with their derivatives.
+fn groups(model: &Model, mode: Mode) -> Vec<Group> {
+    let fixed = |symbol, range, numbers| Group { symbol, range, constant: true, numbers, derivatives: 0 };
+    let moving = |variable: &Variable, derivatives| Group {
+        symbol: Some(variable.symbol),
+        range: variable.range.clone(),
+        constant: false,
+        numbers: variable.numbers,
+        derivatives,
+    };
+    let mut groups = vec![Group { constant: false, ..fixed(None, Range::Any, 1) }];
+    groups.extend(model.constants.iter().map(|c| fixed(Some(c.symbol), c.range.clone(), c.numbers)));
+    groups.extend(model.rigid.iter().map(|rigid| fixed(Some(rigid.symbol), Range::Any, 3 * rigid.members)));
+    if model.frame == Some(Frame::FixedDirection) {
+        groups.push(fixed(None, Range::Any, 3));
+    }
+    for _ in &model.continua {
+        let within = |half: f64| Range::Interval { low: -half, high: half, low_open: false, high_open: false };
+        let ranges = [
+            (Range::Positive, 1),
+            (within(0.3), 9),
+            (Range::Positive, 3),
+            (Range::Any, 3),
+            (Range::Angle, 3),
+            (within(0.3), 3),
+        ];
+        groups.extend(ranges.into_iter().map(|(range, numbers)| fixed(None, range, numbers)));
+    }
+    let on_shell = mode.on_shell && model.world.is_some();
+    groups.extend(model.coordinates.iter().map(|v| moving(v, if on_shell { 1 } else { mode.order })));
+    groups.extend(model.varying.iter().map(|v| moving(v, mode.order)));
+    if let Some(frame) = model.frame {
+        let angles = if frame == Frame::Free { 3 } else { 1 };
+        let derivatives = (mode.order + 1).min(TERMS - 1);
+        groups.push(Group { symbol: None, range: Range::Angle, constant: false, numbers: angles, derivatives });
+    }
+    groups
+}
+
+/// The numbers of a base, one by one.
+pub fn slots(model: &Model, mode: Mode) -> Vec<Slot> {
+    let mut slots = Vec::new();
+    for Group { symbol, range, constant, numbers, derivatives } in groups(model, mode) {
+        for _ in 0..numbers {
+            for order in 0..=derivatives {
+                let range = if order == 0 { range.clone() } else { Range::Any };
+                let one_of_many = numbers > 1 || symbol.is_none();
+                slots.push(Slot { symbol, order, range, constant, one_of_many });
+            }
+        }
+    }
+    slots
+}
+
+/// A base, sorted by what its numbers are.
+pub struct Base<B> {
+    /// The time.
+    pub time: B,
+    /// The numbers of each constant.
+    pub constants: Vec<Vec<B>>,
+    /// The components, along the frame, of what is fixed in it.
+    pub rigid: Vec<Vec<B>>,
+    /// The direction that the frame turns about, of any length.
+    pub direction: [B; 3],
+    /// What fixes each continuum.
+    pub continua: Vec<Hidden<B>>,
+    /// The derivatives of each coordinate: on shell no more than the first.
+    pub coordinates: Vec<Vec<B>>,
+    /// The free functions of time.
+    pub varying: Vec<Vec<Series<B>>>,
+    /// The angles of the frame.
+    pub frame_angles: Vec<Series<B>>,
+}
+
+/// What fixes a continuum of which nothing is said: a density that varies, sizes, a place, an orientation.
+pub struct Hidden<B> {
+    /// The density in the middle, and the coefficients of what is linear and quadratic in the place.
+    pub density: [B; 10],
+    /// The lengths of its edges.
+    pub edges: [B; 3],
+    /// Where its middle is.
+    pub middle: Vector3<B>,
+    /// Q, which turns it from its canonical position.
+    pub turned: Matrix3<B>,
+    /// A point in it, as shares of the edges from the middle.
+    pub point: [B; 3],
+}
+
+impl<B: Number> Base<B> {
+    /// Sorts the numbers of a base; what is missing is not a number.
+    pub fn of(model: &Model, mode: Mode, numbers: &[B]) -> Self {
+        let mut numbers = numbers.iter().copied();
+        // Group after group, number after number, derivative after derivative.
+        let mut groups = groups(model, mode).into_iter().map(|group| {
+            let mut jet = || (0..=group.derivatives).map(|_| numbers.next().unwrap_or(B::from(f64::NAN))).collect();
+            (0..group.numbers).map(|_| jet()).collect::<Vec<Vec<B>>>()
+        });
+        let mut next = || groups.next().unwrap_or_default();
+        let flat = |jets: Vec<Vec<B>>| jets.into_iter().flatten().collect::<Vec<B>>();
+        fn few<B: Number, const N: usize>(numbers: Vec<B>) -> [B; N] {
+            std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
+        }
+        let [time] = few(flat(next()));
+        let constants = model.constants.iter().map(|_| flat(next())).collect();
+        let rigid = model.rigid.iter().map(|_| flat(next())).collect();
+        let direction = match model.frame {
+            Some(Frame::FixedDirection) => few(flat(next())),
+            _ => [B::zero(); 3],
+        };
+        let hidden = |_| {
+            let mut density = flat(next());
+            density.extend(flat(next()));
+            let edges = few(flat(next()));
+            let middle = Vector3::from(few(flat(next())));
+            let [phi, theta, psi] = few(flat(next()));
+            let turned = euler_angles(phi, theta, psi).transpose();
+            Hidden { density: few(density), edges, middle, turned, point: few(flat(next())) }
+        };
+        let continua = model.continua.iter().map(hidden).collect();
+        let coordinates = model.coordinates.iter().map(|_| next().swap_remove(0)).collect();
+        let series = |jets: Vec<Vec<B>>| jets.iter().map(|jet| Series::from_derivatives(jet)).collect::<Vec<_>>();
+        let varying = model.varying.iter().map(|_| series(next())).collect();
+        let frame_angles = if model.frame.is_some() { series(next()) } else { Vec::new() };
+        Base { time, constants, rigid, direction, continua, coordinates, varying, frame_angles }
+    }
+
+    /// How a frame turns by these numbers.
+    pub fn turning(&self, frame: Frame) -> Option<Turning<Series<B>>> {
+        let frame = match (frame, self.frame_angles.as_slice()) {
+            (Frame::Free, [phi, theta, psi]) => mechanics::Frame::freely([*phi, *theta, *psi]),
+            (Frame::FixedDirection, [angle]) => mechanics::Frame::about(self.direction, *angle).ok()?,
+            _ => return None,
+        };
+        Some(frame.turning())
+    }
+}

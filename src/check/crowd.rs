@@ -1,0 +1,325 @@
+//! Particles that stand in for a family, and bodies whose mass is spread: sums over cells, integrals, shrinking parts.
+//!
+//! An integral over a continuum is a sum over the nodes of a cubature; at each, the point and the density at hand are
+//! those of the node. The same continuum can be cut into cells, which are particles; then a sum over particles is near
+//! to the integral, and the nearer the finer the cut ([`super::continuum`] follows it). A *part* of it around a point of
+//! it, which shrinks, is what a density is a limit of.
+
+use nalgebra::Vector3;
+
+use crate::formula::evaluate::{Body as Integrand, Environment, Unavailable, evaluate};
+use crate::formula::{IndexId, SymbolId, Value};
+use crate::mechanics::inertia::{inertia_tensor, principal_axes};
+use crate::mechanics::{Body, Nodes};
+use crate::notes::claims::SolidKind;
+use crate::scalar::{Number, Series};
+
+use super::base::Hidden;
+use super::model::{Continuum, Meaning, ParticleQuantity};
+use super::scene::{Scene, matrix};
+
+/// Up to this degree of the integrand an integral is exact.
+const DEGREE: usize = 7;
+
+/// A value, or why there is none.
+type Valued<B> = Result<Value<Series<B>>, Unavailable>;
+
+/// Particles that stand in for those of some families.
+pub struct Crowd<B: Number> {
+    members: Vec<(SymbolId, Vec<Value<Series<B>>>)>,
+    /// A letter that labels them.
+    pub label: IndexId,
+    /// Whether they stand in only where a joined family is meant.
+    partly: bool,
+}
+
+impl<B: Number> Crowd<B> {
+    /// Families that were joined: they are meant by what is defined through them, and nowhere else.
+    pub fn joined(members: Vec<(SymbolId, Vec<Value<Series<B>>>)>, label: IndexId) -> Self {
+        Crowd { members, label, partly: true }
+    }
+
+    /// Point masses in place of a family of masses and one of positions.
+    fn of(nodes: &Nodes<B>, (mass, position): (SymbolId, SymbolId), label: IndexId) -> Self {
+        let constant = |x: &Vector3<B>| Value::Vector(x.map(Series::constant));
+        let masses = nodes.points.iter().map(|(_, m)| Value::Scalar(Series::constant(*m))).collect();
+        let positions = nodes.points.iter().map(|(x, _)| constant(x)).collect();
+        Crowd { members: vec![(mass, masses), (position, positions)], label, partly: false }
+    }
+
+    /// How many they are.
+    pub fn len(&self) -> u8 {
+        self.members.first().map_or(0, |(_, members)| members.len().min(u8::MAX.into()) as u8)
+    }
+
+    /// Whether they are meant only by what is defined through them.
+    pub fn stands_in_partly(&self) -> bool {
+        self.partly
+    }
+
+    /// The families that they stand in for.
+    pub fn symbols(&self) -> Vec<SymbolId> {
+        self.members.iter().map(|(id, _)| *id).collect()
+    }
+
+    /// The member of a family, if they stand in for it.
+    pub fn member(&self, id: SymbolId, indices: &[u8]) -> Option<Value<Series<B>>> {
+        let (_, members) = self.members.iter().find(|(known, _)| *known == id)?;
+        match indices {
+            [at] => members.get(usize::from(*at).wrapping_sub(1)).cloned(),
+            _ => None,
+        }
+    }
+}
+
+/// Where in a continuum a formula is evaluated.
+pub struct Place<B: Number> {
+    /// The continuum and the point of it.
+    point: Option<(usize, Vector3<B>)>,
+    /// The part of it that is cut out around its own point, and its size.
+    pub part: Option<(Crowd<B>, B)>,
+}
+
+impl<B: Number> Default for Place<B> {
+    fn default() -> Self {
+        Place { point: None, part: None }
+    }
+}
+
+impl<B: Number> Place<B> {
+    /// Whether it is nowhere in particular.
+    pub fn is_default(&self) -> bool {
+        self.point.is_none() && self.part.is_none()
+    }
+}
+
+impl<B: Number> Hidden<B> {
+    fn place(&self, shares: [B; 3]) -> Vector3<B> {
+        self.turned * Vector3::from_fn(|i, _| shares[i] * self.edges[i]) + self.middle
+    }
+
+    /// The density at a point: a polynomial of degree 2 in its place, as shares of the edges.
+    fn density(&self, x: &Vector3<B>, dimension: u8) -> B {
+        let local = self.turned.transpose() * (x - self.middle);
+        let u: [B; 3] = std::array::from_fn(|i| if i < dimension.into() { local[i] / self.edges[i] } else { B::zero() });
+        let c = &self.density;
+        let linear = c[1] * u[0] + c[2] * u[1] + c[3] * u[2];
+        let squares = c[4] * u[0] * u[0] + c[5] * u[1] * u[1] + c[6] * u[2] * u[2];
+        let mixed = c[7] * u[0] * u[1] + c[8] * u[1] * u[2] + c[9] * u[2] * u[0];
+        c[0] * (linear + squares + mixed + B::one())
+    }
+
+    /// A box, a rectangle or a segment of these shares of the edges, in canonical position; a rod lies along z there.
+    fn body(&self, dimension: u8, share: f64) -> Body<B> {
+        let edges = self.edges.map(|edge| edge * share);
+        match dimension {
+            3 => Body::Box { edges },
+            2 => Body::Lamina { edges: [edges[0], edges[1]] },
+            _ => Body::Rod { length: edges[0] },
+        }
+    }
+
+    /// Canonical nodes brought to where the continuum is, around a point of it.
+    fn set(&self, nodes: Nodes<B>, dimension: u8, around: &Vector3<B>) -> Nodes<B> {
+        let along_x = |x: Vector3<B>| if dimension == 1 { Vector3::new(x.z, x.x, x.y) } else { x };
+        let points = nodes.points.into_iter().map(|(x, w)| (along_x(x), w)).collect();
+        Nodes { points }.turned(&self.turned).moved(around)
+    }
+}
+
+impl<B: Number> Scene<'_, B> {
+    fn continuum(&self, region: SymbolId) -> Result<(usize, &Continuum), Unavailable> {
+        match self.model.meaning(region) {
+            Some(Meaning::Region(at)) => Ok((*at, &self.model.continua[*at])),
+            _ => Err(Unavailable::Symbol(region)),
+        }
+    }
+
+    /// The nodes of a continuum; their weights are volumes, areas or lengths.
+    fn nodes(&self, at: usize) -> Result<Nodes<B>, Unavailable> {
+        let (continuum, hidden) = (&self.model.continua[at], &self.base.continua[at]);
+        if continuum.solids.is_empty() {
+            let nodes = hidden.body(continuum.dimension, 1.0).nodes(DEGREE);
+            return Ok(hidden.set(nodes, continuum.dimension, &hidden.middle));
+        }
+        let mut all = Nodes::default();
+        for solid in &continuum.solids {
+            let mut sizes = Vec::new();
+            for size in &solid.sizes {
+                match evaluate(size, self, &[])? {
+                    Value::Scalar(size) => sizes.push(size.value()),
+                    _ => return Err(Unavailable::Operation("a size that is no number")),
+                }
+            }
+            let body = match (solid.kind, sizes.as_slice()) {
+                (SolidKind::Ball, [radius]) => Body::Ball { radius: *radius },
+                (SolidKind::Shell, [radius]) => Body::Shell { radius: *radius },
+                (SolidKind::Disc, [radius]) => Body::Disc { radius: *radius },
+                (SolidKind::Rod, [length]) => Body::Rod { length: *length },
+                (SolidKind::Lamina, [a, b]) => Body::Lamina { edges: [*a, *b] },
+                (SolidKind::Box, [a, b, c]) => Body::Box { edges: [*a, *b, *c] },
+                _ => return Err(Unavailable::Operation("a solid with so many sizes")),
+            };
+            let mut nodes = body.nodes(DEGREE);
+            if let Some(center) = &solid.at {
+                match evaluate(center, self, &[])? {
+                    Value::Vector(center) => nodes = nodes.moved(&center.map(|x| x.value())),
+                    _ => return Err(Unavailable::Operation("a center that is no vector")),
+                }
+            }
+            all = if solid.hollow { all.without(nodes) } else { all.united(nodes) };
+        }
+        Ok(all)
+    }
+
+    fn density_at(&self, at: usize, x: &Vector3<B>) -> B {
+        let (continuum, hidden) = (&self.model.continua[at], &self.base.continua[at]);
+        match continuum.uniform {
+            true => hidden.density[0],
+            false => hidden.density(x, continuum.dimension),
+        }
+    }
+
+    /// The point of a continuum at which a formula outside of any integral is taken.
+    fn own_point(&self, at: usize) -> Vector3<B> {
+        let (continuum, hidden) = (&self.model.continua[at], &self.base.continua[at]);
+        let shares = std::array::from_fn(|i| {
+            if i < continuum.dimension.into() { hidden.point[i] } else { B::zero() }
+        });
+        hidden.place(shares)
+    }
+
+    /// The density of a continuum where the formula at hand is evaluated.
+    pub(super) fn density(&self, at: usize) -> Option<Series<B>> {
+        let x = match &self.place.borrow().point {
+            Some((of, x)) if *of == at => *x,
+            Some(_) => return None,
+            None => self.own_point(at),
+        };
+        Some(Series::constant(self.density_at(at, &x)))
+    }
+
+    /// The point at which the formula at hand is evaluated.
+    pub(super) fn point(&self) -> Option<Vector3<Series<B>>> {
+        let x = match (&self.place.borrow().point, self.base.continua.len()) {
+            (Some((_, x)), _) => *x,
+            (None, 1) => self.own_point(0),
+            _ => return None,
+        };
+        Some(x.map(Series::constant))
+    }
+
+    /// The volume, area or length of the part at hand.
+    pub(super) fn size_of_part(&self, _at: usize) -> Option<Series<B>> {
+        self.place.borrow().part.as_ref().map(|(_, size)| Series::constant(*size))
+    }
+
+    /// An integral over a continuum.
+    pub(super) fn integrate(&self, region: SymbolId, integrand: Integrand<'_, Series<B>>) -> Valued<B> {
+        let (at, _) = self.continuum(region)?;
+        let nodes = self.nodes(at)?;
+        let outer = self.place.borrow_mut().point.take();
+        let mut total: Option<Value<Series<B>>> = None;
+        let mut failure = None;
+        for (x, weight) in nodes.points {
+            self.place.borrow_mut().point = Some((at, x));
+            match integrand() {
+                Ok(value) => {
+                    let term = value.map(|y| y * Series::constant(weight));
+                    total = match total {
+                        None => Some(term),
+                        Some(total) => total.plus(term),
+                    };
+                }
+                Err(reason) => {
+                    failure = Some(reason);
+                    break;
+                }
+            }
+        }
+        self.place.borrow_mut().point = outer;
+        match failure {
+            Some(reason) => Err(reason),
+            None => total.ok_or(Unavailable::Operation("an integral over nothing")),
+        }
+    }
+
+    /// The limit of a formula as the part of a continuum around its own point shrinks to that point: parts of three
+    /// sizes, from which the error of the second and of the fourth power of the size is taken out.
+    pub(super) fn shrink(&self, region: SymbolId, formula: Integrand<'_, Series<B>>) -> Valued<B> {
+        let (at, continuum) = self.continuum(region)?;
+        let (mass, position) = continuum.particles.ok_or(Unavailable::Symbol(region))?;
+        let label = self.label_of(mass)?;
+        let hidden = &self.base.continua[at];
+        let around = self.own_point(at);
+        let mut values = Vec::new();
+        for share in [0.2, 0.1, 0.05] {
+            let part = hidden.body(continuum.dimension, share);
+            let cells = part.cells(3).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
+            let size = cells.total();
+            let cells = hidden.set(cells, continuum.dimension, &around).with_density(|x| self.density_at(at, x));
+            self.place.borrow_mut().part = Some((Crowd::of(&cells, (mass, position), label), size));
+            let value = formula();
+            self.place.borrow_mut().part = None;
+            values.push(value?);
+        }
+        let better = |fine: &Value<Series<B>>, coarse: &Value<Series<B>>, power: f64| {
+            let (fine, coarse) = (fine.clone().map(|x| x * power), coarse.clone().map(|x| -x));
+            fine.plus(coarse).map(|sum| sum.map(|x| x * (1.0 / (power - 1.0))))
+        };
+        let wrong = || Unavailable::Operation("a sum of different shapes");
+        let first = better(&values[1], &values[0], 4.0).ok_or_else(wrong)?;
+        let second = better(&values[2], &values[1], 4.0).ok_or_else(wrong)?;
+        better(&second, &first, 16.0).ok_or_else(wrong)
+    }
+
+    fn label_of(&self, family: SymbolId) -> Result<IndexId, Unavailable> {
+        let slots = &self.model.symbols.entry(family).slots;
+        slots.first().map(|(_, letter)| *letter).ok_or(Unavailable::Symbol(family))
+    }
+
+    /// A continuum cut into k cells along each edge, as particles in place of its family.
+    pub(super) fn cut(&self, at: usize, k: usize) -> Result<Crowd<B>, Unavailable> {
+        let (continuum, hidden) = (&self.model.continua[at], &self.base.continua[at]);
+        let families = continuum.particles.ok_or(Unavailable::Symbol(continuum.region))?;
+        let label = self.label_of(families.0)?;
+        let body = hidden.body(continuum.dimension, 1.0);
+        let cells = body.cells(k).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
+        let cells = hidden.set(cells, continuum.dimension, &hidden.middle);
+        Ok(Crowd::of(&cells.with_density(|x| self.density_at(at, x)), families, label))
+    }
+
+    /// What the point masses of two families determine, about the origin.
+    pub(super) fn of_particles(
+        &self,
+        quantity: ParticleQuantity,
+        masses: SymbolId,
+        positions: SymbolId,
+        id: SymbolId,
+        indices: &[u8],
+    ) -> Valued<B> {
+        let none = || Unavailable::Symbol(id);
+        let mut points = Vec::new();
+        for value in 1..=self.count(self.label_of(masses)?)? {
+            match (self.symbol(positions, &[value])?, self.symbol(masses, &[value])?) {
+                (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
+                _ => return Err(none()),
+            }
+        }
+        let tensor = inertia_tensor(&Nodes { points });
+        let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
+        if quantity == ParticleQuantity::InertiaTensor {
+            return Ok(match indices {
+                [] => matrix(&tensor),
+                _ => Value::Scalar(tensor[(place(0)?, place(1)?)]),
+            });
+        }
+        // Eigenvectors are found for plain numbers: how they vary is not known.
+        let found = principal_axes(&tensor.map(|entry| entry.re())).map_err(|_| none())?;
+        let known = |x: f64| Series::from_derivatives(&[B::from(x)]);
+        Ok(match quantity {
+            ParticleQuantity::PrincipalMoments => Value::Scalar(known(found.moments[place(0)?])),
+            _ => Value::Vector(found.axes.row(place(0)?).transpose().map(known)),
+        })
+    }
+}
