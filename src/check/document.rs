@@ -15,6 +15,7 @@ use super::desk::Desk;
 use super::identity::Options;
 use super::model::Model;
 use super::sentences;
+use super::units;
 use super::verdict::{Document, Equation, Finding, Verdict};
 
 /// Checks a document; `only` restricts the work to one equation, and there may be none of that number.
@@ -47,7 +48,8 @@ pub fn check_document(
         let reading = if wanted { read(&display.text, &mut model) } else { Reading::default() };
         readings.push(reading);
     }
-    let desk = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options };
+    let units = units::of_document(claims, &model, &readings, &assigned)?;
+    let desk = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options, units };
     let chosen = |display: &&Display| only.is_none_or(|only| id(display) == Some(only));
     let work: Vec<usize> = (0..notes.equations.len())
         .filter(|at| chosen(&&notes.equations[*at]) && (id(&notes.equations[*at]).is_some() || assigned[*at].is_some()))

@@ -32,10 +32,9 @@ impl Desk<'_> {
         let display = &self.notes.equations[at];
         let none = Claim::default();
         let claim = claim.unwrap_or(&none);
-        let offset = display.body.start;
         let reading = &self.readings[at];
         let topic = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
-        let mut parts = self.parts(reading, claim, offset, &topic)?;
+        let mut parts = self.parts(at, reading, claim, &topic)?;
         let mut because = claim.expect.as_ref().map(|expect| expect.because.value.clone());
         let passes = |parts: &[Part]| parts.iter().all(|part| part.finding.verdict.passes());
         let mut as_expected = match &claim.expect {
@@ -50,7 +49,7 @@ impl Desk<'_> {
             let corrected = self.corrected(display, &claim.errata)?;
             let mut symbols = self.model.symbols.clone();
             let reading = read_display(&corrected, &mut symbols, &self.model.macros);
-            let mended = self.parts(&reading, claim, offset, &topic)?;
+            let mended = self.parts(at, &reading, claim, &topic)?;
             let failed = !passes(&parts);
             as_expected = failed && passes(&mended);
             let edits: Vec<String> =
@@ -96,7 +95,8 @@ impl Desk<'_> {
     }
 
     /// Every statement of a display, and what else is claimed of it.
-    fn parts(&self, reading: &Reading, claim: &Claim, offset: usize, topic: &str) -> Result<Vec<Part>> {
+    fn parts(&self, display: usize, reading: &Reading, claim: &Claim, topic: &str) -> Result<Vec<Part>> {
+        let offset = self.notes.equations[display].body.start;
         if let Some(reason) = &claim.skip {
             let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
             return Ok(vec![self.part(finding, String::new())]);
@@ -120,6 +120,7 @@ impl Desk<'_> {
                 "there is no ≈ in this equation, and only that has a limit",
             ));
         }
+        let mut units_agree = true;
         for (at, statement) in reading.statements.iter().enumerate() {
             let (topic, span) = match statement {
                 Ok(statement) => context(&format!("{topic} part {}", at + 1), statement.span),
@@ -129,6 +130,11 @@ impl Desk<'_> {
                 }
             };
             let Ok(statement) = statement else { continue };
+            if let Some(finding) = self.unit_conflict(display, statement, claim) {
+                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+                units_agree = false;
+                continue;
+            }
             let context = Context {
                 model: self.model,
                 options: self.options,
@@ -141,7 +147,9 @@ impl Desk<'_> {
             let introduced = reading.introduced.iter().find(|(_, place)| *place == at).map(|(id, _)| *id);
             parts.extend(self.statement(statement, introduced, claim, &context)?);
         }
-        self.whole(reading, claim, &conditions, offset, topic, &mut parts)?;
+        if units_agree {
+            self.whole(reading, claim, &conditions, offset, topic, &mut parts)?;
+        }
         if parts.is_empty() {
             let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), "nothing says what this should mean");
             parts.push(self.part(finding, String::new()));

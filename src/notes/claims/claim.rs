@@ -48,6 +48,8 @@ pub struct Claim {
     pub equation_of_motion_of: Option<Spanned<String>>,
     /// `from`: it also follows from these as printed.
     pub from: Vec<Address>,
+    /// `units`: `off`, and where that is said.
+    pub units_off: Option<Span>,
 }
 
 /// When an equation holds.
@@ -153,6 +155,7 @@ pub(super) const KEYS: &[&str] = &[
     "generates",
     "equation of motion of",
     "from",
+    "units",
 ];
 
 /// Keys of the proposal that are yet to be built.
@@ -169,7 +172,6 @@ pub(super) const LATER: &[&str] = &[
     "true exactly when",
     "minimum of",
     "at",
-    "units",
 ];
 
 /// Reads the claim about the equation at `address`.
@@ -210,6 +212,11 @@ pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Faul
         generates: generates.as_ref().map(generating).transpose()?,
         equation_of_motion_of: fields.text("equation of motion of")?,
         from: fields.texts("from")?.iter().map(|from| Address::parse(from, source)).collect::<Result<_, _>>()?,
+        units_off: fields
+            .text("units")?
+            .map(|u| fields::word(&u, "units", &[("off", u.span)]))
+            .transpose()?
+            .map(|off| off.value),
     })
 }
 

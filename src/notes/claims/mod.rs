@@ -53,6 +53,8 @@ pub struct Claims {
     pub assume: Vec<Spanned<String>>,
     /// `macros`: commands that the notes do not define themselves.
     pub macros: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `units`: SI text, a symbol an entry.
+    pub units: Vec<(Spanned<String>, Spanned<String>)>,
     /// What is said about equations.
     pub equations: Vec<(Address, Claim)>,
     /// What is said about sentences.
@@ -119,6 +121,7 @@ const KEYS: &[&str] = &[
     "conditions",
     "assume",
     "macros",
+    "units",
     "equations",
     "sentences",
 ];
@@ -136,7 +139,6 @@ const LATER: &[&str] = &[
     "laws",
     "axes",
     "continua",
-    "units",
     "unsure",
 ];
 
@@ -176,6 +178,10 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         means.extend(names_in(&key, source)?.into_iter().map(|name| (name, meaning.clone())));
     }
     let define = fields.pairs("define")?;
+    let mut units = Vec::new();
+    for (key, unit) in fields.pairs("units")? {
+        units.extend(names_in(&key, source)?.into_iter().map(|name| (name, unit.clone())));
+    }
     let declared = declarations.iter().map(|declaration| &declaration.name);
     let turned = rotations.iter().map(|(name, _)| name);
     let tied = means.iter().chain(&define).map(|(name, _)| name);
@@ -194,6 +200,7 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         conditions: conditions(&fields)?,
         assume: fields.texts("assume")?,
         macros: fields.pairs("macros")?,
+        units,
         equations: equations(&fields, source)?,
         sentences: sentences(&fields, source)?,
     })
