@@ -15,6 +15,7 @@ use super::judge::Link;
 use super::limit::Towards;
 use super::model::{Law, Model, formula_error};
 use super::rules::{Action, Rule};
+use super::units::Units;
 
 /// Everything that checking one equation or sentence needs.
 pub(super) struct Desk<'a> {
@@ -24,6 +25,8 @@ pub(super) struct Desk<'a> {
     pub readings: &'a [Reading],
     pub assigned: &'a [Option<&'a Claim>],
     pub options: Options,
+    /// What the units of the document come to, where it declares any.
+    pub units: Option<Units<'a>>,
 }
 
 impl Desk<'_> {
@@ -185,15 +188,7 @@ impl Desk<'_> {
 
     /// A symbol named in the claims file.
     pub fn symbol(&self, latex: &Spanned<String>) -> Result<SymbolId> {
-        let name = names::parse(&latex.value).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
-        let found = name.as_ref().and_then(|name| self.model.symbols.find(name));
-        found.map(|(id, _)| id).ok_or_else(|| {
-            let error = Error::at(&self.claims.source, latex.span, format!("there is no symbol {}", latex.value));
-            match name.and_then(|name| self.model.symbols.nearest(&name)) {
-                Some(near) => error.help(format!("did you mean {near}?")),
-                None => error,
-            }
-        })
+        symbol(self.claims, self.model, latex)
     }
 
     /// The reading of the display with this number or label.
@@ -241,4 +236,17 @@ impl Desk<'_> {
         };
         Ok((symbol, towards))
     }
+}
+
+/// A symbol named in the claims file.
+pub(super) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) -> Result<SymbolId> {
+    let name = names::parse(&latex.value).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
+    let found = name.as_ref().and_then(|name| model.symbols.find(name));
+    found.map(|(id, _)| id).ok_or_else(|| {
+        let error = Error::at(&claims.source, latex.span, format!("there is no symbol {}", latex.value));
+        match name.and_then(|name| model.symbols.nearest(&name)) {
+            Some(near) => error.help(format!("did you mean {near}?")),
+            None => error,
+        }
+    })
 }

@@ -16,6 +16,7 @@ use super::identity::Options;
 use super::model::Model;
 use super::reading;
 use super::sentences;
+use super::units;
 use super::verdict::{Document, Equation, Finding, Verdict};
 
 /// Checks a document; `only` restricts the work to one equation, and there may be none of that number.
@@ -40,9 +41,10 @@ pub fn check_document(
     let mut model = Model::new(claims, macros, registry)?;
     let assigned = assign(claims, notes)?;
     let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
-    let laws = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options }.laws()?;
-    model.laws = laws;
-    let desk = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options };
+    let plain = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options, units: None };
+    model.laws = plain.laws()?;
+    let units = units::of_document(claims, &model, &readings, &assigned)?;
+    let desk = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options, units };
     let chosen = |display: &&Display| only.is_none_or(|only| id(display) == Some(only));
     let work: Vec<usize> = (0..notes.equations.len())
         .filter(|at| chosen(&&notes.equations[*at]) && (id(&notes.equations[*at]).is_some() || assigned[*at].is_some()))

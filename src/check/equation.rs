@@ -3,7 +3,7 @@
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::{Introduced, Reading, read_display};
 use crate::notes::Display;
-use crate::notes::claims::{Claim, Conserved, Erratum, Expect, Expected, Holds, Solved, Spanned};
+use crate::notes::claims::{Claim, Conserved, Expect, Expected, Holds, Solved, Spanned};
 use crate::source::{Fault, Span};
 use crate::{Error, Result};
 
@@ -35,10 +35,17 @@ impl Desk<'_> {
         let display = &self.notes.equations[at];
         let none = Claim::default();
         let claim = claim.unwrap_or(&none);
-        let offset = display.body.start;
         let reading = &self.readings[at];
         let topic = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
-        let mut parts = self.parts(Some(at), reading, claim, offset, &topic)?;
+        let as_printed;
+        let printed = match claim.errata.is_empty() {
+            true => reading,
+            false => {
+                as_printed = self.as_printed(display, claim);
+                &as_printed
+            }
+        };
+        let mut parts = self.parts(at, printed, claim, &topic)?;
         let mut because = claim.expect.as_ref().map(|expect| expect.because.value.clone());
         let passes = |parts: &[Part]| parts.iter().all(|part| part.finding.verdict.passes());
         let mut as_expected = match &claim.expect {
@@ -50,11 +57,7 @@ impl Desk<'_> {
             None => passes(&parts),
         };
         if !claim.errata.is_empty() {
-            let corrected = self.corrected(display, &claim.errata)?;
-            let mut symbols = self.model.symbols.clone();
-            symbols.for_each = for_each(Some(claim), self.model);
-            let reading = read_display(&corrected, &mut symbols, &self.model.macros);
-            let mended = self.parts(None, &reading, claim, offset, &topic)?;
+            let mended = self.parts(at, reading, claim, &topic)?;
             let failed = !passes(&parts);
             as_expected = failed && passes(&mended);
             let edits: Vec<String> =
@@ -85,29 +88,16 @@ impl Desk<'_> {
         })
     }
 
-    fn corrected(&self, display: &Display, errata: &[Erratum]) -> Result<String> {
-        let mut text = display.text.clone();
-        for erratum in errata {
-            let found = text.matches(&erratum.printed.value).count();
-            if found != erratum.times {
-                let message = format!("“{}” stands {found} times in this equation", erratum.printed.value);
-                return Err(Error::at(&self.claims.source, erratum.printed.span, message)
-                    .help("quote more of it, or say how often with \"times\""));
-            }
-            text = text.replace(&erratum.printed.value, &erratum.read.value);
-        }
-        Ok(text)
+    /// The reading of an equation with errata as it stands in the notes; what is known of it is its correction.
+    fn as_printed(&self, display: &Display, claim: &Claim) -> Reading {
+        let mut symbols = self.model.symbols.clone();
+        symbols.for_each = for_each(Some(claim), self.model);
+        read_display(&display.text, &mut symbols, &self.model.macros)
     }
 
     /// Every statement of a display, and what else is claimed of it.
-    fn parts(
-        &self,
-        display: Option<usize>,
-        reading: &Reading,
-        claim: &Claim,
-        offset: usize,
-        topic: &str,
-    ) -> Result<Vec<Part>> {
+    fn parts(&self, display: usize, reading: &Reading, claim: &Claim, topic: &str) -> Result<Vec<Part>> {
+        let offset = self.notes.equations[display].body.start;
         if let Some(reason) = &claim.skip {
             let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
             return Ok(vec![self.part(finding, String::new())]);
@@ -132,6 +122,7 @@ impl Desk<'_> {
                 "there is no ≈ in this equation, and only that has a limit",
             ));
         }
+        let mut units_agree = true;
         for (at, statement) in reading.statements.iter().enumerate() {
             let (topic, span) = match statement {
                 Ok(statement) => context(&format!("{topic} part {}", at + 1), statement.span),
@@ -141,6 +132,11 @@ impl Desk<'_> {
                 }
             };
             let Ok(statement) = statement else { continue };
+            if let Some(finding) = self.unit_conflict(display, statement, claim) {
+                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+                units_agree = false;
+                continue;
+            }
             let context = Context {
                 model: self.model,
                 options: self.options,
@@ -158,7 +154,9 @@ impl Desk<'_> {
             let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == at).collect();
             parts.extend(self.statement(statement, &introduced, claim, &context)?);
         }
-        self.whole(reading, claim, (&conditions, &local), offset, topic, &mut parts)?;
+        if units_agree {
+            self.whole(reading, claim, (&conditions, &local), offset, topic, &mut parts)?;
+        }
         if parts.is_empty() {
             let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), "nothing says what this should mean");
             parts.push(self.part(finding, String::new()));
@@ -169,12 +167,12 @@ impl Desk<'_> {
     /// The verdict on a statement that the claims file calls a law: it is not checked, unless it can be.
     fn law(
         &self,
-        display: Option<usize>,
+        display: usize,
         at: usize,
         statement: &Statement,
         context: &Context<'_>,
     ) -> Result<Option<Finding>> {
-        let is_here = |law: &&Law| display.is_some_and(|display| law.printed.contains(&(display, at)));
+        let is_here = |law: &&Law| law.printed.contains(&(display, at));
         let Some(law) = self.model.laws.iter().find(is_here) else { return Ok(None) };
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
             let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;

@@ -4,7 +4,7 @@
 //! [`Verdict`] with its evidence. A claim between two formulas is tested in [`identity`]; [`solves`], [`limit`] and
 //! [`generates`] are the other kinds; [`functions`] tests what sentences say about the shape of a function. States are
 //! made in [`ensemble`] (drawn, and moved onto the hypotheses), evaluated in [`scene`], judged in [`judge`]; and every
-//! pass is held against its [`twins`].
+//! pass is held against its [`twins`]. Where units are declared, [`units`] comes before all of these.
 
 mod base;
 mod builder;
@@ -29,6 +29,7 @@ pub mod scene;
 mod sentences;
 pub mod solves;
 pub mod twins;
+pub mod units;
 pub mod verdict;
 
 pub use document::{check_document, unclaimed};

@@ -8,7 +8,7 @@ use crate::formula::shape::{Shape, bind};
 use crate::formula::{Expr, IndexId, Kind, Relation, SymbolId};
 use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::Notes;
-use crate::notes::claims::{Claim, Claims, Spanned};
+use crate::notes::claims::{Claim, Claims, Erratum, Spanned};
 use crate::{Error, Result};
 
 use super::document::id;
@@ -33,13 +33,22 @@ pub(super) fn read_all(
             false => Some(Reading::default()),
         })
         .collect();
+    let texts: Vec<String> = notes
+        .equations
+        .iter()
+        .zip(assigned)
+        .map(|(display, claim)| match claim {
+            Some(claim) => corrected(claims, &display.text, &claim.errata),
+            None => Ok(display.text.clone()),
+        })
+        .collect::<Result<_>>()?;
     let mut definitions: Vec<&(Spanned<String>, Spanned<String>)> = claims.define.iter().collect();
     loop {
         let before = definitions.len() + readings.iter().filter(|reading| reading.is_none()).count();
         definitions.retain(|(name, body)| define(claims, name, body, model).is_err());
-        for (at, display) in notes.equations.iter().enumerate() {
+        for at in 0..readings.len() {
             if readings[at].is_none() {
-                readings[at] = read(&display.text, assigned[at], model, false)?;
+                readings[at] = read(&texts[at], assigned[at], model, false)?;
             }
         }
         if before == definitions.len() + readings.iter().filter(|reading| reading.is_none()).count() {
@@ -49,12 +58,27 @@ pub(super) fn read_all(
     for (name, body) in definitions {
         define(claims, name, body, model)?;
     }
-    for (at, display) in notes.equations.iter().enumerate() {
+    for at in 0..readings.len() {
         if readings[at].is_none() {
-            readings[at] = read(&display.text, assigned[at], model, true)?;
+            readings[at] = read(&texts[at], assigned[at], model, true)?;
         }
     }
     Ok(readings.into_iter().map(Option::unwrap_or_default).collect())
+}
+
+/// The text of a display, its errata mended: what is wrong as printed is known as corrected.
+fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> Result<String> {
+    let mut text = printed.to_owned();
+    for erratum in errata {
+        let found = text.matches(&erratum.printed.value).count();
+        if found != erratum.times {
+            let message = format!("“{}” stands {found} times in this equation", erratum.printed.value);
+            return Err(Error::at(&claims.source, erratum.printed.span, message)
+                .help("quote more of it, or say how often with \"times\""));
+        }
+        text = text.replace(&erratum.printed.value, &erratum.read.value);
+    }
+    Ok(text)
 }
 
 /// Reads a display and gives the symbols that it introduces their meaning; nothing comes of one that is not wholly read,

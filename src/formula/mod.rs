@@ -3,7 +3,7 @@
 //! [`tree`] is the formula as a tree whose every node keeps the bytes it came from; [`symbols`] is the table of what
 //! each name is; [`shape`] gives every formula one type (scalar, vector, matrix; free indices) or refuses it, and
 //! makes implied sums explicit; [`mod@evaluate`] gives its value over any [`crate::scalar::Number`]; [`text`] echoes it in
-//! plain words. This room knows nothing of LaTeX, of mechanics, or of what a claim is.
+//! plain words; [`units`] finds the term whose dimension does not fit. This room knows nothing of LaTeX, of mechanics, or of what a claim is.
 
 pub mod assignment;
 pub mod evaluate;
@@ -11,6 +11,7 @@ pub mod shape;
 pub mod symbols;
 pub mod text;
 pub mod tree;
+pub mod units;
 pub mod value;
 
 pub use assignment::Assignment;

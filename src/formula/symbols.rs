@@ -5,7 +5,7 @@
 //! then `\hat e_2` and `\hat e_b` are found as well. What a symbol *means* (a coordinate, the Lagrangian, …) is not
 //! known here; `check` keeps that beside the table, by [`SymbolId`].
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
 use crate::suggest;
@@ -91,6 +91,19 @@ pub struct Entry {
     pub squared: bool,
     /// The members of a family that was put together from names of their own: λ₁, λ₂, λ₃ for λ_a.
     pub members: Vec<SymbolId>,
+    /// The dimension of a continuum that can be integrated over: 3 for a volume, 2 for an area, 1 for a length.
+    pub measure: Option<u8>,
+    /// Along what the components of a vector are taken, where that was declared.
+    pub components: Option<Components>,
+}
+
+/// Along what the components of a vector are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Components {
+    /// Along three unit vectors, a family with one slot: `\omega_a` is **ω** · **ê**_a.
+    Along(SymbolId),
+    /// Along the fixed axes.
+    Fixed,
 }
 
 /// A declared index letter.
@@ -117,6 +130,10 @@ pub struct Symbols {
     pub time: Option<Name>,
     /// Whether an unknown name becomes a real number (formulas without a file) or is refused (documents).
     pub open: bool,
+    /// The index that names without one are given where they are not known: (2.19) said for each particle.
+    pub for_each: Option<IndexId>,
+    /// Names that were understood without being declared, and what they were taken for: `r_i` for |r⃗_i|.
+    pub derived: BTreeMap<String, String>,
 }
 
 impl Symbols {
@@ -160,15 +177,15 @@ impl Symbols {
 
     /// Adds a symbol; `None` when the name is taken.
     pub fn add(&mut self, name: Name, kind: Kind) -> Option<SymbolId> {
+        let slots = self.slots(&name.subscript);
+        self.add_family(name, kind, slots)
+    }
+
+    /// Adds a symbol with these slots; `None` when the name is taken.
+    pub fn add_family(&mut self, name: Name, kind: Kind, slots: Vec<(usize, IndexId)>) -> Option<SymbolId> {
         if self.exact.contains_key(&name) {
             return None;
         }
-        let slots = name
-            .subscript
-            .iter()
-            .enumerate()
-            .filter_map(|(at, token)| self.index(token).map(|index| (at, index)))
-            .collect();
         let id = SymbolId(self.entries.len());
         self.exact.insert(name.clone(), id);
         self.entries.push(Entry {
@@ -180,8 +197,33 @@ impl Symbols {
             argument: None,
             squared: false,
             members: Vec::new(),
+            measure: None,
+            components: None,
         });
         Some(id)
+    }
+
+    /// The tokens of a subscript that are index letters, with their places. A letter inside of a word is none, though
+    /// it be declared: `r_{cm}`, `L_{orb}`. A word is letters of one case that are not indices all of them.
+    pub fn slots(&self, subscript: &[String]) -> Vec<(usize, IndexId)> {
+        let letter_case = |token: &String| match token.as_bytes() {
+            [byte] if byte.is_ascii_lowercase() => Some(false),
+            [byte] if byte.is_ascii_uppercase() => Some(true),
+            _ => None,
+        };
+        let mut slots = Vec::new();
+        let mut at = 0;
+        for run in subscript.chunk_by(|a, b| letter_case(a).is_some() && letter_case(a) == letter_case(b)) {
+            let letters: Option<Vec<IndexId>> = run.iter().map(|token| self.index(token)).collect();
+            slots.extend(letters.into_iter().flatten().enumerate().map(|(k, letter)| (at + k, letter)));
+            at += run.len();
+        }
+        slots
+    }
+
+    /// Along what the components of a vector are taken, where that was declared.
+    pub fn components_of(&self, id: SymbolId) -> Option<Components> {
+        self.entry(id).components
     }
 
     /// The symbol's entry.
@@ -219,13 +261,59 @@ impl Symbols {
         self.iter().find_map(|(id, entry)| self.member(entry, name).map(|indices| (id, indices)))
     }
 
-    /// The whole family of that base, without its indices: `R` for `R_{ab}`.
+    /// The whole family of that base, without its indices: `R` for `R_{ab}`, but not `M` for the many `M_i`.
     pub fn find_whole(&self, base: &str) -> Option<SymbolId> {
         self.iter()
             .find(|(_, entry)| {
-                entry.name.base == base && !entry.slots.is_empty() && entry.slots.len() == entry.name.subscript.len()
+                entry.name.base == base
+                    && !entry.slots.is_empty()
+                    && entry.slots.len() == entry.name.subscript.len()
+                    && entry.slots.iter().all(|(_, letter)| !self.indices[letter.0].labels)
             })
             .map(|(id, _)| id)
+    }
+
+    /// Finds a name as [`Symbols::find`] does, or else puts its family together from the names of all its members,
+    /// or else finds it with the index that is meant for each.
+    pub fn find_or_assemble(&mut self, name: &Name) -> Option<(SymbolId, Vec<Index>)> {
+        if let Some(found) = self.find(name) {
+            return Some(found);
+        }
+        if let Some(found) = self.assemble(name) {
+            return Some(found);
+        }
+        let mut each = name.clone();
+        each.subscript.push(self.indices[self.for_each?.0].letter.clone());
+        self.find(&each).or_else(|| self.assemble(&each))
+    }
+
+    /// `\lambda_a` beside λ₁, λ₂ and λ₃: a family of which each member is a name of its own, all of one kind.
+    fn assemble(&mut self, name: &Name) -> Option<(SymbolId, Vec<Index>)> {
+        let slots = self.slots(&name.subscript);
+        let [(at, letter)] = slots.as_slice() else { return None };
+        let index = &self.indices[letter.0];
+        if index.count.is_some() || index.upper == 0 {
+            return None;
+        }
+        let member = |value: u8| {
+            let mut member = name.clone();
+            member.subscript[*at] = value.to_string();
+            let (id, _) = self.find(&member)?;
+            self.entry(id).slots.is_empty().then_some(id)
+        };
+        let members: Vec<SymbolId> = (1..=index.upper).map(member).collect::<Option<_>>()?;
+        let kind = self.entry(members[0]).kind;
+        let alike = |id: &SymbolId| self.entry(*id).kind == kind && !self.entry(*id).squared;
+        if kind == Kind::Rotation || !members.iter().all(alike) {
+            return None;
+        }
+        let angle = members.iter().all(|id| self.entry(*id).angle);
+        let varies = members.iter().any(|id| self.entry(*id).varies);
+        let indices = vec![Index::Letter(*letter)];
+        let id = self.add_family(name.clone(), kind, slots)?;
+        let entry = self.entry_mut(id);
+        (entry.angle, entry.varies, entry.members) = (angle, varies, members);
+        Some((id, indices))
     }
 
     fn member(&self, entry: &Entry, name: &Name) -> Option<Vec<Index>> {

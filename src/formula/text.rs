@@ -30,10 +30,12 @@ struct Writer<'a> {
 }
 
 /// How tightly a node binds: sums 1, products 2, powers 3, all else 4.
-fn binding(node: &Node) -> u8 {
+fn binding(node: &Node, symbols: &Symbols) -> u8 {
     match node {
+        Node::Symbol { id, .. } if symbols.entry(*id).squared => 3,
         Node::Sum(_) => 1,
-        Node::Product(_) | Node::Quotient(..) | Node::Cross(..) | Node::Dot(..) | Node::SumOver { .. } => 2,
+        Node::Product(_) | Node::Quotient(..) | Node::Cross(..) | Node::Dot(..) => 2,
+        Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) => 2,
         Node::Power(..) | Node::Transpose(_) | Node::Inverse(_) => 3,
         _ => 4,
     }
@@ -42,11 +44,8 @@ fn binding(node: &Node) -> u8 {
 impl Writer<'_> {
     fn write(&self, expr: &Expr, outer: u8) -> String {
         let text = self.bare(expr);
-        if binding(&expr.node) <= outer && !(outer == 1 && binding(&expr.node) == 2) {
-            format!("({text})")
-        } else {
-            text
-        }
+        let binding = binding(&expr.node, self.symbols);
+        if binding <= outer && !(outer == 1 && binding == 2) { format!("({text})") } else { text }
     }
 
     fn bare(&self, expr: &Expr) -> String {
@@ -64,7 +63,7 @@ impl Writer<'_> {
                         name.subscript[*at] = self.index(*index);
                     }
                 }
-                with_dots(&name.to_string(), *dots)
+                with_dots(&name.to_string(), *dots) + if entry.squared { "^2" } else { "" }
             }
             Node::Sum(terms) => {
                 let mut text = String::new();
@@ -198,7 +197,7 @@ fn mark(command: &str) -> Option<&'static str> {
         "hat" => "\u{302}",
         "bar" => "\u{304}",
         "tilde" => "\u{303}",
-        "mathbf" | "mathrm" => "",
+        "mathbf" | "mathrm" | "mathbb" | "mathcal" => "",
         _ => return None,
     })
 }

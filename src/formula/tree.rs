@@ -97,6 +97,13 @@ pub enum Node {
     Component(Box<Expr>, Index),
 }
 
+impl Node {
+    /// `\sum_{index}` of something, over all values.
+    pub fn over(index: IndexId, body: Expr) -> Node {
+        Node::SumOver { index, implied: false, except: None, within: None, body: Box::new(body) }
+    }
+}
+
 /// A term of a sum with its sign.
 #[derive(Clone, Debug)]
 pub struct Term {

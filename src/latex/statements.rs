@@ -272,7 +272,7 @@ impl Piece<'_> {
                 continue;
             }
             let place = relation.map_or(span, |(_, span)| span);
-            let mut reader = Reader { symbols, branch };
+            let mut reader = Reader::new(symbols, branch);
             let expr = reader.sum(items, place)?;
             let (expr, found) = shape::bind(expr, symbols)?;
             members.push(expr);

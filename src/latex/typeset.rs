@@ -6,6 +6,8 @@
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Expr, Index, Node, Sign};
 
+use super::reader::unaccented;
+
 /// Typesets a formula.
 pub fn typeset(expr: &Expr, symbols: &Symbols) -> String {
     Typesetter { symbols }.bare(expr)
@@ -105,27 +107,51 @@ impl Typesetter<'_> {
                     let above = if matches!(a.node, Node::Transpose(_)) { "T" } else { "-1" };
                     match &inner.node {
                         Node::Symbol { id, dots, .. } => format!("{}^{{{above}}}", self.symbol(*id, &[*i, *j], *dots)),
-                        _ => self.bare(inner),
+                        _ => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.indices(&[*i, *j])),
                     }
                 }
-                _ => self.bare(a),
+                _ => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.indices(&[*i, *j])),
             },
             Node::Epsilon(indices) => format!("\\epsilon_{{{}}}", self.indices(indices)),
             Node::Delta(indices) => format!("\\delta_{{{}}}", self.indices(indices)),
             Node::SumOver { body, implied: true, .. } => self.bare(body),
-            Node::SumOver { index, except, body, .. } => {
-                let except = except.map_or_else(String::new, |except| format!(" \\neq {}", self.index(except)));
-                let body = match &body.node {
-                    Node::Sum(_) => format!("\\left({}\\right)", self.bare(body)),
-                    _ => self.bare(body),
-                };
-                format!("\\sum_{{{}{except}}} {body}", self.symbols.indices[index.0].letter)
+            Node::SumOver { index, except, within, body, .. } => {
+                let letter = &self.symbols.indices[index.0].letter;
+                let except = except.map_or_else(String::new, |except| match within {
+                    Some(_) => format!(", {letter} \\neq {}", self.index(except)),
+                    None => format!(" \\neq {}", self.index(except)),
+                });
+                let within = within.map_or_else(String::new, |region| format!(" \\in {}", self.region(region)));
+                format!("\\sum_{{{letter}{within}{except}}} {}", self.body(body))
             }
-            Node::Integral(region, a) => format!("\\int_{} {}", self.symbols.entry(*region).name, self.bare(a)),
+            Node::Integral(region, a) => {
+                let entry = self.symbols.entry(*region);
+                let letter = entry.argument.as_ref().map(|argument| unaccented(argument).to_string());
+                let power = entry.measure.filter(|measure| *measure != 1).map(|measure| format!("^{measure}"));
+                let (letter, power) = (letter.unwrap_or_default(), power.unwrap_or_default());
+                format!("\\int_{{{}}} {} \\, d{power} {letter}", entry.name, self.body(a))
+            }
             Node::Shrinking(region, a) => {
-                format!("\\lim_{{{} \\to 0}} {}", self.symbols.entry(*region).name, self.bare(a))
+                format!("\\lim_{{{} \\to 0}} {}", self.region(*region), self.body(a))
             }
-            Node::Component(a, index) => format!("({})_{}", self.bare(a), self.index(*index)),
+            Node::Component(a, index) => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.index(*index)),
+        }
+    }
+
+    /// What an operator acts on to the end of the term.
+    fn body(&self, body: &Expr) -> String {
+        match &body.node {
+            Node::Sum(_) => format!("\\left({}\\right)", self.bare(body)),
+            _ => self.bare(body),
+        }
+    }
+
+    /// A continuum, with its argument.
+    fn region(&self, id: crate::formula::SymbolId) -> String {
+        let entry = self.symbols.entry(id);
+        match &entry.argument {
+            Some(argument) => format!("{}({argument})", entry.name),
+            None => entry.name.to_string(),
         }
     }
 

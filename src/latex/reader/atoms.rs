@@ -1,7 +1,7 @@
 //! A single item as a formula: a number, a group, a fraction, a root, a matrix, and what is raised above it.
 
-use crate::formula::shape::{self, Shape};
-use crate::formula::tree::{Expr, Node};
+use crate::formula::shape::Shape;
+use crate::formula::tree::{Expr, Index, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
@@ -52,6 +52,21 @@ impl Reader<'_> {
                 Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span))
             }
             Layout::Environment(name, rows) => self.matrix(name, rows, span),
+            Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }
+                if matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _)) =>
+            {
+                let part = self.part(nucleus, sub, span)?;
+                match sup {
+                    Some(sup) => self.raised(part, sup, span),
+                    None => Ok(part),
+                }
+            }
+            Layout::Style(command, inner) | Layout::Accent(command, inner)
+                if matches!(command.as_str(), "\\vec" | "\\mathbf") && whole_number(inner) == Some(0) =>
+            {
+                let zero = || vec![Expr::new(Node::Number("0".to_owned()), span)];
+                Ok(Expr::new(Node::Matrix(vec![zero(), zero(), zero()]), span))
+            }
             Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
                 let base = self.item(nucleus)?;
                 if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
@@ -96,6 +111,43 @@ impl Reader<'_> {
         }
     }
 
+    /// `(\vec\omega \times \vec r)_a`, `(R^T)_{ab}`: a component along the fixed axes, an entry.
+    fn part(&mut self, fence: &Item, sub: &Item, span: Span) -> Read<Expr> {
+        let refused = || Fault::new(sub.span, "a subscript on something that is not a symbol");
+        let index = |item: &Item| match &item.layout {
+            Layout::Number(digits) => digits.parse().ok().filter(|n| (1..=3).contains(n)).map(Index::Fixed),
+            _ => {
+                let letter = self.symbols.index(&names::printed(item, None)?.name.to_string())?;
+                (!self.symbols.indices[letter.0].labels).then_some(Index::Letter(letter))
+            }
+        };
+        // `_{12}` is one number in the layout, and two indices here.
+        let digits = |item: &Item| match &item.layout {
+            Layout::Number(digits) => {
+                let one = |c: char| Item { layout: Layout::Number(c.to_string()), span: item.span };
+                digits.chars().map(one).collect()
+            }
+            _ => vec![item.clone()],
+        };
+        let inside = contents(sub).iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        let indices: Option<Vec<Index>> = inside.flat_map(digits).map(|item| index(&item)).collect();
+        let indices = indices.ok_or_else(refused)?;
+        let inner = self.item(fence)?;
+        match (self.shape_of(&inner)?, indices.as_slice()) {
+            (Shape::Vector, [a]) => {
+                if inner.symbols().iter().any(|(id, _)| {
+                    matches!(self.symbols.components_of(*id), Some(crate::formula::symbols::Components::Along(_)))
+                }) {
+                    return Err(two_ways(span, "a component, along the axes that turn or those that stand still")
+                        .help("write its product with a unit vector, \\cdot \\hat e_a"));
+                }
+                Ok(Expr::new(Node::Component(Box::new(inner), *a), span))
+            }
+            (Shape::Matrix(3, 3), [a, b]) => Ok(Expr::new(Node::Entry(Box::new(inner), *a, *b), span)),
+            _ => Err(refused()),
+        }
+    }
+
     fn matrix(&mut self, name: &str, rows: &[Vec<Vec<Item>>], span: Span) -> Read<Expr> {
         match name {
             "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" => {
@@ -113,7 +165,7 @@ impl Reader<'_> {
 
     /// A base with something above the line: a power, a transpose, an inverse.
     pub(super) fn raised(&mut self, base: Expr, sup: &Item, span: Span) -> Read<Expr> {
-        let shape = shape::shape_of(&base, self.symbols)?;
+        let shape = self.shape_of(&base)?;
         let boxed = Box::new(base);
         if let Shape::Matrix(..) = shape {
             if is_transpose(sup) {

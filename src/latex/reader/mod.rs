@@ -21,11 +21,13 @@ mod arguments;
 mod atoms;
 mod items;
 mod operators;
+mod regions;
+mod sums;
 mod symbols;
 
 use crate::formula::shape::{self, Shape};
 use crate::formula::symbols::Symbols;
-use crate::formula::tree::{Expr, Node, Sign, Term};
+use crate::formula::tree::{Expr, IndexId, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
 use super::layout::{Delimiter, Item, Layout, layout};
@@ -35,7 +37,9 @@ use super::names;
 use arguments::function_head;
 pub(super) use items::extent;
 use items::{is_number, is_numeric_item, joint};
-use operators::is_big_sum;
+pub(super) use regions::unaccented;
+use regions::{is_integral, is_limit};
+use sums::is_big_sum;
 
 /// Reads one formula, without relations, and checks its type.
 pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Result<Expr, Fault> {
@@ -43,7 +47,7 @@ pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Resul
     while items.last().is_some_and(|item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ',' | ';'))) {
         items.pop();
     }
-    let mut reader = Reader { symbols, branch: None };
+    let mut reader = Reader::new(symbols, None);
     let expr = reader.sum(&items, Span::at(text.len()))?;
     shape::bind(expr, symbols).map(|(expr, _)| expr)
 }
@@ -63,6 +67,8 @@ pub(super) struct Reader<'a> {
     pub symbols: &'a mut Symbols,
     /// The sign that `\pm` stands for.
     pub branch: Option<Sign>,
+    /// The indices of the sums that are being read, outermost first.
+    summed: Vec<IndexId>,
 }
 
 /// How factors are joined to those before them.
@@ -76,7 +82,26 @@ enum Joint {
 
 type Read<T> = Result<T, Fault>;
 
+impl<'a> Reader<'a> {
+    /// A reader of formulas; `branch` is the sign that `\pm` stands for.
+    pub fn new(symbols: &'a mut Symbols, branch: Option<Sign>) -> Self {
+        Reader { symbols, branch, summed: Vec::new() }
+    }
+}
+
 impl Reader<'_> {
+    /// The shape of something inside of the sums that are being read.
+    fn shape_of(&self, expr: &Expr) -> Read<Shape> {
+        let within = |body: Expr, index: &IndexId| {
+            let span = body.span;
+            Expr::new(Node::over(*index, body), span)
+        };
+        match self.summed.as_slice() {
+            [] => shape::shape_of(expr, self.symbols),
+            summed => shape::shape_of(&summed.iter().fold(expr.clone(), within), self.symbols),
+        }
+    }
+
     /// Terms with their signs; all of `items`. `end` is where a fault of absence is put.
     pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
         let whole = extent(items).unwrap_or(end);
@@ -248,7 +273,7 @@ impl Reader<'_> {
         let mut parts: Vec<(Joint, Expr, bool)> = Vec::new();
         for (joint, run) in runs {
             let expr = beside(run);
-            let is_vector = shape::shape_of(&expr, self.symbols)? == Shape::Vector;
+            let is_vector = self.shape_of(&expr)? == Shape::Vector;
             parts.push((joint, expr, is_vector));
         }
         if parts.iter().filter(|(_, _, is_vector)| *is_vector).count() < 2 {
@@ -293,6 +318,15 @@ impl Reader<'_> {
             let rest = &items[*cursor + 1..];
             *cursor = items.len();
             return Ok((self.big_sum(item, rest)?, true));
+        }
+        if is_integral(item) {
+            *cursor += 1;
+            return Ok((self.integral(item, items, cursor)?, true));
+        }
+        if is_limit(item) {
+            let rest = &items[*cursor + 1..];
+            *cursor = items.len();
+            return Ok((self.shrinking(item, rest)?, true));
         }
         if let Some(order) = self.derivative_slash(items, *cursor) {
             let span = item.span.to(items[*cursor + 4].span);
@@ -344,7 +378,7 @@ fn unknown_command(name: &str, span: Span) -> Fault {
         "\\log" => two_ways(span, "\\log").help("write \\ln, or \\ln x / \\ln 10"),
         "\\pm" | "\\mp" => Fault::new(span, "± stands where no sign can"),
         "\\partial" | "\\nabla" => Fault::new(span, format!("{name} is not read yet")),
-        "\\int" | "\\prod" | "\\lim" => Fault::new(span, format!("{name} is not read yet")),
+        "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::new(span, format!("{name} is not read yet")),
         _ => Fault::new(span, format!("the command {name} is not known"))
             .help("if it is a macro of yours, define it under \"macros\" in the claims file"),
     }

@@ -1,13 +1,13 @@
-//! Operators that act on what follows: time derivatives and sums.
+//! Time derivatives, which act on what follows.
 
 use crate::formula::symbols::Name;
-use crate::formula::tree::{Expr, Node};
+use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{contents, extent, joint, whole_number};
+use super::items::{contents, joint, whole_number};
 use super::{Joint, Read, Reader, two_ways};
 
 impl Reader<'_> {
@@ -73,58 +73,10 @@ impl Reader<'_> {
             && self.symbols.find(&Name::plain("d")).is_none();
         fits.then_some(1)
     }
-
-    /// `\sum_{a=1}^{3} …` or `\sum_a …` over declared indices.
-    pub(super) fn big_sum(&mut self, sigma: &Item, rest: &[Item]) -> Read<Expr> {
-        let span = extent(rest).map_or(sigma.span, |rest| sigma.span.to(rest));
-        let want = || Fault::new(sigma.span, "a sum wants a declared index below, \\sum_{a=1}^{3}");
-        let Layout::Scripts { sub: Some(sub), sup, .. } = &sigma.layout else {
-            return Err(want());
-        };
-        let below = contents(sub);
-        let (letters, lower) = match below.iter().position(|item| item.layout == Layout::Other('=')) {
-            Some(at) => (&below[..at], below.get(at + 1)),
-            None => (below, None),
-        };
-        let mut indices = Vec::new();
-        for item in letters.iter().filter(|item| !matches!(item.layout, Layout::Other(',') | Layout::Space(_))) {
-            let name = names::printed(item, None).ok_or_else(want)?.name;
-            indices.push(self.symbols.index(&name.to_string()).ok_or_else(want)?);
-        }
-        if indices.is_empty() || lower.is_some_and(|item| whole_number(item) != Some(1)) {
-            return Err(want());
-        }
-        if let Some(upper) = sup {
-            for index in &indices {
-                let declared = self.symbols.indices[index.0].upper;
-                if whole_number(upper) != Some(declared.into()) {
-                    return Err(Fault::new(upper.span, format!("this index is declared to run to {declared}")));
-                }
-            }
-        }
-        if rest.is_empty() {
-            return Err(Fault::new(sigma.span, "nothing follows this sum"));
-        }
-        let mut body = self.term(rest)?;
-        for index in indices.into_iter().rev() {
-            let node = Node::SumOver { index, implied: false, except: None, within: None, body: Box::new(body) };
-            body = Expr::new(node, span);
-        }
-        Ok(body)
-    }
-}
-
-/// `\sum`, with or without limits.
-pub(super) fn is_big_sum(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Command(name) => name == "\\sum",
-        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == "\\sum"),
-        _ => false,
-    }
 }
 
 /// The order of a differential d, `d^2`, `\mathrm{d}`.
-fn differential(item: &Item) -> Option<u32> {
+pub(super) fn differential(item: &Item) -> Option<u32> {
     let is_d = |item: &Item| {
         item.layout == Layout::Letter('d')
             || matches!(&item.layout, Layout::Style(style, inner) if style == "\\mathrm"

@@ -140,7 +140,9 @@ impl Reader<'_> {
                 names::printed(item, self.branch).is_some_and(|p| p.sup.is_none())
                     || matches!(item.layout, Layout::Other(','))
             }) && (inside.len() == 1 || inside.iter().any(|item| matches!(item.layout, Layout::Other(','))));
-            if self.is_time_in_parentheses(&items[*cursor]) && self.symbols.entry(*id).varies {
+            let argument = self.symbols.entry(*id).argument.as_ref();
+            let is_time = self.is_time_in_parentheses(&items[*cursor]) && self.symbols.entry(*id).varies;
+            if is_time || argument.is_some_and(|argument| is_lone(&items[*cursor], argument)) {
                 *cursor += 1;
             } else if lone {
                 let name = self.symbols.entry(*id).name.to_string();
@@ -205,4 +207,12 @@ impl Reader<'_> {
         *cursor += 2;
         self.symbol(first.span.to(second.span), printed, items, cursor).map(Some)
     }
+}
+
+/// Whether a parenthesis holds this name and nothing else.
+pub(super) fn is_lone(item: &Item, name: &Name) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let mut inside = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let (Some(only), None) = (inside.next(), inside.next()) else { return false };
+    names::printed(only, None).is_some_and(|p| p.dots == 0 && p.sup.is_none() && p.name == *name)
 }

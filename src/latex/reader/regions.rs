@@ -1,0 +1,140 @@
+//! Integrals over a declared continuum, `\int_V \rho(\vec r)\,\vec r\,d^3r`, and limits as a part of one shrinks,
+//! `\lim_{V(\vec r) \to 0}`.
+//!
+//! The differential ends an integral. It is that of the place in the continuum, without its arrow, and its power is the
+//! dimension of the continuum: `d^3r`, `d^2r`, `dr`.
+
+use crate::formula::SymbolId;
+use crate::formula::symbols::Name;
+use crate::formula::tree::{Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Item, Layout};
+use super::super::names;
+use super::items::{contents, extent, whole_number};
+use super::operators::differential;
+use super::symbols::is_lone;
+use super::{Read, Reader, two_ways};
+
+impl Reader<'_> {
+    /// A continuum by its name, with its argument in parentheses or without: `V(\vec r)`, `V`.
+    pub(super) fn region(&mut self, items: &[Item], place: Span) -> Read<SymbolId> {
+        let place = extent(items).unwrap_or(place);
+        let refused = || {
+            Fault::new(place, "this is no declared continuum")
+                .help("declare it under \"continua\" in the claims file, with what fills it")
+        };
+        let mut items = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        let printed = items.next().and_then(|item| names::printed(item, self.branch)).ok_or_else(refused)?;
+        if printed.dots > 0 || printed.sup.is_some() {
+            return Err(refused());
+        }
+        let (id, _) = self.symbols.find(&printed.name).ok_or_else(refused)?;
+        let entry = self.symbols.entry(id);
+        if entry.measure.is_none() && entry.argument.is_none() {
+            return Err(refused());
+        }
+        match (items.next(), items.next(), &entry.argument) {
+            (None, ..) => Ok(id),
+            (Some(fence), None, Some(argument)) if is_lone(fence, argument) => Ok(id),
+            _ => Err(refused()),
+        }
+    }
+
+    /// An integral up to its differential; the cursor stands behind the sign of it.
+    pub(super) fn integral(&mut self, sign: &Item, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        let Layout::Scripts { sub: Some(below), sup: None, .. } = &sign.layout else {
+            return Err(Fault::new(sign.span, "only integrals over a declared continuum are read")
+                .help("write \\int_V … d^3r, with V under \"continua\" in the claims file"));
+        };
+        let region = self.region(contents(below), below.span)?;
+        let entry = self.symbols.entry(region);
+        let (Some(measure), Some(argument)) = (entry.measure, entry.argument.clone()) else {
+            return Err(Fault::new(below.span, format!("nothing says what {} is a part of", entry.name))
+                .help("declare it under \"continua\" in the claims file, with what fills it"));
+        };
+        let name = entry.name.clone();
+        let wanted = match measure {
+            1 => format!("d{}", unaccented(&argument)),
+            n => format!("d^{n}{}", unaccented(&argument)),
+        };
+        let rest = &items[*cursor..];
+        let Some(at) = rest.iter().position(|item| differential(item).is_some()) else {
+            return Err(Fault::new(sign.span, "this integral has no differential")
+                .help(format!("end it with {wanted}; a sum under it belongs in parentheses")));
+        };
+        let variable = rest.get(at + 1);
+        let place = variable.map_or(rest[at].span, |variable| rest[at].span.to(variable.span));
+        if self.symbols.find(&Name::plain("d")).is_some() && !matches!(rest[at].layout, Layout::Style(..)) {
+            return Err(
+                two_ways(place, "d, which is declared as a symbol").help("write \\mathrm{d} for the differential")
+            );
+        }
+        let printed = variable.and_then(|item| names::printed(item, None));
+        let is_variable = printed.is_some_and(|printed| {
+            let same = printed.name == argument || printed.name == unaccented(&argument);
+            same && printed.dots == 0 && printed.sup.is_none()
+        });
+        if !is_variable || differential(&rest[at]) != Some(measure.into()) {
+            return Err(Fault::new(place, format!("the differential of an integral over {name} is {wanted}")));
+        }
+        let body = &rest[..at];
+        if body.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
+            return Err(Fault::new(sign.span.to(place), "nothing stands between this integral and its differential")
+                .help(format!("write what is integrated before {wanted}")));
+        }
+        *cursor += at + 2;
+        let body = self.term(body)?;
+        Ok(Expr::new(Node::Integral(region, Box::new(body)), sign.span.to(place)))
+    }
+
+    /// A limit as a continuum shrinks around a point, of the rest of the term.
+    pub(super) fn shrinking(&mut self, limit: &Item, rest: &[Item]) -> Read<Expr> {
+        let refused = || {
+            Fault::new(limit.span, "only the limit of a shrinking part of a continuum is read")
+                .help("write \\lim_{V(\\vec r) \\to 0}, with V under \"continua\" in the claims file")
+        };
+        let Layout::Scripts { sub: Some(below), sup: None, .. } = &limit.layout else { return Err(refused()) };
+        let below = contents(below);
+        let is_arrow = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\rightarrow");
+        let arrow = below.iter().position(is_arrow).ok_or_else(refused)?;
+        let zero = matches!(&below[arrow + 1..], [zero] if whole_number(zero) == Some(0));
+        if !zero {
+            return Err(refused());
+        }
+        let region = self.region(&below[..arrow], limit.span)?;
+        if rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
+            return Err(Fault::new(limit.span, "nothing follows this limit"));
+        }
+        let span = extent(rest).map_or(limit.span, |rest| limit.span.to(rest));
+        let body = self.term(rest)?;
+        Ok(Expr::new(Node::Shrinking(region, Box::new(body)), span))
+    }
+}
+
+/// A name without its accents: `r_1` for `\vec{r}_1`.
+pub(in super::super) fn unaccented(name: &Name) -> Name {
+    let mut base = name.base.as_str();
+    while let Some((_, inner)) = base.strip_suffix('}').and_then(|base| base.split_once('{')) {
+        base = inner;
+    }
+    Name { base: base.to_owned(), ..name.clone() }
+}
+
+/// `\int`, with or without limits.
+pub(super) fn is_integral(item: &Item) -> bool {
+    is_big(item, "\\int")
+}
+
+/// `\lim`, with or without what tends to what.
+pub(super) fn is_limit(item: &Item) -> bool {
+    is_big(item, "\\lim")
+}
+
+fn is_big(item: &Item, command: &str) -> bool {
+    match &item.layout {
+        Layout::Command(name) => name == command,
+        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == command),
+        _ => false,
+    }
+}

@@ -1,0 +1,92 @@
+//! What many particles and continua are written with, and what it is read as, in plain words. Beside each formula that
+//! must be read stand near misses that must be refused, and where.
+
+#[path = "reading/particles.rs"]
+mod particles;
+
+use onshell::formula::{Kind, SymbolId, Symbols, text};
+use onshell::latex::{Macros, names, read_formula, typeset};
+
+/// Particles i, j of n; axes a, b, c, d; a body with its mass per volume, per area and per length.
+fn particles() -> Symbols {
+    let mut symbols = Symbols::new();
+    let n = add(&mut symbols, "n", Kind::Scalar);
+    for letter in ["i", "j"] {
+        symbols.add_label(letter, 4, Some(n));
+    }
+    for letter in ["a", "b", "c", "d"] {
+        symbols.add_index(letter, 3);
+    }
+    for name in
+        ["m_i", "M", "R", r"\rho", r"\sigma", r"\lambda", "V", "A", "L", r"\lambda_1", r"\lambda_2", r"\lambda_3"]
+    {
+        add(&mut symbols, name, Kind::Scalar);
+    }
+    for name in [
+        r"\vec r",
+        r"\vec r_i",
+        r"\vec v_i",
+        r"\vec p_i",
+        r"\vec{\bar r}_i",
+        r"\vec F_{(ext)i}",
+        r"\vec F_{ij}",
+        r"\vec r_{ij}",
+        r"\vec r_{cm}",
+        r"\vec\omega",
+        r"\vec v",
+        r"\vec r_\perp",
+        r"\hat e_a",
+        r"\hat x",
+    ] {
+        let id = add(&mut symbols, name, Kind::Vector);
+        symbols.entry_mut(id).varies = true;
+    }
+    let place = names::parse(r"\vec r").map(|(name, _)| name);
+    for (density, region, dimension) in [(r"\rho", "V", 3), (r"\sigma", "A", 2), (r"\lambda", "L", 1)] {
+        let (density, region) = (find(&symbols, density), find(&symbols, region));
+        symbols.entry_mut(density).argument = place.clone();
+        symbols.entry_mut(region).argument = place.clone();
+        symbols.entry_mut(region).measure = Some(dimension);
+    }
+    symbols
+}
+
+fn add(symbols: &mut Symbols, latex: &str, kind: Kind) -> SymbolId {
+    let (name, _) = names::parse(latex).unwrap();
+    symbols.add(name, kind).unwrap()
+}
+
+fn find(symbols: &Symbols, latex: &str) -> SymbolId {
+    let (name, _) = names::parse(latex).unwrap();
+    symbols.find(&name).unwrap().0
+}
+
+/// The formula in plain words, with combining accents left out; it is typeset so that it reads back as itself.
+fn read_with(latex: &str, symbols: &mut Symbols) -> String {
+    let expr = read_formula(latex, symbols, &Macros::default());
+    let expr = expr.unwrap_or_else(|fault| panic!("{latex} is refused: {} {:?}", fault.message, fault.span));
+    let printed = typeset(&expr, symbols);
+    let again = read_formula(&printed, symbols, &Macros::default());
+    let again = again.unwrap_or_else(|fault| panic!("{latex}, printed {printed}, is refused: {}", fault.message));
+    assert_eq!(again, expr, "{latex}, printed {printed}");
+    text::formula(&expr, symbols)
+}
+
+fn read(latex: &str) -> String {
+    read_with(latex, &mut particles())
+}
+
+/// The text that a refusal points at.
+fn refused_with(latex: &str, symbols: &mut Symbols) -> String {
+    match read_formula(latex, symbols, &Macros::default()) {
+        Ok(expr) => panic!("{latex} is read as {}", text::formula(&expr, symbols)),
+        Err(fault) => {
+            assert!(!fault.message.is_empty());
+            latex[fault.span.range()].to_owned()
+        }
+    }
+}
+
+fn refused(latex: &str) -> String {
+    refused_with(latex, &mut particles())
+}
