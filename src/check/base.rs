@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::SymbolId;
-use crate::mechanics::rotations::{Turning, euler_angles};
 use crate::mechanics;
+use crate::mechanics::rotations::{Turning, euler_angles};
 use crate::notes::claims::Range;
 use crate::scalar::{Number, Series, TERMS};
 

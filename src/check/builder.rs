@@ -93,7 +93,8 @@ impl Builder<'_> {
                     let high = small(high).ok_or_else(wrong)?;
                     self.model.symbols.add_label(&letter, high, None);
                 }
-                Range::Integer { low: 1, high: Count::Symbol(count) } | Range::Labels { high: Count::Symbol(count) } => {
+                Range::Integer { low: 1, high: Count::Symbol(count) }
+                | Range::Labels { high: Count::Symbol(count) } => {
                     let count = self.count(&Spanned::new(count.clone(), index.range.span))?;
                     self.model.symbols.add_label(&letter, MOST_THINGS, Some(count));
                 }
@@ -218,7 +219,9 @@ impl Builder<'_> {
         }
         let later = self.claims.declarations.iter().find(|d| plain(&d.name.value) == plain(&latex.value));
         match later {
-            Some(declaration) if !matches!(declaration.range.value, Range::Rigid { .. }) => self.variable(declaration)?,
+            Some(declaration) if !matches!(declaration.range.value, Range::Rigid { .. }) => {
+                self.variable(declaration)?
+            }
             _ => return Err(self.error(&latex, format!("{name} is not declared"))),
         }
         match self.model.symbols.find(&name) {
@@ -245,8 +248,9 @@ impl Builder<'_> {
                 self.model.frame = Some(Frame::Free);
                 Ok(())
             }
-            _ => Err(Error::at(&self.claims.source, place.span, format!("nothing can turn with {latex}"))
-                .help("declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one thing can turn")),
+            _ => Err(Error::at(&self.claims.source, place.span, format!("nothing can turn with {latex}")).help(
+                "declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one thing can turn",
+            )),
         }
     }
 
@@ -465,7 +469,8 @@ impl Builder<'_> {
         if let Some(vector) = meaning.value.strip_prefix("angle turned with ") {
             self.turning_with(vector, meaning)?;
             if self.model.frame != Some(Frame::FixedDirection) {
-                return Err(self.error(meaning, format!("the direction of {vector} is not fixed"))
+                return Err(self
+                    .error(meaning, format!("the direction of {vector} is not fixed"))
                     .help("declare it under \"varies with time\" as \"fixed direction\""));
             }
             let id = self.add(latex, Kind::Scalar, Meaning::Frame(FrameQuantity::Angle))?;
@@ -487,8 +492,14 @@ impl Builder<'_> {
                 entry.kind == kind && entry.slots.len() == 1 && self.model.symbols.indices[entry.slots[0].1.0].labels
             };
             found.filter(labelled).ok_or_else(|| {
-                self.error(meaning, format!("{name} is not declared as a family of {}", if kind == Kind::Vector { "vectors" } else { "numbers" }))
-                    .help("a family carries a label: \"indices\": { \"i\": \"1..n\" }")
+                self.error(
+                    meaning,
+                    format!(
+                        "{name} is not declared as a family of {}",
+                        if kind == Kind::Vector { "vectors" } else { "numbers" }
+                    ),
+                )
+                .help("a family carries a label: \"indices\": { \"i\": \"1..n\" }")
             })
         };
         let (mass, position) = (family(mass, Kind::Scalar)?, family(position, Kind::Vector)?);

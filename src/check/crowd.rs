@@ -101,7 +101,8 @@ impl<B: Number> Hidden<B> {
     /// The density at a point: a polynomial of degree 2 in its place, as shares of the edges.
     fn density(&self, x: &Vector3<B>, dimension: u8) -> B {
         let local = self.turned.transpose() * (x - self.middle);
-        let u: [B; 3] = std::array::from_fn(|i| if i < dimension.into() { local[i] / self.edges[i] } else { B::zero() });
+        let u: [B; 3] =
+            std::array::from_fn(|i| if i < dimension.into() { local[i] / self.edges[i] } else { B::zero() });
         let c = &self.density;
         let linear = c[1] * u[0] + c[2] * u[1] + c[3] * u[2];
         let squares = c[4] * u[0] * u[0] + c[5] * u[1] * u[1] + c[6] * u[2] * u[2];
@@ -142,7 +143,7 @@ impl<B: Number> Scene<'_, B> {
             let nodes = hidden.body(continuum.dimension, 1.0).nodes(DEGREE);
             return Ok(hidden.set(nodes, continuum.dimension, &hidden.middle));
         }
-        let mut all = Nodes::default();
+        let mut all = Nodes { points: Vec::new() };
         for solid in &continuum.solids {
             let mut sizes = Vec::new();
             for size in &solid.sizes {
@@ -183,9 +184,7 @@ impl<B: Number> Scene<'_, B> {
     /// The point of a continuum at which a formula outside of any integral is taken.
     fn own_point(&self, at: usize) -> Vector3<B> {
         let (continuum, hidden) = (&self.model.continua[at], &self.base.continua[at]);
-        let shares = std::array::from_fn(|i| {
-            if i < continuum.dimension.into() { hidden.point[i] } else { B::zero() }
-        });
+        let shares = std::array::from_fn(|i| if i < continuum.dimension.into() { hidden.point[i] } else { B::zero() });
         hidden.place(shares)
     }
 
@@ -315,7 +314,7 @@ impl<B: Number> Scene<'_, B> {
             });
         }
         // Eigenvectors are found for plain numbers: how they vary is not known.
-        let found = principal_axes(&tensor.map(|entry| entry.re())).map_err(|_| none())?;
+        let found = principal_axes(&tensor.map(|entry| entry.value().re())).map_err(|_| none())?;
         let known = |x: f64| Series::from_derivatives(&[B::from(x)]);
         Ok(match quantity {
             ParticleQuantity::PrincipalMoments => Value::Scalar(known(found.moments[place(0)?])),

@@ -10,12 +10,14 @@ use crate::source::Fault;
 use crate::{Error, Result, suggest};
 
 use super::ensemble::Condition;
-use super::identity::Options;
+use super::identity::{Context, Options};
 use super::judge::Link;
 use super::limit::Towards;
 use super::model::{Law, Model, formula_error};
 use super::rules::{Action, Rule};
+use super::small;
 use super::units::Units;
+use super::verdict::Finding;
 
 /// Everything that checking one equation or sentence needs.
 pub(super) struct Desk<'a> {
@@ -52,6 +54,22 @@ impl Desk<'_> {
             self.condition(latex, true, &mut conditions)?;
         }
         Ok(conditions)
+    }
+
+    /// The finding on a claim that holds while something is small.
+    pub fn small(&self, link: &Link, claim: &Claim, context: &Context<'_>) -> Result<Finding> {
+        let small: Vec<Expr> = claim.small.iter().map(|latex| self.formula(latex)).collect::<Result<_>>()?;
+        small::check(link, &small, claim.order.as_ref().map_or(1, |order| order.value), context)
+    }
+
+    /// The alternatives of a claim that holds exactly when one of them does.
+    pub fn alternatives(&self, claim: &Claim) -> Result<Vec<Vec<Condition>>> {
+        let all = |latex: &Vec<Spanned<String>>| {
+            let mut conditions = Vec::new();
+            latex.iter().try_for_each(|latex| self.condition(latex, false, &mut conditions))?;
+            Ok(conditions)
+        };
+        claim.exactly_when.iter().map(all).collect()
     }
 
     /// What the claim says that symbols mean in its equation only.
@@ -91,7 +109,10 @@ impl Desk<'_> {
         for (name, what) in &self.claims.laws {
             let printed = self.printed(what)?;
             let statements = match &printed {
-                Some(places) => places.iter().map(|(display, at)| self.read_statement(*display, *at, what)).collect::<Result<_>>()?,
+                Some(places) => places
+                    .iter()
+                    .map(|(display, at)| self.read_statement(*display, *at, what))
+                    .collect::<Result<_>>()?,
                 None => self.statements(what)?,
             };
             let mut conditions = Vec::new();
@@ -172,8 +193,8 @@ impl Desk<'_> {
         let mut symbols = self.model.symbols.clone();
         let known = symbols.len();
         let reading = read_display(&latex.value, &mut symbols, &self.model.macros);
-        if let Some((id, _)) = reading.introduced.iter().find(|(id, _)| id.0 >= known) {
-            let message = format!("{} is not declared", symbols.entry(*id).name);
+        if let Some(new) = reading.introduced.iter().find(|introduced| introduced.symbol.0 >= known) {
+            let message = format!("{} is not declared", symbols.entry(new.symbol).name);
             return Err(Error::at(&self.claims.source, latex.span, message));
         }
         reading.statements.into_iter().map(|s| s.map_err(|fault| formula_error(self.claims, latex, fault))).collect()

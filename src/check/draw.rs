@@ -8,8 +8,8 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use crate::notes::claims::{Count, Range};
 
-use super::model::is_angle;
 use super::base::Slot;
+use super::model::is_angle;
 
 /// How far |sin| and |cos| of a drawn angle stay from zero.
 const MARGIN: f64 = 0.1;
@@ -92,8 +92,6 @@ impl Draw {
             }
             // Vectors and indices are drawn elsewhere.
             Range::Rigid { .. } | Range::FixedDirection | Range::Labels { .. } => self.value(&Range::Any, reach),
-            // Directions of frames and vectors are drawn as their numbers; a label has no value of its own.
-            Range::Labels { .. } | Range::Rigid { .. } | Range::FixedDirection => f64::NAN,
             Range::Integer { low, high } => {
                 let high = last(high, *low);
                 (*low as f64 + (self.unit() * (high - low + 1) as f64).floor()).min(high as f64)
@@ -120,7 +118,8 @@ impl Draw {
             let tries = if slot.one_of_many { 0 } else { 16 };
             for _ in 0..tries {
                 let near = |other: &f64| (value - other).abs() < 0.05 * value.abs().max(other.abs());
-                let alike = slots.iter().zip(&base).filter(|(other, _)| other.order == slot.order && !other.one_of_many);
+                let alike =
+                    slots.iter().zip(&base).filter(|(other, _)| other.order == slot.order && !other.one_of_many);
                 if !alike.map(|(_, other)| other).any(near) {
                     break;
                 }

@@ -10,15 +10,15 @@ use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
 
 use crate::formula::evaluate::{Unavailable, evaluate};
-use crate::formula::{Expr, IndexId, Relation, Value};
+use crate::formula::{Expr, IndexId, Node, Relation, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
 use crate::{Error, Result};
 
+use super::base::{Slot, slots};
 use super::draw::{Draw, Reach, contains};
 use super::judge::{self, Link};
 use super::model::Model;
-use super::base::{Slot, slots};
 use super::rules::{Rule, rules};
 use super::scene::{Mode, Scene};
 
@@ -178,6 +178,51 @@ struct Solver<'m> {
     plan: Vec<(Row, usize)>,
 }
 
+/// States that differ from others in the values of some quantities and in nothing else that is free.
+pub struct Family<'m> {
+    solver: Solver<'m>,
+    /// How many of the last conditions are the quantities' values.
+    quantities: usize,
+}
+
+impl<'m> Family<'m> {
+    /// Of these quantities, under a setting.
+    pub fn new(model: &'m Model, setting: &Setting<'_>, quantities: &[Expr]) -> Self {
+        let value = |quantity: &Expr| Condition {
+            lhs: quantity.clone(),
+            relation: Relation::Equal,
+            rhs: Expr::integer(0, quantity.span),
+            free: Vec::new(),
+            throughout: false,
+        };
+        let conditions: Vec<Condition> =
+            setting.conditions.iter().cloned().chain(quantities.iter().map(value)).collect();
+        let solver = Solver::new(model, &Setting { conditions: &conditions, ..setting.clone() });
+        Family { solver, quantities: quantities.len() }
+    }
+
+    /// The state near a base at which the quantities have these values, if there is one.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular there.
+    pub fn at(&mut self, base: &[f64], values: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
+        let laws: usize = match self.solver.mode.on_shell {
+            true => self.solver.model.laws.iter().map(|law| law.conditions.len()).sum(),
+            false => 0,
+        };
+        let end = self.solver.conditions.len() - laws;
+        let conditions = &mut self.solver.conditions[end - self.quantities..end];
+        for (condition, value) in conditions.iter_mut().zip(values) {
+            let number = Expr::new(Node::Number(format!("{:e}", value.abs())), condition.lhs.span);
+            condition.rhs = if *value < 0.0 { number.negated() } else { number };
+        }
+        match self.solver.solve(base.to_vec())? {
+            Some(base) => self.solver.accept(&base),
+            None => Ok(None),
+        }
+    }
+}
+
 /// The `derivative`-th time derivative of the `condition`-th hypothesis, one entry of it.
 type Row = (usize, usize, usize);
 
@@ -334,8 +379,7 @@ impl<'m> Solver<'m> {
                 break;
             }
         }
-        let in_range =
-            |slot: usize| self.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
+        let in_range = |slot: usize| self.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
         Ok(plan.iter().all(|(_, slot)| in_range(*slot)))
     }
 

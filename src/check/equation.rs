@@ -13,10 +13,10 @@ use super::draw::Reach;
 use super::ensemble::Condition;
 use super::identity::{self, Context, is_equality};
 use super::model::Law;
-use super::rules::Rule;
 use super::reading::for_each;
+use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, generates, limit, solves};
+use super::{continuum, definitions, exactly, generates, limit, solves};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -165,13 +165,7 @@ impl Desk<'_> {
     }
 
     /// The verdict on a statement that the claims file calls a law: it is not checked, unless it can be.
-    fn law(
-        &self,
-        display: usize,
-        at: usize,
-        statement: &Statement,
-        context: &Context<'_>,
-    ) -> Result<Option<Finding>> {
+    fn law(&self, display: usize, at: usize, statement: &Statement, context: &Context<'_>) -> Result<Option<Finding>> {
         let is_here = |law: &&Law| law.printed.contains(&(display, at));
         let Some(law) = self.model.laws.iter().find(is_here) else { return Ok(None) };
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
@@ -234,6 +228,7 @@ impl Desk<'_> {
             let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
             let context = Context { span: from.to(to).shifted(context.span.start - statement.span.start), ..*context };
             let finding = match (relation, &claim.limit) {
+                (Relation::Approximately, _) if !claim.small.is_empty() => self.small(&link, claim, &context)?,
                 (Relation::Approximately, Some(limit)) => {
                     let (variable, towards) = self.limit(limit)?;
                     limit::check(&link, variable, towards, &context)?
@@ -242,10 +237,17 @@ impl Desk<'_> {
                     let span = place.shifted(context.span.start - from.start);
                     Finding {
                         span,
-                        ..context.finding(Verdict::Unreadable, "approximately, but when? Name the \"limit\"")
+                        ..context.finding(
+                            Verdict::Unreadable,
+                            "approximately, but when? Name the \"limit\", or what is \"small\"",
+                        )
                     }
                 }
                 (Relation::Proportional, _) => context.finding(Verdict::Unreadable, "∝ is not checked yet"),
+                (relation, _) if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
+                    exactly::check(&link, &self.alternatives(claim)?, &context)?
+                }
+                _ if claim.continuum_limit_of.is_some() => continuum::check(&link, &context)?,
                 _ => identity::check(&link, &context)?,
             };
             findings.push(finding);
@@ -286,7 +288,8 @@ impl Desk<'_> {
             for (place, other) in reading.statements.iter().enumerate() {
                 let Ok(other) = other else { continue };
                 for (k, (relation, _)) in other.relations.iter().enumerate() {
-                    let defines = |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
+                    let defines =
+                        |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
                     if reading.introduced.iter().any(defines) || !is_equality(*relation) {
                         continue;
                     }

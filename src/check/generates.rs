@@ -23,9 +23,8 @@ use super::verdict::{Counterexample, Finding, Verdict};
 pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let model = context.model;
     let momentum = |i: usize| {
-        let is = |(_, m): &(usize, &Option<Meaning>)| {
-            matches!(m, Some(Meaning::World(Quantity::Momentum(k))) if *k == i)
-        };
+        let is =
+            |(_, m): &(usize, &Option<Meaning>)| matches!(m, Some(Meaning::World(Quantity::Momentum(k))) if *k == i);
         model.meanings.iter().enumerate().find(is).map(|(at, _)| SymbolId(at))
     };
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|v| v.symbol).collect();

@@ -122,7 +122,7 @@ pub fn test(link: &Link, scene: &Scene<'_, Measured>) -> Result<Point, Unavailab
 }
 
 /// The numbers of two sides; a literal 0 or 1 takes the shape of the other side.
-fn pair<B: crate::scalar::Number>(
+pub fn pair<B: crate::scalar::Number>(
     lhs: Value<crate::scalar::Series<B>>,
     rhs: Value<crate::scalar::Series<B>>,
 ) -> (Vec<B>, Vec<B>) {

@@ -12,9 +12,9 @@ use crate::formula::Value;
 use crate::formula::evaluate::{Unavailable, evaluate};
 use crate::scalar::{Measured, Series};
 
+use super::base::slots;
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{Failure, Link};
-use super::base::slots;
 use super::rules::Rule;
 use super::scene::{Mode, Scene};
 use super::twins::{Slip, twins};

@@ -8,6 +8,7 @@
 
 mod base;
 mod builder;
+mod continuum;
 mod crowd;
 pub mod definitions;
 mod desk;
@@ -16,6 +17,7 @@ pub mod draw;
 pub mod ensemble;
 mod equation;
 pub mod evidence;
+mod exactly;
 pub mod functions;
 pub mod generates;
 pub mod identity;
@@ -27,6 +29,7 @@ mod reading;
 mod rules;
 pub mod scene;
 mod sentences;
+mod small;
 pub mod solves;
 pub mod twins;
 pub mod units;

@@ -61,8 +61,16 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
         return Ok(Answer { finding, readings, assumed });
     }
     let reach = Reach::Vast;
-    let context =
-        Context { model: &model, options, conditions: &[], on_shell: Some(false), topic: "equal", span, reach, local: &[] };
+    let context = Context {
+        model: &model,
+        options,
+        conditions: &[],
+        on_shell: Some(false),
+        topic: "equal",
+        span,
+        reach,
+        local: &[],
+    };
     let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };
     let finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
     Ok(Answer { finding, readings, assumed })

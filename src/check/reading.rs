@@ -5,14 +5,14 @@
 //! what is wrong with it.
 
 use crate::formula::shape::{Shape, bind};
-use crate::formula::{Expr, IndexId, Kind, Relation, SymbolId};
+use crate::formula::{IndexId, Kind};
 use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Claims, Erratum, Spanned};
 use crate::{Error, Result};
 
 use super::document::id;
-use super::model::{Meaning, Model, formula_error};
+use super::model::{Model, formula_error};
 
 /// Reads what is wanted: the displays, by their places, and the claims file's definitions, which go into the model.
 ///
@@ -113,8 +113,8 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
             .help("a name is a letter or a Greek command, with accents, a subscript, primes: \\hat{e}_a, p_\\psi")
     })?;
     let mut symbols = model.symbols.clone();
-    let formula = read_formula(&body.value, &mut symbols, &model.macros)
-        .map_err(|fault| formula_error(claims, body, fault))?;
+    let formula =
+        read_formula(&body.value, &mut symbols, &model.macros).map_err(|fault| formula_error(claims, body, fault))?;
     let (formula, found) = bind(formula, &symbols).map_err(|fault| formula_error(claims, body, fault))?;
     let shown = name.to_string();
     let kind = match found.shape {

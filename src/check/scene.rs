@@ -109,6 +109,12 @@ impl<'m, B: Number> Scene<'m, B> {
         self.memo.borrow_mut().clear();
     }
 
+    /// Takes the particles that stand in for a family back.
+    pub fn depopulate(&self) {
+        *self.crowd.borrow_mut() = None;
+        self.crowded.set(false);
+    }
+
     /// The coordinates as functions of time.
     pub fn coordinates(&self) -> &[Series<B>] {
         &self.coordinates
@@ -213,7 +219,7 @@ impl<'m, B: Number> Scene<'m, B> {
             Action::Parallel(along) => match (before()?, evaluate(along, self, &letters)?) {
                 (Value::Vector(v), Value::Vector(a)) => {
                     let square = a.dot(&a);
-                    match square.re() == 0.0 {
+                    match square.value().re() == 0.0 {
                         true => Value::Vector(Vector3::zeros()),
                         false => Value::Vector(a * (v.dot(&a) / square)),
                     }
@@ -247,7 +253,9 @@ impl<'m, B: Number> Scene<'m, B> {
             let extents = self.model.symbols.extents(id);
             let place = indices.iter().zip(&extents).fold(0, |at, (i, n)| at * usize::from(*n) + usize::from(*i) - 1);
             match entry.kind {
-                Kind::Vector => numbers.get(3 * place..3 * place + 3).map(|v| Value::Vector(Vector3::from_row_slice(v))),
+                Kind::Vector => {
+                    numbers.get(3 * place..3 * place + 3).map(|v| Value::Vector(Vector3::from_row_slice(v)))
+                }
                 _ => numbers.get(place).map(|x| Value::Scalar(*x)),
             }
             .ok_or_else(none)
@@ -273,7 +281,9 @@ impl<'m, B: Number> Scene<'m, B> {
             }
             Meaning::Rotation(..) => Err(none()),
             Meaning::FixedAxis(k) => Ok(Value::Vector(unit(*k))),
-            Meaning::Frame(FrameQuantity::Angle) => self.base.frame_angles.first().copied().map(Value::Scalar).ok_or_else(none),
+            Meaning::Frame(FrameQuantity::Angle) => {
+                self.base.frame_angles.first().copied().map(Value::Scalar).ok_or_else(none)
+            }
             Meaning::Frame(FrameQuantity::AngularVelocity) => {
                 Ok(Value::Vector(self.turning().ok_or_else(none)?.angular_velocity))
             }
@@ -304,17 +314,15 @@ impl<'m, B: Number> Scene<'m, B> {
 
     /// Whether what a symbol stands for may be kept for the next time that it is asked for.
     fn keeps(&self, id: SymbolId) -> bool {
-        let costly = matches!(
-            self.model.meaning(id),
-            Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_))
-        ) || self.rules.iter().any(|rule| rule.symbol == id);
+        let costly =
+            matches!(self.model.meaning(id), Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_)))
+                || self.rules.iter().any(|rule| rule.symbol == id);
         costly && self.crowd.borrow().is_none() && self.place.borrow().is_default()
     }
 
     /// Lets the rules that join families take effect: their members stand in for the family that is joined.
     pub(super) fn join(&self) -> Result<(), Unavailable> {
-        let unions: Vec<&Rule> =
-            self.rules.iter().filter(|rule| matches!(rule.action, Action::Union(_))).collect();
+        let unions: Vec<&Rule> = self.rules.iter().filter(|rule| matches!(rule.action, Action::Union(_))).collect();
         if unions.is_empty() {
             return Ok(());
         }

@@ -4,16 +4,19 @@
 //! does not always), a constant of the motion, the shape of a function, the number of solutions of an equation.
 
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
+use crate::latex::Reading;
 use crate::notes::claims::{Claims, Holds, Property, Sentence, Sign, Spanned, Test};
 use crate::{Error, Result};
 
 use super::desk::Desk;
+use super::document::id;
 use super::draw::Reach;
 use super::equation::{expected, merged};
 use super::functions::{self, Shape, Target};
-use super::identity::{self, Context};
+use super::identity::{self, Context, is_equality};
 use super::limit::{self, Towards};
 use super::verdict::{Equation, Finding, Verdict};
+use super::{continuum, exactly};
 
 /// Checks the `at`-th sentence of the claims file.
 pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<Equation> {
@@ -29,7 +32,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
             return Err(Error::at(&desk.claims.source, sentence.quote.span, message).help("quote more of it"));
         }
     };
-    let id = sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone());
+    let name = sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone());
     let conditions = desk.conditions(&sentence.claim)?;
     let local = desk.local(&sentence.claim)?;
     let on_shell = sentence.claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
@@ -38,7 +41,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
         options: desk.options,
         conditions: &conditions,
         on_shell,
-        topic: &id,
+        topic: &name,
         span: place,
         reach: Reach::Declared,
         local: &local,
@@ -56,7 +59,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
         ok,
         because: sentence.claim.expect.as_ref().map(|expect| expect.because.value.clone()),
         parts: Vec::new(),
-        id,
+        id: name,
     })
 }
 
@@ -121,6 +124,41 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
             };
             Ok((finding, format!("not always: {}", reading.join("; "))))
         }
+        Test::RefersTo { number, containing } => {
+            let wanted = desk.formula(containing)?;
+            let words = text::formula(&wanted, symbols);
+            let contains = |reading: &Reading| {
+                let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+                members.into_iter().any(|member| {
+                    let mut found = false;
+                    member.walk(&mut |inner| found |= *inner == wanted);
+                    found
+                })
+            };
+            let holders: Vec<&str> = desk
+                .notes
+                .equations
+                .iter()
+                .zip(desk.readings)
+                .filter(|(_, reading)| contains(reading))
+                .filter_map(|(display, _)| id(display))
+                .collect();
+            let finding = match desk.display(&number.value) {
+                Some(reading) if contains(reading) => {
+                    let message = format!("({}) contains {words}", number.value);
+                    Finding { points: 1, tried: 1, ..context.finding(Verdict::Verified, message) }
+                }
+                found => {
+                    let lacks = if found.is_some() { "does not contain" } else { "is not in these notes, and so not" };
+                    let others = match holders.is_empty() {
+                        true => String::new(),
+                        false => format!("; ({}) do", holders.join("), (")),
+                    };
+                    context.finding(Verdict::Refuted, format!("({}) {lacks} {words}{others}", number.value))
+                }
+            };
+            Ok((finding, format!("({}) contains {words}", number.value)))
+        }
         Test::Conserved(latex) => {
             let formula = desk.formula(latex)?;
             let reading = format!("{} is constant", text::formula(&formula, symbols));
@@ -135,9 +173,6 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
             }
             let finding = merged(findings).unwrap_or_else(|| context.finding(Verdict::Unclaimed, "nothing is said"));
             Ok((finding, format!("{} of {words}", property_words(property))))
-        }
-        Test::RefersTo { number, .. } => {
-            Err(Error::at(&desk.claims.source, number.span, "\"refers to\" is not supported yet"))
         }
         Test::Solutions { count, of, unknown } => {
             let target = functions::as_function(&desk.target(&Spanned::new(of.text.clone(), of.span))?);
@@ -174,6 +209,13 @@ fn claim(desk: &Desk<'_>, sentence: &Sentence, statements: &[Statement], context
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
             let link = desk.link(&statement.members[at], *relation, &statement.members[at + 1])?;
             findings.push(match (&sentence.claim.limit, relation) {
+                (_, Relation::Approximately) if !sentence.claim.small.is_empty() => {
+                    desk.small(&link, &sentence.claim, context)?
+                }
+                (_, relation) if !is_equality(*relation) && !sentence.claim.exactly_when.is_empty() => {
+                    exactly::check(&link, &desk.alternatives(&sentence.claim)?, context)?
+                }
+                _ if sentence.claim.continuum_limit_of.is_some() => continuum::check(&link, context)?,
                 (Some(limit), Relation::Approximately) => {
                     let (variable, towards) = desk.limit(limit)?;
                     limit::check(&link, variable, towards, context)?

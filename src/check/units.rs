@@ -73,10 +73,10 @@ impl<'a> Units<'a> {
         let mut units = Units { survey: Survey::new(&model.symbols), contradictions: Vec::new() };
         units.declarations(model, declared);
         let introduced: BTreeSet<SymbolId> =
-            readings.iter().flat_map(|reading| reading.introduced.iter().map(|(id, _)| *id)).collect();
+            readings.iter().flat_map(|reading| reading.introduced.iter().map(|i| i.symbol)).collect();
         for (at, meaning) in model.meanings.iter().enumerate() {
             let symbol = SymbolId(at);
-            if let (Meaning::Defined(formula), false) = (meaning, introduced.contains(&symbol)) {
+            if let (Some(Meaning::Defined(formula)), false) = (meaning, introduced.contains(&symbol)) {
                 units.definition(symbol, formula);
             }
         }

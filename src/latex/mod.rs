@@ -18,5 +18,5 @@ pub mod typeset;
 
 pub use macros::Macros;
 pub use reader::read_formula;
-pub use statements::{Reading, read_display};
+pub use statements::{Introduced, Reading, read_display};
 pub use typeset::typeset;

@@ -244,3 +244,8 @@ mod tests {
         }
     }
 }
+
+/// x
+pub fn parse_decorated(latex: &str) -> Option<Name> {
+    parse(latex).map(|(n, _)| n)
+}

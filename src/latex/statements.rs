@@ -21,7 +21,20 @@ pub struct Reading {
     /// Its statements in order, or why one of them cannot be read.
     pub statements: Vec<Result<Statement, Fault>>,
     /// The symbols that its statements introduce, each with the place of its statement in the list above.
-    pub introduced: Vec<(SymbolId, usize)>,
+    pub introduced: Vec<Introduced>,
+}
+
+/// x
+#[derive(Clone, Debug)]
+pub struct Introduced {
+    /// x
+    pub symbol: SymbolId,
+    /// x
+    pub statement: usize,
+    /// x
+    pub member: usize,
+    /// x
+    pub formula: Expr,
 }
 
 /// Reads a display: the text between its delimiters.
@@ -50,7 +63,12 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
         for branch in branches {
             let at = reading.statements.len();
             let statement = piece.read(symbols, *branch).map(|(statement, introduced)| {
-                reading.introduced.extend(introduced.map(|id| (id, at)));
+                reading.introduced.extend(introduced.map(|symbol| Introduced {
+                    symbol,
+                    statement: at,
+                    member: 0,
+                    formula: statement.members[1].clone(),
+                }));
                 statement
             });
             reading.statements.push(statement);

@@ -1,0 +1,147 @@
+//! Claims that hold while some quantities are small: `A ≈ B` to an order in ε, when those are scaled by ε.
+//!
+//! From each state a family of states is made in which the small quantities are ε times what they were and everything
+//! that is free stays. Along it the difference of the sides must fall faster than the order that is claimed, as a power
+//! that is measured; and it must be the world that makes it fall: a claim whose terms are all that small anyhow, off
+//! shell too, says nothing.
+
+use crate::Result;
+use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::formula::{Expr, Value};
+use crate::scalar::Measured;
+
+use super::ensemble::{Family, Setting};
+use super::identity::{Context, FEWEST, counterexample};
+use super::judge::{Failure, Link, pair};
+use super::scene::Scene;
+use super::twins::twins;
+use super::verdict::{Finding, Verdict};
+
+/// The steps: ε = 2⁻ᵏ.
+const STEPS: std::ops::RangeInclusive<i32> = 2..=8;
+
+/// How far below a whole power a measured one may lie.
+const SLACK: f64 = 0.25;
+
+/// States along which some quantities become small.
+struct Shrinkage<'m> {
+    scenes: Vec<Scene<'m, Measured>>,
+}
+
+/// Checks a claim to an order in some small quantities: always, else on shell.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Result<Finding> {
+    let on_shell = context.on_shell.unwrap_or(context.model.has_motion());
+    let wanted = f64::from(order + 1) - SLACK;
+    let families = families(link, small, context, on_shell)?;
+    if families.len() < FEWEST.min(context.options.points) {
+        let message = format!("only {} states have small quantities that can be scaled", families.len());
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
+    let mut slowest = f64::INFINITY;
+    for family in &families {
+        match family.power(link) {
+            Err(reason) => return Ok(context.unavailable(&reason)),
+            Ok((power, failure)) if power < wanted => {
+                let last = family.scenes.last().zip(failure.as_ref());
+                return Ok(Finding {
+                    points: families.len(),
+                    tried: families.len(),
+                    max_residual: failure.as_ref().map(|failure| failure.residual),
+                    counterexample: last.map(|(scene, failure)| counterexample(link, scene, failure)),
+                    ..context.finding(
+                        Verdict::Refuted,
+                        format!("the sides differ at order {:.0} of what is small", power.max(0.0)),
+                    )
+                });
+            }
+            Ok((power, _)) => slowest = slowest.min(power),
+        }
+    }
+    let holds_for_all = |link: &Link, families: &[Shrinkage<'_>]| {
+        families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted))
+    };
+    if on_shell {
+        let off_shell = self::families(link, small, context, false)?;
+        if holds_for_all(link, &off_shell) {
+            return Ok(
+                context.finding(Verdict::Undecided, "everything in it is that small anyhow, whatever the motion")
+            );
+        }
+    }
+    let survivors: Vec<_> =
+        twins(link, context.model).into_iter().filter(|twin| holds_for_all(&twin.link, &families)).collect();
+    if !survivors.is_empty() {
+        let wide = Context { reach: super::draw::Reach::Beyond, ..*context };
+        let wide = self::families(link, small, &wide, on_shell)?;
+        if let Some(twin) = survivors.iter().find(|twin| !holds_for_all(&twin.link, &wide)) {
+            let message = format!("these states cannot tell it from the same claim with {}", twin.change);
+            return Ok(context.finding(Verdict::Undecided, message));
+        }
+    }
+    let message = match slowest.is_finite() {
+        true => format!("holds to order {order}: the error falls as the power {slowest:.1} of what is small"),
+        false => "holds to every order of what is small".to_owned(),
+    };
+    let points = families.len();
+    Ok(Finding { points, tried: points, ..context.finding(Verdict::Verified, message) })
+}
+
+/// Families of states, from states of the claim.
+fn families<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bool) -> Result<Vec<Shrinkage<'m>>> {
+    let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
+    let ensemble = context.ensemble(mode, false, context.options.points.min(2 * FEWEST))?;
+    let setting = Setting { conditions: context.conditions, local: context.local, mode, reach: context.reach };
+    let mut family = Family::new(context.model, &setting, small);
+    let mut found = Vec::new();
+    for (scene, base) in ensemble.scenes.iter().zip(&ensemble.bases) {
+        let value = |expr: &Expr| match evaluate(expr, scene, &[]) {
+            Ok(Value::Scalar(value)) => Some(value.value().value),
+            _ => None,
+        };
+        let Some(values) = small.iter().map(value).collect::<Option<Vec<f64>>>() else { continue };
+        let mut scenes = Vec::new();
+        for k in STEPS {
+            let scaled: Vec<f64> = values.iter().map(|value| value * 2f64.powi(-k)).collect();
+            scenes.extend(family.at(base, &scaled)?);
+        }
+        if scenes.len() == STEPS.count() {
+            found.push(Shrinkage { scenes });
+        }
+    }
+    Ok(found)
+}
+
+impl Shrinkage<'_> {
+    /// The power of ε with which the difference of the sides falls, infinite where there is none but rounding.
+    fn power(&self, link: &Link) -> Result<(f64, Option<Failure>), Unavailable> {
+        let mut errors: Vec<f64> = Vec::new();
+        let mut last = None;
+        for scene in &self.scenes {
+            let (lhs, rhs) = pair(evaluate(&link.lhs, scene, &[])?, evaluate(&link.rhs, scene, &[])?);
+            let (mut error, mut noise) = (0.0_f64, 0.0_f64);
+            for (a, b) in lhs.into_iter().zip(rhs) {
+                let difference = (a.value - b.value).abs();
+                if difference.is_nan() {
+                    return Ok((0.0, None));
+                }
+                if difference >= error {
+                    last = Some(Failure { lhs: a.value, rhs: b.value, residual: difference, entry: None });
+                }
+                error = error.max(difference);
+                noise = noise.max(1e-12 * (a.magnitude + b.magnitude));
+            }
+            if error <= noise {
+                break;
+            }
+            errors.push(error);
+        }
+        if errors.len() < 3 {
+            return Ok((f64::INFINITY, last));
+        }
+        let tail = &errors[errors.len() - 3..];
+        Ok(((tail[0] / tail[2]).log2() / 2.0, last))
+    }
+}
