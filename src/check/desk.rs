@@ -84,8 +84,8 @@ impl Desk<'_> {
         let mut symbols = self.model.symbols.clone();
         let known = symbols.len();
         let reading = read_display(&latex.value, &mut symbols, &self.model.macros);
-        if let Some((id, _)) = reading.introduced.iter().find(|(id, _)| id.0 >= known) {
-            let message = format!("{} is not declared", symbols.entry(*id).name);
+        if let Some(new) = reading.introduced.iter().find(|new| new.symbol.0 >= known) {
+            let message = format!("{} is not declared", symbols.entry(new.symbol).name);
             return Err(Error::at(&self.claims.source, latex.span, message));
         }
         reading.statements.into_iter().map(|s| s.map_err(|fault| formula_error(self.claims, latex, fault))).collect()

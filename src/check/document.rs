@@ -163,10 +163,8 @@ fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> Result<()> 
 fn read(text: &str, model: &mut Model) -> Reading {
     let macros = model.macros.clone();
     let reading = read_display(text, &mut model.symbols, &macros);
-    for (id, at) in &reading.introduced {
-        if let Some(Ok(statement)) = reading.statements.get(*at) {
-            model.define(*id, statement.members[1].clone());
-        }
+    for new in &reading.introduced {
+        model.define(new.symbol, new.formula.clone());
     }
     reading
 }

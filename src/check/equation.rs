@@ -1,7 +1,7 @@
 //! One equation: its statements link by link, and what else is claimed of it.
 
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
-use crate::latex::{Reading, read_display};
+use crate::latex::{Introduced, Reading, read_display};
 use crate::notes::Display;
 use crate::notes::claims::{Claim, Conserved, Erratum, Expect, Expected, Holds, Solved, Spanned};
 use crate::source::{Fault, Span};
@@ -138,8 +138,8 @@ impl Desk<'_> {
                 span,
                 reach: Reach::Declared,
             };
-            let introduced = reading.introduced.iter().find(|(_, place)| *place == at).map(|(id, _)| *id);
-            parts.extend(self.statement(statement, introduced, claim, &context)?);
+            let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|new| new.statement == at).collect();
+            parts.extend(self.statement(statement, &introduced, claim, &context)?);
         }
         self.whole(reading, claim, &conditions, offset, topic, &mut parts)?;
         if parts.is_empty() {
@@ -159,7 +159,7 @@ impl Desk<'_> {
     fn statement(
         &self,
         statement: &Statement,
-        introduced: Option<SymbolId>,
+        introduced: &[&Introduced],
         claim: &Claim,
         context: &Context<'_>,
     ) -> Result<Vec<Part>> {
@@ -170,11 +170,14 @@ impl Desk<'_> {
             if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
                 continue;
             }
-            if let (0, Some(symbol)) = (at, introduced) {
+            let new: Vec<&&Introduced> = introduced.iter().filter(|new| new.member.saturating_sub(1) == at).collect();
+            if !new.is_empty() {
                 // What defines it is checked right here, where the chain goes on or the claim says more of it.
                 let says_more = claim.also_equals.is_some() || claim.generates.is_some() || claim.solves.is_some();
                 if last && !says_more {
-                    findings.push(self.definition(symbol, statement, context)?);
+                    for new in new {
+                        findings.push(self.definition(new, context)?);
+                    }
                 }
                 continue;
             }
@@ -228,14 +231,16 @@ impl Desk<'_> {
     }
 
     /// The verdict on a statement that introduces a symbol.
-    fn definition(&self, symbol: SymbolId, statement: &Statement, context: &Context<'_>) -> Result<Finding> {
+    fn definition(&self, new: &Introduced, context: &Context<'_>) -> Result<Finding> {
+        let symbol = new.symbol;
         let mut claims = Vec::new();
         for (at, reading) in self.readings.iter().enumerate() {
             let claim = self.assigned[at];
             for (place, other) in reading.statements.iter().enumerate() {
-                let own = reading.introduced.iter().any(|(id, at)| *id == symbol && *at == place);
+                let own = reading.introduced.iter().any(|other| other.symbol == symbol && other.statement == place);
                 let Ok(other) = other else { continue };
-                let links = other.relations.iter().enumerate().skip(usize::from(own));
+                let defining = own.then(|| new.member.saturating_sub(1));
+                let links = other.relations.iter().enumerate().filter(|(k, _)| Some(*k) != defining);
                 for (k, (relation, _)) in links {
                     let uses = other.members[k..k + 2].iter().any(|member| solves::mentions(member, symbol));
                     if uses && matches!(relation, Relation::Equal | Relation::Identical) {
@@ -256,7 +261,7 @@ impl Desk<'_> {
                 context: Context { conditions, topic: id, on_shell: None, ..*context },
             })
             .collect();
-        definitions::check(symbol, &statement.members[1], &mut users, context)
+        definitions::check(symbol, &new.formula, &mut users, context)
     }
 
     /// What a claim adds to the statements: solutions, other expressions, conservation, the motion.
