@@ -1,9 +1,14 @@
 //! What many particles and continua are written with, and what it is read as, in plain words. Beside each formula that
 //! must be read stand near misses that must be refused, and where.
 
+#[path = "reading/derived.rs"]
+mod derived;
+#[path = "reading/introductions.rs"]
+mod introductions;
 #[path = "reading/particles.rs"]
 mod particles;
 
+use onshell::formula::symbols::Components;
 use onshell::formula::{Kind, SymbolId, Symbols, text};
 use onshell::latex::{Macros, names, read_formula, typeset};
 

@@ -3,11 +3,13 @@
 //! [`lexer`] cuts the text of a display into tokens, [`macros`] expands the author's own commands, [`layout`] gathers
 //! the tokens into what is typeset (groups, fences, fractions, scripts, rows) and cannot fail: what it does not
 //! understand becomes a node that carries the fault. [`reader`] gives the layout its one meaning, with the help of the
-//! declared symbols, or says at which bytes there is none or more than one. [`statements`] reads a whole display, and
+//! declared symbols, or says at which bytes there is none or more than one. [`statements`] reads a whole display,
+//! [`introductions`] finds the names that it introduces, and
 //! [`mod@typeset`] writes a formula so that it reads back as itself.
 //!
 //! The rules that settle what authors leave open are in the module documentation of [`reader`].
 
+pub mod introductions;
 pub mod layout;
 pub mod lexer;
 pub mod macros;
@@ -16,7 +18,8 @@ pub mod reader;
 pub mod statements;
 pub mod typeset;
 
+pub use introductions::Introduced;
 pub use macros::Macros;
 pub use reader::read_formula;
-pub use statements::{Introduced, Reading, read_display};
+pub use statements::{Reading, read_display};
 pub use typeset::typeset;

@@ -91,6 +91,24 @@ pub fn parse(text: &str) -> Option<(Name, u8)> {
     Some((printed.name, printed.dots))
 }
 
+/// A name alone, as a claims file declares it, whose overdots are part of it: `\dot{\vec v}` for a symbol of its own.
+pub fn parse_decorated(text: &str) -> Option<Name> {
+    let (name, dots) = parse(text)?;
+    with_dots(&name, dots)
+}
+
+/// The name with up to three overdots in its base.
+pub fn with_dots(name: &Name, dots: u8) -> Option<Name> {
+    let accent = match dots {
+        0 => return Some(name.clone()),
+        1 => "\\dot",
+        2 => "\\ddot",
+        3 => "\\dddot",
+        _ => return None,
+    };
+    Some(Name { base: format!("{accent}{{{}}}", name.base), ..name.clone() })
+}
+
 fn plain(base: String) -> Printed<'static> {
     Printed { name: Name::plain(base), dots: 0, sup: None }
 }
@@ -243,9 +261,4 @@ mod tests {
             assert_ne!(name(a), name(b));
         }
     }
-}
-
-/// x
-pub fn parse_decorated(latex: &str) -> Option<Name> {
-    parse(latex).map(|(n, _)| n)
 }

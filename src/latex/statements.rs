@@ -1,41 +1,32 @@
 //! A display to its statements: rows, commas, `\Rightarrow`, chains of relations, ± branches, "is constant".
 //!
 //! Rows, `\quad`, commas between statements and arrows set statements apart; a row that starts with a relation
-//! continues the one before. A statement with `±` is read twice, top signs with top signs. A name that is not known, alone
-//! on the left of the first relation, is *introduced* by the statement.
+//! continues the one before. A statement with `±` is read twice, top signs with top signs. A name that is not known and
+//! stands alone is *introduced* by the statement ([`super::introductions`]).
 
 use crate::formula::shape::{self, Shape, Type};
-use crate::formula::symbols::{Kind, SymbolId, Symbols};
-use crate::formula::tree::{Expr, Node, Relation, Sign, Statement};
+use crate::formula::symbols::Symbols;
+use crate::formula::tree::{Expr, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
+use super::introductions::{Introduced, New, Place, Unknown};
 use super::layout::{Item, Layout};
 use super::lexer::Space;
 use super::macros::Macros;
 use super::names;
-use super::reader::{Reader, extent, typeset_items};
+use super::reader::{Reader, typeset_items};
 
 /// A display, read.
 #[derive(Clone, Debug, Default)]
 pub struct Reading {
     /// Its statements in order, or why one of them cannot be read.
     pub statements: Vec<Result<Statement, Fault>>,
-    /// The symbols that its statements introduce, each with the place of its statement in the list above.
+    /// The symbols that its statements introduce, in the order in which they were added to the table.
     pub introduced: Vec<Introduced>,
 }
 
-/// x
-#[derive(Clone, Debug)]
-pub struct Introduced {
-    /// x
-    pub symbol: SymbolId,
-    /// x
-    pub statement: usize,
-    /// x
-    pub member: usize,
-    /// x
-    pub formula: Expr,
-}
+/// A display is read this often while it goes on introducing names that its own statements use.
+const ROUNDS: usize = 8;
 
 /// Reads a display: the text between its delimiters.
 pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
@@ -55,25 +46,39 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
         let fault = Fault::new(Span::new(0, text.len()), "this display is empty");
         reading.statements.push(Err(fault));
     }
-    for piece in pieces {
+    let mut pending = Vec::new();
+    for piece in &pieces {
         let branches: &[Option<Sign>] = match piece.links.iter().any(|link| link.items.iter().any(has_branch)) {
             true => &[Some(Sign::Plus), Some(Sign::Minus)],
             false => &[None],
         };
-        for branch in branches {
-            let at = reading.statements.len();
-            let statement = piece.read(symbols, *branch).map(|(statement, introduced)| {
-                reading.introduced.extend(introduced.map(|symbol| Introduced {
-                    symbol,
-                    statement: at,
-                    member: 0,
-                    formula: statement.members[1].clone(),
-                }));
-                statement
-            });
-            reading.statements.push(statement);
+        pending.extend(branches.iter().map(|branch| (piece, *branch)));
+    }
+    let mut results = vec![None; pending.len()];
+    let mut pending: Vec<(usize, (&Piece<'_>, Option<Sign>))> = pending.into_iter().enumerate().collect();
+    // A name may be used before the display says what it is: `= \frac{1}{M} …, \quad M = …`.
+    for _ in 0..ROUNDS {
+        let known = symbols.len();
+        pending.retain(|(at, (piece, branch))| match piece.read(symbols, *branch) {
+            Ok((statement, news)) => {
+                for (member, new) in news {
+                    if let Some((symbol, formula)) = new.add(symbols) {
+                        reading.introduced.push(Introduced { symbol, statement: *at, member, formula });
+                    }
+                }
+                results[*at] = Some(Ok(statement));
+                false
+            }
+            Err(fault) => {
+                results[*at] = Some(Err(fault));
+                true
+            }
+        });
+        if pending.is_empty() || symbols.len() == known {
+            break;
         }
     }
+    reading.statements.extend(results.into_iter().flatten());
     reading
 }
 
@@ -274,48 +279,53 @@ impl Piece<'_> {
         spans.reduce(Span::to).unwrap_or_default()
     }
 
-    fn read(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<(Statement, Option<SymbolId>), Fault> {
+    /// The statement with the names that it introduces, each with its member. Where it cannot be read, nothing is.
+    fn read(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<(Statement, Vec<(usize, New)>), Fault> {
         let span = self.span();
-        let (mut members, mut types, mut relations) = (Vec::new(), Vec::new(), Vec::new());
         let links: Vec<(Printed, Vec<Item>)> = self
             .links
             .iter()
             .map(|link| (link.relation, link.items.iter().map(|item| (*item).clone()).collect()))
             .collect();
-        let unknown = links.first().and_then(|(_, items)| unknown_name(items, symbols, branch));
-        let defines = matches!(links.get(1), Some((Some((Relation::Equal | Relation::Identical, _)), _)));
+        let relations: Vec<(Relation, Span)> = links.iter().filter_map(|(relation, _)| *relation).collect();
+        let defines = |at: usize| {
+            let before = at.checked_sub(1).and_then(|before| relations.get(before));
+            matches!(before, Some((Relation::Equal | Relation::Identical, _)))
+        };
+        let mut unknown: Vec<Option<Unknown>> = Vec::with_capacity(links.len());
+        let mut read: Vec<Option<(Expr, Type)>> = Vec::with_capacity(links.len());
         for (at, (relation, items)) in links.iter().enumerate() {
-            relations.extend(*relation);
-            if at == 0 && unknown.is_some() && defines {
-                continue;
-            }
-            let place = relation.map_or(span, |(_, span)| span);
-            let mut reader = Reader::new(symbols, branch);
-            let expr = reader.sum(items, place)?;
-            let (expr, found) = shape::bind(expr, symbols)?;
-            members.push(expr);
-            types.push(found);
-        }
-        let mut introduced = None;
-        if let (Some(name), true) = (unknown, defines) {
-            let items = &links[0].1;
-            let place = extent(items).unwrap_or(span);
-            let undeclared = || Fault::new(place, format!("{name} is not declared"));
-            let Some(Type { shape, free }) = types.first().filter(|found| found.free.is_empty()) else {
-                return Err(undeclared());
+            let place = match (at, relation) {
+                (0, _) if defines(1) => Some(Place::First),
+                (1.., Some((Relation::Equal, _))) => Some(Place::AfterEqual),
+                (1.., Some((Relation::Identical, _))) => Some(Place::AfterIdentical),
+                _ => None,
             };
-            let (kind, free) = match shape {
-                Shape::Scalar => (Kind::Scalar, free.clone()),
-                Shape::Vector => (Kind::Vector, free.clone()),
-                Shape::Matrix(3, 3) => (Kind::Matrix, free.clone()),
-                Shape::Matrix(..) => return Err(undeclared()),
-            };
-            let id = symbols.add(name.clone(), kind).ok_or_else(undeclared)?;
-            symbols.entry_mut(id).varies = true;
-            members.insert(0, Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, place));
-            types.insert(0, Type { shape: *shape, free });
-            introduced = Some(id);
+            let found = place.and_then(|place| Unknown::of(items, place, symbols, branch));
+            read.push(match found {
+                Some(_) => None,
+                None => {
+                    let place = relation.map_or(span, |(_, span)| span);
+                    let expr = Reader::new(symbols, branch).sum(items, place)?;
+                    Some(shape::bind(expr, symbols)?)
+                }
+            });
+            unknown.push(found);
         }
+        let mut news: Vec<(usize, New)> = Vec::new();
+        for at in 0..links.len() {
+            let Some(found) = &unknown[at] else { continue };
+            // The first member is defined by what follows, the others by what stands before them.
+            let source = match at {
+                0 => (1..links.len()).take_while(|next| defines(*next)).find_map(|next| read[next].clone()),
+                _ => read[at - 1].clone(),
+            };
+            let Some((source, of_source)) = source else { return Err(found.undeclared(symbols)) };
+            let (expr, found, new) = found.introduce((&source, &of_source), symbols.len() + news.len(), symbols)?;
+            news.extend(new.into_iter().map(|new| (at, new)));
+            read[at] = Some((expr, found));
+        }
+        let (members, types): (Vec<Expr>, Vec<Type>) = read.into_iter().flatten().unzip();
         for pair in 1..members.len() {
             let (a, b) = (&members[pair - 1], &members[pair]);
             let (of_a, of_b) = ((a, &types[pair - 1]), (b, &types[pair]));
@@ -324,28 +334,16 @@ impl Piece<'_> {
                 shape::comparable(of_a, of_b, symbols)?;
             }
             let (relation, place) = relations[pair - 1];
-            let is_order = !matches!(relation, Relation::Equal | Relation::Identical | Relation::Approximately);
+            let is_order = matches!(
+                relation,
+                Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual | Relation::NotEqual
+            );
             if is_order && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
                 let message = format!("“{}” between things that are no numbers", relation.glyph());
                 return Err(Fault::new(place, message));
             }
         }
         let statement = Statement { members, relations, constant: self.constant, branch, row: self.row, span };
-        Ok((statement, introduced))
+        Ok((statement, news))
     }
-}
-
-/// The name that these items are, if it is one, is not known, and could be introduced.
-fn unknown_name(items: &[Item], symbols: &Symbols, branch: Option<Sign>) -> Option<crate::formula::symbols::Name> {
-    if symbols.open {
-        return None;
-    }
-    let mut significant = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
-    let (Some(only), None) = (significant.next(), significant.next()) else {
-        return None;
-    };
-    let printed = names::printed(only, branch)?;
-    let known = symbols.find(&printed.name).is_some() || symbols.find_whole(&printed.name.base).is_some();
-    let reserved = ["e", "i", "d", "\\pi"].contains(&printed.name.base.as_str());
-    (!known && !reserved && printed.dots == 0 && printed.sup.is_none()).then_some(printed.name)
 }

@@ -6,6 +6,7 @@
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Expr, Index, Node, Sign};
 
+use super::names;
 use super::reader::unaccented;
 
 /// Typesets a formula.
@@ -31,6 +32,8 @@ impl Typesetter<'_> {
             | Node::Shrinking(..) => true,
             Node::TimeDerivative(..) | Node::Quotient(..) | Node::Power(..) | Node::Call(..) => raised,
             Node::Transpose(_) | Node::Inverse(_) | Node::Entry(..) | Node::Root(..) | Node::Matrix(_) => raised,
+            Node::Component(..) => raised,
+            Node::Symbol { id, .. } => raised && self.symbols.entry(*id).squared,
             _ => false,
         };
         if enclose { format!("\\left({text}\\right)") } else { text }
@@ -164,13 +167,13 @@ impl Typesetter<'_> {
         for ((at, _), index) in entry.slots.iter().zip(indices) {
             name.subscript[*at] = self.index(*index);
         }
-        let accent = ["", "\\dot", "\\ddot", "\\dddot"].get(usize::from(dots));
-        match accent {
-            Some(&"") => name.to_string(),
-            Some(accent) => {
-                name.base = format!("{accent}{{{}}}", name.base);
-                name.to_string()
-            }
+        if entry.squared {
+            let square = format!("{name}^{{2}}");
+            let derivative = || format!("\\frac{{d^{dots}}}{{dt^{dots}}}\\left({square}\\right)");
+            return if dots == 0 { square } else { derivative() };
+        }
+        match names::with_dots(&name, dots) {
+            Some(name) => name.to_string(),
             None => format!("\\frac{{d^{dots}}}{{dt^{dots}}}\\left({name}\\right)"),
         }
     }

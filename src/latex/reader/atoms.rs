@@ -1,6 +1,7 @@
 //! A single item as a formula: a number, a group, a fraction, a root, a matrix, and what is raised above it.
 
 use crate::formula::shape::Shape;
+use crate::formula::symbols::Components;
 use crate::formula::tree::{Expr, Index, Node};
 use crate::source::{Fault, Span};
 
@@ -105,7 +106,15 @@ impl Reader<'_> {
                 Ok(inner)
             }
             Delimiter::Bar | Delimiter::PlainBar | Delimiter::DoubleBar => {
-                Ok(Expr::new(Node::Norm(Box::new(self.sum(items, span)?)), span))
+                let mut inner = self.sum(items, span)?;
+                // `|r_i|` beside a declared `\vec r_i`: the name alone is the norm already.
+                if let ([name], Node::Norm(_)) = (items, &inner.node)
+                    && names::printed(name, self.branch).is_some_and(|p| p.sup.is_none())
+                {
+                    inner.span = span;
+                    return Ok(inner);
+                }
+                Ok(Expr::new(Node::Norm(Box::new(inner)), span))
             }
             Delimiter::Angle => Err(Fault::new(span, "angle brackets have no meaning here")),
         }
@@ -135,9 +144,11 @@ impl Reader<'_> {
         let inner = self.item(fence)?;
         match (self.shape_of(&inner)?, indices.as_slice()) {
             (Shape::Vector, [a]) => {
-                if inner.symbols().iter().any(|(id, _)| {
-                    matches!(self.symbols.components_of(*id), Some(crate::formula::symbols::Components::Along(_)))
-                }) {
+                if inner
+                    .symbols()
+                    .iter()
+                    .any(|(id, _)| matches!(self.symbols.components_of(*id), Some(Components::Along(_))))
+                {
                     return Err(two_ways(span, "a component, along the axes that turn or those that stand still")
                         .help("write its product with a unit vector, \\cdot \\hat e_a"));
                 }

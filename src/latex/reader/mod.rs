@@ -19,6 +19,7 @@
 
 mod arguments;
 mod atoms;
+mod derived;
 mod items;
 mod operators;
 mod regions;

@@ -18,6 +18,7 @@ impl Reader<'_> {
         items: &[Item],
         cursor: &mut usize,
     ) -> Read<Expr> {
+        let printed = self.decorated(printed, span)?;
         let name = &printed.name;
         if name.base == "e" || name.base == "\\mathrm{e}" {
             let declared = self.symbols.find(name).is_some();
@@ -41,7 +42,10 @@ impl Reader<'_> {
             };
         }
         let dots = printed.dots;
-        if let Some((id, indices)) = self.symbols.find(name) {
+        if let Some((id, indices)) = self.symbols.find_or_assemble(name) {
+            if self.symbols.entry(id).squared {
+                return self.introduced_by_square(id, indices, printed, span, items, cursor);
+            }
             if self.symbols.entry(id).kind == Kind::Rotation {
                 return self.rotation(id, printed.sup, span, items, cursor);
             }
@@ -53,13 +57,19 @@ impl Reader<'_> {
                 let node = if is_transpose(sup) { Node::Transpose(whole) } else { Node::Inverse(whole) };
                 return Ok(Expr::new(Node::Entry(Box::new(Expr::new(node, span)), indices[0], indices[1]), span));
             }
-            return self.applied(Node::Symbol { id, indices, dots }, printed.sup, span, items, cursor);
+            let symbol = Expr::new(Node::Symbol { id, indices, dots }, span);
+            return self.applied(symbol, id, printed.sup, items, cursor);
+        }
+        if let Some((meaning, id)) = self.derived(name, span) {
+            self.note_derived(name, &meaning);
+            return self.applied(differentiated(meaning, dots), id, printed.sup, items, cursor);
         }
         if name.subscript.is_empty()
             && name.primes == 0
             && let Some(id) = self.symbols.find_whole(&name.base)
         {
-            return self.applied(Node::Symbol { id, indices: Vec::new(), dots }, printed.sup, span, items, cursor);
+            let whole = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, span);
+            return self.applied(whole, id, printed.sup, items, cursor);
         }
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
@@ -69,6 +79,53 @@ impl Reader<'_> {
             Some(near) => fault.help(format!("did you mean {near}? Else declare {name} in the claims file")),
             None => fault.help(format!("declare {name} in the claims file")),
         })
+    }
+
+    /// A name with dots that is declared with them, as `\dot{\vec v}` for the rate in turning axes, is that symbol.
+    fn decorated<'i>(&self, printed: Printed<'i>, span: Span) -> Read<Printed<'i>> {
+        let declared = |dots: u8| {
+            let name = names::with_dots(&printed.name, dots)?;
+            self.symbols.find(&name).map(|_| name)
+        };
+        match printed.dots {
+            dots @ 1..=2 => match declared(dots) {
+                Some(name) => Ok(Printed { name, dots: 0, sup: printed.sup }),
+                None if dots == 2 && declared(1).is_some() => {
+                    let once = declared(1).map_or_else(String::new, |name| name.to_string());
+                    Err(two_ways(span, &format!("two dots, where {once} is declared to be something of its own"))
+                        .help(format!("write \\frac{{d}}{{dt}} {once}, or declare it with two dots too")))
+                }
+                None => Ok(printed),
+            },
+            _ => Ok(printed),
+        }
+    }
+
+    /// A symbol that is introduced by its square stands for that; by itself it is the root.
+    fn introduced_by_square(
+        &mut self,
+        id: SymbolId,
+        indices: Vec<Index>,
+        printed: Printed<'_>,
+        span: Span,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Expr> {
+        let square = Expr::new(Node::Symbol { id, indices, dots: 0 }, span);
+        if printed.dots == 0 && printed.sup.and_then(whole_number) == Some(2) {
+            return self.applied(square, id, None, items, cursor);
+        }
+        let root = Expr::new(Node::Root(2, Box::new(square)), span);
+        self.applied(differentiated(root, printed.dots), id, printed.sup, items, cursor)
+    }
+
+    /// Whether a printed name means something already.
+    pub(in super::super) fn is_known(&mut self, printed: &Printed<'_>, span: Span) -> bool {
+        let name = &printed.name;
+        self.symbols.find_or_assemble(name).is_some()
+            || self.special(printed, span).is_ok_and(|special| special.is_some())
+            || self.derived(name, span).is_some()
+            || name.subscript.is_empty() && self.symbols.find_whole(&name.base).is_some()
     }
 
     /// In a formula without a file, an unknown letter is a real number.
@@ -93,8 +150,8 @@ impl Reader<'_> {
         let Some(id) = self.symbols.add(name.clone(), Kind::Scalar) else {
             return Err(Fault::new(span, format!("{name} cannot be told from another symbol")));
         };
-        let node = Node::Symbol { id, indices: Vec::new(), dots: printed.dots };
-        self.applied(node, printed.sup, span, items, cursor)
+        let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: printed.dots }, span);
+        self.applied(symbol, id, printed.sup, items, cursor)
     }
 
     /// π, ε_abc and δ_ab, unless they are declared.
@@ -125,32 +182,30 @@ impl Reader<'_> {
     /// A symbol with its power; a parenthesis after it is a factor of its own, unless that could be a call.
     fn applied(
         &mut self,
-        node: Node,
+        expr: Expr,
+        id: SymbolId,
         sup: Option<&Item>,
-        span: Span,
         items: &[Item],
         cursor: &mut usize,
     ) -> Read<Expr> {
-        if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor)
-            && let Node::Symbol { id, .. } = &node
-        {
+        let span = expr.span;
+        if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor) {
             let plain = |item: &&Item| !matches!(item.layout, Layout::Space(_));
             let inside: Vec<&Item> = inside.iter().filter(plain).collect();
             let lone = inside.iter().all(|item| {
                 names::printed(item, self.branch).is_some_and(|p| p.sup.is_none())
                     || matches!(item.layout, Layout::Other(','))
             }) && (inside.len() == 1 || inside.iter().any(|item| matches!(item.layout, Layout::Other(','))));
-            let argument = self.symbols.entry(*id).argument.as_ref();
-            let is_time = self.is_time_in_parentheses(&items[*cursor]) && self.symbols.entry(*id).varies;
+            let argument = self.symbols.entry(id).argument.as_ref();
+            let is_time = self.is_time_in_parentheses(&items[*cursor]) && self.symbols.entry(id).varies;
             if is_time || argument.is_some_and(|argument| is_lone(&items[*cursor], argument)) {
                 *cursor += 1;
             } else if lone {
-                let name = self.symbols.entry(*id).name.to_string();
+                let name = self.symbols.entry(id).name.to_string();
                 return Err(two_ways(span.to(*fence), &format!("{name}(…), a call or a product"))
                     .help("for a product leave the parentheses out"));
             }
         }
-        let expr = Expr::new(node, span);
         match sup {
             Some(sup) => self.raised(expr, sup, span),
             None => Ok(expr),
@@ -215,4 +270,10 @@ pub(super) fn is_lone(item: &Item, name: &Name) -> bool {
     let mut inside = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
     let (Some(only), None) = (inside.next(), inside.next()) else { return false };
     names::printed(only, None).is_some_and(|p| p.dots == 0 && p.sup.is_none() && p.name == *name)
+}
+
+/// `dots` times differentiated by time.
+fn differentiated(expr: Expr, dots: u8) -> Expr {
+    let span = expr.span;
+    if dots == 0 { expr } else { Expr::new(Node::TimeDerivative(dots, Box::new(expr)), span) }
 }
