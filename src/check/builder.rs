@@ -13,9 +13,10 @@ use crate::systems::Registry;
 use crate::{Error, Result, suggest};
 
 use super::model::{
-    Continuum, Frame, FrameQuantity, MEANINGS, Meaning, Model, ParticleQuantity, Piece, Quantity, Rigid, Variable,
-    formula_error, is_angle, plain,
+    Continuum, Frame, FrameQuantity, MEANINGS, Meaning, Model, Piece, Quantity, Rigid, Variable, formula_error,
+    is_angle, plain,
 };
+use super::particles;
 
 /// The most things that a count counts: three or four, so that none of the two can hide a fault.
 const MOST_THINGS: u8 = 4;
@@ -192,7 +193,8 @@ impl Builder<'_> {
         match &declaration.range.value {
             Range::Rigid { turning_with, about } => {
                 self.turning_with(turning_with, &declaration.range)?;
-                let about = about.as_ref().map(|about| self.declared(about, &declaration.range)).transpose()?;
+                let about = about.as_ref().filter(|about| !matches!(plain(about).as_str(), "vec0" | "0"));
+                let about = about.map(|about| self.declared(about, &declaration.range)).transpose()?;
                 let id = self.add(latex, kind, Meaning::Rigid(self.model.rigid.len()))?;
                 let members = self.members(id);
                 self.model.rigid.push(Rigid { symbol: id, about, members });
@@ -459,13 +461,9 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// Meanings that need no system: `inertia tensor of m_i at \vec r_i`, `angle turned with \vec\omega`.
+    /// Meanings that need no system: `angle turned with \vec\omega`; and those of particles, which wait until these are
+    /// known.
     fn of_frame_or_particles(&mut self, latex: &Spanned<String>, meaning: &Spanned<String>) -> Result<bool> {
-        const OF_PARTICLES: [(&str, ParticleQuantity); 3] = [
-            ("inertia tensor of ", ParticleQuantity::InertiaTensor),
-            ("principal moments of ", ParticleQuantity::PrincipalMoments),
-            ("principal axes of ", ParticleQuantity::PrincipalAxes),
-        ];
         if let Some(vector) = meaning.value.strip_prefix("angle turned with ") {
             self.turning_with(vector, meaning)?;
             if self.model.frame != Some(Frame::FixedDirection) {
@@ -478,45 +476,7 @@ impl Builder<'_> {
             (entry.varies, entry.angle) = (true, true);
             return Ok(true);
         }
-        let found = OF_PARTICLES.iter().find_map(|(word, q)| meaning.value.strip_prefix(word).map(|rest| (*q, rest)));
-        let Some((quantity, rest)) = found else { return Ok(false) };
-        let (mass, position) = rest.split_once(" at ").ok_or_else(|| {
-            self.error(meaning, "of which particles?").help("write \"inertia tensor of m_i at \\vec r_i\"")
-        })?;
-        let family = |text: &str, kind: Kind| {
-            let latex = Spanned::new(text.trim().to_owned(), meaning.span);
-            let name = self.name(&latex)?;
-            let found = self.model.symbols.find(&name).map(|(id, _)| id);
-            let labelled = |id: &SymbolId| {
-                let entry = self.model.symbols.entry(*id);
-                entry.kind == kind && entry.slots.len() == 1 && self.model.symbols.indices[entry.slots[0].1.0].labels
-            };
-            found.filter(labelled).ok_or_else(|| {
-                self.error(
-                    meaning,
-                    format!(
-                        "{name} is not declared as a family of {}",
-                        if kind == Kind::Vector { "vectors" } else { "numbers" }
-                    ),
-                )
-                .help("a family carries a label: \"indices\": { \"i\": \"1..n\" }")
-            })
-        };
-        let (mass, position) = (family(mass, Kind::Scalar)?, family(position, Kind::Vector)?);
-        let name = self.name(latex)?;
-        let slots = name.subscript.iter().filter(|token| self.model.symbols.index(token).is_some()).count();
-        let kind = match (quantity, slots) {
-            (ParticleQuantity::InertiaTensor, 0) => Kind::Matrix,
-            (ParticleQuantity::InertiaTensor, 2) | (ParticleQuantity::PrincipalMoments, 1) => Kind::Scalar,
-            (ParticleQuantity::PrincipalAxes, 1) => Kind::Vector,
-            _ => {
-                return Err(self.error(latex, format!("{name} has {slots} indices, and that does not fit")).help(
-                    "the inertia tensor has two or none, principal moments and axes have one that runs over \"1..3\"",
-                ));
-            }
-        };
-        self.add(latex, kind, Meaning::Particles(quantity, mass, position))?;
-        Ok(true)
+        Ok(particles::quantity(meaning).is_some())
     }
 
     fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {

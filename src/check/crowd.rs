@@ -8,7 +8,7 @@
 use nalgebra::Vector3;
 
 use crate::formula::evaluate::{Body as Integrand, Environment, Unavailable, evaluate};
-use crate::formula::{IndexId, SymbolId, Value};
+use crate::formula::{Expr, IndexId, SymbolId, Value};
 use crate::mechanics::inertia::{inertia_tensor, principal_axes};
 use crate::mechanics::{Body, Nodes};
 use crate::notes::claims::SolidKind;
@@ -292,15 +292,15 @@ impl<B: Number> Scene<'_, B> {
     pub(super) fn of_particles(
         &self,
         quantity: ParticleQuantity,
-        masses: SymbolId,
-        positions: SymbolId,
+        (label, masses, positions): (IndexId, &Expr, &Expr),
         id: SymbolId,
         indices: &[u8],
     ) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let mut points = Vec::new();
-        for value in 1..=self.count(self.label_of(masses)?)? {
-            match (self.symbol(positions, &[value])?, self.symbol(masses, &[value])?) {
+        for value in 1..=self.count(label)? {
+            let at = [(label, value)];
+            match (evaluate(positions, self, &at)?, evaluate(masses, self, &at)?) {
                 (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
                 _ => return Err(none()),
             }

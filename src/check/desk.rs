@@ -89,7 +89,10 @@ impl Desk<'_> {
             let letters: Vec<_> = letters.collect();
             let parts: Vec<&str> = meaning.value.split("\\cup").map(str::trim).collect();
             let action = if parts.len() > 1 {
-                let part = |part: &&str| self.symbol(&Spanned::new((*part).to_owned(), meaning.span));
+                if !matches!(letters.as_slice(), [letter] if self.model.symbols.indices[letter.0].labels) {
+                    return Err(at(format!("{} is no family, and cannot be joined of several", name.value)));
+                }
+                let part = |part: &&str| self.formula(&Spanned::new((*part).to_owned(), meaning.span));
                 Action::Union(parts.iter().map(part).collect::<Result<_>>()?)
             } else {
                 let formula = self.formula(meaning)?;

@@ -5,7 +5,7 @@
 //! an earlier equation defines.
 
 use crate::formula::symbols::{Components, Name};
-use crate::formula::{Expr, SymbolId, Symbols};
+use crate::formula::{Expr, IndexId, SymbolId, Symbols};
 use crate::latex::Macros;
 use crate::mechanics::World;
 use crate::mechanics::rotations::Axis;
@@ -39,8 +39,8 @@ pub enum Meaning {
     Frame(FrameQuantity),
     /// Fixed in the turning frame, by its place among [`Model::rigid`].
     Rigid(usize),
-    /// Something that point masses determine: a family of masses, and one of positions.
-    Particles(ParticleQuantity, SymbolId, SymbolId),
+    /// Something that point masses determine: the label that counts them, their masses, their positions.
+    Particles(ParticleQuantity, IndexId, Box<Expr>, Box<Expr>),
     /// The part of a continuum at hand; as a number its volume, area or length.
     Region(usize),
     /// The mass density of a continuum, at the point at hand.
@@ -275,8 +275,8 @@ impl Model {
         symbols.contains(&id)
             || match self.meaning(id) {
                 Some(Meaning::Defined(formula)) => self.depends_on(formula, symbols),
-                Some(Meaning::Particles(_, masses, positions)) => {
-                    self.stands_on(*masses, symbols) || self.stands_on(*positions, symbols)
+                Some(Meaning::Particles(_, _, masses, positions)) => {
+                    self.depends_on(masses, symbols) || self.depends_on(positions, symbols)
                 }
                 Some(Meaning::Rigid(at)) => self.rigid[*at].about.is_some_and(|about| symbols.contains(&about)),
                 _ => self.symbols.entry(id).members.iter().any(|member| self.stands_on(*member, symbols)),

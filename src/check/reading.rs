@@ -13,6 +13,7 @@ use crate::{Error, Result};
 
 use super::document::id;
 use super::model::{Model, formula_error};
+use super::particles;
 
 /// Reads what is wanted: the displays, by their places, and the claims file's definitions, which go into the model.
 ///
@@ -43,20 +44,29 @@ pub(super) fn read_all(
         })
         .collect::<Result<_>>()?;
     let mut definitions: Vec<&(Spanned<String>, Spanned<String>)> = claims.define.iter().collect();
+    let mut of_particles: Vec<_> =
+        claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect();
     loop {
-        let before = definitions.len() + readings.iter().filter(|reading| reading.is_none()).count();
+        let before =
+            of_particles.len() + definitions.len() + readings.iter().filter(|reading| reading.is_none()).count();
         definitions.retain(|(name, body)| define(claims, name, body, model).is_err());
+        of_particles.retain(|(name, meaning)| particles::declare(claims, name, meaning, model).is_err());
         for at in 0..readings.len() {
             if readings[at].is_none() {
                 readings[at] = read(&texts[at], assigned[at], model, false)?;
             }
         }
-        if before == definitions.len() + readings.iter().filter(|reading| reading.is_none()).count() {
+        if before
+            == of_particles.len() + definitions.len() + readings.iter().filter(|reading| reading.is_none()).count()
+        {
             break;
         }
     }
     for (name, body) in definitions {
         define(claims, name, body, model)?;
+    }
+    for (name, meaning) in of_particles {
+        particles::declare(claims, name, meaning, model)?;
     }
     for at in 0..readings.len() {
         if readings[at].is_none() {

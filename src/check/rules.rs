@@ -39,7 +39,7 @@ pub enum Action {
     /// The part of what it was before that is parallel to a vector.
     Parallel(Expr),
     /// The members of several families, one after the other.
-    Union(Vec<SymbolId>),
+    Union(Vec<Expr>),
 }
 
 /// The rules that these hypotheses are, and whether each of them is one.

@@ -226,7 +226,8 @@ impl<'m, B: Number> Scene<'m, B> {
                 }
                 _ => return Err(wrong),
             },
-            Action::Union(_) => return Err(Unavailable::Symbol(id)),
+            // What joins families acts through the crowd that stands in for them.
+            Action::Union(..) => return before(),
         };
         if rule.throughout || !self.model.symbols.entry(id).varies {
             return Ok(target);
@@ -303,8 +304,8 @@ impl<'m, B: Number> Scene<'m, B> {
                     }
                 }
             }
-            Meaning::Particles(quantity, masses, positions) => {
-                self.of_particles(*quantity, *masses, *positions, id, indices)
+            Meaning::Particles(quantity, label, masses, positions) => {
+                self.of_particles(*quantity, (*label, masses, positions), id, indices)
             }
             Meaning::Region(at) => self.size_of_part(*at).map(Value::Scalar).ok_or_else(none),
             Meaning::Density(at) => self.density(*at).map(Value::Scalar).ok_or_else(none),
@@ -329,14 +330,12 @@ impl<'m, B: Number> Scene<'m, B> {
         let mut members = Vec::new();
         let mut label = None;
         for rule in unions {
-            let Action::Union(parts) = &rule.action else { continue };
+            let (Action::Union(parts), [letter]) = (&rule.action, rule.letters.as_slice()) else { continue };
+            label = Some(*letter);
             let mut joined = Vec::new();
             for part in parts {
-                let letter = self.model.symbols.entry(*part).slots.first().map(|(_, letter)| *letter);
-                let letter = letter.ok_or(Unavailable::Symbol(*part))?;
-                label = Some(letter);
-                for value in 1..=self.count(letter)? {
-                    joined.push(self.symbol(*part, &[value])?);
+                for value in 1..=self.count(*letter)? {
+                    joined.push(evaluate(part, self, &[(*letter, value)])?);
                 }
             }
             members.push((rule.symbol, joined));
