@@ -361,6 +361,7 @@ impl Work<'_> {
             body = body.to(piece.body);
             parts.push(piece.body);
         }
+        rows::mark_blank_lines(&mut self.clean, self.source, body);
         let text = String::from_utf8_lossy(&self.clean[body.range()]).into_owned();
         let number = group.iter().find_map(|piece| piece.number.clone());
         let labels: Vec<Numbered> = group.into_iter().flat_map(|piece| piece.labels).collect();
