@@ -42,7 +42,7 @@ pub struct Display {
     /// The body to be read as a formula: as many bytes as `body`, so that a place in it is a place in the file.
     ///
     /// What is no formula (comments, `\tag`, `\label`, numbers, block-quote markers, definitions of macros) is
-    /// overwritten by spaces.
+    /// overwritten by spaces, and a blank line between two rows by a row break, `\\`.
     pub text: String,
     /// The printed number, without its parentheses.
     pub number: Option<Numbered>,
