@@ -97,5 +97,17 @@ mod json_places;
 #[path = "notes/claims_files.rs"]
 mod claims_files;
 
+#[path = "notes/worlds.rs"]
+mod worlds;
+
+#[path = "notes/further_claims.rs"]
+mod further_claims;
+
+#[path = "notes/blank_lines.rs"]
+mod blank_lines;
+
+#[path = "notes/references.rs"]
+mod references;
+
 #[path = "notes/addresses.rs"]
 mod addresses;

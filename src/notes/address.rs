@@ -48,6 +48,19 @@ pub struct Point {
     pub span: Span,
 }
 
+/// What a point names in the notes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The display, as its position in `notes.equations`.
+    pub display: usize,
+    /// Which row of it, from 1; all, if nothing is said.
+    pub row: Option<usize>,
+    /// Which statement, from 1; all, if nothing is said.
+    pub part: Option<usize>,
+    /// Which relation of the chain, from 1; all, if nothing is said.
+    pub step: Option<usize>,
+}
+
 /// How a display is named.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
@@ -102,19 +115,46 @@ impl Address {
     pub fn resolve(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<usize>> {
         let mut found = Vec::new();
         for item in &self.items {
-            match item {
-                Item::One(point) => found.extend(point.resolve(notes, source)?),
-                Item::Range(from, to) => {
-                    let (first, last) = (from.one(notes, source)?, to.one(notes, source)?);
-                    if last < first {
-                        return Err(Error::at(source, from.span.to(to.span), "this range ends before it begins")
-                            .help("the first end stands earlier in the notes"));
-                    }
-                    found.extend(first..=last);
-                }
-            }
+            found.extend(item.resolve(notes, source)?);
         }
         Ok(found)
+    }
+
+    /// What it names, row, part and step with it, in the order of the address. A range is one of whole equations.
+    pub fn lookup(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<Place>> {
+        let partial = |point: &&Point| point.row.or(point.part).or(point.step).is_some();
+        let mut places = Vec::new();
+        for item in &self.items {
+            let (row, part, step) = match item {
+                Item::One(point) => (point.row, point.part, point.step),
+                Item::Range(from, to) => {
+                    if let Some(point) = [from, to].into_iter().find(partial) {
+                        return Err(Error::at(source, point.span, "a range is one of whole equations")
+                            .help("leave out `row`, `part` and `step`, or name each part by itself"));
+                    }
+                    (None, None, None)
+                }
+            };
+            let displays = item.resolve(notes, source)?.into_iter();
+            places.extend(displays.map(|display| Place { display, row, part, step }));
+        }
+        Ok(places)
+    }
+}
+
+impl Item {
+    fn resolve(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<usize>> {
+        match self {
+            Item::One(point) => point.resolve(notes, source),
+            Item::Range(from, to) => {
+                let (first, last) = (from.one(notes, source)?, to.one(notes, source)?);
+                if last < first {
+                    return Err(Error::at(source, from.span.to(to.span), "this range ends before it begins")
+                        .help("the first end stands earlier in the notes"));
+                }
+                Ok((first..=last).collect())
+            }
+        }
     }
 }
 

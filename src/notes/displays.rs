@@ -294,8 +294,7 @@ impl Work<'_> {
     }
 
     fn number_inside(&self, body: Span) -> Option<(Numbered, Span)> {
-        let text = &self.clean[body.range()];
-        let trimmed = text.trim_ascii_end();
+        let (text, trimmed) = (&self.clean[body.range()], self.clean[body.range()].trim_ascii_end());
         let open = trimmed.iter().rposition(|&b| b == b'(')?;
         let (id, end) = scan::number(self.source, body.start + open)?;
         let dotted =
@@ -361,6 +360,7 @@ impl Work<'_> {
             body = body.to(piece.body);
             parts.push(piece.body);
         }
+        rows::mark_blank_lines(&mut self.clean, self.source, body);
         let text = String::from_utf8_lossy(&self.clean[body.range()]).into_owned();
         let number = group.iter().find_map(|piece| piece.number.clone());
         let labels: Vec<Numbered> = group.into_iter().flat_map(|piece| piece.labels).collect();
@@ -383,7 +383,7 @@ fn is_digits(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Counts lines on the way through a file.
+/// Counts lines on the way through a file: so many newlines before `at`.
 #[derive(Default)]
 struct Lines {
     at: usize,

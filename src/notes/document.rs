@@ -1,8 +1,10 @@
 //! The notes: a file with its display equations, in order, each with its place and its number.
 
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
+use super::references::{self, Reference};
 use super::{displays, macros, markdown, tex};
 use crate::source::{Source, Span};
 use crate::{Error, Result};
@@ -19,6 +21,8 @@ pub struct Notes {
     pub equations: Vec<Display>,
     /// The commands that the notes define.
     pub macros: Vec<MacroDefinition>,
+    /// Where the prose cites equations by their numbers, in order.
+    pub references: Vec<Reference>,
     /// Block-quote markers, which are no part of a sentence.
     markers: Vec<Span>,
 }
@@ -38,7 +42,7 @@ pub struct Display {
     /// The body to be read as a formula: as many bytes as `body`, so that a place in it is a place in the file.
     ///
     /// What is no formula (comments, `\tag`, `\label`, numbers, block-quote markers, definitions of macros) is
-    /// overwritten by spaces.
+    /// overwritten by spaces, and a blank line between two rows by a row break, `\\`.
     pub text: String,
     /// The printed number, without its parentheses.
     pub number: Option<Numbered>,
@@ -117,9 +121,21 @@ impl Notes {
         displays::blank(&mut clean, scan.blank.iter().chain(&scan.markers));
         let macros = macros::all(&String::from_utf8_lossy(&clean));
         displays::blank(&mut clean, macros.iter().map(|definition| &definition.span));
+        let mut prose = clean.clone();
+        displays::blank(&mut prose, scan.raws.iter().map(|raw| &raw.span).chain(&scan.inline));
         let equations = displays::assemble(&source.text, clean, scan.raws, scan.names)
             .map_err(|fault| Error::fault(&source, fault))?;
-        Ok(Notes { source, equations, macros, markers: scan.markers })
+        let numbers = || equations.iter().filter_map(|display| display.number.as_ref());
+        displays::blank(&mut prose, numbers().map(|number| &number.span));
+        let references = references::all(&prose, &source, numbers().map(|number| number.id.as_str()));
+        Ok(Notes { source, equations, macros, references, markers: scan.markers })
+    }
+
+    /// The references to numbers that no display carries. The prose may mean another document.
+    pub fn dangling_references(&self) -> impl Iterator<Item = &Reference> {
+        let carried: HashSet<&str> =
+            self.equations.iter().filter_map(|d| Some(d.number.as_ref()?.id.as_str())).collect();
+        self.references.iter().filter(move |reference| !carried.contains(reference.number.as_str()))
     }
 
     /// The displays that carry `id` as their number, label or (as `#veff`) name.

@@ -100,7 +100,7 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
                 };
                 pair(text, i, close, found)?
             }
-            b'$' => scan::inline(bytes, i, true).map_or(i, |close| close) + 1,
+            b'$' => found.inline(bytes, i, true),
             b'<' if bytes[i..].starts_with(b"<!--") => {
                 let Some(close) = scan::find(text, i + 4, "-->") else {
                     return Err(Fault::new(Span::new(i, i + 4), "this comment is never closed")

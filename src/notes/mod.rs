@@ -14,11 +14,13 @@ pub mod document;
 pub mod json;
 mod macros;
 mod markdown;
+pub mod references;
 mod rows;
 mod scan;
 pub mod spelling;
 mod tex;
 
-pub use address::{Address, Item, Point, Target};
+pub use address::{Address, Item, Place, Point, Target};
 pub use claims::{Claim, Claims, Sentence, Spanned, claims_beside};
 pub use document::{Display, Kind, MacroDefinition, Notes, Numbered};
+pub use references::Reference;

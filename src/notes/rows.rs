@@ -1,4 +1,4 @@
-//! The rows of an `align`: where `\\` breaks them, and which of them one number holds together.
+//! The rows of a display: where `\\` or a blank line breaks them, and which of them one number holds together.
 
 use super::scan;
 use crate::source::Span;
@@ -37,6 +37,68 @@ fn after_break(bytes: &[u8], at: usize) -> usize {
     match bytes.get(at) {
         Some(b'[') => length().map_or(at, |length| at + 1 + length + 1),
         _ => at,
+    }
+}
+
+/// Writes a row break, `\\`, over the first blank line between two rows of `body`.
+///
+/// TeX lets no blank line stand in a display. Converters that print rows with blank lines between them mean rows, and
+/// what stands in two paragraphs is no product. Within braces, an environment or `\left … \right` nothing is written.
+/// A line that holds nothing but a comment or a `\tag` is not blank.
+pub(super) fn mark_blank_lines(clean: &mut [u8], source: &str, body: Span) {
+    let source = source.as_bytes();
+    let is_blank = |clean: &[u8], start: usize| {
+        let line = (start..body.end).take_while(|&at| clean[at] != b'\n');
+        let length = line.clone().count();
+        start + length < body.end
+            && line.clone().all(|at| clean[at].is_ascii_whitespace())
+            && line.clone().all(|at| source[at].is_ascii_whitespace() || source[at] == b'>')
+    };
+    let mut depth = 0usize;
+    // Whether something stands in this row, and the line end after which it may be broken.
+    let (mut begun, mut gap) = (false, None);
+    let mut i = body.start;
+    while i < body.end {
+        let rest = &clean[i..body.end];
+        let mut next = i + 1;
+        match rest[0] {
+            b'\n' => {
+                if begun && depth == 0 && gap.is_none() && is_blank(clean, i + 1) {
+                    gap = Some(i);
+                }
+                i = next;
+                continue;
+            }
+            byte if byte.is_ascii_whitespace() => {
+                i = next;
+                continue;
+            }
+            b'\\' if rest.starts_with(b"\\\\") && depth == 0 => {
+                (begun, gap) = (false, None);
+                i = after_break(&clean[..body.end], i + 2);
+                continue;
+            }
+            _ => {}
+        }
+        if let Some(at) = gap.take() {
+            clean[at..at + 2].copy_from_slice(b"\\\\");
+        }
+        begun = true;
+        match clean[i] {
+            b'{' => depth += 1,
+            b'}' => depth = depth.saturating_sub(1),
+            b'\\' => {
+                let word = scan::word_end(&clean[..body.end], i);
+                match &clean[i + 1..word] {
+                    b"begin" | b"left" => depth += 1,
+                    b"end" | b"right" => depth = depth.saturating_sub(1),
+                    _ => {}
+                }
+                next = word.max(i + 2);
+            }
+            _ => {}
+        }
+        i = next;
     }
 }
 

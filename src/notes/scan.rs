@@ -18,11 +18,20 @@ pub(super) struct Scan {
     pub names: Vec<Name>,
     /// Code, comments and the like, wherever they stand: no LaTeX.
     pub blank: Vec<Span>,
+    /// Inline mathematics, with its dollar signs.
+    pub inline: Vec<Span>,
     /// Block-quote markers.
     pub markers: Vec<Span>,
 }
 
 impl Scan {
+    /// Takes note of the inline mathematics that the `$` at `at` opens, if it does; the position after it.
+    pub fn inline(&mut self, bytes: &[u8], at: usize, strict: bool) -> usize {
+        let end = inline(bytes, at, strict).map_or(at, |close| close) + 1;
+        self.inline.push(Span::new(at, end));
+        end
+    }
+
     /// Takes note of the TeX comment at `at`; the end of its line.
     pub fn comment(&mut self, text: &str, at: usize) -> Result<usize, Fault> {
         let end = line_end(text.as_bytes(), at);

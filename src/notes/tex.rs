@@ -15,10 +15,13 @@ pub(super) fn scan(text: &str) -> Result<Scan, Fault> {
         i = match bytes[i] {
             b'%' => found.comment(text, i)?,
             b'$' if bytes[i..].starts_with(b"$$") => pair(text, i, b"$$", &mut found)?,
-            b'$' => scan::inline(bytes, i, false).map_or(i, |close| close) + 1,
+            b'$' => found.inline(bytes, i, false),
             b'\\' => match command(text, i, &mut found)? {
                 Some(next) => next,
-                None => break,
+                None => {
+                    found.blank.push(Span::new(i, text.len()));
+                    break;
+                }
             },
             _ => i + 1,
         };
@@ -58,7 +61,9 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
             let start = word + usize::from(bytes.get(word) == Some(&b'*'));
             let line = bytes.iter().skip(start + 1).take_while(|&&b| b != b'\n');
             let close = bytes.get(start).and_then(|mark| line.into_iter().position(|b| b == mark));
-            close.map_or(word, |i| start + 1 + i + 1)
+            let end = close.map_or(word, |i| start + 1 + i + 1);
+            found.blank.push(Span::new(at, end));
+            end
         }
         // The `\begin{equation}` in the body of a macro opens nothing.
         _ if defines => super::macros::definition(text, at).map_or(word, |definition| definition.span.end),

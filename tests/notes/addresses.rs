@@ -1,5 +1,7 @@
 //! How a claims file names an equation.
 
+use onshell::notes::Address;
+
 use super::*;
 
 const NOTES: &str = "$$a = \\dot{z}\\,(2c) \\tag{6.72}$$\n\nx\n\n$$b = \\dot z \\tag{6.73}$$\n\nx\n\n$$c = 1 \\tag{6.78} \\label{eq:c}$$\n\n\
@@ -39,6 +41,40 @@ fn rows_parts_and_steps() {
     let point = claims.equations[0].0.single().unwrap();
     assert_eq!((point.row, point.part, point.step), (Some(2), None, Some(3)));
     assert!(claims.equations[1].0.single().is_none());
+}
+
+#[test]
+fn places() {
+    let notes = parse(NOTES, Kind::Markdown).unwrap();
+    let lookup = |address: &str| {
+        let address = serde_json::to_string(address).unwrap();
+        let claims = claims(&with(&format!("\"laws\": {{ \"a\": {address} }}"))).unwrap();
+        let found = Address::parse(&claims.laws[0].1, &claims.source)
+            .map_err(|fault| Error::fault(&claims.source, fault))?
+            .lookup(&notes, &claims.source)?;
+        Ok::<_, Error>(found.iter().map(|place| (place.display, place.row, place.part, place.step)).collect::<Vec<_>>())
+    };
+    let whole = |display| (display, None, None, None);
+    for (address, expected) in [
+        ("6.72", vec![whole(0)]),
+        ("6.72 part 2", vec![(0, None, Some(2), None)]),
+        ("6.72 row 2 part 1 step 3, 6.78", vec![(0, Some(2), Some(1), Some(3)), whole(2)]),
+        ("every `\\dot z` row 1", vec![(0, Some(1), None, None), (1, Some(1), None, None)]),
+        ("6.72 .. 6.78", vec![whole(0), whole(1), whole(2)]),
+    ] {
+        assert_eq!(lookup(address).unwrap(), expected, "{address}");
+    }
+    for (address, word, at) in [
+        ("6.72 .. 6.73 part 2", "whole equations", "6.73 part 2"),
+        ("6.72 step 1 .. 6.73", "whole equations", "6.72 step 1"),
+        ("6.79 part 1", "no equation (6.79)", "6.79 part 1"),
+        ("6.72 part 0", "takes one number", "6.72 part 0"),
+    ] {
+        let error = lookup(address).unwrap_err();
+        assert!(error.to_string().contains(word), "{error}");
+        assert!(error.advice().is_some());
+        assert_eq!(pointed(&error), at);
+    }
 }
 
 #[test]

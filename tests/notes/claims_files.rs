@@ -8,7 +8,7 @@ const TOP: &str = r##"{ "notes": "heavy-top.md", "system": { "name": "heavy_top"
   "varies with time": { "u": "any" },
   "constants": { "M, g, R, \\lambda_1": "> 0", "n": "integer 2..5", "q": "< 0" },
   "functions": { "V(r, t)": "any" }, "indices": { "i, j": "1..n", "a": "1..3" },
-  "rotations": { "\\mathbf R_z(\\alpha)": "of the axes" }, "components": { "\\vec r": "x, y" },
+  "rotations": { "\\mathbf R_z(\\alpha)": "of the axes" }, "components": { "\\vec r": "x, y, z" },
   "means": { "L": "Lagrangian", "T, U": "kinetic energy" },
   "define": { "\\Omega": "\\dot\\phi" }, "macros": { "\\PD": "x" },
   "conditions": { "steady": "\\dot\\theta = 0", "two": ["a", "b"] }, "assume": ["x"],
@@ -146,12 +146,9 @@ fn keys() {
         refused(&with("\"sentences\": [{ \"quote\": \"x\", \"signs\": \"y\" }]")).0.contains("did you mean \"sign\"?")
     );
     for rest in [
-        "\"laws\": {}",
         "\"covers\": \"6\"",
         "\"unsure\": {}",
-        "\"equations\": { \"6.1\": { \"small\": \"x\" } }",
-        "\"units\": {}",
-        "\"varies with time\": { \"x\": \"fixed direction\" }",
+        "\"equations\": { \"6.1\": { \"starting at\": \"x\" } }",
         "\"sentences\": [{ \"quote\": \"x\", \"minimum of\": \"y\" }]",
     ] {
         assert!(refused(&with(rest)).0.contains("not supported yet"), "{rest}");
