@@ -192,7 +192,13 @@ fn claims_that_are_misspelt() {
         ("tab", "\"a\":", "\"\\theta\":", vec!["claims.json:3", "tab", "\\\\theta"]),
         ("system", "\"notes\"", "\"system\": \"heavy_tpo\", \"notes\"", vec!["claims.json:2", "heavy_top"]),
         ("comma", "\"> 0\",", "\"> 0\"", vec!["claims.json:3"]),
-        ("later", "\"always\"", "\"always\", \"units\": \"off\"", vec!["claims.json:5", "units"]),
+        (
+            "later",
+            "\"always\"",
+            "\"always\", \"continuum limit of\": \"1\"",
+            vec!["claims.json:5", "continuum limit of"],
+        ),
+        ("units", "\"always\"", "\"always\", \"units\": \"of\"", vec!["claims.json:5", "off"]),
     ] {
         refused(&check(&format!("misspelt-{name}"), claims_with(from, to), NOTES), &words);
     }

@@ -150,12 +150,13 @@ fn keys() {
         "\"covers\": \"6\"",
         "\"unsure\": {}",
         "\"equations\": { \"6.1\": { \"small\": \"x\" } }",
-        "\"units\": {}",
+        "\"continua\": {}",
         "\"varies with time\": { \"x\": \"fixed direction\" }",
         "\"sentences\": [{ \"quote\": \"x\", \"minimum of\": \"y\" }]",
     ] {
         assert!(refused(&with(rest)).0.contains("not supported yet"), "{rest}");
     }
+    assert!(refused(&with("\"equations\": { \"6.1\": { \"units\": \"on\" } }")).0.contains("off"));
     assert!(refused("{ \"equations\": {} }").0.contains("needs \"notes\""));
     assert!(refused("[]").0.contains("is an object, not a list"));
 }
