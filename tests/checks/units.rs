@@ -8,9 +8,10 @@ use onshell::check::model::Model;
 use onshell::check::units::conflicts;
 use onshell::formula::symbols::{Kind, Name, Symbols};
 use onshell::formula::units::{Affine, Dimension, Survey, parse};
+use onshell::formula::{Expr, Node};
 use onshell::latex::{Macros, names, read_display};
 use onshell::notes::Claims;
-use onshell::source::Source;
+use onshell::source::{Source, Span};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
@@ -255,6 +256,25 @@ fn a_matrix_of_rotation_has_no_unit_and_a_family_has_one() {
     };
     fits(&body, &units, &[&entries(r"\frac hh")]);
     names_the_term(&body, &units, &[&entries("h")], "h", &["they cannot be entries of one matrix"]);
+}
+
+#[test]
+fn an_integral_multiplies_by_its_region() {
+    let mut symbols = Symbols::new();
+    let [region, density, mass] = ["V", r"\rho", "m"].map(|name| symbols.add(Name::plain(name), Kind::Scalar).unwrap());
+    let span = Span::default();
+    let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span);
+    let integral = Expr::new(Node::Integral(region, Box::new(symbol(density))), span);
+    let mut survey = Survey::new(&symbols);
+    for (id, unit) in [(region, "m^3"), (density, "kg/m^3")] {
+        survey.ledger.require_equal(&Affine::of(id), &Affine::known(parse(unit).unwrap())).unwrap();
+    }
+    let found = survey.dimension(&integral).unwrap().unwrap();
+    assert!(survey.ledger.clone().require_equal(&found, &Affine::known(parse("kg").unwrap())).is_ok());
+    assert!(survey.ledger.clone().require_equal(&found, &Affine::known(parse("kg/m").unwrap())).is_err());
+    // And so the mass that is equal to it is found.
+    survey.ledger.require_equal(&Affine::of(mass), &found).unwrap();
+    assert_eq!(survey.words(&Affine::of(mass)), "kg");
 }
 
 #[test]
