@@ -11,3 +11,5 @@ mod evidence;
 mod own_system;
 #[path = "checks/sentences.rs"]
 mod sentences;
+#[path = "checks/units.rs"]
+mod units;

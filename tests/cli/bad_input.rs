@@ -193,6 +193,7 @@ fn claims_that_are_misspelt() {
         ("system", "\"notes\"", "\"system\": \"heavy_tpo\", \"notes\"", vec!["claims.json:2", "heavy_top"]),
         ("comma", "\"> 0\",", "\"> 0\"", vec!["claims.json:3"]),
         ("later", "\"always\"", "\"always\", \"starting at\": \"x = 0\"", vec!["claims.json:5", "starting at"]),
+        ("units", "\"always\"", "\"always\", \"units\": \"of\"", vec!["claims.json:5", "off"]),
     ] {
         refused(&check(&format!("misspelt-{name}"), claims_with(from, to), NOTES), &words);
     }

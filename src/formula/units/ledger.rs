@@ -119,7 +119,7 @@ impl Ledger {
     ///
     /// # Errors
     /// When what is known contradicts it; the ledger then stays as it was.
-    pub fn require_equal(&mut self, a: &Affine, b: &Affine) -> Result<(), Conflict> {
+    pub fn require_equal(&mut self, a: &Affine, b: &Affine) -> Result<(), Box<Conflict>> {
         let (first, mut origins) = self.reduce(a);
         let (second, others) = self.reduce(b);
         origins.extend(others);
@@ -128,7 +128,11 @@ impl Ledger {
             return Ok(());
         }
         let Some((pivot, exponent)) = difference.unknown.last_key_value().map(|(symbol, k)| (*symbol, *k)) else {
-            return if difference.known.is_none() { Ok(()) } else { Err(Conflict { first, second, origins }) };
+            return if difference.known.is_none() {
+                Ok(())
+            } else {
+                Err(Box::new(Conflict { first, second, origins }))
+            };
         };
         let mut rest = difference;
         rest.unknown.remove(&pivot);
@@ -175,4 +179,41 @@ fn substituted(row: &Row, pivot: SymbolId, by: &Row) -> Row {
     let exponent = value.unknown.remove(&pivot).unwrap_or(Ratio::ZERO);
     let origins = row.origins.union(&by.origins).copied().collect();
     Row { value: value.times(&by.value.clone().power(exponent)), origins }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Affine, Dimension, Ledger, Ratio};
+    use crate::formula::SymbolId;
+
+    const METRE: Dimension = Dimension::LENGTH;
+
+    fn x(n: usize) -> Affine {
+        Affine::of(SymbolId(n))
+    }
+
+    #[test]
+    fn two_equations_settle_two_unknowns() {
+        let mut ledger = Ledger::default();
+        ledger.require_equal(&x(0).times(&x(1)), &Affine::known(METRE)).unwrap();
+        ledger.require_equal(&x(0).over(&x(1)), &Affine::known(METRE.power(Ratio::whole(2)))).unwrap();
+        assert_eq!(ledger.reduce(&x(0)).0.as_known(), Some(METRE.power(Ratio::new(3, 2))));
+        assert_eq!(ledger.reduce(&x(1)).0.as_known(), Some(METRE.power(Ratio::new(-1, 2))));
+    }
+
+    #[test]
+    fn a_contradiction_names_the_demands_it_stands_on_and_changes_nothing() {
+        let mut ledger = Ledger::default();
+        for (origin, (a, b)) in [(x(0), Affine::known(METRE)), (x(1), x(0)), (x(2), x(3))].iter().enumerate() {
+            ledger.origin = Some(origin);
+            ledger.require_equal(a, b).unwrap();
+        }
+        let conflict = ledger.require_equal(&x(1), &Affine::known(Dimension::TIME)).unwrap_err();
+        assert_eq!(conflict.origins.into_iter().collect::<Vec<_>>(), [0, 1]);
+        assert_eq!(conflict.first.as_known(), Some(METRE));
+        assert!(ledger.may_be_equal(&x(1), &x(0)) && !ledger.may_be_equal(&x(1), &Affine::known(Dimension::TIME)));
+        // What does not follow from the others stays free.
+        assert!(ledger.require_equal(&x(3), &Affine::known(Dimension::TIME)).is_ok());
+        assert_eq!(ledger.reduce(&x(2)).0.as_known(), Some(Dimension::TIME));
+    }
 }

@@ -237,7 +237,8 @@ fn unknown(word: &str, span: Span, behind: &str) -> Fault {
     let fault = Fault::new(span, format!("{word} is not a unit"));
     let lower = word.to_lowercase();
     let called = UNITS.iter().find(|Unit(_, name, ..)| lower == *name || lower == format!("{name}s"));
-    if let Some(Unit(symbol, ..)) = called {
+    let cased = ["kg", "Hz", "Pa", "mol", "km"].into_iter().find(|known| known.to_lowercase() == lower);
+    if let Some(symbol) = called.map(|unit| unit.0).or(cased) {
         return fault.help(format!("write {symbol}"));
     }
     let halves = word.char_indices().skip(1).map(|(at, _)| word.split_at(at));
@@ -253,5 +254,96 @@ fn unknown(word: &str, span: Span, behind: &str) -> Fault {
         None => {
             fault.help("units are those of the SI: kg, m, s, A, K, mol, cd and those made of them, N, J, W, Pa, Hz")
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Dimension, parse};
+
+    fn shown(text: &str) -> String {
+        parse(text).unwrap_or_else(|fault| panic!("{text}: {}", fault.message)).to_string()
+    }
+
+    #[test]
+    fn derived_units_are_products_of_base_units() {
+        for (derived, base) in [
+            ("N m", "J"),
+            ("N m", "kg m^2/s^2"),
+            ("Pa", "N/m^2"),
+            ("W", "J/s"),
+            ("W", "V A"),
+            ("V", "J/C"),
+            ("C", "A s"),
+            ("F", "C/V"),
+            ("Ω", "V/A"),
+            ("S", "1/Ω"),
+            ("Wb", "V s"),
+            ("T", "Wb/m^2"),
+            ("H", "Wb/A"),
+            ("Hz", "s^-1"),
+            ("Gy", "J/kg"),
+            ("J/(kg K)", "m² s⁻² K⁻¹"),
+            ("m·s^{-1}", "m/s"),
+            ("m^(1/2) m^{1/2}", "m"),
+            ("rad", "1"),
+        ] {
+            assert_eq!(parse(derived), parse(base), "{derived} and {base}");
+        }
+        for (one, other) in [("N", "J"), ("kg m/s", "kg m/s^2"), ("m s^-1", "m s"), ("m^(1/2)", "m"), ("rad", "s")] {
+            assert_ne!(parse(one), parse(other), "{one} and {other}");
+        }
+    }
+
+    #[test]
+    fn a_prefix_changes_the_scale_alone() {
+        for (prefixed, plain) in
+            [("km", "m"), ("cm", "m"), ("mm", "m"), ("µm", "m"), ("ms", "s"), ("g", "kg"), ("kN", "N")]
+        {
+            assert_eq!(parse(prefixed), parse(plain), "{prefixed}");
+        }
+        // What looks like a prefix and is none: minute, candela, pascal, a power.
+        assert_eq!(parse("min"), parse("s"));
+        assert_eq!(parse("cd"), Ok(Dimension::base(6)));
+        assert!(parse("kkg").is_err() && parse("kmin").is_err());
+    }
+
+    #[test]
+    fn it_is_printed_as_it_can_be_read() {
+        assert_eq!(shown("J s"), "kg m² s⁻¹");
+        assert_eq!(shown("1"), "1");
+        assert_eq!(shown("K m^-12"), "m⁻¹² K");
+        assert_eq!(shown("kg^(1/2)"), "kg^(1/2)");
+        for text in ["kg m² s⁻²", "m^(-3/2) A", "mol cd⁻¹"] {
+            assert_eq!(shown(text), text);
+        }
+    }
+
+    #[test]
+    fn what_is_no_unit_is_refused_with_what_was_meant() {
+        for (text, place, help) in [
+            ("Nm", "Nm", "N m"),
+            ("kg newtons", "newtons", "N"),
+            ("metre/s", "metre", "m"),
+            ("Kg", "Kg", "kg"),
+            ("9.81 m/s^2", "9.81", "dimension"),
+            ("m2", "2", "m^2"),
+            ("m/s/s", "/s/s", "two ways"),
+            ("W/m^2 K", "/m^2 K", "two ways"),
+            ("m^x", "^", "m^2"),
+            ("m^(1/0)", "^(1/0)", "fraction"),
+            ("m^99999999999999999999", "^99999999999999999999", "small"),
+            ("(m", "(m", "not closed"),
+            ("m)", ")", "no place"),
+            ("m/", "", "missing"),
+            ("", "", "missing"),
+            ("x", "x", "SI"),
+        ] {
+            let fault = parse(text).unwrap_err();
+            let said = format!("{} {}", fault.message, fault.help.unwrap_or_default());
+            assert!(said.contains(help), "{text}: {said}");
+            assert_eq!(&text[fault.span.range()], place, "{text}: {said}");
+        }
+        assert!(parse(&"(".repeat(1000)).is_err());
     }
 }

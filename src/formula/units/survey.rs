@@ -4,7 +4,7 @@
 //! the argument of a function, an angle of a rotation, an exponent, and the base of a power whose exponent is not a
 //! literal. A dot divides by the dimension of the independent variable. A family has one dimension for all its
 //! members, and a vector or a matrix one for all its components. The literal 0 is of any dimension, every other number
-//! of none. An integral over a region multiplies by a length cubed.
+//! of none. An integral multiplies by the dimension of its region: a length, an area, a volume.
 
 use std::collections::BTreeSet;
 
@@ -156,10 +156,7 @@ impl<'a> Survey<'a> {
             }
             Node::TimeDerivative(n, a) => Ok(self.dimension(a)?.map(|a| self.per_time(a, *n))),
             Node::Inverse(a) => Ok(self.dimension(a)?.map(|a| a.power(Ratio::whole(-1)))),
-            Node::Integral(_, a) => {
-                let volume = Affine::known(Dimension::LENGTH.power(Ratio::whole(3)));
-                Ok(self.dimension(a)?.map(|a| a.times(&volume)))
-            }
+            Node::Integral(region, a) => Ok(self.dimension(a)?.map(|a| a.times(&Affine::of(*region)))),
             Node::Norm(a)
             | Node::Transpose(a)
             | Node::Entry(a, _, _)
