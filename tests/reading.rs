@@ -5,6 +5,8 @@
 mod derived;
 #[path = "reading/introductions.rs"]
 mod introductions;
+#[path = "reading/lecture.rs"]
+mod lecture;
 #[path = "reading/particles.rs"]
 mod particles;
 

@@ -109,7 +109,11 @@ impl Typesetter<'_> {
                 Node::Transpose(inner) | Node::Inverse(inner) => {
                     let above = if matches!(a.node, Node::Transpose(_)) { "T" } else { "-1" };
                     match &inner.node {
-                        Node::Symbol { id, dots, .. } => format!("{}^{{{above}}}", self.symbol(*id, &[*i, *j], *dots)),
+                        Node::Symbol { id, dots, indices }
+                            if indices.is_empty() && self.symbols.entry(*id).slots.len() == 2 =>
+                        {
+                            format!("{}^{{{above}}}", self.symbol(*id, &[*i, *j], *dots))
+                        }
                         _ => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.indices(&[*i, *j])),
                     }
                 }

@@ -19,6 +19,9 @@ pub fn table(open: bool) -> Symbols {
         for letter in ["a", "b", "c"] {
             symbols.add_index(letter, 3);
         }
+        for letter in ["i", "j"] {
+            symbols.add_label(letter, 4, None);
+        }
     }
     let mut add = |latex: &str, kind: Kind| {
         let (name, _) = names::parse(latex).expect("it is a name");
@@ -34,6 +37,14 @@ pub fn table(open: bool) -> Symbols {
         add(r"R_{ab}", Kind::Scalar);
         add(r"\mathbf{R}", Kind::Matrix);
         add(r"\mathbf{S}_z", Kind::Rotation);
+        add(r"m_i", Kind::Scalar);
+        add(r"\vec{r}_i", Kind::Vector);
+        add(r"V", Kind::Scalar);
+        add(r"\omega_{eff}", Kind::Scalar);
+        let place = names::parse(r"\vec r").map(|(name, _)| name);
+        let continuum = symbols.entry_mut(CONTINUUM);
+        (continuum.argument, continuum.measure) = (place, Some(3));
+        symbols.entry_mut(SQUARE).squared = true;
     }
     symbols
 }
@@ -45,6 +56,12 @@ const OMEGA: SymbolId = SymbolId(13);
 const ENTRIES: SymbolId = SymbolId(14);
 const MATRIX: SymbolId = SymbolId(15);
 const ROTATION: SymbolId = SymbolId(16);
+const MASSES: SymbolId = SymbolId(17);
+const PLACES: SymbolId = SymbolId(18);
+const CONTINUUM: SymbolId = SymbolId(19);
+const SQUARE: SymbolId = SymbolId(20);
+const I: IndexId = IndexId(3);
+const J: IndexId = IndexId(4);
 
 fn node(node: Node) -> Expr {
     Expr::new(node, Span::default())
@@ -121,6 +138,8 @@ fn contracted() -> impl Strategy<Value = Expr> {
     let (a, b, c) = (index(0), index(1), index(2));
     prop_oneof![
         (fixed(), 0..2u8).prop_map(|(i, dots)| symbol(OMEGA, &[i], dots)),
+        particles(symbol(MASSES, &[Index::Letter(I)], 0)),
+        Just(symbol(SQUARE, &[], 0)),
         (fixed(), fixed(), 0..2u8).prop_map(|(i, j, dots)| symbol(ENTRIES, &[i, j], dots)),
         (fixed(), fixed(), any::<bool>()).prop_map(|(i, j, inverse)| entry(inverse, i, j)),
         Just(symbol(ENTRIES, &[a, a], 0)),
@@ -149,12 +168,35 @@ fn entry(inverse: bool, i: Index, j: Index) -> Expr {
     node(Node::Entry(boxed(node(changed)), i, j))
 }
 
+/// Over all i, or all but j or a number, or those within a continuum.
+fn particles(body: Expr) -> impl Strategy<Value = Expr> {
+    let except = prop_oneof![
+        2 => Just(None),
+        1 => (1..=4u8).prop_map(|value| Some(Index::Fixed(value))),
+        1 => Just(Some(Index::Letter(J))),
+    ];
+    let within = prop_oneof![Just(None), Just(Some(CONTINUUM))];
+    (except, within, any::<bool>()).prop_map(move |(except, within, sums)| {
+        let terms = vec![(false, body.clone()), (true, body.clone())];
+        let body = Box::new(if sums { sum(terms) } else { body.clone() });
+        let over_j = matches!(except, Some(Index::Letter(_)));
+        let inner = node(Node::SumOver { index: I, implied: false, except, within, body });
+        if over_j { node(Node::over(J, inner)) } else { inner }
+    })
+}
+
+/// An integral over a continuum, or the limit as it shrinks.
+fn of_continuum(body: Expr, integral: bool) -> Expr {
+    node(if integral { Node::Integral(CONTINUUM, boxed(body)) } else { Node::Shrinking(CONTINUUM, boxed(body)) })
+}
+
 fn vectors(scalar: BoxedStrategy<Expr>) -> BoxedStrategy<Expr> {
     let leaf = prop_oneof![
         (select(vec![VEC_R, VEC_V]), 0..3u8).prop_map(|(id, dots)| symbol(id, &[], dots)),
         (fixed(), 0..2u8).prop_map(|(i, dots)| symbol(AXES, &[i], dots)),
         Just(symbol(OMEGA, &[], 0)),
         Just(product(vec![symbol(OMEGA, &[index(0)], 0), symbol(AXES, &[index(0)], 0)])),
+        particles(product(vec![symbol(MASSES, &[Index::Letter(I)], 0), symbol(PLACES, &[Index::Letter(I)], 1)])),
         vec(scalar.clone(), 3).prop_map(|entries| node(Node::Matrix(entries.into_iter().map(|x| vec![x]).collect()))),
     ];
     leaf.prop_recursive(3, 12, 3, move |inner| {
@@ -164,6 +206,7 @@ fn vectors(scalar: BoxedStrategy<Expr>) -> BoxedStrategy<Expr> {
             (inner.clone(), scalar.clone()).prop_map(|(v, x)| node(Node::Quotient(boxed(v), boxed(x)))),
             (inner.clone(), inner.clone()).prop_map(|(v, w)| node(Node::Cross(boxed(v), boxed(w)))),
             inner.clone().prop_map(|v| node(Node::TimeDerivative(1, boxed(v)))),
+            (inner.clone(), any::<bool>()).prop_map(|(v, integral)| of_continuum(v, integral)),
             inner.prop_map(|v| product(vec![symbol(MATRIX, &[], 0), v])),
         ]
     })
@@ -196,7 +239,10 @@ pub fn closed() -> impl Strategy<Value = Expr> {
     let of_vectors = prop_oneof![
         (vector.clone(), vector.clone()).prop_map(|(v, w)| node(Node::Dot(boxed(v), boxed(w)))),
         vector.clone().prop_map(|v| node(Node::Norm(boxed(v)))),
+        (vector.clone(), fixed()).prop_map(|(v, i)| node(Node::Component(boxed(v), i))),
+        (matrices(small.clone()), fixed(), fixed()).prop_map(|(m, i, j)| node(Node::Entry(boxed(m), i, j))),
     ];
+    let of_vectors = (of_vectors, 0..4u8).prop_map(|(x, way)| if way < 2 { of_continuum(x, way == 0) } else { x });
     let scalar = scalars(prop_oneof![3 => small.clone(), 1 => of_vectors].boxed());
     prop_oneof![scalar, vector, matrices(small)]
 }

@@ -27,9 +27,9 @@ fn a_declared_vector_gives_its_norm_its_direction_and_its_components() {
     for (latex, place) in [
         (r"r_k", "r_k"),
         (r"r_{i\perp}", r"r_{i\perp}"),
-        (r"v_1", "v_1"),
-        (r"v_4", "v_4"),
-        (r"\hat v_1", r"\hat v_1"),
+        (r"\omega_1", r"\omega_1"),
+        (r"\omega_4", r"\omega_4"),
+        (r"\hat \omega_1", r"\hat \omega_1"),
         (r"\hat q", r"\hat q"),
         (r"\hat M", r"\hat M"),
         (r"q_a", "q_a"),
@@ -63,10 +63,13 @@ fn components_are_taken_along_what_was_declared() {
     assert_eq!(read_with(r"\omega_a", &mut symbols), "ω\u{20d7} • e\u{302}_a");
     assert_eq!(read_with(r"\dot\omega_3", &mut symbols), "d/dt(ω\u{20d7} • e\u{302}_3)");
     assert_eq!(refused_with(r"(\vec\omega)_a", &mut symbols), r"(\vec\omega)_a", "along which axes?");
+    symbols.entry_mut(omega).components = Some(Components::Fixed);
+    assert_eq!(read_with(r"\omega_1 \omega_2", &mut symbols), "(ω\u{20d7})_1·(ω\u{20d7})_2");
+    assert_eq!(refused_with(r"\omega_4", &mut symbols), r"\omega_4");
+    assert_eq!(read_with("v_1", &mut symbols), "|v\u{20d7}_1|", "of the first particle");
     let v = find(&symbols, r"\vec v");
     symbols.entry_mut(v).components = Some(Components::Fixed);
-    assert_eq!(read_with(r"v_1 v_2", &mut symbols), "(v\u{20d7})_1·(v\u{20d7})_2");
-    assert_eq!(refused_with(r"v_4", &mut symbols), "v_4");
+    assert_eq!(refused_with("v_1", &mut symbols), "v_1", "or the first component of another vector");
 }
 
 #[test]

@@ -146,7 +146,7 @@ fn matrices_are_set_against_entries() {
     let mut symbols = particles();
     assert_eq!(
         introduced_with(&format!(r"R_{{ab}} = \frac{{1}}{{\sqrt6}} {matrix}"), &mut symbols),
-        [format!("R_{{ab}}: ((1/√(6))·[1, 0, 0; 0, 2, 0; 0, 0, 3])_ab")]
+        ["R_{ab}: ((1/√(6))·[1, 0, 0; 0, 2, 0; 0, 0, 3])_ab"]
     );
     assert_eq!(
         introduced_with(&format!(r"\mathbb{{I}}_{{ab}} = {matrix}"), &mut symbols),

@@ -82,6 +82,7 @@ fn integrals_end_with_the_differential_of_their_continuum() {
         (r"\int_L \lambda(\vec r) \vec r dr", "∫_L λ·r\u{20d7}"),
         (r"\frac{\int_L \lambda(\vec r)\vec r\, dr}{M}", "(∫_L λ·r\u{20d7})/M"),
         (r"\int_V \rho(\vec{r}) |\vec{r}_{\perp}|^2 d^3r", "∫_V ρ·|r\u{20d7}_⊥|^2"),
+        (r"\int_V \int_A \rho \sigma\, d^2r\, d^3r", "∫_V ∫_A ρ·σ"),
         (r"\int_V (\rho + \rho) d^3r\, \vec v", "(∫_V (ρ + ρ))·v\u{20d7}"),
     ] {
         assert_eq!(read(latex), words, "{latex}");
@@ -98,6 +99,8 @@ fn integrals_end_with_the_differential_of_their_continuum() {
         (r"\int_V \rho\, d^3x", "d^3x"),
         (r"\int_V d^3r", r"\int_V d^3r"),
         (r"\int_V \rho + \rho\, d^3r", r"\int_V"),
+        (r"\int_V \int_A \rho \sigma\, d^2r", r"\int_V"),
+        (r"\int_V \int_A \rho \sigma\, d^3r\, d^2r", "d^2r"),
         (r"\int_V \vec r \vec r d^3 r", r"\vec r"),
     ] {
         assert_eq!(refused(latex), place, "{latex}");

@@ -11,14 +11,28 @@ use crate::formula::text;
 use crate::formula::tree::{Expr, Index, Node};
 use crate::source::Span;
 
-use super::Reader;
+use super::{Read, Reader, two_ways};
 
 impl Reader<'_> {
-    /// What a name means beside a declared vector, which is returned as well.
-    pub(super) fn derived(&mut self, name: &Name, span: Span) -> Option<(Expr, SymbolId)> {
+    /// What a name means beside a declared vector, which is returned as well. Where it could be a norm and a component,
+    /// `v_1` beside a `\vec v` with components and a `\vec v_i`, it is refused.
+    pub(super) fn derived(&mut self, name: &Name, span: Span) -> Read<Option<(Expr, SymbolId)>> {
         if self.symbols.open {
-            return None;
+            return Ok(None);
         }
+        let norm = self.norm_or_direction(name, span);
+        let component = self.component(name, span);
+        match (norm, component) {
+            (Some((norm, _)), Some((component, _))) => {
+                let (norm, component) = (text::formula(&norm, self.symbols), text::formula(&component, self.symbols));
+                Err(two_ways(span, &format!("{norm} or {component}"))
+                    .help(format!("declare {name} in the claims file")))
+            }
+            (norm, component) => Ok(norm.or(component)),
+        }
+    }
+
+    fn norm_or_direction(&mut self, name: &Name, span: Span) -> Option<(Expr, SymbolId)> {
         let new = |node: Node| Expr::new(node, span);
         if let Some(inner) = name.base.strip_prefix("\\hat{").and_then(|base| base.strip_suffix('}')) {
             let (vector, id) = self.vector(&Name { base: inner.to_owned(), ..name.clone() }, span)?;
@@ -28,9 +42,15 @@ impl Reader<'_> {
         if is_vectorial(&name.base) {
             return None;
         }
-        if let Some((vector, id)) = self.vector(name, span) {
-            return Some((new(Node::Norm(Box::new(vector))), id));
+        let (vector, id) = self.vector(name, span)?;
+        Some((new(Node::Norm(Box::new(vector))), id))
+    }
+
+    fn component(&mut self, name: &Name, span: Span) -> Option<(Expr, SymbolId)> {
+        if is_vectorial(&name.base) {
+            return None;
         }
+        let new = |node: Node| Expr::new(node, span);
         let (last, rest) = name.subscript.split_last()?;
         let index = match self.symbols.index(last) {
             Some(letter) => {

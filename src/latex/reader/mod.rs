@@ -11,6 +11,8 @@
 //! `\cos\omega t`) the argument is as far as the first one declared to be an angle; where none is, only a
 //! frequency times the time is read (`\omega t`), and all else refused.
 //!
+//! *Sums, limits, integrals.* Σ and lim reach to the end of the term that they stand in, an integral to its differential.
+//!
 //! *Refused, since people read them in two ways:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\sin^{-1}x`,
 //! `\log x`, `e^2`, a differential `dx` outside of `\frac{d}{dt}`.
 //!

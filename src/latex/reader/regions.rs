@@ -59,7 +59,16 @@ impl Reader<'_> {
             n => format!("d^{n}{}", unaccented(&argument)),
         };
         let rest = &items[*cursor..];
-        let Some(at) = rest.iter().position(|item| differential(item).is_some()) else {
+        // An integral under this one has a differential of its own, before this one's.
+        let mut inner = 0_usize;
+        let ends = |item: &Item| {
+            inner += usize::from(is_integral(item));
+            let is_differential = differential(item).is_some();
+            let is_own = is_differential && inner == 0;
+            inner = inner.saturating_sub(usize::from(is_differential));
+            is_own
+        };
+        let Some(at) = rest.iter().position(ends) else {
             return Err(Fault::new(sign.span, "this integral has no differential")
                 .help(format!("end it with {wanted}; a sum under it belongs in parentheses")));
         };

@@ -60,7 +60,7 @@ impl Reader<'_> {
             let symbol = Expr::new(Node::Symbol { id, indices, dots }, span);
             return self.applied(symbol, id, printed.sup, items, cursor);
         }
-        if let Some((meaning, id)) = self.derived(name, span) {
+        if let Some((meaning, id)) = self.derived(name, span)? {
             self.note_derived(name, &meaning);
             return self.applied(differentiated(meaning, dots), id, printed.sup, items, cursor);
         }
@@ -124,7 +124,7 @@ impl Reader<'_> {
         let name = &printed.name;
         self.symbols.find_or_assemble(name).is_some()
             || self.special(printed, span).is_ok_and(|special| special.is_some())
-            || self.derived(name, span).is_some()
+            || !matches!(self.derived(name, span), Ok(None))
             || name.subscript.is_empty() && self.symbols.find_whole(&name.base).is_some()
     }
 
