@@ -55,9 +55,11 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
             Err(reason) => return Ok(context.unavailable(&reason)),
         }
     }
+    let wide = context.ensemble(mode, true, FEWEST)?;
     for twin in twins(link, context.model) {
         let survives = |scene: &Scene<'_, Measured>| matches!(approach(&twin.link, at, scene), Ok(Approach::Squares));
-        if ensemble.scenes.iter().all(survives) {
+        // One that holds for all other bodies as well says the same.
+        if ensemble.scenes.iter().all(survives) && !wide.scenes.iter().all(survives) {
             let message = format!("these bodies cannot tell it from the same claim with {}", twin.change);
             return Ok(context.finding(Verdict::Undecided, message));
         }

@@ -56,7 +56,7 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
                     scene.replace(symbol, value);
                     let found = judge::test(&user.link, scene);
                     scene.set_only(&[]);
-                    matches!(found, Ok(Point::Fails(_) | Point::OneSided(_)))
+                    !matches!(found, Ok(Point::Holds(_) | Point::Doubtful | Point::Useless))
                 })
             });
             if !names.contains(&user.id) {
@@ -83,7 +83,9 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
             Ok(context.finding(Verdict::Undecided, message))
         }
         None => {
-            let message = format!("introduces {name}; each slip in it{aside} breaks {}", names.join(" or "));
+            let more = if names.len() > 4 { format!(" or {} more", names.len() - 3) } else { String::new() };
+            names.truncate(if names.len() > 4 { 3 } else { 4 });
+            let message = format!("introduces {name}; each slip in it{aside} breaks {}{more}", names.join(" or "));
             Ok(Finding { points, tried: points, ..context.finding(Verdict::Definition, message) })
         }
     }

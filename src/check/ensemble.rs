@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
 
 use crate::formula::evaluate::{Unavailable, evaluate};
-use crate::formula::{Expr, IndexId, Node, Relation, Value};
+use crate::formula::{Expr, IndexId, Node, Relation, SymbolId, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
 use crate::{Error, Result};
@@ -19,7 +19,7 @@ use super::base::{Slot, slots};
 use super::draw::{Draw, Reach, contains};
 use super::judge::{self, Link};
 use super::model::Model;
-use super::rules::{Rule, rules};
+use super::rules::{Rule, reaches, rules};
 use super::scene::{Mode, Scene};
 
 /// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
@@ -245,10 +245,18 @@ impl<'m> Solver<'m> {
         self.conditions.iter().enumerate().filter(move |(at, c)| is_equality(c) && !self.explicit[*at])
     }
 
-    /// The value of a row over any number; `None` where it has none.
-    fn row<B: Number>(&self, scene: &Scene<'m, B>, row: Row) -> Option<B> {
-        let condition = &self.conditions[row.0];
-        difference(scene, condition).ok()?.get(row.2)?.nth_derivative_value(row.1)
+    /// The values of rows over any number; `None` where one has none. Each hypothesis is evaluated once.
+    fn values<B: Number>(&self, scene: &Scene<'m, B>, rows: &[Row]) -> Option<Vec<B>> {
+        let mut known: Vec<(usize, Vec<Series<B>>)> = Vec::new();
+        let mut values = Vec::with_capacity(rows.len());
+        for (at, derivative, entry) in rows {
+            if !known.iter().any(|(condition, _)| condition == at) {
+                known.push((*at, difference(scene, &self.conditions[*at]).ok()?));
+            }
+            let (_, entries) = known.iter().find(|(condition, _)| condition == at)?;
+            values.push(entries.get(*entry)?.nth_derivative_value(*derivative)?);
+        }
+        Some(values)
     }
 
     fn scene<B: Number>(&self, base: &[B]) -> Result<Scene<'m, B>> {
@@ -271,8 +279,8 @@ impl<'m> Solver<'m> {
             if self.plan.iter().any(|(planned, _)| *planned == row) {
                 continue;
             }
-            let Some(value) = self.row(&self.measured(&base)?, row) else { return Ok(None) };
-            if judge::vanishes(value) {
+            let Some(value) = self.values(&self.measured(&base)?, &[row]) else { return Ok(None) };
+            if judge::vanishes(value[0]) {
                 continue;
             }
             let Some(slot) = self.pivot(&base, row)? else { return Ok(None) };
@@ -307,30 +315,62 @@ impl<'m> Solver<'m> {
         Ok(rows)
     }
 
-    /// The slot to solve a row for, besides those of the plan.
+    /// The slot to solve a row for, besides those of the plan: of the highest class there is, linear before others.
     fn pivot(&self, base: &[f64], row: Row) -> Result<Option<usize>> {
-        let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
-        candidates.retain(|slot| !self.plan.iter().any(|(_, taken)| taken == slot));
         let class = |slot: &Slot| match (slot.constant, slot.order) {
             (true, _) => 0,
             (false, order) => 1 + order,
         };
-        let mut best: Option<((usize, bool, usize), usize)> = None;
-        for slot in candidates {
-            let mut plan = self.plan.clone();
-            plan.push((row, slot));
-            let Some((jacobian, _)) = self.linearised(base, &plan)? else { continue };
-            let scale: f64 = jacobian.row_iter().map(|row| row.norm()).product();
-            if scale == 0.0 || jacobian.determinant().abs() < 1e-7 * scale {
-                continue;
+        let condition = &self.conditions[row.0];
+        let concerns = |slot: &Slot| match slot.symbol {
+            Some(symbol) => self.depends(&condition.lhs, symbol) || self.depends(&condition.rhs, symbol),
+            None => true,
+        };
+        let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
+        candidates.retain(|at| !self.plan.iter().any(|(_, taken)| taken == at) && concerns(&self.slots[*at]));
+        candidates.sort_by_key(|at| std::cmp::Reverse((class(&self.slots[*at]), *at)));
+        let rows: Vec<Row> = self.plan.iter().map(|(row, _)| *row).chain([row]).collect();
+        let mut columns = Vec::new();
+        for (_, slot) in &self.plan {
+            let Some(column) = self.column(base, *slot, &rows)? else { return Ok(None) };
+            columns.push(column);
+        }
+        for group in candidates.chunk_by(|a, b| class(&self.slots[*a]) == class(&self.slots[*b])) {
+            let mut other = None;
+            for &slot in group {
+                let Some(column) = self.column(base, slot, &rows)? else { continue };
+                if column.iter().all(|value| value.eps == 0.0) {
+                    continue;
+                }
+                let all = |i: usize, j: usize| columns.get(j).unwrap_or(&column)[i].eps;
+                let jacobian = DMatrix::from_fn(rows.len(), rows.len(), all);
+                let scale: f64 = jacobian.row_iter().map(|row| row.norm()).product();
+                if scale == 0.0 || !(jacobian.determinant().abs() >= 1e-7 * scale) {
+                    continue;
+                }
+                if self.is_linear(base, row, slot)? {
+                    return Ok(Some(slot));
+                }
+                other = other.or(Some(slot));
             }
-            let rank = (class(&self.slots[slot]), self.is_linear(base, row, slot)?, slot);
-            // Within a class, linear before others.
-            if best.as_ref().is_none_or(|(known, _)| rank > *known) {
-                best = Some((rank, slot));
+            if other.is_some() {
+                return Ok(other);
             }
         }
-        Ok(best.map(|(_, slot)| slot))
+        Ok(None)
+    }
+
+    /// Whether a formula depends on a symbol, through definitions and rules.
+    fn depends(&self, expr: &Expr, symbol: SymbolId) -> bool {
+        reaches(self.model, &self.rules, expr, symbol) || !self.model.is_plain(expr)
+    }
+
+    /// Rows, with their derivatives by a slot.
+    fn column(&self, base: &[f64], slot: usize, rows: &[Row]) -> Result<Option<Vec<Dual64>>> {
+        let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
+        dual[slot].eps = 1.0;
+        let values = self.values(&self.scene(&dual)?, rows);
+        Ok(values.filter(|values| values.iter().all(|value| value.re.is_finite() && value.eps.is_finite())))
     }
 
     fn is_linear(&self, base: &[f64], row: Row, slot: usize) -> Result<bool> {
@@ -338,8 +378,8 @@ impl<'m> Solver<'m> {
         for step in [0.0, 0.5, 1.0] {
             let mut moved = base.to_vec();
             moved[slot] += step;
-            let Some(value) = self.row(&self.scene(&moved)?, row) else { return Ok(false) };
-            values.push(value);
+            let Some(value) = self.values(&self.scene(&moved)?, &[row]) else { return Ok(false) };
+            values.push(value[0]);
         }
         let bend: f64 = values[0] - 2.0 * values[1] + values[2];
         Ok(bend.abs() <= 1e-9 * values.iter().map(|v: &f64| v.abs()).sum::<f64>())
@@ -348,19 +388,16 @@ impl<'m> Solver<'m> {
     /// The planned rows and their derivatives by the planned slots.
     fn linearised(&self, base: &[f64], plan: &[(Row, usize)]) -> Result<Option<(DMatrix<f64>, DVector<f64>)>> {
         let n = plan.len();
+        let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
         let (mut jacobian, mut values) = (DMatrix::zeros(n, n), DVector::zeros(n));
         for (j, (_, slot)) in plan.iter().enumerate() {
-            let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
-            dual[*slot].eps = 1.0;
-            let scene = self.scene(&dual)?;
-            for (i, (row, _)) in plan.iter().enumerate() {
-                let Some(value) = self.row(&scene, *row) else { return Ok(None) };
+            let Some(column) = self.column(base, *slot, &rows)? else { return Ok(None) };
+            for (i, value) in column.iter().enumerate() {
                 jacobian[(i, j)] = value.eps;
                 values[i] = value.re;
             }
         }
-        let finite = jacobian.iter().chain(values.iter()).all(|x| x.is_finite());
-        Ok(finite.then_some((jacobian, values)))
+        Ok(Some((jacobian, values)))
     }
 
     fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<bool> {

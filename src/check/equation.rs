@@ -92,7 +92,18 @@ impl Desk<'_> {
     fn as_printed(&self, display: &Display, claim: &Claim) -> Reading {
         let mut symbols = self.model.symbols.clone();
         symbols.for_each = for_each(Some(claim), self.model);
-        read_display(&display.text, &mut symbols, &self.model.macros)
+        let known = symbols.len();
+        let mut reading = read_display(&display.text, &mut symbols, &self.model.macros);
+        // What only the uncorrected text names is not known.
+        for new in reading.introduced.drain(..).filter(|introduced| introduced.symbol.0 >= known) {
+            let statement = &mut reading.statements[new.statement];
+            if let Ok(read) = statement {
+                let name = text::plain(&symbols.entry(new.symbol).name.to_string());
+                let span = read.members.get(new.member).map_or(read.span, |member| member.span);
+                *statement = Err(Fault::new(span, format!("{name} is named here, and nowhere in the corrected text")));
+            }
+        }
+        reading
     }
 
     /// Every statement of a display, and what else is claimed of it.

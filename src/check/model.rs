@@ -271,6 +271,15 @@ impl Model {
         expr.symbols().iter().any(|(id, _)| self.stands_on(*id, symbols))
     }
 
+    /// Whether a formula is made of drawn symbols and definitions alone, of nothing that a world or a frame determines.
+    pub fn is_plain(&self, expr: &Expr) -> bool {
+        expr.symbols().iter().all(|(id, _)| match self.meaning(*id) {
+            Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Coordinate(_) | Meaning::FixedAxis(_)) => true,
+            Some(Meaning::Defined(formula)) => self.is_plain(formula),
+            _ => false,
+        })
+    }
+
     fn stands_on(&self, id: SymbolId, symbols: &[SymbolId]) -> bool {
         symbols.contains(&id)
             || match self.meaning(id) {

@@ -5,6 +5,7 @@
 //! what is wrong with it.
 
 use crate::formula::shape::{Shape, bind};
+use crate::formula::symbols::Name;
 use crate::formula::{IndexId, Kind};
 use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::Notes;
@@ -73,7 +74,22 @@ pub(super) fn read_all(
             readings[at] = read(&texts[at], assigned[at], model, true)?;
         }
     }
+    assemble(model);
     Ok(readings.into_iter().map(Option::unwrap_or_default).collect())
+}
+
+/// Puts together every family whose members all have names of their own, so that the claims file may name it where no
+/// display does: λ_a beside λ₁, λ₂, λ₃.
+fn assemble(model: &mut Model) {
+    let letters: Vec<String> = model.symbols.indices.iter().map(|index| index.letter.clone()).collect();
+    let firsts: Vec<Name> = model.symbols.iter().map(|(_, entry)| entry.name.clone()).collect();
+    for mut name in firsts {
+        let Some(at) = name.subscript.iter().position(|token| token == "1") else { continue };
+        for letter in &letters {
+            name.subscript[at].clone_from(letter);
+            model.symbols.find_or_assemble(&name);
+        }
+    }
 }
 
 /// The text of a display, its errata mended: what is wrong as printed is known as corrected.

@@ -250,23 +250,22 @@ impl<'m, B: Number> Scene<'m, B> {
         if let Some(member) = self.place.borrow().part.as_ref().and_then(|(part, _)| part.member(id, indices)) {
             return Ok(member);
         }
-        let numbers = |numbers: &[Series<B>]| {
+        let number = |pick: &dyn Fn(usize) -> Option<Series<B>>| {
             let extents = self.model.symbols.extents(id);
             let place = indices.iter().zip(&extents).fold(0, |at, (i, n)| at * usize::from(*n) + usize::from(*i) - 1);
             match entry.kind {
                 Kind::Vector => {
-                    numbers.get(3 * place..3 * place + 3).map(|v| Value::Vector(Vector3::from_row_slice(v)))
+                    let [x, y, z] = [pick(3 * place)?, pick(3 * place + 1)?, pick(3 * place + 2)?];
+                    Some(Value::Vector(Vector3::new(x, y, z)))
                 }
-                _ => numbers.get(place).map(|x| Value::Scalar(*x)),
+                _ => pick(place).map(Value::Scalar),
             }
-            .ok_or_else(none)
         };
+        let fixed = |numbers: &[B]| number(&|at| numbers.get(at).map(|x| Series::constant(*x))).ok_or_else(none);
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
-            Meaning::Constant(i) => {
-                numbers(&self.base.constants[*i].iter().map(|x| Series::constant(*x)).collect::<Vec<_>>())
-            }
-            Meaning::Varying(i) => numbers(&self.base.varying[*i]),
+            Meaning::Constant(i) => fixed(&self.base.constants[*i]),
+            Meaning::Varying(i) => number(&|at| self.base.varying[*i].get(at).copied()).ok_or_else(none),
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
             Meaning::Defined(formula) => {
@@ -293,8 +292,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 Ok(Value::Vector(self.turning().ok_or_else(none)?.orientation.row(at).transpose()))
             }
             Meaning::Rigid(i) => {
-                let fixed: Vec<Series<B>> = self.base.rigid[*i].iter().map(|x| Series::constant(*x)).collect();
-                let Value::Vector(fixed) = numbers(&fixed)? else { return Err(none()) };
+                let Value::Vector(fixed) = fixed(&self.base.rigid[*i])? else { return Err(none()) };
                 let turned = self.turning().ok_or_else(none)?.orientation.transpose() * fixed;
                 match self.model.rigid[*i].about {
                     None => Ok(Value::Vector(turned)),
