@@ -62,7 +62,7 @@ mod tests {
     fn gauss_is_exact_to_its_degree_and_no_further() {
         for n in 1..=12 {
             let miss = |power: usize| {
-                let exact = if power % 2 == 0 { 2.0 / (power as f64 + 1.0) } else { 0.0 };
+                let exact = if power.is_multiple_of(2) { 2.0 / (power as f64 + 1.0) } else { 0.0 };
                 let sum: f64 = gauss_legendre(n).iter().map(|(x, w)| w * x.powi(power as i32)).sum();
                 (sum - exact).abs()
             };

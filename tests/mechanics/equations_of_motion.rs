@@ -1,0 +1,169 @@
+//! Euler–Lagrange: gauge freedom, the tape against a plain Hessian, many states at once.
+
+use approx::assert_abs_diff_eq;
+use nalgebra::{DMatrix, SMatrix, SVector};
+use num_dual::{Dual2SVec64, hessian};
+use onshell::mechanics::{Lagrangian, State, World, euler_lagrange, momenta};
+use onshell::scalar::{DualNum, Number};
+use onshell::systems::{DampedOscillator, FreeRigidBody, HeavyTop, Kepler, Pendulum};
+use proptest::prelude::*;
+
+use crate::support::{agree, config, some_state, state};
+
+/// L + dF/dt, or L + F for the twin.
+struct Gauged<L> {
+    base: L,
+    total_derivative: bool,
+}
+impl<L: Lagrangian<N, P>, const N: usize, const P: usize> Lagrangian<N, P> for Gauged<L> {
+    fn name(&self) -> &str {
+        self.base.name()
+    }
+    fn coordinates(&self) -> [&str; N] {
+        self.base.coordinates()
+    }
+    fn parameters(&self) -> [&str; P] {
+        self.base.parameters()
+    }
+    fn lagrangian<D: Number>(&self, at: &State<D, N, P>) -> D {
+        let moving = at.moving();
+        let sum = moving.q.iter().fold(moving.time, |sum, q| sum * q.cos() + q.exp() * moving.time);
+        let f = sum * sum;
+        self.base.lagrangian(at) + if self.total_derivative { f.eps } else { f.re }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(64))]
+
+    #[test]
+    fn a_total_time_derivative_changes_no_equation_of_motion(at in state::<2, 3>(), a in [-3.0..3.0, -3.0..3.0]) {
+        let plain = euler_lagrange::residuals(&Pendulum::<2>::new(), &at, &a);
+        let gauge = |total_derivative| Gauged { base: Pendulum::<2>::new(), total_derivative };
+        let gauged = euler_lagrange::residuals(&gauge(true), &at, &a);
+        // F grows like e^{2q}: its terms cancel on that scale
+        let scale = (at.q[0] + at.q[1]).exp().powi(2) * 100.0;
+        prop_assert!(plain.iter().zip(gauged).all(|(a, b)| (a - b).abs() < 1e-13 * scale), "{plain:?} {gauged:?}");
+        // traced, the equations are the same ones
+        let world = World::new(&gauge(true)).unwrap();
+        let traced = world.euler_lagrange(at.time, &at.q, &at.v, &at.parameters, &a);
+        prop_assert!(plain.iter().zip(&traced).all(|(a, b)| (a - b).abs() < 1e-13 * scale), "{plain:?} {traced:?}");
+        // the twin: F itself does change them
+        let wrong = euler_lagrange::residuals(&gauge(false), &at, &a);
+        prop_assert!(!agree(&plain, &wrong, 1e-6));
+    }
+
+    #[test]
+    fn the_tape_gives_what_the_plain_hessian_gives(top in state::<3, 5>(), body in state::<3, 3>(), chain in state::<2, 3>()) {
+        fn check<L: Lagrangian<N, P>, const N: usize, const P: usize>(
+            l: &L, at: &State<f64, N, P>, plain: &[f64],
+        ) -> Result<(), TestCaseError> {
+            let world = World::new(l).unwrap();
+            let tape = world.accelerations(at.time, &at.q, &at.v, &at.parameters).unwrap();
+            let pairs = euler_lagrange::accelerations(l, at).unwrap();
+            let columns = [&[at.time][..], &at.q, &at.v, &at.parameters].concat();
+            let columns: Vec<&[f64]> = columns.chunks(1).collect();
+            let block: Vec<f64> = world.accelerations_of_many(&columns).unwrap().concat();
+            for other in [&tape[..], &pairs, &block] {
+                prop_assert!(agree(plain, other, 1e-12), "{}: {plain:?} {other:?}", l.name());
+            }
+            Ok(())
+        }
+        check(&HeavyTop, &top, &by_hessian::<_, 3, 5, 6>(&HeavyTop, &top))?;
+        check(&FreeRigidBody, &body, &by_hessian::<_, 3, 3, 6>(&FreeRigidBody, &body))?;
+        check(&Pendulum::<2>::new(), &chain, &by_hessian::<_, 2, 3, 4>(&Pendulum::<2>::new(), &chain))?;
+        // the twin: other masses, other accelerations
+        let mut other = top;
+        other.parameters[2] *= 1.001;
+        prop_assert!(!agree(&by_hessian::<_, 3, 5, 6>(&HeavyTop, &other), &by_hessian::<_, 3, 5, 6>(&HeavyTop, &top), 1e-12));
+    }
+
+    #[test]
+    fn what_is_traced_is_what_the_lagrangian_says(top in state::<3, 5>(), chain in state::<4, 3>(), planet in state::<2, 3>()) {
+        fn check<L: Lagrangian<N, P>, const N: usize, const P: usize>(
+            l: &L, at: &State<f64, N, P>,
+        ) -> Result<(), TestCaseError> {
+            let traced = World::new(l).unwrap().quantities(at.time, &at.q, &at.v, &at.parameters);
+            let (t, u) = (traced.kinetic.unwrap(), traced.potential.unwrap());
+            // T and U stand on both sides for the scale: what is left of them where they cancel is rounding
+            let same = |a: &[f64], b: &[f64]| agree(&[&[t, u], a].concat(), &[&[t, u], b].concat(), 1e-12);
+            let (lagrangian, energy) = (l.lagrangian(at), momenta::energy(l, at));
+            prop_assert!(same(&[traced.lagrangian, traced.energy], &[lagrangian, energy]));
+            prop_assert!(same(&traced.momenta, &momenta::momenta(l, at)));
+            prop_assert!(same(&traced.forces, &euler_lagrange::forces(l, at)));
+            prop_assert!(same(&[t - u, t + u], &[lagrangian, energy]));
+            // the twin: T and U exchanged
+            prop_assert!(!same(&[u - t], &[lagrangian]) || lagrangian.abs() < 1e-6);
+            Ok(())
+        }
+        check(&HeavyTop, &top)?;
+        check(&Pendulum::<4>::new(), &chain)?;
+        check(&Kepler, &planet)?;
+    }
+}
+
+/// Accelerations from num-dual's Hessian of all variables, the explicit time dependence left out.
+fn by_hessian<L: Lagrangian<N, P>, const N: usize, const P: usize, const X: usize>(
+    l: &L,
+    at: &State<f64, N, P>,
+) -> Vec<f64> {
+    let x = SVector::<f64, X>::from_iterator(at.q.into_iter().chain(at.v));
+    let (_, gradient, second) = hessian(
+        |x: SVector<Dual2SVec64<X>, X>| {
+            l.lagrangian(&State {
+                time: at.time.into(),
+                q: std::array::from_fn(|i| x[i]),
+                v: std::array::from_fn(|i| x[N + i]),
+                parameters: at.parameters.map(Into::into),
+            })
+        },
+        &x,
+    );
+    let mass: SMatrix<f64, N, N> = second.fixed_view::<N, N>(N, N).into();
+    let mixed: SMatrix<f64, N, N> = second.fixed_view::<N, N>(N, 0).into();
+    let right: SVector<f64, N> = gradient.fixed_rows::<N>(0) - mixed * SVector::from(at.v);
+    let mass = DMatrix::from_fn(N, N, |i, j| mass[(i, j)]);
+    mass.lu().solve(&nalgebra::DVector::from_fn(N, |i, _| right[i])).unwrap().as_slice().to_vec()
+}
+
+#[test]
+fn a_damped_oscillator_obeys_its_law() {
+    let at = some_state::<1, 3>();
+    let ([x], [v], [mass, k, gamma]) = (at.q, at.v, at.parameters);
+    let a = World::new(&DampedOscillator).unwrap().accelerations(at.time, &[x], &[v], &at.parameters).unwrap()[0];
+    assert_abs_diff_eq!(mass * a + mass * gamma * v + k * x, 0.0, epsilon = 1e-13);
+    // the twin: without the explicit time dependence there is no damping
+    assert!((mass * a + k * x).abs() > 0.1);
+}
+
+#[test]
+fn many_states_at_once_are_each_as_alone() {
+    let world = World::new(&HeavyTop).unwrap();
+    for states in [1_usize, 31, 32, 33, 100] {
+        let column = |k: f64| (0..states).map(|i| 0.4 + (k * i as f64).sin().abs()).collect::<Vec<_>>();
+        let moving: Vec<Vec<f64>> = (1..=6).map(|k| column(k as f64)).collect();
+        let parameters = [1.2, 0.7, 0.9, 9.8, 0.4];
+        let columns = std::iter::once(&[0.0][..]).chain(moving.iter().map(Vec::as_slice)).chain(parameters.chunks(1));
+        let all = world.accelerations_of_many(&columns.collect::<Vec<_>>()).unwrap();
+        for i in 0..states {
+            let (q, v): (Vec<f64>, Vec<f64>) =
+                ((0..3).map(|k| moving[k][i]).collect(), (3..6).map(|k| moving[k][i]).collect());
+            let one = world.accelerations(0.0, &q, &v, &parameters).unwrap();
+            let many: Vec<f64> = all.iter().map(|column| column[i]).collect();
+            assert!(agree(&one, &many, 1e-12), "{one:?} {many:?}");
+        }
+    }
+    assert!(world.accelerations_of_many(&[&[0.0]]).is_err(), "columns are missing");
+}
+
+#[test]
+fn what_is_not_given_is_no_number() {
+    let world = World::new(&HeavyTop).unwrap();
+    assert!(world.quantities(0.0_f64, &[1.0], &[], &[]).energy.is_nan());
+    assert!(world.euler_lagrange(0.0, &[1.0; 3], &[1.0; 3], &[1.0; 5], &[]).iter().all(|r: &f64| r.is_nan()));
+    assert!(world.motion(0.0, &[1.0; 3], &[1.0], &[1.0; 5], 2).is_err());
+    assert!(world.hamilton(0.0, &[1.0], &[1.0; 2], &[1.0; 5]).is_err());
+    assert!(world.routhian(0.0, &[1.0; 3], &[], &[], &[1.0; 5]).is_err());
+    // the twin: the same with all of it is one
+    assert!(world.quantities(0.0_f64, &[1.0; 3], &[1.0; 3], &[1.0; 5]).energy.is_finite());
+}

@@ -1,0 +1,104 @@
+//! Singular mass matrices and branching Lagrangians are errors that say so.
+
+use onshell::mechanics::legendre::{self, Phase};
+use onshell::mechanics::{Lagrangian, State, World, euler_lagrange};
+use onshell::scalar::{Measured, Number};
+
+/// Two coordinates, of which L knows only the sum: ½ m (ẋ + ẏ)² + ½ ε ẏ² − ½ x².
+struct Degenerate;
+impl Lagrangian<2, 2> for Degenerate {
+    fn name(&self) -> &str {
+        "degenerate"
+    }
+    fn coordinates(&self) -> [&str; 2] {
+        ["x", "y"]
+    }
+    fn parameters(&self) -> [&str; 2] {
+        ["m", "\\epsilon"]
+    }
+    fn lagrangian<D: Number>(&self, at: &State<D, 2, 2>) -> D {
+        let ([x, _], [u, w], [mass, epsilon]) = (at.q, at.v, at.parameters);
+        (mass * (u + w).powi(2) + epsilon * w * w - x * x) * 0.5
+    }
+}
+
+#[test]
+fn a_singular_mass_matrix_is_an_error_with_its_condition_number() {
+    let world = World::new(&Degenerate).unwrap();
+    let (q, v) = ([0.3, 0.4], [1.0, 2.0]);
+    for epsilon in [0.0, 1e-13] {
+        let parameters = [1.0, epsilon];
+        let at = State { time: 0.0, q, v, parameters };
+        let columns: Vec<f64> = [&[0.0][..], &q, &v, &parameters].concat();
+        let errors = [
+            world.accelerations(0.0, &q, &v, &parameters).unwrap_err(),
+            world.motion(0.0, &q, &v, &parameters, 2).unwrap_err(),
+            world
+                .motion(
+                    Measured::new(0.0),
+                    &q.map(Measured::new),
+                    &v.map(Measured::new),
+                    &parameters.map(Measured::new),
+                    2,
+                )
+                .unwrap_err(),
+            world.hamiltonian(0.0, &q, &v, &parameters).unwrap_err(),
+            world.accelerations_of_many(&columns.chunks(1).collect::<Vec<_>>()).unwrap_err(),
+            euler_lagrange::accelerations(&Degenerate, &at).unwrap_err(),
+            legendre::hamiltonian(&Degenerate, &Phase { time: 0.0, q, p: v, parameters }).unwrap_err(),
+        ];
+        for error in errors {
+            assert!(error.message().contains("condition number"), "{error}");
+        }
+    }
+    // the twin: with a mass of its own each velocity is determined
+    assert!(world.motion(0.0, &q, &v, &[1.0, 0.5], 2).is_ok());
+    // the first derivative is given, not solved for
+    assert!(world.motion(0.0, &q, &v, &[1.0, 0.0], 1).is_ok());
+    assert!(world.motion(0.0, &q, &v, &[1.0, 0.5], 6).is_err(), "beyond the series");
+    assert!(world.motion(0.0, &q, &v, &[f64::NAN, 0.5], 2).unwrap_err().message().contains("not finite"));
+}
+
+#[test]
+fn elimination_without_exchange_is_not_trusted_blindly() {
+    /// L = ẋ ẏ − x²: M = ((0, 1), (1, 0)) is regular, yet its first pivot is 0.
+    struct Crossed;
+    impl Lagrangian<2, 0> for Crossed {
+        fn name(&self) -> &str {
+            "crossed"
+        }
+        fn coordinates(&self) -> [&str; 2] {
+            ["x", "y"]
+        }
+        fn parameters(&self) -> [&str; 0] {
+            []
+        }
+        fn lagrangian<D: Number>(&self, at: &State<D, 2, 0>) -> D {
+            at.v[0] * at.v[1] - at.q[0] * at.q[0]
+        }
+    }
+    let columns: [&[f64]; 5] = [&[0.0], &[0.5, 0.7], &[0.1], &[0.2], &[0.3]];
+    let a = World::new(&Crossed).unwrap().accelerations_of_many(&columns).unwrap();
+    assert_eq!(a, [vec![0.0, 0.0], vec![-1.0, -1.4]]);
+}
+
+#[test]
+fn a_branch_on_a_value_is_an_error_that_names_the_system() {
+    struct Branching;
+    impl Lagrangian<1, 0> for Branching {
+        fn name(&self) -> &str {
+            "branching"
+        }
+        fn coordinates(&self) -> [&str; 1] {
+            ["x"]
+        }
+        fn parameters(&self) -> [&str; 0] {
+            []
+        }
+        fn lagrangian<D: Number>(&self, at: &State<D, 1, 0>) -> D {
+            at.v[0] * at.v[0] - at.q[0].abs()
+        }
+    }
+    let error = World::new(&Branching).err().unwrap();
+    assert!(error.message().contains("branching") && error.message().contains("cannot be traced"), "{error}");
+}
