@@ -23,7 +23,7 @@ const MOST_THINGS: u8 = 4;
 
 /// Builds the model of a claims file on an empty one.
 pub(super) fn build(claims: &Claims, empty: Model, registry: &Registry) -> Result<Model> {
-    let mut builder = Builder { claims, model: empty };
+    let mut builder = Builder { claims, model: empty, early: Vec::new() };
     builder.indices()?;
     builder.declarations()?;
     builder.axes()?;
@@ -39,6 +39,8 @@ pub(super) fn build(claims: &Claims, empty: Model, registry: &Registry) -> Resul
 struct Builder<'a> {
     claims: &'a Claims,
     model: Model,
+    /// Symbols that were needed, and so added, before their turn.
+    early: Vec<SymbolId>,
 }
 
 impl Builder<'_> {
@@ -144,6 +146,11 @@ impl Builder<'_> {
     /// A number, a vector, or a family of either, that is drawn.
     fn variable(&mut self, declaration: &Declaration) -> Result<()> {
         let latex = &declaration.name;
+        let known = self.model.symbols.find(&self.name(latex)?).map(|(id, _)| id);
+        if let Some(at) = self.early.iter().position(|early| Some(*early) == known) {
+            self.early.remove(at);
+            return Ok(());
+        }
         let range = declaration.range.value.clone();
         let vector = ["\\vec", "\\mathbf", "\\boldsymbol", "\\bm"].iter().any(|accent| latex.value.contains(accent));
         let kind = if vector { Kind::Vector } else { Kind::Scalar };
@@ -222,7 +229,8 @@ impl Builder<'_> {
         let later = self.claims.declarations.iter().find(|d| plain(&d.name.value) == plain(&latex.value));
         match later {
             Some(declaration) if !matches!(declaration.range.value, Range::Rigid { .. }) => {
-                self.variable(declaration)?
+                self.variable(declaration)?;
+                self.early.extend(self.model.symbols.find(&name).map(|(id, _)| id));
             }
             _ => return Err(self.error(&latex, format!("{name} is not declared"))),
         }
@@ -300,8 +308,8 @@ impl Builder<'_> {
             let name = self.name(latex)?;
             match &components.value {
                 claims::Components::Along(axes) => {
-                    let axes = self.declared(&axes.value, axes)?;
-                    // The vector may be introduced by the notes: then it is tied to its axes when it is.
+                    // Either may be introduced by the notes: they are tied to each other when both are known.
+                    let axes = self.name(axes)?;
                     self.model.components.push((name, axes));
                     self.model.tie_components();
                 }

@@ -19,13 +19,8 @@ use super::verdict::{Finding, Verdict};
 /// Into how many cells each edge is cut.
 const CUTS: [usize; 3] = [2, 3, 4];
 
-/// How the sides approach each other at one state.
-enum Approach {
-    /// As the square of the size of the cells, or they agree to rounding.
-    Squares,
-    /// Otherwise.
-    Fails(Failure),
-}
+/// The power of the cells' size with which the difference must fall at least; midpoints give the second.
+const POWER: f64 = 1.5;
 
 /// Checks that a formula with integrals is the limit of one for particles.
 ///
@@ -42,24 +37,27 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     }
     for (tried, scene) in ensemble.scenes.iter().enumerate() {
         match approach(link, at, scene) {
-            Ok(Approach::Squares) => {}
-            Ok(Approach::Fails(failure)) => {
+            Ok((power, failure)) if !(power > POWER) => {
                 return Ok(Finding {
                     points: tried + 1,
                     tried: tried + 1,
-                    max_residual: Some(failure.residual),
-                    counterexample: Some(counterexample(link, scene, &failure)),
+                    max_residual: failure.as_ref().map(|failure| failure.residual),
+                    counterexample: failure.map(|failure| counterexample(link, scene, &failure)),
                     ..context.finding(Verdict::Refuted, "the sum over ever finer cells does not become the integral")
                 });
             }
+            Ok(_) => {}
             Err(reason) => return Ok(context.unavailable(&reason)),
         }
     }
     let wide = context.ensemble(mode, true, FEWEST)?;
     for twin in twins(link, context.model) {
-        let survives = |scene: &Scene<'_, Measured>| matches!(approach(&twin.link, at, scene), Ok(Approach::Squares));
+        let falls = |least: f64| {
+            let link = &twin.link;
+            move |scene: &Scene<'_, Measured>| approach(link, at, scene).is_ok_and(|(power, _)| power > least)
+        };
         // One that holds for all other bodies as well says the same.
-        if ensemble.scenes.iter().all(survives) && !wide.scenes.iter().all(survives) {
+        if ensemble.scenes.iter().all(falls(POWER)) && !wide.scenes.iter().all(falls(1.0)) {
             let message = format!("these bodies cannot tell it from the same claim with {}", twin.change);
             return Ok(context.finding(Verdict::Undecided, message));
         }
@@ -82,7 +80,8 @@ fn region(expr: &Expr, model: &Model) -> Option<usize> {
     found
 }
 
-fn approach(link: &Link, at: usize, scene: &Scene<'_, Measured>) -> Result<Approach, Unavailable> {
+/// The power of the cells' size with which the sides approach each other, infinite where they agree to rounding.
+fn approach(link: &Link, at: usize, scene: &Scene<'_, Measured>) -> Result<(f64, Option<Failure>), Unavailable> {
     let mut errors = Vec::new();
     let mut last = None;
     let mut noise = 0.0_f64;
@@ -97,7 +96,7 @@ fn approach(link: &Link, at: usize, scene: &Scene<'_, Measured>) -> Result<Appro
             let difference = (a.value - b.value).abs();
             if difference.is_nan() {
                 let failure = Failure { lhs: a.value, rhs: b.value, residual: f64::INFINITY, entry: None };
-                return Ok(Approach::Fails(failure));
+                return Ok((0.0, Some(failure)));
             }
             if difference >= error {
                 let residual = difference / (a.magnitude + b.magnitude);
@@ -108,12 +107,9 @@ fn approach(link: &Link, at: usize, scene: &Scene<'_, Measured>) -> Result<Appro
         }
         errors.push(error.sqrt());
     }
-    let power = |i: usize| (errors[i] / errors[i + 1]).ln() / (CUTS[i + 1] as f64 / CUTS[i] as f64).ln();
-    let squares = |power: f64| (1.6..2.5).contains(&power);
-    match last {
-        _ if errors.iter().all(|error| *error <= noise) => Ok(Approach::Squares),
-        _ if squares(power(0)) && squares(power(1)) => Ok(Approach::Squares),
-        Some(failure) => Ok(Approach::Fails(failure)),
-        None => Ok(Approach::Squares),
+    if errors.iter().all(|error| *error <= noise) {
+        return Ok((f64::INFINITY, last));
     }
+    let power = |i: usize| (errors[i] / errors[i + 1]).ln() / (CUTS[i + 1] as f64 / CUTS[i] as f64).ln();
+    Ok((power(0).min(power(1)), last))
 }

@@ -25,6 +25,9 @@ use super::scene::{Mode, Scene};
 /// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
 const THROUGHOUT: usize = 3;
 
+/// So many equations are solved at most; hypotheses about whole families are rules instead.
+const MOST: usize = 48;
+
 /// A hypothesis of a claim.
 #[derive(Clone, Debug)]
 pub struct Condition {
@@ -120,48 +123,68 @@ impl<'m> Ensemble<'m> {
         let mut solver = Solver::new(model, setting);
         let rules = solver.rules.clone();
         let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode, rules };
-        let mut bases = Vec::new();
         let single: Vec<usize> = (1..solver.slots.len()).filter(|at| !solver.slots[*at].one_of_many).collect();
-        for &place in &single {
-            let range = solver.slots[place].range.clone();
-            let typical = draw.value(&range, Reach::Declared);
-            let mut values = vec![1e3 * typical, 1e-3 * typical, 0.0, -typical];
-            if let Range::Interval { low, high, .. } = range {
-                values.extend([low, high]);
+        let mut places: Vec<Place> = Vec::new();
+        for &at in &single {
+            places.extend([1e3, 1e-3, 0.0, -1.0].map(|factor| Place::Times(at, factor)));
+            if let Range::Interval { low, high, .. } = solver.slots[at].range {
+                places.extend([Place::At(at, low), Place::At(at, high)]);
             }
-            for value in values {
-                let mut base = draw.base(&solver.slots, setting.reach);
-                base[place] = value;
-                bases.push(base);
-            }
-            let alike = |other: &&usize| solver.slots[**other].order == solver.slots[place].order && **other < place;
+            let alike = |other: &&usize| solver.slots[**other].order == solver.slots[at].order && **other < at;
             for &other in single.iter().filter(alike) {
-                for sign in [1.0, -1.0] {
-                    let mut base = draw.base(&solver.slots, setting.reach);
-                    base[place] = sign * base[other];
-                    bases.push(base);
+                places.extend([Place::Like(at, other, 1.0), Place::Like(at, other, -1.0)]);
+            }
+        }
+        places.extend([Place::Rest, Place::Nothing]);
+        for place in places {
+            // Hypotheses may exclude a state that is drawn, and not the place.
+            for _ in 0..8 {
+                ensemble.tried += 1;
+                let mut base = draw.base(&solver.slots, setting.reach);
+                place.set(&mut base, &solver.slots);
+                if solver.slots.iter().zip(&base).all(|(slot, value)| contains(&slot.range, *value))
+                    && let Ok(Some(base)) = solver.solve(base)
+                    && let Ok(Some(scene)) = solver.accept(&base)
+                {
+                    ensemble.scenes.push(scene);
+                    ensemble.bases.push(base);
+                    break;
                 }
             }
         }
-        // At rest: every rate zero; and with every number that may be zero at zero.
-        let mut rest = draw.base(&solver.slots, setting.reach);
-        let rates = solver.slots.iter().zip(&mut rest).filter(|(slot, _)| slot.order > 0);
-        rates.for_each(|(_, value)| *value = 0.0);
-        bases.push(rest.clone());
-        let may_vanish = solver.slots.iter().zip(&mut rest).filter(|(slot, _)| contains(&slot.range, 0.0));
-        may_vanish.for_each(|(_, value)| *value = 0.0);
-        bases.push(rest);
-        for base in bases {
-            ensemble.tried += 1;
-            if solver.slots.iter().zip(&base).all(|(slot, value)| contains(&slot.range, *value))
-                && let Ok(Some(base)) = solver.solve(base)
-                && let Ok(Some(scene)) = solver.accept(&base)
-            {
-                ensemble.scenes.push(scene);
-                ensemble.bases.push(base);
+        Ok(ensemble)
+    }
+}
+
+/// What is special about a state.
+enum Place {
+    /// A number so many times what it was.
+    Times(usize, f64),
+    /// A number at this value.
+    At(usize, f64),
+    /// A number equal or opposite to another.
+    Like(usize, usize, f64),
+    /// Every rate zero.
+    Rest,
+    /// The same, and every other number that may be zero.
+    Nothing,
+}
+
+impl Place {
+    fn set(&self, base: &mut [f64], slots: &[Slot]) {
+        match *self {
+            Place::Times(at, factor) => base[at] *= factor,
+            Place::At(at, value) => base[at] = value,
+            Place::Like(at, other, sign) => base[at] = sign * base[other],
+            Place::Rest | Place::Nothing => {
+                let all = matches!(self, Place::Nothing);
+                for (slot, value) in slots.iter().zip(base) {
+                    if slot.order > 0 || all && !slot.one_of_many && contains(&slot.range, 0.0) {
+                        *value = 0.0;
+                    }
+                }
             }
         }
-        Ok(ensemble)
     }
 }
 
@@ -271,10 +294,16 @@ impl<'m> Solver<'m> {
         if self.equalities().next().is_none() {
             return Ok(Some(base));
         }
+        let drawn = base.clone();
         if !self.plan.is_empty() && !self.newton(&mut base, &self.plan.clone())? {
-            return Ok(None);
+            // Another number of particles, or another branch, may want another plan.
+            self.plan.clear();
+            base = drawn;
         }
         let rows = self.rows(&base)?;
+        if rows.len() > MOST {
+            return Ok(None);
+        }
         for row in rows {
             if self.plan.iter().any(|(planned, _)| *planned == row) {
                 continue;
@@ -315,7 +344,7 @@ impl<'m> Solver<'m> {
         Ok(rows)
     }
 
-    /// The slot to solve a row for, besides those of the plan: of the highest class there is, linear before others.
+    /// The slot to solve a row for, besides those of the plan: one in which it is linear, else of the highest class.
     fn pivot(&self, base: &[f64], row: Row) -> Result<Option<usize>> {
         let class = |slot: &Slot| match (slot.constant, slot.order) {
             (true, _) => 0,
@@ -335,29 +364,24 @@ impl<'m> Solver<'m> {
             let Some(column) = self.column(base, *slot, &rows)? else { return Ok(None) };
             columns.push(column);
         }
-        for group in candidates.chunk_by(|a, b| class(&self.slots[*a]) == class(&self.slots[*b])) {
-            let mut other = None;
-            for &slot in group {
-                let Some(column) = self.column(base, slot, &rows)? else { continue };
-                if column.iter().all(|value| value.eps == 0.0) {
-                    continue;
-                }
-                let all = |i: usize, j: usize| columns.get(j).unwrap_or(&column)[i].eps;
-                let jacobian = DMatrix::from_fn(rows.len(), rows.len(), all);
-                let scale: f64 = jacobian.row_iter().map(|row| row.norm()).product();
-                if scale == 0.0 || !(jacobian.determinant().abs() >= 1e-7 * scale) {
-                    continue;
-                }
-                if self.is_linear(base, row, slot)? {
-                    return Ok(Some(slot));
-                }
-                other = other.or(Some(slot));
+        let mut other = None;
+        for slot in candidates {
+            let Some(column) = self.column(base, slot, &rows)? else { continue };
+            if column.iter().all(|value| value.eps == 0.0) {
+                continue;
             }
-            if other.is_some() {
-                return Ok(other);
+            let all = |i: usize, j: usize| columns.get(j).unwrap_or(&column)[i].eps;
+            let jacobian = DMatrix::from_fn(rows.len(), rows.len(), all);
+            let scale: f64 = jacobian.row_iter().map(|row| row.norm()).product();
+            if scale == 0.0 || !(jacobian.determinant().abs() >= 1e-7 * scale) {
+                continue;
             }
+            if self.is_linear(base, row, slot)? {
+                return Ok(Some(slot));
+            }
+            other = other.or(Some(slot));
         }
-        Ok(None)
+        Ok(other)
     }
 
     /// Whether a formula depends on a symbol, through definitions and rules.

@@ -180,7 +180,7 @@ pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<E
 /// Whether a formula speaks of something that the world determines.
 fn concerns_world(expr: &Expr, model: &Model) -> bool {
     expr.symbols().iter().any(|(id, _)| match model.meaning(*id) {
-        Some(Meaning::World(_)) => true,
+        Some(Meaning::World(_) | Meaning::Particles(..) | Meaning::Frame(_) | Meaning::Rigid(_)) => true,
         Some(Meaning::Defined(formula)) => concerns_world(formula, model),
         _ => false,
     })

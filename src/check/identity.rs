@@ -58,7 +58,7 @@ impl<'a> Context<'a> {
         let of_laws = self.model.laws.iter().flat_map(|law| &law.conditions).flat_map(|c| [&c.lhs, &c.rhs]);
         let of_laws = of_laws.filter(|_| on_shell);
         let of_rules = self.local.iter().filter_map(|rule| match &rule.action {
-            Action::Equals(formula) | Action::Parallel(formula) => Some(formula),
+            Action::Equals(formula) | Action::Parallel(formula) | Action::Follows { formula, .. } => Some(formula),
             Action::Symmetric { .. } | Action::Union(_) => None,
         });
         // A symbol that a hypothesis or a law gives its value is differentiated as often as it is itself, and then as

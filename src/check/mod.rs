@@ -24,6 +24,7 @@ pub mod identity;
 pub mod judge;
 pub mod limit;
 pub mod model;
+mod motion;
 mod particles;
 pub mod plain;
 mod reading;

@@ -203,7 +203,7 @@ pub struct Model {
     /// Vectors fixed in it.
     pub rigid: Vec<Rigid>,
     /// Vectors whose components are taken along axes that are named.
-    pub components: Vec<(Name, SymbolId)>,
+    pub components: Vec<(Name, Name)>,
     /// Bodies that fill a region.
     pub continua: Vec<Continuum>,
     /// The laws that motions obey.
@@ -298,13 +298,19 @@ impl Model {
         self.tie_components();
     }
 
-    /// Tells the table of names along which axes the components of known vectors are taken.
-    pub fn tie_components(&mut self) {
+    /// Tells the table of names along which axes the components of known vectors are taken; false while axes are missing.
+    pub fn tie_components(&mut self) -> bool {
+        let mut all = true;
         for (vector, axes) in &self.components {
+            let Some((axes, _)) = self.symbols.find(axes) else {
+                all = false;
+                continue;
+            };
             if let Some((id, _)) = self.symbols.find(vector) {
-                self.symbols.entry_mut(id).components = Some(Components::Along(*axes));
+                self.symbols.entry_mut(id).components = Some(Components::Along(axes));
             }
         }
+        all
     }
 
     /// The name of a symbol, as LaTeX.

@@ -6,10 +6,10 @@
 
 use crate::formula::shape::{Shape, bind};
 use crate::formula::symbols::Name;
-use crate::formula::{IndexId, Kind};
+use crate::formula::{IndexId, Kind, Symbols};
 use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::Notes;
-use crate::notes::claims::{Claim, Claims, Erratum, Spanned};
+use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
 use crate::{Error, Result};
 
 use super::document::id;
@@ -44,34 +44,46 @@ pub(super) fn read_all(
             None => Ok(display.text.clone()),
         })
         .collect::<Result<_>>()?;
-    let mut definitions: Vec<&(Spanned<String>, Spanned<String>)> = claims.define.iter().collect();
-    let mut of_particles: Vec<_> =
-        claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect();
-    loop {
-        let before =
-            of_particles.len() + definitions.len() + readings.iter().filter(|reading| reading.is_none()).count();
-        definitions.retain(|(name, body)| define(claims, name, body, model).is_err());
-        of_particles.retain(|(name, meaning)| particles::declare(claims, name, meaning, model).is_err());
+    let mut pending = Pending {
+        claims,
+        definitions: claims.define.iter().collect(),
+        of_particles: claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect(),
+    };
+    pending.settle(model);
+    let mut progress = true;
+    while progress {
+        progress = false;
         for at in 0..readings.len() {
             if readings[at].is_none() {
-                readings[at] = read(&texts[at], assigned[at], model, false)?;
+                readings[at] = pending.read(&texts[at], assigned[at], model);
+                if readings[at].is_some() {
+                    pending.settle(model);
+                    progress = true;
+                }
             }
         }
-        if before
-            == of_particles.len() + definitions.len() + readings.iter().filter(|reading| reading.is_none()).count()
-        {
-            break;
-        }
     }
-    for (name, body) in definitions {
+    for (name, body) in &pending.definitions {
         define(claims, name, body, model)?;
     }
-    for (name, meaning) in of_particles {
+    for (name, meaning) in &pending.of_particles {
         particles::declare(claims, name, meaning, model)?;
+    }
+    if !model.tie_components() {
+        let missing = |axes: &Spanned<String>| {
+            names::parse(&axes.value).is_some_and(|(name, _)| model.symbols.find(&name).is_none())
+        };
+        for (_, components) in &claims.components {
+            if let Components::Along(axes) = &components.value
+                && missing(axes)
+            {
+                return Err(Error::at(&claims.source, axes.span, format!("{} is not declared", axes.value)));
+            }
+        }
     }
     for at in 0..readings.len() {
         if readings[at].is_none() {
-            readings[at] = read(&texts[at], assigned[at], model, true)?;
+            readings[at] = Some(accept(read(&texts[at], assigned[at], model), model));
         }
     }
     assemble(model);
@@ -107,21 +119,59 @@ fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> Result<Strin
     Ok(text)
 }
 
-/// Reads a display and gives the symbols that it introduces their meaning; nothing comes of one that is not wholly read,
-/// unless it is the last attempt.
-fn read(text: &str, claim: Option<&Claim>, model: &mut Model, last: bool) -> Result<Option<Reading>> {
+/// What the claims file defines and is not known yet, since it stands on names that are not.
+struct Pending<'a> {
+    claims: &'a Claims,
+    definitions: Vec<&'a (Spanned<String>, Spanned<String>)>,
+    of_particles: Vec<&'a (Spanned<String>, Spanned<String>)>,
+}
+
+impl Pending<'_> {
+    /// Adds what can be added now.
+    fn settle(&mut self, model: &mut Model) {
+        loop {
+            let before = self.definitions.len() + self.of_particles.len();
+            self.definitions.retain(|(name, body)| define(self.claims, name, body, model).is_err());
+            self.of_particles.retain(|(name, meaning)| particles::declare(self.claims, name, meaning, model).is_err());
+            if before == self.definitions.len() + self.of_particles.len() {
+                return;
+            }
+        }
+    }
+
+    /// Reads a display, if it can be read wholly and takes no name that is still to be defined.
+    fn read(&self, text: &str, claim: Option<&Claim>, model: &mut Model) -> Option<Reading> {
+        if !model.tie_components() {
+            return None;
+        }
+        let found = read(text, claim, model);
+        let (symbols, reading) = &found;
+        let reserved = |name: &Name| {
+            let all = self.definitions.iter().chain(&self.of_particles);
+            all.filter_map(|(latex, _)| names::parse_decorated(&latex.value)).any(|pending| pending == *name)
+        };
+        let takes = reading.introduced.iter().any(|introduced| reserved(&symbols.entry(introduced.symbol).name));
+        let whole = reading.statements.iter().all(std::result::Result::is_ok);
+        (whole && !takes).then(|| accept(found, model))
+    }
+}
+
+/// Reads a display with the names of the model; the names that come with it are those that it introduces.
+fn read(text: &str, claim: Option<&Claim>, model: &Model) -> (Symbols, Reading) {
     let mut symbols = model.symbols.clone();
     symbols.for_each = for_each(claim, model);
-    let mut reading = read_display(text, &mut symbols, &model.macros);
-    if !last && reading.statements.iter().any(std::result::Result::is_err) {
-        return Ok(None);
-    }
+    let reading = read_display(text, &mut symbols, &model.macros);
     symbols.for_each = None;
+    (symbols, reading)
+}
+
+/// Takes over a reading, with the meaning of the names that it introduces.
+fn accept((symbols, reading): (Symbols, Reading), model: &mut Model) -> Reading {
     model.symbols = symbols;
-    for introduced in &mut reading.introduced {
+    for introduced in &reading.introduced {
         model.define(introduced.symbol, introduced.formula.clone());
     }
-    Ok(Some(reading))
+    reading
 }
 
 /// The label that a claim gives to the names of its equation.
@@ -134,7 +184,8 @@ pub(super) fn for_each(claim: Option<&Claim>, model: &Model) -> Option<IndexId> 
 /// Adds what the claims file defines.
 fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, model: &mut Model) -> Result<()> {
     let error = |message: String| Error::at(&claims.source, latex.span, message);
-    let name = names::parse_decorated(&latex.value).ok_or_else(|| {
+    let square = latex.value.trim().strip_suffix("^2").or(latex.value.trim().strip_suffix("^{2}"));
+    let name = names::parse_decorated(square.unwrap_or(&latex.value)).ok_or_else(|| {
         error(format!("{} is not the name of a symbol", latex.value))
             .help("a name is a letter or a Greek command, with accents, a subscript, primes: \\hat{e}_a, p_\\psi")
     })?;
@@ -158,6 +209,7 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
         return Err(error(format!("{letter} is free in this definition, and {shown} does not have it")));
     }
     symbols.entry_mut(id).varies = true;
+    symbols.entry_mut(id).squared = square.is_some();
     model.symbols = symbols;
     model.define(id, formula);
     Ok(())

@@ -10,6 +10,7 @@ use crate::source::Span;
 
 use super::ensemble::Condition;
 use super::model::{Meaning, Model};
+use super::motion::motion;
 
 /// What a hypothesis, or the meaning of a symbol in one equation, makes of a symbol.
 #[derive(Clone, Debug)]
@@ -38,6 +39,13 @@ pub enum Action {
     },
     /// The part of what it was before that is parallel to a vector.
     Parallel(Expr),
+    /// What follows from its derivatives below this order, all members at once: that derivative is the formula's value.
+    Follows {
+        /// Which derivative.
+        order: u8,
+        /// Its value.
+        formula: Expr,
+    },
     /// The members of several families, one after the other.
     Union(Vec<Expr>),
 }
@@ -49,6 +57,9 @@ pub fn rules(model: &Model, conditions: &[Condition]) -> (Vec<Rule>, Vec<bool>) 
     // A hypothesis that fixes a whole vector by itself goes before the laws, which leave a choice.
     for (at, condition) in conditions.iter().enumerate() {
         let found = symmetry(model, condition).or_else(|| parallel(model, condition));
+        let is_new = |rule: &Rule| !rules.iter().any(|known| known.symbol == rule.symbol);
+        let moves = |condition: &Condition| motion(model, condition).filter(is_new);
+        let found = found.or_else(|| moves(condition).filter(|_| condition.throughout && is_equality(condition)));
         let found = found.or_else(|| value(model, condition, &rules));
         if let Some(rule) = found {
             explicit[at] = true;
@@ -208,7 +219,9 @@ pub fn reaches(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> 
         let more = rules.iter().find(|rule| {
             !reached.contains(&rule.symbol)
                 && match &rule.action {
-                    Action::Equals(formula) | Action::Parallel(formula) => model.depends_on(formula, &reached),
+                    Action::Equals(formula) | Action::Parallel(formula) | Action::Follows { formula, .. } => {
+                        model.depends_on(formula, &reached)
+                    }
                     Action::Symmetric { .. } | Action::Union(_) => false,
                 }
         });

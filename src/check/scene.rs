@@ -50,6 +50,10 @@ pub struct Scene<'m, B: Number> {
     crowd: RefCell<Option<Arc<Crowd<B>>>>,
     /// Whether the formula at hand means them.
     crowded: Cell<bool>,
+    /// Symbols that follow a law, with what is known of them while their next derivatives are being found.
+    following: RefCell<Vec<(SymbolId, Vec<Value<Series<B>>>)>>,
+    /// The same when all is found.
+    followed: RefCell<HashMap<SymbolId, Vec<Value<Series<B>>>>>,
     /// Values of defined and ruled symbols.
     memo: RefCell<HashMap<(SymbolId, [u8; 3]), Value<Series<B>>>>,
 }
@@ -81,6 +85,8 @@ impl<'m, B: Number> Scene<'m, B> {
             place: RefCell::new(Place::default()),
             crowd: RefCell::new(None),
             crowded: Cell::new(false),
+            following: RefCell::new(Vec::new()),
+            followed: RefCell::new(HashMap::new()),
             memo: RefCell::new(HashMap::new()),
         })
     }
@@ -93,26 +99,27 @@ impl<'m, B: Number> Scene<'m, B> {
     /// Gives a symbol a value of its own, whatever it means, and takes the earlier ones back.
     pub fn set_only(&mut self, overrides: &[(SymbolId, Series<B>)]) {
         self.overrides = overrides.iter().map(|(id, value)| (*id, Value::Scalar(*value))).collect();
-        self.memo.borrow_mut().clear();
+        self.forget();
     }
 
     /// The same for one symbol of any shape.
     pub fn replace(&mut self, id: SymbolId, value: Value<Series<B>>) {
         self.overrides = vec![(id, value)];
-        self.memo.borrow_mut().clear();
+        self.forget();
     }
 
     /// Lets these particles stand in for a family from now on.
     pub fn populate(&self, crowd: Crowd<B>) {
         *self.crowd.borrow_mut() = Some(Arc::new(crowd));
         self.crowded.set(true);
-        self.memo.borrow_mut().clear();
+        self.forget();
     }
 
     /// Takes the particles that stand in for a family back.
     pub fn depopulate(&self) {
         *self.crowd.borrow_mut() = None;
         self.crowded.set(false);
+        self.forget();
     }
 
     /// The coordinates as functions of time.
@@ -226,6 +233,10 @@ impl<'m, B: Number> Scene<'m, B> {
                 }
                 _ => return Err(wrong),
             },
+            Action::Follows { order, formula } => {
+                let all = self.follow(rule, usize::from(*order), formula, at)?;
+                return all.get(self.place_of(id, indices)).cloned().ok_or(Unavailable::Symbol(id));
+            }
             // What joins families acts through the crowd that stands in for them.
             Action::Union(..) => return before(),
         };
@@ -236,6 +247,90 @@ impl<'m, B: Number> Scene<'m, B> {
         let own = before()?;
         let shift = target.plus(own.clone().map(|x| -x)).ok_or(wrong.clone())?;
         own.plus(shift.map(|x| Series::constant(x.value()))).ok_or(wrong)
+    }
+
+    /// All members of a symbol that follows from its lower derivatives, by these and by what its rule says of the next.
+    fn follow(
+        &self,
+        rule: &Rule,
+        order: usize,
+        formula: &crate::formula::Expr,
+        at: usize,
+    ) -> Result<Vec<Value<Series<B>>>, Unavailable> {
+        if let Some((_, partial)) = self.following.borrow().iter().find(|(id, _)| *id == rule.symbol) {
+            return Ok(partial.clone());
+        }
+        if let Some(known) = self.followed.borrow().get(&rule.symbol) {
+            return Ok(known.clone());
+        }
+        let members = self.every_member(rule.symbol)?;
+        let mut known: Vec<Value<Series<B>>> = Vec::new();
+        let mut terms = 0;
+        for member in &members {
+            let free = self.ruled(rule.symbol, member, at)?;
+            terms = terms.max(free.entries().first().map_or(0, Series::known));
+            known.push(free.map(|x| x.truncated(order)));
+        }
+        let wrong = || Unavailable::Operation("a sum of different shapes");
+        for next in order..terms {
+            self.following.borrow_mut().push((rule.symbol, known.clone()));
+            self.memo.borrow_mut().clear();
+            let values: Result<Vec<_>, Unavailable> = members
+                .iter()
+                .map(|member| {
+                    let letters: Vec<(IndexId, u8)> =
+                        rule.letters.iter().copied().zip(member.iter().copied()).collect();
+                    evaluate(formula, self, &letters)
+                })
+                .collect();
+            self.following.borrow_mut().pop();
+            for (known, value) in known.iter_mut().zip(values?) {
+                let (old, new) = (known.entries(), value.entries());
+                let zero = Series::constant(B::zero());
+                let mut entries = old.iter().enumerate().map(|(k, x)| {
+                    let value = new.get(k).or(new.first()).unwrap_or(&zero);
+                    let mut jet: Vec<B> = (0..next).filter_map(|n| x.nth_derivative_value(n)).collect();
+                    jet.extend(value.nth_derivative_value(next - order));
+                    Series::from_derivatives(&jet)
+                });
+                let mut take = || entries.next().ok_or_else(wrong);
+                *known = match known {
+                    Value::Scalar(_) => Value::Scalar(take()?),
+                    Value::Vector(_) => Value::Vector(Vector3::new(take()?, take()?, take()?)),
+                    Value::Matrix(_) => return Err(wrong()),
+                };
+            }
+        }
+        self.memo.borrow_mut().clear();
+        if self.following.borrow().is_empty() {
+            self.followed.borrow_mut().insert(rule.symbol, known.clone());
+        }
+        Ok(known)
+    }
+
+    /// Forgets what was computed for other values.
+    fn forget(&self) {
+        self.memo.borrow_mut().clear();
+        self.followed.borrow_mut().clear();
+    }
+
+    /// The index values of every member of a family there is here.
+    fn every_member(&self, id: SymbolId) -> Result<Vec<Vec<u8>>, Unavailable> {
+        let mut members = vec![Vec::new()];
+        for (_, letter) in &self.model.symbols.entry(id).slots {
+            // As many as there is room for, so that the place of a member does not depend on the count.
+            let count = self.model.symbols.indices[letter.0].upper;
+            members = members
+                .into_iter()
+                .flat_map(|member: Vec<u8>| (1..=count).map(move |value| [member.as_slice(), &[value]].concat()))
+                .collect();
+        }
+        Ok(members)
+    }
+
+    fn place_of(&self, id: SymbolId, indices: &[u8]) -> usize {
+        let extents = self.model.symbols.extents(id);
+        indices.iter().zip(&extents).fold(0, |at, (i, n)| at * usize::from(*n) + usize::from(*i) - 1)
     }
 
     /// A symbol by its meaning alone.
@@ -251,8 +346,7 @@ impl<'m, B: Number> Scene<'m, B> {
             return Ok(member);
         }
         let number = |pick: &dyn Fn(usize) -> Option<Series<B>>| {
-            let extents = self.model.symbols.extents(id);
-            let place = indices.iter().zip(&extents).fold(0, |at, (i, n)| at * usize::from(*n) + usize::from(*i) - 1);
+            let place = self.place_of(id, indices);
             match entry.kind {
                 Kind::Vector => {
                     let [x, y, z] = [pick(3 * place)?, pick(3 * place + 1)?, pick(3 * place + 2)?];
@@ -340,7 +434,7 @@ impl<'m, B: Number> Scene<'m, B> {
         }
         if let Some(label) = label {
             *self.crowd.borrow_mut() = Some(Arc::new(Crowd::joined(members, label)));
-            self.memo.borrow_mut().clear();
+            self.forget();
         }
         Ok(())
     }

@@ -276,15 +276,14 @@ impl Symbols {
     /// Finds a name as [`Symbols::find`] does, or else puts its family together from the names of all its members,
     /// or else finds it with the index that is meant for each.
     pub fn find_or_assemble(&mut self, name: &Name) -> Option<(SymbolId, Vec<Index>)> {
-        if let Some(found) = self.find(name) {
-            return Some(found);
+        if let Some(letter) = self.for_each {
+            let mut each = name.clone();
+            each.subscript.push(self.indices[letter.0].letter.clone());
+            if let Some(found) = self.find(&each).or_else(|| self.assemble(&each)) {
+                return Some(found);
+            }
         }
-        if let Some(found) = self.assemble(name) {
-            return Some(found);
-        }
-        let mut each = name.clone();
-        each.subscript.push(self.indices[self.for_each?.0].letter.clone());
-        self.find(&each).or_else(|| self.assemble(&each))
+        self.find(name).or_else(|| self.assemble(name))
     }
 
     /// `\lambda_a` beside λ₁, λ₂ and λ₃: a family of which each member is a name of its own, all of one kind.
