@@ -37,7 +37,7 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     }
     for (tried, scene) in ensemble.scenes.iter().enumerate() {
         match approach(link, at, scene) {
-            Ok((power, failure)) if !(power > POWER) => {
+            Ok((power, failure)) if power.is_nan() || power <= POWER => {
                 return Ok(Finding {
                     points: tried + 1,
                     tried: tried + 1,

@@ -373,7 +373,8 @@ impl<'m> Solver<'m> {
             let all = |i: usize, j: usize| columns.get(j).unwrap_or(&column)[i].eps;
             let jacobian = DMatrix::from_fn(rows.len(), rows.len(), all);
             let scale: f64 = jacobian.row_iter().map(|row| row.norm()).product();
-            if scale == 0.0 || !(jacobian.determinant().abs() >= 1e-7 * scale) {
+            let determinant = jacobian.determinant().abs();
+            if scale == 0.0 || determinant.is_nan() || determinant < 1e-7 * scale {
                 continue;
             }
             if self.is_linear(base, row, slot)? {

@@ -115,7 +115,7 @@ fn symmetry(model: &Model, condition: &Condition) -> Option<Rule> {
     let permutation = permutation?;
     let is_involution = permutation.iter().enumerate().all(|(at, to)| permutation[*to] == at);
     let moves = permutation.iter().enumerate().any(|(at, to)| at != *to);
-    (is_involution && moves).then(|| Rule {
+    (is_involution && moves).then_some(Rule {
         symbol,
         letters,
         action: Action::Symmetric { permutation, sign },

@@ -32,6 +32,12 @@ pub struct Mode {
     pub order: usize,
 }
 
+/// A symbol and the values of its indices.
+type Member = (SymbolId, [u8; 3]);
+
+/// The values of all members of a family, in order.
+type Members<B> = Vec<Value<Series<B>>>;
+
 /// A value, or why there is none.
 type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 
@@ -51,11 +57,11 @@ pub struct Scene<'m, B: Number> {
     /// Whether the formula at hand means them.
     crowded: Cell<bool>,
     /// Symbols that follow a law, with what is known of them while their next derivatives are being found.
-    following: RefCell<Vec<(SymbolId, Vec<Value<Series<B>>>)>>,
+    following: RefCell<Vec<(SymbolId, Members<B>)>>,
     /// The same when all is found.
-    followed: RefCell<HashMap<SymbolId, Vec<Value<Series<B>>>>>,
+    followed: RefCell<HashMap<SymbolId, Members<B>>>,
     /// Values of defined and ruled symbols.
-    memo: RefCell<HashMap<(SymbolId, [u8; 3]), Value<Series<B>>>>,
+    memo: RefCell<HashMap<Member, Value<Series<B>>>>,
 }
 
 impl<'m, B: Number> Scene<'m, B> {
@@ -256,7 +262,7 @@ impl<'m, B: Number> Scene<'m, B> {
         order: usize,
         formula: &crate::formula::Expr,
         at: usize,
-    ) -> Result<Vec<Value<Series<B>>>, Unavailable> {
+    ) -> Result<Members<B>, Unavailable> {
         if let Some((_, partial)) = self.following.borrow().iter().find(|(id, _)| *id == rule.symbol) {
             return Ok(partial.clone());
         }
@@ -264,7 +270,7 @@ impl<'m, B: Number> Scene<'m, B> {
             return Ok(known.clone());
         }
         let members = self.every_member(rule.symbol)?;
-        let mut known: Vec<Value<Series<B>>> = Vec::new();
+        let mut known: Members<B> = Vec::new();
         let mut terms = 0;
         for member in &members {
             let free = self.ruled(rule.symbol, member, at)?;

@@ -28,8 +28,8 @@ fn terms(claims: &Json, units: &[(&str, &str)], displays: &[&str]) -> Vec<(Strin
         for statement in &reading.statements {
             assert!(statement.is_ok(), "{display}: {statement:?}");
         }
-        for (id, at) in &reading.introduced {
-            model.define(*id, reading.statements[*at].as_ref().unwrap().members[1].clone());
+        for introduced in &reading.introduced {
+            model.define(introduced.symbol, introduced.formula.clone());
         }
         readings.push(reading);
     }
