@@ -5,7 +5,7 @@
 //! to the integral, and the nearer the finer the cut ([`super::continuum`] follows it). A *part* of it around a point of
 //! it, which shrinks, is what a density is a limit of.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::evaluate::{Body as Integrand, Environment, Unavailable, evaluate};
 use crate::formula::{Expr, IndexId, SymbolId, Value};
@@ -95,12 +95,12 @@ impl<B: Number> Place<B> {
 
 impl<B: Number> Hidden<B> {
     fn place(&self, shares: [B; 3]) -> Vector3<B> {
-        self.turned * Vector3::from_fn(|i, _| shares[i] * self.edges[i]) + self.middle
+        self.turned() * Vector3::from_fn(|i, _| shares[i] * self.edges[i]) + self.middle
     }
 
     /// The density at a point: a polynomial of degree 2 in its place, as shares of the edges.
     fn density(&self, x: &Vector3<B>, dimension: u8) -> B {
-        let local = self.turned.transpose() * (x - self.middle);
+        let local = self.turned().transpose() * (x - self.middle);
         let u: [B; 3] =
             std::array::from_fn(|i| if i < dimension.into() { local[i] / self.edges[i] } else { B::zero() });
         let c = &self.density;
@@ -124,7 +124,7 @@ impl<B: Number> Hidden<B> {
     fn set(&self, nodes: Nodes<B>, dimension: u8, around: &Vector3<B>) -> Nodes<B> {
         let along_x = |x: Vector3<B>| if dimension == 1 { Vector3::new(x.z, x.x, x.y) } else { x };
         let points = nodes.points.into_iter().map(|(x, w)| (along_x(x), w)).collect();
-        Nodes { points }.turned(&self.turned).moved(around)
+        Nodes { points }.turned(&self.turned()).moved(around)
     }
 }
 
@@ -288,6 +288,32 @@ impl<B: Number> Scene<'_, B> {
         Ok(Crowd::of(&cells.with_density(|x| self.density_at(at, x)), families, label))
     }
 
+    /// The inertia tensor of point masses; that of each family is computed once a state.
+    fn tensor(
+        &self,
+        (label, masses, positions): (IndexId, &Expr, &Expr),
+        id: SymbolId,
+    ) -> Result<Matrix3<Series<B>>, Unavailable> {
+        let alone = self.place.borrow().is_default() && self.is_alone();
+        let known = self.tensors.borrow().iter().find(|(m, x, _)| m == masses && x == positions).map(|known| known.2);
+        if let (Some(known), true) = (known, alone) {
+            return Ok(known);
+        }
+        let mut points = Vec::new();
+        for value in 1..=self.count(label)? {
+            let at = [(label, value)];
+            match (evaluate(positions, self, &at)?, evaluate(masses, self, &at)?) {
+                (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
+                _ => return Err(Unavailable::Symbol(id)),
+            }
+        }
+        let tensor = inertia_tensor(&Nodes { points });
+        if alone {
+            self.tensors.borrow_mut().push((masses.clone(), positions.clone(), tensor));
+        }
+        Ok(tensor)
+    }
+
     /// What the point masses of two families determine, about the origin.
     pub(super) fn of_particles(
         &self,
@@ -297,15 +323,7 @@ impl<B: Number> Scene<'_, B> {
         indices: &[u8],
     ) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
-        let mut points = Vec::new();
-        for value in 1..=self.count(label)? {
-            let at = [(label, value)];
-            match (evaluate(positions, self, &at)?, evaluate(masses, self, &at)?) {
-                (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
-                _ => return Err(none()),
-            }
-        }
-        let tensor = inertia_tensor(&Nodes { points });
+        let tensor = self.tensor((label, masses, positions), id)?;
         let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
         if quantity == ParticleQuantity::InertiaTensor {
             return Ok(match indices {

@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
 
 use crate::formula::evaluate::{Unavailable, evaluate};
-use crate::formula::{Expr, IndexId, Node, Relation, SymbolId, Value};
+use crate::formula::{Expr, IndexId, Node, Relation, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
 use crate::{Error, Result};
@@ -19,14 +19,15 @@ use super::base::{Slot, slots};
 use super::draw::{Draw, Reach, contains};
 use super::judge::{self, Link};
 use super::model::Model;
-use super::rules::{Rule, reaches, rules};
+use super::motion::order;
+use super::rules::{Rule, rules};
 use super::scene::{Mode, Scene};
 
 /// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
 const THROUGHOUT: usize = 3;
 
 /// So many equations are solved at most; hypotheses about whole families are rules instead.
-const MOST: usize = 48;
+const MOST: usize = 24;
 
 /// A hypothesis of a claim.
 #[derive(Clone, Debug)]
@@ -351,9 +352,13 @@ impl<'m> Solver<'m> {
             (false, order) => 1 + order,
         };
         let condition = &self.conditions[row.0];
-        let concerns = |slot: &Slot| match slot.symbol {
-            Some(symbol) => self.depends(&condition.lhs, symbol) || self.depends(&condition.rhs, symbol),
-            None => true,
+        let sides = [&condition.lhs, &condition.rhs];
+        // What nothing but drawn symbols is made of depends on those in it, and on no higher derivatives.
+        let plain = sides.iter().all(|side| self.model.is_plain(side)) && self.rules.is_empty();
+        let concerns = |slot: &Slot| {
+            let Some(symbol) = slot.symbol else { return !plain };
+            let highest = sides.iter().filter_map(|side| order(self.model, side, symbol)).max();
+            !plain || highest.is_some_and(|highest| slot.order <= usize::from(highest) + row.1)
         };
         let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
         candidates.retain(|at| !self.plan.iter().any(|(_, taken)| taken == at) && concerns(&self.slots[*at]));
@@ -383,11 +388,6 @@ impl<'m> Solver<'m> {
             other = other.or(Some(slot));
         }
         Ok(other)
-    }
-
-    /// Whether a formula depends on a symbol, through definitions and rules.
-    fn depends(&self, expr: &Expr, symbol: SymbolId) -> bool {
-        reaches(self.model, &self.rules, expr, symbol) || !self.model.is_plain(expr)
     }
 
     /// Rows, with their derivatives by a slot.

@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::Result;
 use crate::formula::evaluate::{Body, Environment, Unavailable, evaluate};
-use crate::formula::{IndexId, Kind, Sign, SymbolId, Symbols, Value};
+use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
 use crate::mechanics::{Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Number, Series};
@@ -60,6 +60,8 @@ pub struct Scene<'m, B: Number> {
     following: RefCell<Vec<(SymbolId, Members<B>)>>,
     /// The same when all is found.
     followed: RefCell<HashMap<SymbolId, Members<B>>>,
+    /// Inertia tensors of masses at positions.
+    pub(super) tensors: RefCell<Vec<(Expr, Expr, Matrix3<Series<B>>)>>,
     /// Values of defined and ruled symbols.
     memo: RefCell<HashMap<Member, Value<Series<B>>>>,
 }
@@ -93,6 +95,7 @@ impl<'m, B: Number> Scene<'m, B> {
             crowded: Cell::new(false),
             following: RefCell::new(Vec::new()),
             followed: RefCell::new(HashMap::new()),
+            tensors: RefCell::new(Vec::new()),
             memo: RefCell::new(HashMap::new()),
         })
     }
@@ -256,13 +259,7 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     /// All members of a symbol that follows from its lower derivatives, by these and by what its rule says of the next.
-    fn follow(
-        &self,
-        rule: &Rule,
-        order: usize,
-        formula: &crate::formula::Expr,
-        at: usize,
-    ) -> Result<Members<B>, Unavailable> {
+    fn follow(&self, rule: &Rule, order: usize, formula: &Expr, at: usize) -> Result<Members<B>, Unavailable> {
         if let Some((_, partial)) = self.following.borrow().iter().find(|(id, _)| *id == rule.symbol) {
             return Ok(partial.clone());
         }
@@ -318,6 +315,7 @@ impl<'m, B: Number> Scene<'m, B> {
     fn forget(&self) {
         self.memo.borrow_mut().clear();
         self.followed.borrow_mut().clear();
+        self.tensors.borrow_mut().clear();
     }
 
     /// The index values of every member of a family there is here.
@@ -365,7 +363,7 @@ impl<'m, B: Number> Scene<'m, B> {
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
             Meaning::Constant(i) => fixed(&self.base.constants[*i]),
-            Meaning::Varying(i) => number(&|at| self.base.varying[*i].get(at).copied()).ok_or_else(none),
+            Meaning::Varying(i) => number(&|at| self.base.varying[*i].series(at)).ok_or_else(none),
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
             Meaning::Defined(formula) => {
@@ -416,7 +414,12 @@ impl<'m, B: Number> Scene<'m, B> {
         let costly =
             matches!(self.model.meaning(id), Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_)))
                 || self.rules.iter().any(|rule| rule.symbol == id);
-        costly && self.crowd.borrow().is_none() && self.place.borrow().is_default()
+        costly && self.is_alone() && self.place.borrow().is_default()
+    }
+
+    /// Whether no particles stand in for others, and none are being followed.
+    pub(super) fn is_alone(&self) -> bool {
+        self.crowd.borrow().is_none() && self.following.borrow().is_empty()
     }
 
     /// Lets the rules that join families take effect: their members stand in for the family that is joined.
