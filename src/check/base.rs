@@ -195,9 +195,10 @@ impl<B: Number> Base<B> {
         Base { time, constants, rigid, direction, continua, coordinates, varying, frame_angles }
     }
 
-    /// How a frame turns by these numbers.
-    pub fn turning(&self, frame: Frame) -> Option<Turning<Series<B>>> {
-        let frame = match (frame, self.frame_angles.as_slice()) {
+    /// How a frame turns by these numbers, its angles known to so many terms.
+    pub fn turning(&self, frame: Frame, terms: usize) -> Option<Turning<Series<B>>> {
+        let angles: Vec<Series<B>> = self.frame_angles.iter().map(|angle| angle.truncated(terms)).collect();
+        let frame = match (frame, angles.as_slice()) {
             (Frame::Free, [phi, theta, psi]) => mechanics::Frame::freely([*phi, *theta, *psi]),
             (Frame::FixedDirection, [angle]) => mechanics::Frame::about(self.direction, *angle).ok()?,
             _ => return None,

@@ -40,10 +40,14 @@ impl<B: Number> Crowd<B> {
     }
 
     /// Point masses in place of a family of masses and one of positions.
-    fn of(nodes: &Nodes<B>, (mass, position): (SymbolId, SymbolId), label: IndexId) -> Self {
-        let constant = |x: &Vector3<B>| Value::Vector(x.map(Series::constant));
-        let masses = nodes.points.iter().map(|(_, m)| Value::Scalar(Series::constant(*m))).collect();
-        let positions = nodes.points.iter().map(|(x, _)| constant(x)).collect();
+    fn of(
+        nodes: &Nodes<B>,
+        (mass, position): (SymbolId, SymbolId),
+        label: IndexId,
+        constant: impl Fn(B) -> Series<B>,
+    ) -> Self {
+        let masses = nodes.points.iter().map(|(_, m)| Value::Scalar(constant(*m))).collect();
+        let positions = nodes.points.iter().map(|(x, _)| Value::Vector(x.map(&constant))).collect();
         Crowd { members: vec![(mass, masses), (position, positions)], label, partly: false }
     }
 
@@ -195,7 +199,7 @@ impl<B: Number> Scene<'_, B> {
             Some(_) => return None,
             None => self.own_point(at),
         };
-        Some(Series::constant(self.density_at(at, &x)))
+        Some(self.constant(self.density_at(at, &x)))
     }
 
     /// The point at which the formula at hand is evaluated.
@@ -205,12 +209,12 @@ impl<B: Number> Scene<'_, B> {
             (None, 1) => self.own_point(0),
             _ => return None,
         };
-        Some(x.map(Series::constant))
+        Some(x.map(|x| self.constant(x)))
     }
 
     /// The volume, area or length of the part at hand.
     pub(super) fn size_of_part(&self, _at: usize) -> Option<Series<B>> {
-        self.place.borrow().part.as_ref().map(|(_, size)| Series::constant(*size))
+        self.place.borrow().part.as_ref().map(|(_, size)| self.constant(*size))
     }
 
     /// An integral over a continuum.
@@ -224,7 +228,7 @@ impl<B: Number> Scene<'_, B> {
             self.place.borrow_mut().point = Some((at, x));
             match integrand() {
                 Ok(value) => {
-                    let term = value.map(|y| y * Series::constant(weight));
+                    let term = value.map(|y| y * self.constant(weight));
                     total = match total {
                         None => Some(term),
                         Some(total) => total.plus(term),
@@ -257,7 +261,8 @@ impl<B: Number> Scene<'_, B> {
             let cells = part.cells(3).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
             let size = cells.total();
             let cells = hidden.set(cells, continuum.dimension, &around).with_density(|x| self.density_at(at, x));
-            self.place.borrow_mut().part = Some((Crowd::of(&cells, (mass, position), label), size));
+            self.place.borrow_mut().part =
+                Some((Crowd::of(&cells, (mass, position), label, |x| self.constant(x)), size));
             let value = formula();
             self.place.borrow_mut().part = None;
             values.push(value?);
@@ -285,7 +290,8 @@ impl<B: Number> Scene<'_, B> {
         let body = hidden.body(continuum.dimension, 1.0);
         let cells = body.cells(k).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
         let cells = hidden.set(cells, continuum.dimension, &hidden.middle);
-        Ok(Crowd::of(&cells.with_density(|x| self.density_at(at, x)), families, label))
+        let cells = cells.with_density(|x| self.density_at(at, x));
+        Ok(Crowd::of(&cells, families, label, |x| self.constant(x)))
     }
 
     /// The inertia tensor of point masses; that of each family is computed once a state.

@@ -17,6 +17,7 @@ use crate::{Error, Result};
 
 use super::base::{Slot, slots};
 use super::draw::{Draw, Reach, contains};
+use super::identity::derivatives;
 use super::judge::{self, Link};
 use super::model::Model;
 use super::motion::order;
@@ -200,6 +201,8 @@ struct Solver<'m> {
     slots: Vec<Slot>,
     /// Which row is solved for which slot; found at the first state that works.
     plan: Vec<(Row, usize)>,
+    /// How many states were accepted.
+    accepted: usize,
 }
 
 /// States that differ from others in the values of some quantities and in nothing else that is free.
@@ -261,7 +264,7 @@ impl<'m> Solver<'m> {
         found.extend_from_slice(setting.local);
         let slots = slots(model, mode);
         let (rules, plan) = (found.into(), Vec::new());
-        Solver { model, mode, reach: setting.reach, conditions, explicit, rules, slots, plan }
+        Solver { model, mode, reach: setting.reach, conditions, explicit, rules, slots, plan, accepted: 0 }
     }
 
     fn equalities(&self) -> impl Iterator<Item = (usize, &Condition)> {
@@ -283,8 +286,8 @@ impl<'m> Solver<'m> {
         Some(values)
     }
 
-    fn scene<B: Number>(&self, base: &[B]) -> Result<Scene<'m, B>> {
-        let scene = Scene::new(self.model, self.mode, base, &self.rules)?;
+    fn scene<B: Number>(&self, base: &[B], terms: usize) -> Result<Scene<'m, B>> {
+        let scene = Scene::knowing(terms, self.model, self.mode, base, &self.rules)?;
         let joined = scene.join();
         joined.map_err(|_| Error::new("families that are joined must be families of one label"))?;
         Ok(scene)
@@ -326,7 +329,15 @@ impl<'m> Solver<'m> {
 
     fn measured(&self, base: &[f64]) -> Result<Scene<'m, Measured>> {
         let base: Vec<Measured> = base.iter().map(|x| Measured::new(*x)).collect();
-        self.scene(&base)
+        self.scene(&base, self.mode.order + 1)
+    }
+
+    /// How many derivatives the hypotheses need that are solved.
+    fn terms(&self) -> usize {
+        let throughout = self.equalities().any(|(_, condition)| condition.throughout);
+        let sides = self.equalities().flat_map(|(_, condition)| [&condition.lhs, &condition.rhs]);
+        let highest = sides.map(|side| derivatives(side, self.model)).max().unwrap_or(0);
+        (highest + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
     }
 
     fn rows(&self, base: &[f64]) -> Result<Vec<Row>> {
@@ -394,7 +405,7 @@ impl<'m> Solver<'m> {
     fn column(&self, base: &[f64], slot: usize, rows: &[Row]) -> Result<Option<Vec<Dual64>>> {
         let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
         dual[slot].eps = 1.0;
-        let values = self.values(&self.scene(&dual)?, rows);
+        let values = self.values(&self.scene(&dual, self.terms())?, rows);
         Ok(values.filter(|values| values.iter().all(|value| value.re.is_finite() && value.eps.is_finite())))
     }
 
@@ -403,7 +414,7 @@ impl<'m> Solver<'m> {
         for step in [0.0, 0.5, 1.0] {
             let mut moved = base.to_vec();
             moved[slot] += step;
-            let Some(value) = self.values(&self.scene(&moved)?, &[row]) else { return Ok(false) };
+            let Some(value) = self.values(&self.scene(&moved, self.terms())?, &[row]) else { return Ok(false) };
             values.push(value[0]);
         }
         let bend: f64 = values[0] - 2.0 * values[1] + values[2];
@@ -446,9 +457,12 @@ impl<'m> Solver<'m> {
     }
 
     /// The state of a base, if every hypothesis holds there.
-    fn accept(&self, base: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
+    fn accept(&mut self, base: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
         let scene = self.measured(base)?;
-        for condition in &self.conditions {
+        // Rules hold by what they are, unless one undoes another: that shows at once.
+        let all = self.accepted < 2;
+        let to_check = self.conditions.iter().zip(&self.explicit).filter(|(_, is_rule)| all || !**is_rule);
+        for (condition, _) in to_check {
             let Ok(entries) = difference(&scene, condition) else { return Ok(None) };
             let holds = entries.iter().all(|entry| match condition.relation {
                 Relation::Equal | Relation::Identical | Relation::Proportional => {
@@ -461,6 +475,7 @@ impl<'m> Solver<'m> {
                 return Ok(None);
             }
         }
+        self.accepted += 1;
         Ok(Some(scene))
     }
 }

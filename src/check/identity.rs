@@ -67,7 +67,8 @@ impl<'a> Context<'a> {
         let needed = formulas.iter().map(|f| derivatives(f, self.model)).max();
         let stacked = on_shell && !self.model.laws.is_empty() || !self.local.is_empty();
         let needed = if stacked { needed.map(|n| n + beneath.unwrap_or(0)) } else { needed.max(beneath) };
-        let least = if self.conditions.iter().any(|c| c.throughout) { 4 } else { 2 };
+        let usual = if self.model.world.is_some() { 2 } else { 1 };
+        let least = if self.conditions.iter().any(|c| c.throughout) { 4 } else { usual };
         Mode { on_shell, order: (needed.unwrap_or(0) + 1).max(least).min(TERMS - 1) }
     }
 

@@ -44,6 +44,8 @@ type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 /// A state.
 pub struct Scene<'m, B: Number> {
     pub(super) model: &'m Model,
+    /// How many derivatives are known of what is drawn, the value counted.
+    terms: usize,
     pub(super) base: Base<B>,
     coordinates: Vec<Series<B>>,
     rules: Arc<[Rule]>,
@@ -72,18 +74,27 @@ impl<'m, B: Number> Scene<'m, B> {
     /// # Errors
     /// When the mass matrix is singular there.
     pub fn new(model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
+        Scene::knowing(mode.order + 1, model, mode, base, rules)
+    }
+
+    /// The same state, of which no more than so many derivatives are known, the value counted.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular there.
+    pub fn knowing(terms: usize, model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
         let base = Base::of(model, mode, base);
         let coordinates = match &model.world {
             Some(world) if mode.on_shell => {
                 let q: Vec<B> = base.coordinates.iter().map(|jet| jet[0]).collect();
                 let v: Vec<B> = base.coordinates.iter().map(|jet| jet[1]).collect();
                 let parameters: Vec<B> = model.parameters.iter().map(|place| base.constants[*place][0]).collect();
-                world.motion(base.time, &q, &v, &parameters, mode.order.max(1))?
+                world.motion(base.time, &q, &v, &parameters, mode.order.min(terms - 1).max(1))?
             }
-            _ => base.coordinates.iter().map(|jet| Series::from_derivatives(jet)).collect(),
+            _ => base.coordinates.iter().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
         };
         Ok(Scene {
             model,
+            terms,
             base,
             coordinates,
             rules: rules.clone(),
@@ -158,7 +169,17 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn time(&self) -> Series<B> {
-        Series::time(self.base.time)
+        Series::time(self.base.time).truncated(self.terms)
+    }
+
+    /// What does not vary, known as far as what does.
+    pub(super) fn constant(&self, value: B) -> Series<B> {
+        Series::constant(value).truncated(self.terms)
+    }
+
+    /// The k-th unit vector.
+    fn unit(&self, k: usize) -> Vector3<Series<B>> {
+        Vector3::from_fn(|i, _| self.constant(if i == k { B::one() } else { B::zero() }))
     }
 
     fn velocities(&self) -> Vec<Series<B>> {
@@ -166,19 +187,19 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn parameters(&self) -> Vec<Series<B>> {
-        self.model.parameters.iter().map(|place| Series::constant(self.base.constants[*place][0])).collect()
+        self.model.parameters.iter().map(|place| self.constant(self.base.constants[*place][0])).collect()
     }
 
     /// How the document's frame turns.
     fn turning(&self) -> Option<&rotations::Turning<Series<B>>> {
-        self.turning.get_or_init(|| self.base.turning(self.model.frame?)).as_ref()
+        self.turning.get_or_init(|| self.base.turning(self.model.frame?, self.terms + 1)).as_ref()
     }
 
     fn quantity(&self, quantity: Quantity, id: SymbolId, indices: &[u8]) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
         if quantity == Quantity::SpaceAxes {
-            return Ok(Value::Vector(unit(place(0)?)));
+            return Ok(Value::Vector(self.unit(place(0)?)));
         }
         let all = self.quantities().ok_or_else(none)?;
         Ok(match quantity {
@@ -205,7 +226,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 _ => Value::Scalar(all.body_rates.as_ref().ok_or_else(none)?[place(0)?]),
             },
             Quantity::BodyAxes => Value::Vector(all.orientation.as_ref().ok_or_else(none)?.row(place(0)?).transpose()),
-            Quantity::SpaceAxes => Value::Vector(unit(place(0)?)),
+            Quantity::SpaceAxes => Value::Vector(self.unit(place(0)?)),
         })
     }
 
@@ -359,11 +380,13 @@ impl<'m, B: Number> Scene<'m, B> {
                 _ => pick(place).map(Value::Scalar),
             }
         };
-        let fixed = |numbers: &[B]| number(&|at| numbers.get(at).map(|x| Series::constant(*x))).ok_or_else(none);
+        let fixed = |numbers: &[B]| number(&|at| numbers.get(at).map(|x| self.constant(*x))).ok_or_else(none);
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
             Meaning::Constant(i) => fixed(&self.base.constants[*i]),
-            Meaning::Varying(i) => number(&|at| self.base.varying[*i].series(at)).ok_or_else(none),
+            Meaning::Varying(i) => {
+                number(&|at| Some(self.base.varying[*i].series(at)?.truncated(self.terms))).ok_or_else(none)
+            }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
             Meaning::Defined(formula) => {
@@ -378,10 +401,14 @@ impl<'m, B: Number> Scene<'m, B> {
                 value
             }
             Meaning::Rotation(..) => Err(none()),
-            Meaning::FixedAxis(k) => Ok(Value::Vector(unit(*k))),
-            Meaning::Frame(FrameQuantity::Angle) => {
-                self.base.frame_angles.first().copied().map(Value::Scalar).ok_or_else(none)
-            }
+            Meaning::FixedAxis(k) => Ok(Value::Vector(self.unit(*k))),
+            Meaning::Frame(FrameQuantity::Angle) => self
+                .base
+                .frame_angles
+                .first()
+                .map(|angle| angle.truncated(self.terms))
+                .map(Value::Scalar)
+                .ok_or_else(none),
             Meaning::Frame(FrameQuantity::AngularVelocity) => {
                 Ok(Value::Vector(self.turning().ok_or_else(none)?.angular_velocity))
             }
@@ -447,11 +474,6 @@ impl<'m, B: Number> Scene<'m, B> {
         }
         Ok(())
     }
-}
-
-/// The k-th unit vector.
-fn unit<B: Number>(k: usize) -> Vector3<Series<B>> {
-    Vector3::from_fn(|i, _| Series::constant(if i == k { B::one() } else { B::zero() }))
 }
 
 pub(super) fn matrix<B: Number>(m: &Matrix3<Series<B>>) -> Value<Series<B>> {
