@@ -91,7 +91,7 @@ impl<'m> Ensemble<'m> {
         let rules = solver.rules.clone();
         let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode, rules };
         let mut failure: Option<Error> = None;
-        while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 {
+        while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 && !solver.hopeless {
             ensemble.tried += 1;
             let base = draw.base(&solver.slots, setting.reach);
             let solved = solver.solve(base).and_then(|base| match base {
@@ -203,6 +203,8 @@ struct Solver<'m> {
     plan: Vec<(Row, usize)>,
     /// How many states were accepted.
     accepted: usize,
+    /// Whether there is more to solve than is solved.
+    hopeless: bool,
 }
 
 /// States that differ from others in the values of some quantities and in nothing else that is free.
@@ -264,7 +266,18 @@ impl<'m> Solver<'m> {
         found.extend_from_slice(setting.local);
         let slots = slots(model, mode);
         let (rules, plan) = (found.into(), Vec::new());
-        Solver { model, mode, reach: setting.reach, conditions, explicit, rules, slots, plan, accepted: 0 }
+        Solver {
+            model,
+            mode,
+            reach: setting.reach,
+            conditions,
+            explicit,
+            rules,
+            slots,
+            plan,
+            accepted: 0,
+            hopeless: false,
+        }
     }
 
     fn equalities(&self) -> impl Iterator<Item = (usize, &Condition)> {
@@ -306,6 +319,7 @@ impl<'m> Solver<'m> {
         }
         let rows = self.rows(&base)?;
         if rows.len() > MOST {
+            self.hopeless = true;
             return Ok(None);
         }
         for row in rows {
