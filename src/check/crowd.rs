@@ -19,7 +19,7 @@ use super::model::{Continuum, Meaning, ParticleQuantity};
 use super::scene::{Scene, matrix};
 
 /// Up to this degree of the integrand an integral is exact.
-const DEGREE: usize = 7;
+const DEGREE: usize = 5;
 
 /// A value, or why there is none.
 type Valued<B> = Result<Value<Series<B>>, Unavailable>;

@@ -6,7 +6,7 @@
 //! code runs over measured numbers (to judge) and dual numbers (to solve conditions for a variable).
 
 use std::cell::{Cell, OnceCell, RefCell};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
@@ -61,11 +61,11 @@ pub struct Scene<'m, B: Number> {
     /// Symbols that follow a law, with what is known of them while their next derivatives are being found.
     following: RefCell<Vec<(SymbolId, Members<B>)>>,
     /// The same when all is found.
-    followed: RefCell<HashMap<SymbolId, Members<B>>>,
+    followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
     /// Inertia tensors of masses at positions.
     pub(super) tensors: RefCell<Vec<(Expr, Expr, Matrix3<Series<B>>)>>,
     /// Values of defined and ruled symbols.
-    memo: RefCell<HashMap<Member, Value<Series<B>>>>,
+    memo: RefCell<BTreeMap<Member, Value<Series<B>>>>,
 }
 
 impl<'m, B: Number> Scene<'m, B> {
@@ -105,9 +105,9 @@ impl<'m, B: Number> Scene<'m, B> {
             crowd: RefCell::new(None),
             crowded: Cell::new(false),
             following: RefCell::new(Vec::new()),
-            followed: RefCell::new(HashMap::new()),
+            followed: RefCell::new(BTreeMap::new()),
             tensors: RefCell::new(Vec::new()),
-            memo: RefCell::new(HashMap::new()),
+            memo: RefCell::new(BTreeMap::new()),
         })
     }
 
@@ -354,8 +354,10 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn place_of(&self, id: SymbolId, indices: &[u8]) -> usize {
-        let extents = self.model.symbols.extents(id);
-        indices.iter().zip(&extents).fold(0, |at, (i, n)| at * usize::from(*n) + usize::from(*i) - 1)
+        let symbols = &self.model.symbols;
+        let upper = |letter: &IndexId| usize::from(symbols.indices[letter.0].upper);
+        let slots = &symbols.entry(id).slots;
+        indices.iter().zip(slots).fold(0, |at, (i, (_, letter))| at * upper(letter) + usize::from(*i) - 1)
     }
 
     /// A symbol by its meaning alone.
