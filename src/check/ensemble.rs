@@ -312,11 +312,20 @@ impl<'m> Solver<'m> {
             return Ok(Some(base));
         }
         let drawn = base.clone();
-        if !self.plan.is_empty() && !self.newton(&mut base, &self.plan.clone())? {
-            // Another number of particles, or another branch, may want another plan.
-            self.plan.clear();
-            base = drawn;
+        if self.plan.is_empty() || self.newton(&mut base, &self.plan.clone())? {
+            return self.complete(base);
         }
+        // Another number of particles may want another plan.
+        let known = std::mem::take(&mut self.plan);
+        let solved = self.complete(drawn);
+        if !matches!(solved, Ok(Some(_))) {
+            self.plan = known;
+        }
+        solved
+    }
+
+    /// Solves the rows that are not planned yet, from a base that obeys those that are.
+    fn complete(&mut self, mut base: Vec<f64>) -> Result<Option<Vec<f64>>> {
         let rows = self.rows(&base)?;
         if rows.len() > MOST {
             self.hopeless = true;
@@ -379,7 +388,8 @@ impl<'m> Solver<'m> {
         let condition = &self.conditions[row.0];
         let sides = [&condition.lhs, &condition.rhs];
         // What nothing but drawn symbols is made of depends on those in it, and on no higher derivatives.
-        let plain = sides.iter().all(|side| self.model.is_plain(side)) && self.rules.is_empty();
+        let moves = self.mode.on_shell && self.model.world.is_some();
+        let plain = sides.iter().all(|side| self.model.is_plain(side)) && self.rules.is_empty() && !moves;
         let concerns = |slot: &Slot| {
             let Some(symbol) = slot.symbol else { return !plain };
             let highest = sides.iter().filter_map(|side| order(self.model, side, symbol)).max();
