@@ -56,13 +56,9 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         sentences::unsupported(claims, sentence)?;
     }
     with_desk(run, claims, notes, |desk| {
-        let chosen = |display: &Display| run.only.is_none_or(|only| id(display) == Some(only));
-        let claimed = |at: usize| id(&notes.equations[at]).is_some() || desk.assigned[at].is_some();
-        let work: Vec<usize> =
-            (0..notes.equations.len()).filter(|at| chosen(&notes.equations[*at]) && claimed(*at)).collect();
+        let work = wanted(notes, desk.assigned, run.only);
         let sentences = if run.only.is_some() { &[] } else { claims.sentences.as_slice() };
         let path = notes.source.path.as_str();
-        run.progress.planned(path, work.len() + sentences.len());
         let told = |equation: Result<Equation>| {
             run.progress.done(path);
             equation
@@ -86,6 +82,19 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             inferred: desk.model.inferred.clone(),
         })
     })
+}
+
+/// The displays that are to be checked, by their places.
+fn wanted(notes: &Notes, assigned: &[Option<&Claim>], only: Option<&str>) -> Vec<usize> {
+    let chosen = |display: &Display| only.is_none_or(|only| id(display) == Some(only));
+    let claimed = |at: usize| id(&notes.equations[at]).is_some() || assigned[at].is_some();
+    (0..notes.equations.len()).filter(|at| chosen(&notes.equations[*at]) && claimed(*at)).collect()
+}
+
+/// How many equations and sentences [`check_in`] will report; 0 where the claims do not fit the notes.
+pub fn items(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
+    let equations = assign(claims, notes).map_or(0, |assigned| wanted(notes, &assigned, only).len());
+    equations + if only.is_some() { 0 } else { claims.sentences.len() }
 }
 
 /// Lays all that a document's equations need on a desk, and has them worked on.

@@ -443,7 +443,7 @@ impl Desk<'_> {
 }
 
 /// Whether two statements are one, wherever they stand.
-fn says_the_same(a: &Statement, b: &Statement) -> bool {
+pub(super) fn says_the_same(a: &Statement, b: &Statement) -> bool {
     let relations = |s: &Statement| s.relations.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
     a.members == b.members && relations(a) == relations(b) && a.constant.is_some() == b.constant.is_some()
 }

@@ -29,7 +29,7 @@ mod particles;
 pub mod plain;
 mod progress;
 mod reading;
-mod reprint;
+pub mod reprint;
 mod rules;
 pub mod scene;
 mod sentences;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::check::{Document, Options, Report, Run, check_in, check_reprint, unclaimed};
+use crate::check::{Document, Options, Report, Run, check_in, check_reprint, document, reprint, unclaimed};
 use crate::notes::{Claims, Notes, claims_beside, json};
 use crate::report;
 use crate::systems::Registry;
@@ -61,9 +61,11 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
         Err(error) => errors.push(error),
     }
     let only = arguments.only.as_deref();
-    let progress = Terminal::start();
+    let loaded: Vec<Result<Loaded>> = jobs.par_iter().map(load).collect();
+    let items = loaded.iter().flatten().map(|loaded| loaded.items(only)).sum();
+    let progress = Terminal::start(items);
     let run = Run { registry, options, only, progress: &progress };
-    let checked: Vec<Result<Document>> = jobs.par_iter().map(|job| document(job, &run)).collect();
+    let checked: Vec<Result<Document>> = loaded.into_par_iter().map(|loaded| loaded?.check(&run)).collect();
     drop(progress);
     for document in checked {
         match document {
@@ -188,34 +190,61 @@ fn names_notes(path: &Path) -> bool {
     text.contains("\"notes\"") || text.trim().is_empty() || json::read(&text).is_err()
 }
 
-fn document(job: &Job, run: &Run<'_>) -> Result<Document> {
-    match job {
-        Job::Notes(notes) => Ok(unclaimed(&Notes::read(notes, &shown(notes))?)),
-        Job::Claims(path) => {
-            let claims = Claims::read(path, &shown(path))?;
-            let notes = claims.notes_path();
-            check_in(run, &claims, &Notes::read(&notes, &shown(&notes))?)
-        }
-        Job::Pair { notes: path, claims: files } => {
-            let notes = Notes::read(path, &shown(path))?;
-            let mut sets = Vec::new();
-            for claims_path in files {
-                let claims = Claims::read(claims_path, &shown(claims_path))?;
-                let own = claims.notes_path();
-                // Claims whose notes are not there are taken to be about what is.
-                if !own.exists() || is_same(&own, path) {
-                    if let [_] = files.as_slice() {
-                        return check_in(run, &claims, &notes);
-                    }
-                    let message = format!("{} is about {} itself", shown(claims_path), shown(path));
-                    return Err(Error::new(message).help("give it alone; the others are about other notes"));
-                }
-                let own = Notes::read(&own, &shown(&own))?;
-                sets.push((claims, own));
-            }
-            check_reprint(run, &sets, &notes)
+/// The files of a job, read.
+enum Loaded {
+    /// Claims and the notes that they are about.
+    Own(Claims, Notes),
+    /// Claims, each with the notes that they are about, for another print of these.
+    Reprint(Vec<(Claims, Notes)>, Notes),
+    Unclaimed(Notes),
+}
+
+impl Loaded {
+    /// How many equations and sentences there are to check.
+    fn items(&self, only: Option<&str>) -> usize {
+        match self {
+            Loaded::Own(claims, notes) => document::items(claims, notes, only),
+            Loaded::Reprint(sets, print) => reprint::items(sets, print, only),
+            Loaded::Unclaimed(_) => 0,
         }
     }
+
+    fn check(self, run: &Run<'_>) -> Result<Document> {
+        match &self {
+            Loaded::Own(claims, notes) => check_in(run, claims, notes),
+            Loaded::Reprint(sets, print) => check_reprint(run, sets, print),
+            Loaded::Unclaimed(notes) => Ok(unclaimed(notes)),
+        }
+    }
+}
+
+fn load(job: &Job) -> Result<Loaded> {
+    let notes_at = |path: &Path| Notes::read(path, &shown(path));
+    let (path, files) = match job {
+        Job::Notes(path) => return Ok(Loaded::Unclaimed(notes_at(path)?)),
+        Job::Claims(path) => {
+            let claims = Claims::read(path, &shown(path))?;
+            let notes = notes_at(&claims.notes_path())?;
+            return Ok(Loaded::Own(claims, notes));
+        }
+        Job::Pair { notes, claims } => (notes, claims),
+    };
+    let notes = notes_at(path)?;
+    let mut sets = Vec::new();
+    for file in files {
+        let claims = Claims::read(file, &shown(file))?;
+        let own = claims.notes_path();
+        // Claims whose notes are not there are taken to be about what is.
+        if !own.exists() || is_same(&own, path) {
+            if files.len() == 1 {
+                return Ok(Loaded::Own(claims, notes));
+            }
+            let message = format!("{} is about {} itself", shown(file), shown(path));
+            return Err(Error::new(message).help("give it alone; the others are about other notes"));
+        }
+        sets.push((claims, notes_at(&own)?));
+    }
+    Ok(Loaded::Reprint(sets, notes))
 }
 
 fn is_same(a: &Path, b: &Path) -> bool {

@@ -16,10 +16,9 @@ const TICK: Duration = Duration::from_millis(100);
 /// Erases the line that the cursor stands in.
 const ERASE: &str = "\r\u{1b}[2K";
 
-/// What is known of the run.
+/// How far the run is.
 #[derive(Default)]
 struct State {
-    planned: usize,
     done: usize,
     document: String,
     over: bool,
@@ -32,11 +31,11 @@ pub(super) struct Terminal {
 }
 
 impl Terminal {
-    /// Starts to wait for the run to take long.
-    pub(super) fn start() -> Terminal {
+    /// Starts to wait for a run of so many items to take long.
+    pub(super) fn start(items: usize) -> Terminal {
         let state = Arc::new(Mutex::new(State::default()));
         let shared = state.clone();
-        let writer = std::io::stderr().is_terminal().then(|| std::thread::spawn(move || write(&shared)));
+        let writer = std::io::stderr().is_terminal().then(|| std::thread::spawn(move || write(&shared, items)));
         Terminal { state, writer }
     }
 
@@ -46,13 +45,6 @@ impl Terminal {
 }
 
 impl Progress for Terminal {
-    fn planned(&self, document: &str, items: usize) {
-        self.with(|state| {
-            state.planned += items;
-            document.clone_into(&mut state.document);
-        });
-    }
-
     fn done(&self, document: &str) {
         self.with(|state| {
             state.done += 1;
@@ -75,7 +67,7 @@ impl Drop for Terminal {
 }
 
 /// Writes the line until the run is over.
-fn write(state: &Mutex<State>) {
+fn write(state: &Mutex<State>, items: usize) {
     let started = Instant::now();
     let mut shown = false;
     loop {
@@ -85,7 +77,7 @@ fn write(state: &Mutex<State>) {
             if state.over {
                 break;
             }
-            format!("{} of {} checked  {}", state.done, state.planned, state.document)
+            format!("{} of {items} checked  {}", state.done, state.document)
         };
         if started.elapsed() >= PATIENCE {
             shown = true;
