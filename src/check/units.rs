@@ -180,8 +180,14 @@ pub fn conflicts(model: &Model, declared: &[(SymbolId, Dimension)], readings: &[
 }
 
 impl Desk<'_> {
-    /// The term of a statement that does not fit the units of the document: no number is computed of it.
-    pub(super) fn unit_conflict(&self, display: usize, statement: &Statement, claim: &Claim) -> Option<Finding> {
+    /// The term of a statement that does not fit the units of the document: no number is computed of it. The text of
+    /// the display starts at `offset`.
+    pub(super) fn unit_conflict(
+        &self,
+        (display, offset): (usize, usize),
+        statement: &Statement,
+        claim: &Claim,
+    ) -> Option<Finding> {
         let units = self.units.as_ref().filter(|_| claim.units_off.is_none())?;
         let mismatch = units.mismatch(statement)?;
         let others = mismatch.origins.iter().filter(|origin| **origin != display);
@@ -193,7 +199,6 @@ impl Desk<'_> {
             [] => mismatch.message,
             names => format!("{}; units inferred from {}", mismatch.message, names.join(", ")),
         };
-        let offset = self.notes.equations[display].body.start;
         Some(Finding::new(Verdict::Unreadable, mismatch.span.shifted(offset), message))
     }
 }
