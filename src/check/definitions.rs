@@ -82,6 +82,10 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
     loose.retain(|(twin, _)| *twin != whole);
     let aside = if loose.len() < signed { ", its sign aside" } else { "" };
     match loose.first() {
+        _ if names.is_empty() => {
+            let message = format!("introduces {name}, and nothing that holds uses it");
+            Ok(context.finding(Verdict::Undecided, message))
+        }
         Some((_, change)) => {
             let message = format!("introduces {name} loosely: nothing would notice it with {change}");
             Ok(context.finding(Verdict::Undecided, message))

@@ -1,7 +1,7 @@
 //! The desk at which one document is checked: its claims, notes, symbols and readings, and what a claims file names
 //! among them (an equation, a symbol, a formula, a condition, a limit).
 
-use crate::formula::{Assignment, Expr, Index, Relation, Statement, SymbolId, Value, evaluate, shape};
+use crate::formula::{Assignment, Expr, Index, Relation, Statement, SymbolId, Value, evaluate, shape, text};
 use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::address::{Address, Target};
 use crate::notes::claims::{Claim, Claims, Spanned};
@@ -9,15 +9,16 @@ use crate::notes::{Display, Notes};
 use crate::source::{Fault, Source};
 use crate::{Error, Result, suggest};
 
+use super::continuum;
 use super::ensemble::Condition;
-use super::identity::{Context, Options};
+use super::identity::{Context, Options, is_equality};
 use super::judge::Link;
 use super::limit::Towards;
-use super::model::{Law, Model, formula_error};
+use super::model::{Law, Meaning, Model, formula_error};
 use super::rules::{Action, Rule};
 use super::small;
 use super::units::Units;
-use super::verdict::Finding;
+use super::verdict::{Finding, Verdict};
 
 /// Everything that checking one equation or sentence needs.
 pub(super) struct Desk<'a> {
@@ -64,6 +65,45 @@ impl Desk<'_> {
         small::check(link, &small, claim.order.as_ref().map_or(1, |order| order.value), context)
     }
 
+    /// The finding on an integral as the limit of a sum over particles, which an equation of the notes prints.
+    pub fn continuum(&self, link: &Link, claim: &Claim, context: &Context<'_>) -> Result<Finding> {
+        let Some(of) = &claim.continuum_limit_of else { return continuum::check(link, context) };
+        let mut known = false;
+        for display in of.resolve(self.notes, &self.claims.source)? {
+            let reading = &self.readings[display];
+            known |= reading.introduced.iter().any(|new| link.lhs.as_plain_symbol() == Some(new.symbol))
+                || reading.statements.iter().flatten().any(|statement| statement.members.contains(&link.lhs));
+        }
+        if !known {
+            let message = format!(
+                "({}) does not say what {} is for particles",
+                of.text,
+                text::formula(&link.lhs, &self.model.symbols)
+            );
+            return Ok(context.finding(Verdict::Undecided, message));
+        }
+        continuum::check(link, context)
+    }
+
+    /// Refuses what is said of a relation that none of the statements has.
+    pub fn needs_a_relation<'s>(&self, claim: &Claim, statements: impl Iterator<Item = &'s Statement>) -> Result<()> {
+        let relations: Vec<Relation> =
+            statements.flat_map(|s| s.relations.iter().map(|(relation, _)| *relation)).collect();
+        let wrong = |latex: &Spanned<String>, message: &str| Err(Error::at(&self.claims.source, latex.span, message));
+        if let Some(small) = claim.small.first()
+            && !relations.contains(&Relation::Approximately)
+        {
+            return wrong(small, "there is no ≈ here, and only that holds for what is small");
+        }
+        let plain = |relation: &Relation| is_equality(*relation) || *relation == Relation::Approximately;
+        if let Some(when) = claim.exactly_when.iter().flatten().next()
+            && relations.iter().all(plain)
+        {
+            return wrong(when, "there is no inequality here that could be true exactly when something else is");
+        }
+        Ok(())
+    }
+
     /// The alternatives of a claim that holds exactly when one of them does.
     pub fn alternatives(&self, claim: &Claim) -> Result<Vec<Vec<Condition>>> {
         let all = |latex: &Vec<Spanned<String>>| {
@@ -84,6 +124,10 @@ impl Desk<'_> {
                 Some(known) => known,
                 None => (self.symbol(name)?, Vec::new()),
             };
+            if let Some(Meaning::Defined(_)) = self.model.meaning(symbol) {
+                return Err(at(format!("{} is defined already, and cannot mean something else here", name.value))
+                    .help("claim it of another name, or give the meaning to what it is defined by"));
+            }
             let letters = indices.iter().filter_map(|index| match index {
                 Index::Letter(letter) => Some(*letter),
                 Index::Fixed(_) => None,

@@ -16,7 +16,7 @@ use super::model::Law;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{continuum, definitions, exactly, generates, limit, solves};
+use super::{definitions, exactly, generates, limit, solves};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -59,14 +59,16 @@ impl Desk<'_> {
         };
         if !claim.errata.is_empty() {
             let mended = self.parts(place, reading, claim, &topic)?;
-            let failed = !passes(&parts);
+            let fails =
+                |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
+            let failed = parts.iter().any(fails);
             as_expected = failed && passes(&mended);
             let edits: Vec<String> =
                 claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
             let verdict = match (failed, as_expected) {
                 (true, true) => "as corrected it passes".to_owned(),
                 (true, false) => format!("as corrected it does not pass: {}", worst(&mended).message),
-                (false, _) => "but it passes as printed".to_owned(),
+                (false, _) => "but as printed it is not wrong".to_owned(),
             };
             because = Some(format!("{}; {verdict}", edits.join(", ")));
         }
@@ -152,6 +154,7 @@ impl Desk<'_> {
                 "there is no ≈ in this equation, and only that has a limit",
             ));
         }
+        self.needs_a_relation(claim, reading.statements.iter().flatten())?;
         let mut units_agree = true;
         for (at, statement) in reading.statements.iter().enumerate() {
             let (topic, span) = match statement {
@@ -241,7 +244,10 @@ impl Desk<'_> {
                 continue;
             }
             // What defines a name is checked right here, where the chain goes on or the claim says more of it.
-            let says_more = claim.also_equals.is_some() || claim.generates.is_some() || claim.solves.is_some();
+            let says_more = claim.also_equals.is_some()
+                || claim.generates.is_some()
+                || claim.solves.is_some()
+                || claim.conserved.is_some();
             if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
                 if last && !says_more {
                     findings.push(self.definition(first, context)?);
@@ -282,7 +288,7 @@ impl Desk<'_> {
                 (relation, _) if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
                     exactly::check(&link, &self.alternatives(claim)?, &context)?
                 }
-                _ if claim.continuum_limit_of.is_some() => continuum::check(&link, &context)?,
+                _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
                 _ => identity::check(&link, &context)?,
             };
             findings.push(finding);

@@ -127,7 +127,7 @@ pub fn unseen(link: &Link, scenes: &[Scene<'_, Measured>]) -> Option<String> {
 pub fn vanishes_throughout(link: &Link, scenes: &[Scene<'_, Measured>]) -> bool {
     let zero = |side: &Expr| Link { lhs: side.clone(), rhs: Expr::integer(0, side.span), ..link.clone() };
     let vanishes = |side: &Expr| run(&zero(side), scenes).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0);
-    !link.lhs.is_zero() && !link.rhs.is_zero() && vanishes(&link.lhs) && vanishes(&link.rhs)
+    !link.lhs.is_null() && !link.rhs.is_null() && vanishes(&link.lhs) && vanishes(&link.rhs)
 }
 
 /// How little a claim that holds says of the world.

@@ -304,6 +304,24 @@ fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     if is_equality(link.relation) && opened(&link.lhs) == opened(&link.rhs) {
         return Some(context.finding(Verdict::Definition, "true by definition: the claims file defines it so"));
     }
+    for rule in context.local {
+        let bare =
+            [&link.lhs, &link.rhs].into_iter().any(|side| side.symbols().iter().any(|(id, _)| *id == rule.symbol));
+        match &rule.action {
+            Action::Union(_) if bare => {
+                let name = text::plain(&context.model.name(rule.symbol));
+                let message =
+                    format!("{name} is joined of several families here, so which of them is printed is not clear");
+                return Some(context.finding(Verdict::Unreadable, message));
+            }
+            Action::Equals(formula)
+                if bare && [&link.lhs, &link.rhs].into_iter().any(|side| opened(side) == *formula) =>
+            {
+                return Some(context.finding(Verdict::Undecided, "it only restates what \"where\" says"));
+            }
+            _ => {}
+        }
+    }
     let is_hypothesis = |c: &Condition| {
         c.relation == link.relation
             && (c.lhs == link.lhs && c.rhs == link.rhs || c.lhs == link.rhs && c.rhs == link.lhs)
@@ -322,7 +340,8 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
         max_residual: (outcome.points > 0).then_some(outcome.residual),
         ..context.finding(verdict, message)
     };
-    let whence = match (ensemble.mode.on_shell, context.conditions.is_empty()) {
+    let free = context.conditions.is_empty() && context.local.is_empty();
+    let whence = match (ensemble.mode.on_shell, free) {
         (false, true) => "always",
         (false, false) => "under its hypotheses",
         (true, true) => "on shell",

@@ -90,7 +90,7 @@ fn open(model: &Model, term: Opened, dots: u8, depth: usize, into: &mut Vec<Open
         into.push(Opened { sign, fixed, core });
     };
     match &core.node {
-        _ if core.is_zero() => {}
+        _ if core.is_null() => {}
         Node::Sum(terms) => {
             for inner in terms {
                 let sign = if inner.sign == Sign::Minus { sign.flipped() } else { sign };

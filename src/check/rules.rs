@@ -56,7 +56,7 @@ pub fn rules(model: &Model, conditions: &[Condition]) -> (Vec<Rule>, Vec<bool>) 
     let mut explicit = vec![false; conditions.len()];
     // A hypothesis that fixes a whole vector by itself goes before the laws, which leave a choice.
     for (at, condition) in conditions.iter().enumerate() {
-        let found = symmetry(model, condition).or_else(|| parallel(model, condition));
+        let found = symmetry(model, condition).or_else(|| parallel(model, condition, &rules));
         let is_new = |rule: &Rule| !rules.iter().any(|known| known.symbol == rule.symbol);
         let moves = |condition: &Condition| motion(model, condition).filter(is_new);
         let found = found.or_else(|| moves(condition).filter(|_| condition.throughout && is_equality(condition)));
@@ -124,13 +124,13 @@ fn symmetry(model: &Model, condition: &Condition) -> Option<Rule> {
 }
 
 /// `\vec X \propto \vec Y`.
-fn parallel(model: &Model, condition: &Condition) -> Option<Rule> {
+fn parallel(model: &Model, condition: &Condition, before: &[Rule]) -> Option<Rule> {
     if condition.relation != Relation::Proportional {
         return None;
     }
     [(&condition.lhs, &condition.rhs), (&condition.rhs, &condition.lhs)].into_iter().find_map(|(a, b)| {
         let (symbol, letters) = free_symbol(model, a)?;
-        (!model.depends_on(b, &[symbol])).then(|| Rule {
+        (!reaches(model, before, b, symbol)).then(|| Rule {
             symbol,
             letters,
             action: Action::Parallel(b.clone()),
@@ -206,7 +206,7 @@ fn flatten(model: &Model, expr: &Expr, sign: Sign, depth: usize, into: &mut Vec<
                 _ => into.push((sign, expr.clone())),
             }
         }
-        _ if expr.is_zero() => {}
+        _ if expr.is_null() => {}
         _ => into.push((sign, expr.clone())),
     }
 }

@@ -12,11 +12,11 @@ use super::desk::Desk;
 use super::document::id;
 use super::draw::Reach;
 use super::equation::{expected, merged};
+use super::exactly;
 use super::functions::{self, Shape, Target};
 use super::identity::{self, Context, is_equality};
 use super::limit::{self, Towards};
 use super::verdict::{Equation, Finding, Verdict};
-use super::{continuum, exactly};
 
 /// Checks the `at`-th sentence of the claims file.
 pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<Equation> {
@@ -204,6 +204,7 @@ fn quoted(sentence: &Sentence) -> String {
 
 /// Every link of some statements.
 fn claim(desk: &Desk<'_>, sentence: &Sentence, statements: &[Statement], context: &Context<'_>) -> Result<Finding> {
+    desk.needs_a_relation(&sentence.claim, statements.iter())?;
     let mut findings = Vec::new();
     for statement in statements {
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
@@ -215,7 +216,7 @@ fn claim(desk: &Desk<'_>, sentence: &Sentence, statements: &[Statement], context
                 (_, relation) if !is_equality(*relation) && !sentence.claim.exactly_when.is_empty() => {
                     exactly::check(&link, &desk.alternatives(&sentence.claim)?, context)?
                 }
-                _ if sentence.claim.continuum_limit_of.is_some() => continuum::check(&link, context)?,
+                _ if sentence.claim.continuum_limit_of.is_some() => desk.continuum(&link, &sentence.claim, context)?,
                 (Some(limit), Relation::Approximately) => {
                     let (variable, towards) = desk.limit(limit)?;
                     limit::check(&link, variable, towards, context)?

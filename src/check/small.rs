@@ -7,7 +7,7 @@
 
 use crate::Result;
 use crate::formula::evaluate::{Unavailable, evaluate};
-use crate::formula::{Expr, Value};
+use crate::formula::{Expr, Node, Value};
 use crate::scalar::Measured;
 
 use super::ensemble::{Family, Setting};
@@ -76,12 +76,14 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     let all_reach = |link: &Link, families: &[Shrinkage<'_>], least: f64| {
         families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
     };
-    if on_shell {
-        let off_shell = self::families(link, small, context, false)?;
-        if all_reach(link, &off_shell, wanted) {
-            return Ok(
-                context.finding(Verdict::Undecided, "everything in it is that small anyhow, whatever the motion")
-            );
+    // Off shell nothing makes a term small but what it is made of. One beyond the order could be anything.
+    let free = self::families(link, small, context, false)?;
+    for term in terms(link) {
+        let alone = Link { lhs: term.clone(), rhs: Expr::integer(0, term.span), ..link.clone() };
+        if !free.is_empty() && all_reach(&alone, &free, wanted) {
+            let words = crate::formula::text::formula(term, &context.model.symbols);
+            let message = format!("“{words}” is smaller than the order that is claimed, and so could be anything");
+            return Ok(context.finding(Verdict::Undecided, message));
         }
     }
     let survivors: Vec<_> =
@@ -91,7 +93,9 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         let mut wide = self::families(link, small, &wide, on_shell)?;
         // Far out not every state has a family: those at which the claim itself can be seen to hold count.
         wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
-        if let Some(twin) = survivors.iter().find(|twin| !all_reach(&twin.link, &wide, missed)) {
+        // Far out rounding may drown the last steps: what falls on the whole falls.
+        let falls = |link: &Link| wide.iter().all(|family| family.falls(link, missed));
+        if let Some(twin) = survivors.iter().find(|twin| !falls(&twin.link)) {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
             return Ok(context.finding(Verdict::Undecided, message));
         }
@@ -102,6 +106,15 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     };
     let points = families.len();
     Ok(Finding { points, tried: points, ..context.finding(Verdict::Verified, message) })
+}
+
+/// The terms of both sides, but for a literal 0.
+fn terms(link: &Link) -> Vec<&Expr> {
+    let of = |side| match side {
+        Expr { node: Node::Sum(terms), .. } => terms.iter().map(|term| &term.expr).collect(),
+        side => vec![side],
+    };
+    [&link.lhs, &link.rhs].into_iter().flat_map(of).filter(|term| !term.is_null()).collect()
 }
 
 /// Families of states, from states of the claim.
@@ -130,6 +143,18 @@ fn families<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bo
 }
 
 impl Shrinkage<'_> {
+    /// Whether the difference of the sides falls as this power at least, in the last steps or on the whole.
+    fn falls(&self, link: &Link, least: f64) -> bool {
+        let at = |scene: &Scene<'_, Measured>| -> Option<f64> {
+            let sides = pair(evaluate(&link.lhs, scene, &[]).ok()?, evaluate(&link.rhs, scene, &[]).ok()?);
+            Some(sides.0.iter().zip(&sides.1).map(|(a, b)| (a.value - b.value).abs()).fold(0.0, f64::max))
+        };
+        let ends = self.scenes.first().and_then(at).zip(self.scenes.last().and_then(at));
+        let steps = (self.scenes.len() - 1) as f64;
+        ends.is_some_and(|(first, last)| (first / last).log2() / steps >= least)
+            || self.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least)
+    }
+
     /// The power of ε with which the difference of the sides falls, infinite where there is none but rounding.
     fn power(&self, link: &Link) -> Result<(f64, Option<Failure>), Unavailable> {
         let mut errors: Vec<f64> = Vec::new();

@@ -292,6 +292,14 @@ impl Expr {
         matches!(&self.node, Node::Number(text) if text.bytes().all(|b| b == b'0' || b == b'.'))
     }
 
+    /// Whether it is the literal 0 or the zero vector.
+    pub fn is_null(&self) -> bool {
+        match &self.node {
+            Node::Matrix(rows) => !rows.is_empty() && rows.iter().flatten().all(Expr::is_zero),
+            _ => self.is_zero(),
+        }
+    }
+
     /// The digits of a whole number.
     pub fn as_digits(&self) -> Option<&str> {
         match &self.node {
