@@ -110,11 +110,15 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
 
 /// The terms of both sides, but for a literal 0.
 fn terms(link: &Link) -> Vec<&Expr> {
-    let of = |side| match side {
-        Expr { node: Node::Sum(terms), .. } => terms.iter().map(|term| &term.expr).collect(),
-        side => vec![side],
-    };
-    [&link.lhs, &link.rhs].into_iter().flat_map(of).filter(|term| !term.is_null()).collect()
+    let mut found = Vec::new();
+    for side in [&link.lhs, &link.rhs] {
+        match &side.node {
+            Node::Sum(terms) => found.extend(terms.iter().map(|term| &term.expr)),
+            _ => found.push(side),
+        }
+    }
+    found.retain(|term| !term.is_null());
+    found
 }
 
 /// Families of states, from states of the claim.
