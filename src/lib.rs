@@ -1,8 +1,9 @@
 //! **onshell** checks the equations in physics notes against what automatic differentiation derives.
 //!
-//! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived on its own, from a
-//! Lagrangian that is a Rust function. The two are held against each other at sampled states. Where they differ, the
-//! author gets the place, a state at which they differ, and the values of both sides there.
+//! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived on its own: from a
+//! Lagrangian that is a Rust function, or from laws that are taken for granted, for particles, turning bodies and masses
+//! spread over volumes. The two are held against each other at sampled states. Where they differ, the author gets the
+//! place, a state at which they differ, and the values of both sides there.
 //!
 //! # An example
 //!
@@ -71,19 +72,20 @@
 //! *Notes* ([`notes::Notes`]) are a document as its author wrote it. onshell finds the displays in it, their numbers
 //! and their labels. It keeps the byte range of everything.
 //!
-//! *Claims* ([`notes::Claims`]) are a JSON file beside the notes. It declares the symbols, names the system, and says
-//! what an equation means where its print does not say it. `docs/claims.md` has every key. What onshell does not know
+//! *Claims* ([`notes::Claims`]) are a JSON file beside the notes. It declares the symbols, names the system or the laws,
+//! and says what an equation means where its print does not say it. `docs/claims.md` has every key. What onshell does not know
 //! in a claims file is an error at its place, never passed over.
 //!
 //! A *system* ([`mechanics::Lagrangian`], [`systems`]) is a Lagrangian as a Rust function, generic in the number. From
 //! it follow the equations of motion, momenta, the energy, the Hamiltonian and the effective potential
-//! ([`mechanics::World`]). No system contains a closed form that is checked.
+//! ([`mechanics::World`]). No system contains a closed form that is checked. Without a system, *laws* say how things move:
+//! each is solved for the highest derivative in it.
 //!
 //! A *formula* ([`formula::Expr`]) is what LaTeX says, apart from how it was typeset. [`latex`] reads it in two steps,
 //! layout and then meaning, and refuses what people read in two ways. The rules are in [`latex::reader`].
 //!
 //! A *state* ([`check::scene::Scene`]) gives every symbol a value and its time derivatives. *Off shell* the
-//! derivatives are free numbers; *on shell* the equations of motion give the accelerations and all above them. An
+//! derivatives are free numbers; *on shell* the equations of motion, or laws, give the highest and all above. An
 //! equation with no word on it in the claims file is tested off shell first, and on shell if it fails there; the
 //! report says which.
 //!

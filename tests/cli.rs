@@ -11,6 +11,8 @@ mod bad_input;
 mod contract;
 #[path = "cli/formulas.rs"]
 mod formulas;
+#[path = "cli/reprint.rs"]
+mod reprint;
 
 use support::{Desk, SIGN};
 

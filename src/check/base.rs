@@ -105,9 +105,23 @@ pub struct Base<B> {
     /// The derivatives of each coordinate: on shell no more than the first.
     pub coordinates: Vec<Vec<B>>,
     /// The free functions of time.
-    pub varying: Vec<Vec<Series<B>>>,
+    pub varying: Vec<Jets<B>>,
     /// The angles of the frame.
     pub frame_angles: Vec<Series<B>>,
+}
+
+/// Numbers with their derivatives, one after the other.
+pub struct Jets<B> {
+    numbers: Vec<B>,
+    /// How many belong to one.
+    jet: usize,
+}
+
+impl<B: Number> Jets<B> {
+    /// One of them as a function of time.
+    pub fn series(&self, at: usize) -> Option<Series<B>> {
+        self.numbers.get(at * self.jet..(at + 1) * self.jet).map(Series::from_derivatives)
+    }
 }
 
 /// What fixes a continuum of which nothing is said: a density that varies, sizes, a place, an orientation.
@@ -118,53 +132,73 @@ pub struct Hidden<B> {
     pub edges: [B; 3],
     /// Where its middle is.
     pub middle: Vector3<B>,
-    /// Q, which turns it from its canonical position.
-    pub turned: Matrix3<B>,
+    /// The Euler angles of its axes.
+    pub angles: [B; 3],
     /// A point in it, as shares of the edges from the middle.
     pub point: [B; 3],
+}
+
+impl<B: Number> Hidden<B> {
+    /// Q, which turns it from its canonical position.
+    pub fn turned(&self) -> Matrix3<B> {
+        let [phi, theta, psi] = self.angles;
+        euler_angles(phi, theta, psi).transpose()
+    }
 }
 
 impl<B: Number> Base<B> {
     /// Sorts the numbers of a base; what is missing is not a number.
     pub fn of(model: &Model, mode: Mode, numbers: &[B]) -> Self {
-        let mut numbers = numbers.iter().copied();
+        let mut groups = groups(model, mode).into_iter();
+        let mut rest = numbers;
         // Group after group, number after number, derivative after derivative.
-        let mut groups = groups(model, mode).into_iter().map(|group| {
-            let mut jet = || (0..=group.derivatives).map(|_| numbers.next().unwrap_or(B::from(f64::NAN))).collect();
-            (0..group.numbers).map(|_| jet()).collect::<Vec<Vec<B>>>()
-        });
-        let mut next = || groups.next().unwrap_or_default();
-        let flat = |jets: Vec<Vec<B>>| jets.into_iter().flatten().collect::<Vec<B>>();
-        fn few<B: Number, const N: usize>(numbers: Vec<B>) -> [B; N] {
-            std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
+        let mut next = || {
+            let (count, jet) = groups.next().map_or((0, 1), |group| (group.numbers, group.derivatives + 1));
+            let (numbers, more) = rest.split_at((count * jet).min(rest.len()));
+            rest = more;
+            Jets { numbers: numbers.to_vec(), jet }
+        };
+        fn few<B: Number, const N: usize>(jets: &Jets<B>) -> [B; N] {
+            std::array::from_fn(|i| jets.numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
         }
-        let [time] = few(flat(next()));
-        let constants = model.constants.iter().map(|_| flat(next())).collect();
-        let rigid = model.rigid.iter().map(|_| flat(next())).collect();
+        let [time] = few(&next());
+        let constants = model.constants.iter().map(|_| next().numbers).collect();
+        let rigid = model.rigid.iter().map(|_| next().numbers).collect();
         let direction = match model.frame {
-            Some(Frame::FixedDirection) => few(flat(next())),
+            Some(Frame::FixedDirection) => few(&next()),
             _ => [B::zero(); 3],
         };
         let hidden = |_| {
-            let mut density = flat(next());
-            density.extend(flat(next()));
-            let edges = few(flat(next()));
-            let middle = Vector3::from(few(flat(next())));
-            let [phi, theta, psi] = few(flat(next()));
-            let turned = euler_angles(phi, theta, psi).transpose();
-            Hidden { density: few(density), edges, middle, turned, point: few(flat(next())) }
+            let (middle_density, coefficients) = (next(), next());
+            let [first] = few(&middle_density);
+            let others: [B; 9] = few(&coefficients);
+            let density = std::array::from_fn(|k| if k == 0 { first } else { others[k - 1] });
+            let (edges, middle, angles, point) = (next(), next(), next(), next());
+            Hidden {
+                density,
+                edges: few(&edges),
+                middle: Vector3::from(few(&middle)),
+                angles: few(&angles),
+                point: few(&point),
+            }
         };
         let continua = model.continua.iter().map(hidden).collect();
-        let coordinates = model.coordinates.iter().map(|_| next().swap_remove(0)).collect();
-        let series = |jets: Vec<Vec<B>>| jets.iter().map(|jet| Series::from_derivatives(jet)).collect::<Vec<_>>();
-        let varying = model.varying.iter().map(|_| series(next())).collect();
-        let frame_angles = if model.frame.is_some() { series(next()) } else { Vec::new() };
+        let coordinates = model.coordinates.iter().map(|_| next().numbers).collect();
+        let varying = model.varying.iter().map(|_| next()).collect();
+        let frame_angles = match model.frame {
+            Some(_) => {
+                let angles = next();
+                (0..angles.numbers.len() / angles.jet).filter_map(|at| angles.series(at)).collect()
+            }
+            None => Vec::new(),
+        };
         Base { time, constants, rigid, direction, continua, coordinates, varying, frame_angles }
     }
 
-    /// How a frame turns by these numbers.
-    pub fn turning(&self, frame: Frame) -> Option<Turning<Series<B>>> {
-        let frame = match (frame, self.frame_angles.as_slice()) {
+    /// How a frame turns by these numbers, its angles known to so many terms.
+    pub fn turning(&self, frame: Frame, terms: usize) -> Option<Turning<Series<B>>> {
+        let angles: Vec<Series<B>> = self.frame_angles.iter().map(|angle| angle.truncated(terms)).collect();
+        let frame = match (frame, angles.as_slice()) {
             (Frame::Free, [phi, theta, psi]) => mechanics::Frame::freely([*phi, *theta, *psi]),
             (Frame::FixedDirection, [angle]) => mechanics::Frame::about(self.direction, *angle).ok()?,
             _ => return None,

@@ -5,7 +5,7 @@
 //! to the integral, and the nearer the finer the cut ([`super::continuum`] follows it). A *part* of it around a point of
 //! it, which shrinks, is what a density is a limit of.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::evaluate::{Body as Integrand, Environment, Unavailable, evaluate};
 use crate::formula::{Expr, IndexId, SymbolId, Value};
@@ -19,7 +19,7 @@ use super::model::{Continuum, Meaning, ParticleQuantity};
 use super::scene::{Scene, matrix};
 
 /// Up to this degree of the integrand an integral is exact.
-const DEGREE: usize = 7;
+const DEGREE: usize = 5;
 
 /// A value, or why there is none.
 type Valued<B> = Result<Value<Series<B>>, Unavailable>;
@@ -40,10 +40,14 @@ impl<B: Number> Crowd<B> {
     }
 
     /// Point masses in place of a family of masses and one of positions.
-    fn of(nodes: &Nodes<B>, (mass, position): (SymbolId, SymbolId), label: IndexId) -> Self {
-        let constant = |x: &Vector3<B>| Value::Vector(x.map(Series::constant));
-        let masses = nodes.points.iter().map(|(_, m)| Value::Scalar(Series::constant(*m))).collect();
-        let positions = nodes.points.iter().map(|(x, _)| constant(x)).collect();
+    fn of(
+        nodes: &Nodes<B>,
+        (mass, position): (SymbolId, SymbolId),
+        label: IndexId,
+        constant: impl Fn(B) -> Series<B>,
+    ) -> Self {
+        let masses = nodes.points.iter().map(|(_, m)| Value::Scalar(constant(*m))).collect();
+        let positions = nodes.points.iter().map(|(x, _)| Value::Vector(x.map(&constant))).collect();
         Crowd { members: vec![(mass, masses), (position, positions)], label, partly: false }
     }
 
@@ -95,12 +99,12 @@ impl<B: Number> Place<B> {
 
 impl<B: Number> Hidden<B> {
     fn place(&self, shares: [B; 3]) -> Vector3<B> {
-        self.turned * Vector3::from_fn(|i, _| shares[i] * self.edges[i]) + self.middle
+        self.turned() * Vector3::from_fn(|i, _| shares[i] * self.edges[i]) + self.middle
     }
 
     /// The density at a point: a polynomial of degree 2 in its place, as shares of the edges.
     fn density(&self, x: &Vector3<B>, dimension: u8) -> B {
-        let local = self.turned.transpose() * (x - self.middle);
+        let local = self.turned().transpose() * (x - self.middle);
         let u: [B; 3] =
             std::array::from_fn(|i| if i < dimension.into() { local[i] / self.edges[i] } else { B::zero() });
         let c = &self.density;
@@ -124,7 +128,7 @@ impl<B: Number> Hidden<B> {
     fn set(&self, nodes: Nodes<B>, dimension: u8, around: &Vector3<B>) -> Nodes<B> {
         let along_x = |x: Vector3<B>| if dimension == 1 { Vector3::new(x.z, x.x, x.y) } else { x };
         let points = nodes.points.into_iter().map(|(x, w)| (along_x(x), w)).collect();
-        Nodes { points }.turned(&self.turned).moved(around)
+        Nodes { points }.turned(&self.turned()).moved(around)
     }
 }
 
@@ -195,7 +199,7 @@ impl<B: Number> Scene<'_, B> {
             Some(_) => return None,
             None => self.own_point(at),
         };
-        Some(Series::constant(self.density_at(at, &x)))
+        Some(self.constant(self.density_at(at, &x)))
     }
 
     /// The point at which the formula at hand is evaluated.
@@ -205,12 +209,12 @@ impl<B: Number> Scene<'_, B> {
             (None, 1) => self.own_point(0),
             _ => return None,
         };
-        Some(x.map(Series::constant))
+        Some(x.map(|x| self.constant(x)))
     }
 
     /// The volume, area or length of the part at hand.
     pub(super) fn size_of_part(&self, _at: usize) -> Option<Series<B>> {
-        self.place.borrow().part.as_ref().map(|(_, size)| Series::constant(*size))
+        self.place.borrow().part.as_ref().map(|(_, size)| self.constant(*size))
     }
 
     /// An integral over a continuum.
@@ -224,7 +228,7 @@ impl<B: Number> Scene<'_, B> {
             self.place.borrow_mut().point = Some((at, x));
             match integrand() {
                 Ok(value) => {
-                    let term = value.map(|y| y * Series::constant(weight));
+                    let term = value.map(|y| y * self.constant(weight));
                     total = match total {
                         None => Some(term),
                         Some(total) => total.plus(term),
@@ -257,7 +261,8 @@ impl<B: Number> Scene<'_, B> {
             let cells = part.cells(3).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
             let size = cells.total();
             let cells = hidden.set(cells, continuum.dimension, &around).with_density(|x| self.density_at(at, x));
-            self.place.borrow_mut().part = Some((Crowd::of(&cells, (mass, position), label), size));
+            self.place.borrow_mut().part =
+                Some((Crowd::of(&cells, (mass, position), label, |x| self.constant(x)), size));
             let value = formula();
             self.place.borrow_mut().part = None;
             values.push(value?);
@@ -285,7 +290,34 @@ impl<B: Number> Scene<'_, B> {
         let body = hidden.body(continuum.dimension, 1.0);
         let cells = body.cells(k).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
         let cells = hidden.set(cells, continuum.dimension, &hidden.middle);
-        Ok(Crowd::of(&cells.with_density(|x| self.density_at(at, x)), families, label))
+        let cells = cells.with_density(|x| self.density_at(at, x));
+        Ok(Crowd::of(&cells, families, label, |x| self.constant(x)))
+    }
+
+    /// The inertia tensor of point masses; that of each family is computed once a state.
+    fn tensor(
+        &self,
+        (label, masses, positions): (IndexId, &Expr, &Expr),
+        id: SymbolId,
+    ) -> Result<Matrix3<Series<B>>, Unavailable> {
+        let alone = self.place.borrow().is_default() && self.is_alone();
+        let known = self.tensors.borrow().iter().find(|(m, x, _)| m == masses && x == positions).map(|known| known.2);
+        if let (Some(known), true) = (known, alone) {
+            return Ok(known);
+        }
+        let mut points = Vec::new();
+        for value in 1..=self.count(label)? {
+            let at = [(label, value)];
+            match (evaluate(positions, self, &at)?, evaluate(masses, self, &at)?) {
+                (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
+                _ => return Err(Unavailable::Symbol(id)),
+            }
+        }
+        let tensor = inertia_tensor(&Nodes { points });
+        if alone {
+            self.tensors.borrow_mut().push((masses.clone(), positions.clone(), tensor));
+        }
+        Ok(tensor)
     }
 
     /// What the point masses of two families determine, about the origin.
@@ -297,15 +329,7 @@ impl<B: Number> Scene<'_, B> {
         indices: &[u8],
     ) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
-        let mut points = Vec::new();
-        for value in 1..=self.count(label)? {
-            let at = [(label, value)];
-            match (evaluate(positions, self, &at)?, evaluate(masses, self, &at)?) {
-                (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
-                _ => return Err(none()),
-            }
-        }
-        let tensor = inertia_tensor(&Nodes { points });
+        let tensor = self.tensor((label, masses, positions), id)?;
         let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
         if quantity == ParticleQuantity::InertiaTensor {
             return Ok(match indices {

@@ -6,7 +6,7 @@ use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::address::{Address, Target};
 use crate::notes::claims::{Claim, Claims, Spanned};
 use crate::notes::{Display, Notes};
-use crate::source::Fault;
+use crate::source::{Fault, Source};
 use crate::{Error, Result, suggest};
 
 use super::ensemble::Condition;
@@ -23,6 +23,8 @@ use super::verdict::Finding;
 pub(super) struct Desk<'a> {
     pub claims: &'a Claims,
     pub notes: &'a Notes,
+    /// The file whose displays are judged: that of the notes, or another print of them.
+    pub source: &'a Source,
     pub model: &'a Model,
     pub readings: &'a [Reading],
     pub assigned: &'a [Option<&'a Claim>],

@@ -14,10 +14,24 @@ use crate::{Error, Result};
 use super::desk::Desk;
 use super::identity::Options;
 use super::model::Model;
+use super::progress::Progress;
 use super::reading;
 use super::sentences;
 use super::units;
 use super::verdict::{Document, Equation, Finding, Verdict};
+
+/// How a run is made, beside its documents.
+#[derive(Clone, Copy)]
+pub struct Run<'a> {
+    /// The systems that claims may name.
+    pub registry: &'a Registry,
+    /// The seed and the number of states.
+    pub options: Options,
+    /// The number or label of the one equation that is wanted; there may be none of it.
+    pub only: Option<&'a str>,
+    /// Who is told of every item done.
+    pub progress: &'a dyn Progress,
+}
 
 /// Checks a document; `only` restricts the work to one equation, and there may be none of that number.
 ///
@@ -30,47 +44,89 @@ pub fn check_document(
     options: Options,
     only: Option<&str>,
 ) -> Result<Document> {
-    let mut macros = Macros::default();
-    for definition in &notes.macros {
-        macros.define(&definition.name, definition.arguments, &definition.body);
-    }
-    repeated_numbers(notes)?;
+    check_in(&Run { registry, options, only, progress: &() }, claims, notes)
+}
+
+/// Checks a document as part of a run.
+///
+/// # Errors
+/// As [`check_document`].
+pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     for sentence in &claims.sentences {
         sentences::unsupported(claims, sentence)?;
     }
-    let mut model = Model::new(claims, macros, registry)?;
-    let assigned = assign(claims, notes)?;
-    let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
-    let plain = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options, units: None };
-    model.laws = plain.laws()?;
-    let units = units::of_document(claims, &model, &readings, &assigned)?;
-    let desk = Desk { claims, notes, model: &model, readings: &readings, assigned: &assigned, options, units };
-    let chosen = |display: &&Display| only.is_none_or(|only| id(display) == Some(only));
-    let work: Vec<usize> = (0..notes.equations.len())
-        .filter(|at| chosen(&&notes.equations[*at]) && (id(&notes.equations[*at]).is_some() || assigned[*at].is_some()))
-        .collect();
-    let equations: Result<Vec<Equation>> = work.par_iter().map(|at| desk.equation(*at, assigned[*at])).collect();
-    let sentences: Result<Vec<Equation>> = match only {
-        Some(_) => Ok(Vec::new()),
-        None => claims.sentences.par_iter().enumerate().map(|(at, s)| sentences::check(&desk, at, s)).collect(),
-    };
-    Ok(Document {
-        path: notes.source.path.clone(),
-        claims: Some(claims.source.path.clone()),
-        source: notes.source.clone(),
-        equations: equations?,
-        sentences: sentences?,
-        unnumbered: assigned
-            .iter()
-            .zip(&notes.equations)
-            .filter(|(claim, d)| claim.is_none() && id(d).is_none())
-            .count(),
-        inferred: model.inferred.clone(),
+    with_desk(run, claims, notes, |desk| {
+        let work = wanted(notes, desk.assigned, run.only);
+        let sentences = if run.only.is_some() { &[] } else { claims.sentences.as_slice() };
+        let path = notes.source.path.as_str();
+        let told = |equation: Result<Equation>| {
+            run.progress.done(path);
+            equation
+        };
+        let equations: Result<Vec<Equation>> =
+            work.par_iter().map(|at| told(desk.equation(*at, desk.assigned[*at]))).collect();
+        let sentences: Result<Vec<Equation>> =
+            sentences.par_iter().enumerate().map(|(at, s)| told(sentences::check(&desk, at, s))).collect();
+        Ok(Document {
+            path: notes.source.path.clone(),
+            claims: Some(claims.source.path.clone()),
+            source: notes.source.clone(),
+            equations: equations?,
+            sentences: sentences?,
+            unnumbered: desk
+                .assigned
+                .iter()
+                .zip(&notes.equations)
+                .filter(|(claim, d)| claim.is_none() && id(d).is_none())
+                .count(),
+            inferred: desk.model.inferred.clone(),
+        })
     })
 }
 
+/// The displays that are to be checked, by their places.
+fn wanted(notes: &Notes, assigned: &[Option<&Claim>], only: Option<&str>) -> Vec<usize> {
+    let chosen = |display: &Display| only.is_none_or(|only| id(display) == Some(only));
+    let claimed = |at: usize| id(&notes.equations[at]).is_some() || assigned[at].is_some();
+    (0..notes.equations.len()).filter(|at| chosen(&notes.equations[*at]) && claimed(*at)).collect()
+}
+
+/// How many equations and sentences [`check_in`] will report; 0 where the claims do not fit the notes.
+pub fn items(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
+    let equations = assign(claims, notes).map_or(0, |assigned| wanted(notes, &assigned, only).len());
+    equations + if only.is_some() { 0 } else { claims.sentences.len() }
+}
+
+/// Lays all that a document's equations need on a desk, and has them worked on.
+pub(super) fn with_desk<T>(
+    run: &Run<'_>,
+    claims: &Claims,
+    notes: &Notes,
+    work: impl FnOnce(Desk<'_>) -> Result<T>,
+) -> Result<T> {
+    let mut macros = Macros::default();
+    define_macros(notes, &mut macros);
+    repeated_numbers(notes)?;
+    let mut model = Model::new(claims, macros, run.registry)?;
+    let assigned = assign(claims, notes)?;
+    let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
+    let (source, options) = (&*notes.source, run.options);
+    let plain =
+        Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units: None };
+    model.laws = plain.laws()?;
+    let units = units::of_document(claims, &model, &readings, &assigned)?;
+    work(Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units })
+}
+
+/// Adds the commands that notes define.
+pub(super) fn define_macros(notes: &Notes, macros: &mut Macros) {
+    for definition in &notes.macros {
+        macros.define(&definition.name, definition.arguments, &definition.body);
+    }
+}
+
 /// Refuses two displays with one number: a claim about it would be about either.
-fn repeated_numbers(notes: &Notes) -> Result<()> {
+pub(super) fn repeated_numbers(notes: &Notes) -> Result<()> {
     let mut seen: HashMap<&str, usize> = HashMap::new();
     for display in &notes.equations {
         let Some(number) = &display.number else { continue };

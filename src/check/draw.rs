@@ -114,6 +114,12 @@ impl Draw {
     pub fn base(&mut self, slots: &[Slot], reach: Reach) -> Vec<f64> {
         let mut base: Vec<f64> = Vec::with_capacity(slots.len());
         for slot in slots {
+            // Of a crowd of numbers none needs to be far from another, nor evenly spread in the logarithm.
+            if slot.one_of_many && slot.range == Range::Any && reach == Reach::Declared {
+                let value = self.between(-2.5, 2.5);
+                base.push(value + 0.3_f64.copysign(value));
+                continue;
+            }
             let mut value = self.value(&slot.range, reach);
             let tries = if slot.one_of_many { 0 } else { 16 };
             for _ in 0..tries {

@@ -10,23 +10,25 @@ use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
 
 use crate::formula::evaluate::{Unavailable, evaluate};
-use crate::formula::{Expr, IndexId, Node, Relation, SymbolId, Value};
+use crate::formula::{Expr, IndexId, Node, Relation, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
 use crate::{Error, Result};
 
 use super::base::{Slot, slots};
 use super::draw::{Draw, Reach, contains};
+use super::identity::derivatives;
 use super::judge::{self, Link};
 use super::model::Model;
-use super::rules::{Rule, reaches, rules};
+use super::motion::order;
+use super::rules::{Rule, rules};
 use super::scene::{Mode, Scene};
 
 /// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
 const THROUGHOUT: usize = 3;
 
 /// So many equations are solved at most; hypotheses about whole families are rules instead.
-const MOST: usize = 48;
+const MOST: usize = 24;
 
 /// A hypothesis of a claim.
 #[derive(Clone, Debug)]
@@ -89,7 +91,7 @@ impl<'m> Ensemble<'m> {
         let rules = solver.rules.clone();
         let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode, rules };
         let mut failure: Option<Error> = None;
-        while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 {
+        while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 && !solver.hopeless {
             ensemble.tried += 1;
             let base = draw.base(&solver.slots, setting.reach);
             let solved = solver.solve(base).and_then(|base| match base {
@@ -199,6 +201,10 @@ struct Solver<'m> {
     slots: Vec<Slot>,
     /// Which row is solved for which slot; found at the first state that works.
     plan: Vec<(Row, usize)>,
+    /// How many states were accepted.
+    accepted: usize,
+    /// Whether there is more to solve than is solved.
+    hopeless: bool,
 }
 
 /// States that differ from others in the values of some quantities and in nothing else that is free.
@@ -260,7 +266,18 @@ impl<'m> Solver<'m> {
         found.extend_from_slice(setting.local);
         let slots = slots(model, mode);
         let (rules, plan) = (found.into(), Vec::new());
-        Solver { model, mode, reach: setting.reach, conditions, explicit, rules, slots, plan }
+        Solver {
+            model,
+            mode,
+            reach: setting.reach,
+            conditions,
+            explicit,
+            rules,
+            slots,
+            plan,
+            accepted: 0,
+            hopeless: false,
+        }
     }
 
     fn equalities(&self) -> impl Iterator<Item = (usize, &Condition)> {
@@ -282,8 +299,8 @@ impl<'m> Solver<'m> {
         Some(values)
     }
 
-    fn scene<B: Number>(&self, base: &[B]) -> Result<Scene<'m, B>> {
-        let scene = Scene::new(self.model, self.mode, base, &self.rules)?;
+    fn scene<B: Number>(&self, base: &[B], terms: usize) -> Result<Scene<'m, B>> {
+        let scene = Scene::knowing(terms, self.model, self.mode, base, &self.rules)?;
         let joined = scene.join();
         joined.map_err(|_| Error::new("families that are joined must be families of one label"))?;
         Ok(scene)
@@ -295,13 +312,23 @@ impl<'m> Solver<'m> {
             return Ok(Some(base));
         }
         let drawn = base.clone();
-        if !self.plan.is_empty() && !self.newton(&mut base, &self.plan.clone())? {
-            // Another number of particles, or another branch, may want another plan.
-            self.plan.clear();
-            base = drawn;
+        if self.plan.is_empty() || self.newton(&mut base, &self.plan.clone())? {
+            return self.complete(base);
         }
+        // Another number of particles may want another plan.
+        let known = std::mem::take(&mut self.plan);
+        let solved = self.complete(drawn);
+        if !matches!(solved, Ok(Some(_))) {
+            self.plan = known;
+        }
+        solved
+    }
+
+    /// Solves the rows that are not planned yet, from a base that obeys those that are.
+    fn complete(&mut self, mut base: Vec<f64>) -> Result<Option<Vec<f64>>> {
         let rows = self.rows(&base)?;
         if rows.len() > MOST {
+            self.hopeless = true;
             return Ok(None);
         }
         for row in rows {
@@ -325,7 +352,15 @@ impl<'m> Solver<'m> {
 
     fn measured(&self, base: &[f64]) -> Result<Scene<'m, Measured>> {
         let base: Vec<Measured> = base.iter().map(|x| Measured::new(*x)).collect();
-        self.scene(&base)
+        self.scene(&base, self.mode.order + 1)
+    }
+
+    /// How many derivatives the hypotheses need that are solved.
+    fn terms(&self) -> usize {
+        let throughout = self.equalities().any(|(_, condition)| condition.throughout);
+        let sides = self.equalities().flat_map(|(_, condition)| [&condition.lhs, &condition.rhs]);
+        let highest = sides.map(|side| derivatives(side, self.model)).max().unwrap_or(0);
+        (highest + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
     }
 
     fn rows(&self, base: &[f64]) -> Result<Vec<Row>> {
@@ -351,9 +386,14 @@ impl<'m> Solver<'m> {
             (false, order) => 1 + order,
         };
         let condition = &self.conditions[row.0];
-        let concerns = |slot: &Slot| match slot.symbol {
-            Some(symbol) => self.depends(&condition.lhs, symbol) || self.depends(&condition.rhs, symbol),
-            None => true,
+        let sides = [&condition.lhs, &condition.rhs];
+        // What nothing but drawn symbols is made of depends on those in it, and on no higher derivatives.
+        let moves = self.mode.on_shell && self.model.world.is_some();
+        let plain = sides.iter().all(|side| self.model.is_plain(side)) && self.rules.is_empty() && !moves;
+        let concerns = |slot: &Slot| {
+            let Some(symbol) = slot.symbol else { return !plain };
+            let highest = sides.iter().filter_map(|side| order(self.model, side, symbol)).max();
+            !plain || highest.is_some_and(|highest| slot.order <= usize::from(highest) + row.1)
         };
         let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
         candidates.retain(|at| !self.plan.iter().any(|(_, taken)| taken == at) && concerns(&self.slots[*at]));
@@ -385,16 +425,11 @@ impl<'m> Solver<'m> {
         Ok(other)
     }
 
-    /// Whether a formula depends on a symbol, through definitions and rules.
-    fn depends(&self, expr: &Expr, symbol: SymbolId) -> bool {
-        reaches(self.model, &self.rules, expr, symbol) || !self.model.is_plain(expr)
-    }
-
     /// Rows, with their derivatives by a slot.
     fn column(&self, base: &[f64], slot: usize, rows: &[Row]) -> Result<Option<Vec<Dual64>>> {
         let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
         dual[slot].eps = 1.0;
-        let values = self.values(&self.scene(&dual)?, rows);
+        let values = self.values(&self.scene(&dual, self.terms())?, rows);
         Ok(values.filter(|values| values.iter().all(|value| value.re.is_finite() && value.eps.is_finite())))
     }
 
@@ -403,7 +438,7 @@ impl<'m> Solver<'m> {
         for step in [0.0, 0.5, 1.0] {
             let mut moved = base.to_vec();
             moved[slot] += step;
-            let Some(value) = self.values(&self.scene(&moved)?, &[row]) else { return Ok(false) };
+            let Some(value) = self.values(&self.scene(&moved, self.terms())?, &[row]) else { return Ok(false) };
             values.push(value[0]);
         }
         let bend: f64 = values[0] - 2.0 * values[1] + values[2];
@@ -446,9 +481,12 @@ impl<'m> Solver<'m> {
     }
 
     /// The state of a base, if every hypothesis holds there.
-    fn accept(&self, base: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
+    fn accept(&mut self, base: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
         let scene = self.measured(base)?;
-        for condition in &self.conditions {
+        // Rules hold by what they are, unless one undoes another: that shows at once.
+        let all = self.accepted < 2;
+        let to_check = self.conditions.iter().zip(&self.explicit).filter(|(_, is_rule)| all || !**is_rule);
+        for (condition, _) in to_check {
             let Ok(entries) = difference(&scene, condition) else { return Ok(None) };
             let holds = entries.iter().all(|entry| match condition.relation {
                 Relation::Equal | Relation::Identical | Relation::Proportional => {
@@ -461,6 +499,7 @@ impl<'m> Solver<'m> {
                 return Ok(None);
             }
         }
+        self.accepted += 1;
         Ok(Some(scene))
     }
 }

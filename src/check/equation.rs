@@ -1,7 +1,7 @@
 //! One equation: its statements link by link, and what else is claimed of it.
 
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
-use crate::latex::{Introduced, Reading, read_display};
+use crate::latex::{Introduced, Macros, Reading, read_display};
 use crate::notes::Display;
 use crate::notes::claims::{Claim, Conserved, Expect, Expected, Holds, Solved, Spanned};
 use crate::source::{Fault, Span};
@@ -41,11 +41,12 @@ impl Desk<'_> {
         let printed = match claim.errata.is_empty() {
             true => reading,
             false => {
-                as_printed = self.as_printed(display, claim);
+                as_printed = self.as_printed(&display.text, claim, &self.model.macros);
                 &as_printed
             }
         };
-        let mut parts = self.parts(at, printed, claim, &topic)?;
+        let place = (at, display.body.start);
+        let mut parts = self.parts(place, printed, claim, &topic)?;
         let mut because = claim.expect.as_ref().map(|expect| expect.because.value.clone());
         let passes = |parts: &[Part]| parts.iter().all(|part| part.finding.verdict.passes());
         let mut as_expected = match &claim.expect {
@@ -57,7 +58,7 @@ impl Desk<'_> {
             None => passes(&parts),
         };
         if !claim.errata.is_empty() {
-            let mended = self.parts(at, reading, claim, &topic)?;
+            let mended = self.parts(place, reading, claim, &topic)?;
             let failed = !passes(&parts);
             as_expected = failed && passes(&mended);
             let edits: Vec<String> =
@@ -73,42 +74,60 @@ impl Desk<'_> {
             // A pinned equation is as expected as a whole; its sound parts need no excuse.
             parts.iter_mut().for_each(|part| part.ok = part.ok || part.finding.verdict == expected(expect));
         }
-        let finding = worst(&parts);
-        let statements = reading.statements.iter().flatten();
-        let readings: Vec<String> = statements.map(|s| text::statement(s, &self.model.symbols)).collect();
-        Ok(Equation {
-            id: topic,
-            line: display.line,
-            latex: self.notes.source.slice(display.body).to_owned(),
-            reading: readings.join("; "),
-            finding,
-            ok: as_expected,
-            because,
-            parts: if parts.len() > 1 { parts } else { Vec::new() },
-        })
+        Ok(self.assembled(display, reading, parts, as_expected, because))
     }
 
-    /// The reading of an equation with errata as it stands in the notes; what is known of it is its correction.
-    fn as_printed(&self, display: &Display, claim: &Claim) -> Reading {
+    /// A display with what was found of its parts.
+    pub(super) fn assembled(
+        &self,
+        display: &Display,
+        reading: &Reading,
+        parts: Vec<Part>,
+        ok: bool,
+        because: Option<String>,
+    ) -> Equation {
+        let statements = reading.statements.iter().flatten();
+        let readings: Vec<String> = statements.map(|s| text::statement(s, &self.model.symbols)).collect();
+        Equation {
+            id: id(display).map_or_else(|| format!("line {}", display.line), str::to_owned),
+            line: display.line,
+            latex: self.source.slice(display.body).to_owned(),
+            reading: readings.join("; "),
+            finding: worst(&parts),
+            ok,
+            because,
+            parts: if parts.len() > 1 { parts } else { Vec::new() },
+        }
+    }
+
+    /// The reading of a text by the names of the notes: an equation with errata as it stands, of which only the
+    /// correction is known, or an equation as another print has it.
+    pub(super) fn as_printed(&self, text: &str, claim: &Claim, macros: &Macros) -> Reading {
         let mut symbols = self.model.symbols.clone();
         symbols.for_each = for_each(Some(claim), self.model);
         let known = symbols.len();
-        let mut reading = read_display(&display.text, &mut symbols, &self.model.macros);
-        // What only the uncorrected text names is not known.
+        let mut reading = read_display(text, &mut symbols, macros);
+        // What only this text names is not known.
         for new in reading.introduced.drain(..).filter(|introduced| introduced.symbol.0 >= known) {
             let statement = &mut reading.statements[new.statement];
             if let Ok(read) = statement {
                 let name = text::plain(&symbols.entry(new.symbol).name.to_string());
                 let span = read.members.get(new.member).map_or(read.span, |member| member.span);
-                *statement = Err(Fault::new(span, format!("{name} is named here, and nowhere in the corrected text")));
+                *statement = Err(Fault::new(span, format!("{name} is named here, and is not known")));
             }
         }
         reading
     }
 
-    /// Every statement of a display, and what else is claimed of it.
-    fn parts(&self, display: usize, reading: &Reading, claim: &Claim, topic: &str) -> Result<Vec<Part>> {
-        let offset = self.notes.equations[display].body.start;
+    /// Every statement of a reading of the display, and what else is claimed of it. The text that was read starts at
+    /// `offset` of the file.
+    pub(super) fn parts(
+        &self,
+        (display, offset): (usize, usize),
+        reading: &Reading,
+        claim: &Claim,
+        topic: &str,
+    ) -> Result<Vec<Part>> {
         if let Some(reason) = &claim.skip {
             let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
             return Ok(vec![self.part(finding, String::new())]);
@@ -143,7 +162,7 @@ impl Desk<'_> {
                 }
             };
             let Ok(statement) = statement else { continue };
-            if let Some(finding) = self.unit_conflict(display, statement, claim) {
+            if let Some(finding) = self.unit_conflict((display, offset), statement, claim) {
                 parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
                 units_agree = false;
                 continue;
@@ -158,7 +177,7 @@ impl Desk<'_> {
                 reach: Reach::Declared,
                 local: &local,
             };
-            if let Some(finding) = self.law(display, at, statement, &context)? {
+            if let Some(finding) = self.law(display, statement, &context)? {
                 parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
                 continue;
             }
@@ -176,8 +195,13 @@ impl Desk<'_> {
     }
 
     /// The verdict on a statement that the claims file calls a law: it is not checked, unless it can be.
-    fn law(&self, display: usize, at: usize, statement: &Statement, context: &Context<'_>) -> Result<Option<Finding>> {
-        let is_here = |law: &&Law| law.printed.contains(&(display, at));
+    fn law(&self, display: usize, statement: &Statement, context: &Context<'_>) -> Result<Option<Finding>> {
+        // What another print has in the place of a law is no law, unless it says the same.
+        let is_law = |place: &(usize, usize)| {
+            let law = self.readings[place.0].statements.get(place.1);
+            place.0 == display && law.is_some_and(|law| law.as_ref().is_ok_and(|law| says_the_same(law, statement)))
+        };
+        let is_here = |law: &&Law| law.printed.iter().any(is_law);
         let Some(law) = self.model.laws.iter().find(is_here) else { return Ok(None) };
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
             let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
@@ -195,8 +219,8 @@ impl Desk<'_> {
         Ok(Some(context.finding(Verdict::Law, format!("taken for granted: {}", law.name))))
     }
 
-    fn part(&self, finding: Finding, reading: String) -> Part {
-        let latex = self.notes.source.slice(finding.span).to_owned();
+    pub(super) fn part(&self, finding: Finding, reading: String) -> Part {
+        let latex = self.source.slice(finding.span).to_owned();
         let ok = finding.verdict.passes();
         Part { latex, reading, finding, ok }
     }
@@ -418,6 +442,12 @@ impl Desk<'_> {
     }
 }
 
+/// Whether two statements are one, wherever they stand.
+pub(super) fn says_the_same(a: &Statement, b: &Statement) -> bool {
+    let relations = |s: &Statement| s.relations.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
+    a.members == b.members && relations(a) == relations(b) && a.constant.is_some() == b.constant.is_some()
+}
+
 fn unreadable(fault: &Fault, offset: usize) -> Finding {
     let message = match &fault.help {
         Some(help) => format!("{}; {help}", fault.message),
@@ -461,7 +491,7 @@ fn rank(verdict: Verdict) -> usize {
 }
 
 /// The worst finding of some parts, which the whole carries.
-fn worst(parts: &[Part]) -> Finding {
+pub(super) fn worst(parts: &[Part]) -> Finding {
     merged(parts.iter().map(|part| part.finding.clone()).collect())
         .unwrap_or_else(|| Finding::new(Verdict::Unclaimed, Span::default(), "nothing is claimed"))
 }

@@ -1,5 +1,7 @@
 //! Claims between two formulas: always, or on shell, under hypotheses.
 
+use std::cell::OnceCell;
+
 use crate::Result;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::tree::Sign;
@@ -11,7 +13,7 @@ use crate::source::Span;
 use super::draw::{Draw, Reach};
 use super::ensemble::{Condition, Ensemble, Setting};
 use super::evidence::{self, Emptiness};
-use super::judge::{self, Failure, Link, Point};
+use super::judge::{self, Failure, Link, Point, Sides};
 use super::model::{FrameQuantity, Meaning, Model, Quantity};
 use super::rules::{Action, Rule};
 use super::scene::{Mode, Scene};
@@ -67,7 +69,8 @@ impl<'a> Context<'a> {
         let needed = formulas.iter().map(|f| derivatives(f, self.model)).max();
         let stacked = on_shell && !self.model.laws.is_empty() || !self.local.is_empty();
         let needed = if stacked { needed.map(|n| n + beneath.unwrap_or(0)) } else { needed.max(beneath) };
-        let least = if self.conditions.iter().any(|c| c.throughout) { 4 } else { 2 };
+        let usual = if self.model.world.is_some() { 2 } else { 1 };
+        let least = if self.conditions.iter().any(|c| c.throughout) { 4 } else { usual };
         Mode { on_shell, order: (needed.unwrap_or(0) + 1).max(least).min(TERMS - 1) }
     }
 
@@ -174,9 +177,31 @@ pub fn run(link: &Link, scenes: &[Scene<'_, Measured>]) -> Result<Outcome, Unava
     Ok(outcome)
 }
 
-/// Whether a link fails at one of the states; it counts as failing where it has no value at all.
-fn fails(link: &Link, scenes: &[Scene<'_, Measured>]) -> bool {
-    scenes.iter().any(|scene| !matches!(judge::test(link, scene), Ok(Point::Holds(_) | Point::Useless)))
+/// A link at states, with the values of its sides where they were needed: twins share one of the two.
+struct AtStates<'a, 'm> {
+    link: &'a Link,
+    scenes: &'a [Scene<'m, Measured>],
+    sides: Vec<OnceCell<Option<Sides>>>,
+}
+
+impl<'a, 'm> AtStates<'a, 'm> {
+    fn new(link: &'a Link, scenes: &'a [Scene<'m, Measured>]) -> Self {
+        AtStates { link, scenes, sides: scenes.iter().map(|_| OnceCell::new()).collect() }
+    }
+
+    /// What a state says of a twin.
+    fn test(&self, twin: &Link, at: usize) -> Result<Point, Unavailable> {
+        let scene = &self.scenes[at];
+        match self.sides[at].get_or_init(|| Sides::of(self.link, scene).ok()) {
+            Some(sides) => judge::test_twin(twin, self.link, sides, scene),
+            None => judge::test(twin, scene),
+        }
+    }
+
+    /// Whether a twin fails at one of the states; it counts as failing where it has no value at all.
+    fn fails(&self, twin: &Link) -> bool {
+        (0..self.scenes.len()).any(|at| !matches!(self.test(twin, at), Ok(Point::Holds(_) | Point::Useless)))
+    }
 }
 
 /// Checks a claim between two formulas.
@@ -347,9 +372,10 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
 
 /// The first twin that holds at all states: what may have been meant.
 fn meant(link: &Link, model: &Model, scenes: &[Scene<'_, Measured>]) -> Option<Twin> {
+    let states = AtStates::new(link, scenes);
     twins(link, model).into_iter().find(|twin| {
         let mut points = 0;
-        let clean = scenes.iter().all(|scene| match judge::test(&twin.link, scene) {
+        let clean = (0..scenes.len()).all(|at| match states.test(&twin.link, at) {
             Ok(Point::Holds(_)) => {
                 points += 1;
                 true
@@ -368,8 +394,9 @@ fn held_against_twins(
     ensemble: &Ensemble<'_>,
     finding: Finding,
 ) -> Result<Finding> {
+    let states = AtStates::new(link, &ensemble.scenes);
     let survivors: Vec<Twin> =
-        twins(link, context.model).into_iter().filter(|twin| !fails(&twin.link, &ensemble.scenes)).collect();
+        twins(link, context.model).into_iter().filter(|twin| !states.fails(&twin.link)).collect();
     if survivors.is_empty() {
         return Ok(finding);
     }

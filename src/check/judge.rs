@@ -8,7 +8,7 @@ use approx::{AbsDiffEq, abs_diff_eq};
 
 use crate::formula::evaluate::{Environment, Unavailable, evaluate};
 use crate::formula::{Expr, IndexId, Relation, Value};
-use crate::scalar::Measured;
+use crate::scalar::{Measured, Series};
 
 use super::scene::Scene;
 
@@ -97,12 +97,55 @@ pub fn holds(relation: Relation, difference: Measured) -> bool {
     }
 }
 
+/// The values of the two sides of a link at a state, for all values of its free indices: twins share one of them.
+pub struct Sides {
+    lhs: Vec<Value<Series<Measured>>>,
+    rhs: Vec<Value<Series<Measured>>>,
+}
+
+impl Sides {
+    /// Of a link at a state.
+    pub fn of(link: &Link, scene: &Scene<'_, Measured>) -> Result<Self, Unavailable> {
+        let mut sides = Sides { lhs: Vec::new(), rhs: Vec::new() };
+        let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
+        loop {
+            sides.lhs.push(evaluate(&link.lhs, scene, &indices)?);
+            sides.rhs.push(evaluate(&link.rhs, scene, &indices)?);
+            if !advance(&mut indices, scene)? {
+                return Ok(sides);
+            }
+        }
+    }
+}
+
 /// Tests a link at a state, for all values of its free indices and entry by entry.
 pub fn test(link: &Link, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
+    test_knowing(link, scene, (None, None))
+}
+
+/// Tests a twin of a link whose sides are known at a state.
+pub fn test_twin(twin: &Link, link: &Link, sides: &Sides, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
+    let lhs = (twin.lhs == link.lhs).then_some(sides.lhs.as_slice());
+    let rhs = (twin.rhs == link.rhs).then_some(sides.rhs.as_slice());
+    test_knowing(twin, scene, (lhs, rhs))
+}
+
+/// The values of a side, for one after another of the values of the free indices.
+type Known<'a> = Option<&'a [Value<Series<Measured>>]>;
+
+fn test_knowing(
+    link: &Link,
+    scene: &Scene<'_, Measured>,
+    (known_lhs, known_rhs): (Known<'_>, Known<'_>),
+) -> Result<Point, Unavailable> {
     let mut worst = Point::Holds(0.0);
     let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
-    loop {
-        let (lhs, rhs) = (evaluate(&link.lhs, scene, &indices)?, evaluate(&link.rhs, scene, &indices)?);
+    for at in 0.. {
+        let side = |expr: &Expr, known: Known<'_>, indices: &[(IndexId, u8)]| match known.and_then(|all| all.get(at)) {
+            Some(value) => Ok(value.clone()),
+            None => evaluate(expr, scene, indices),
+        };
+        let (lhs, rhs) = (side(&link.lhs, known_lhs, &indices)?, side(&link.rhs, known_rhs, &indices)?);
         let label = |k: usize, shape| {
             let letters =
                 indices.iter().map(|(id, value)| format!("{} = {value}", scene.model().symbols.indices[id.0].letter));
@@ -116,9 +159,10 @@ pub fn test(link: &Link, scene: &Scene<'_, Measured>) -> Result<Point, Unavailab
             worst = worse(worst, found);
         }
         if !advance(&mut indices, scene)? {
-            return Ok(worst);
+            break;
         }
     }
+    Ok(worst)
 }
 
 /// The numbers of two sides; a literal 0 or 1 takes the shape of the other side.

@@ -140,7 +140,7 @@ fn is_constant(model: &Model, expr: &Expr) -> bool {
 }
 
 /// The order of the highest derivative of a symbol in a formula, through definitions; none if it does not occur.
-fn order(model: &Model, expr: &Expr, symbol: SymbolId) -> Option<u8> {
+pub(super) fn order(model: &Model, expr: &Expr, symbol: SymbolId) -> Option<u8> {
     let inner = expr.children().into_iter().filter_map(|child| order(model, child, symbol)).max();
     match &expr.node {
         Node::TimeDerivative(n, _) => inner.map(|inner| inner + n),

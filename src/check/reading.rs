@@ -105,7 +105,7 @@ fn assemble(model: &mut Model) {
 }
 
 /// The text of a display, its errata mended: what is wrong as printed is known as corrected.
-fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> Result<String> {
+pub(super) fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> Result<String> {
     let mut text = printed.to_owned();
     for erratum in errata {
         let found = text.matches(&erratum.printed.value).count();

@@ -212,7 +212,7 @@ fn flatten(model: &Model, expr: &Expr, sign: Sign, depth: usize, into: &mut Vec<
 }
 
 /// Whether the value of a formula depends on a symbol, through definitions and earlier rules.
-pub fn reaches(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> bool {
+fn reaches(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> bool {
     let mut reached = vec![symbol];
     // Whatever a rule builds on the symbol depends on it as well.
     loop {

@@ -6,14 +6,14 @@
 //! code runs over measured numbers (to judge) and dual numbers (to solve conditions for a variable).
 
 use std::cell::{Cell, OnceCell, RefCell};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::Result;
 use crate::formula::evaluate::{Body, Environment, Unavailable, evaluate};
-use crate::formula::{IndexId, Kind, Sign, SymbolId, Symbols, Value};
+use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
 use crate::mechanics::{Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Number, Series};
@@ -44,6 +44,8 @@ type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 /// A state.
 pub struct Scene<'m, B: Number> {
     pub(super) model: &'m Model,
+    /// How many derivatives are known of what is drawn, the value counted.
+    terms: usize,
     pub(super) base: Base<B>,
     coordinates: Vec<Series<B>>,
     rules: Arc<[Rule]>,
@@ -59,9 +61,11 @@ pub struct Scene<'m, B: Number> {
     /// Symbols that follow a law, with what is known of them while their next derivatives are being found.
     following: RefCell<Vec<(SymbolId, Members<B>)>>,
     /// The same when all is found.
-    followed: RefCell<HashMap<SymbolId, Members<B>>>,
+    followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
+    /// Inertia tensors of masses at positions.
+    pub(super) tensors: RefCell<Vec<(Expr, Expr, Matrix3<Series<B>>)>>,
     /// Values of defined and ruled symbols.
-    memo: RefCell<HashMap<Member, Value<Series<B>>>>,
+    memo: RefCell<BTreeMap<Member, Value<Series<B>>>>,
 }
 
 impl<'m, B: Number> Scene<'m, B> {
@@ -70,18 +74,27 @@ impl<'m, B: Number> Scene<'m, B> {
     /// # Errors
     /// When the mass matrix is singular there.
     pub fn new(model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
+        Scene::knowing(mode.order + 1, model, mode, base, rules)
+    }
+
+    /// The same state, of which no more than so many derivatives are known, the value counted.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular there.
+    pub fn knowing(terms: usize, model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
         let base = Base::of(model, mode, base);
         let coordinates = match &model.world {
             Some(world) if mode.on_shell => {
                 let q: Vec<B> = base.coordinates.iter().map(|jet| jet[0]).collect();
                 let v: Vec<B> = base.coordinates.iter().map(|jet| jet[1]).collect();
                 let parameters: Vec<B> = model.parameters.iter().map(|place| base.constants[*place][0]).collect();
-                world.motion(base.time, &q, &v, &parameters, mode.order.max(1))?
+                world.motion(base.time, &q, &v, &parameters, mode.order.min(terms - 1).max(1))?
             }
-            _ => base.coordinates.iter().map(|jet| Series::from_derivatives(jet)).collect(),
+            _ => base.coordinates.iter().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
         };
         Ok(Scene {
             model,
+            terms,
             base,
             coordinates,
             rules: rules.clone(),
@@ -92,8 +105,9 @@ impl<'m, B: Number> Scene<'m, B> {
             crowd: RefCell::new(None),
             crowded: Cell::new(false),
             following: RefCell::new(Vec::new()),
-            followed: RefCell::new(HashMap::new()),
-            memo: RefCell::new(HashMap::new()),
+            followed: RefCell::new(BTreeMap::new()),
+            tensors: RefCell::new(Vec::new()),
+            memo: RefCell::new(BTreeMap::new()),
         })
     }
 
@@ -155,7 +169,17 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn time(&self) -> Series<B> {
-        Series::time(self.base.time)
+        Series::time(self.base.time).truncated(self.terms)
+    }
+
+    /// What does not vary, known as far as what does.
+    pub(super) fn constant(&self, value: B) -> Series<B> {
+        Series::constant(value).truncated(self.terms)
+    }
+
+    /// The k-th unit vector.
+    fn unit(&self, k: usize) -> Vector3<Series<B>> {
+        Vector3::from_fn(|i, _| self.constant(if i == k { B::one() } else { B::zero() }))
     }
 
     fn velocities(&self) -> Vec<Series<B>> {
@@ -163,19 +187,19 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn parameters(&self) -> Vec<Series<B>> {
-        self.model.parameters.iter().map(|place| Series::constant(self.base.constants[*place][0])).collect()
+        self.model.parameters.iter().map(|place| self.constant(self.base.constants[*place][0])).collect()
     }
 
     /// How the document's frame turns.
     fn turning(&self) -> Option<&rotations::Turning<Series<B>>> {
-        self.turning.get_or_init(|| self.base.turning(self.model.frame?)).as_ref()
+        self.turning.get_or_init(|| self.base.turning(self.model.frame?, self.terms + 1)).as_ref()
     }
 
     fn quantity(&self, quantity: Quantity, id: SymbolId, indices: &[u8]) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
         if quantity == Quantity::SpaceAxes {
-            return Ok(Value::Vector(unit(place(0)?)));
+            return Ok(Value::Vector(self.unit(place(0)?)));
         }
         let all = self.quantities().ok_or_else(none)?;
         Ok(match quantity {
@@ -202,7 +226,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 _ => Value::Scalar(all.body_rates.as_ref().ok_or_else(none)?[place(0)?]),
             },
             Quantity::BodyAxes => Value::Vector(all.orientation.as_ref().ok_or_else(none)?.row(place(0)?).transpose()),
-            Quantity::SpaceAxes => Value::Vector(unit(place(0)?)),
+            Quantity::SpaceAxes => Value::Vector(self.unit(place(0)?)),
         })
     }
 
@@ -256,13 +280,7 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     /// All members of a symbol that follows from its lower derivatives, by these and by what its rule says of the next.
-    fn follow(
-        &self,
-        rule: &Rule,
-        order: usize,
-        formula: &crate::formula::Expr,
-        at: usize,
-    ) -> Result<Members<B>, Unavailable> {
+    fn follow(&self, rule: &Rule, order: usize, formula: &Expr, at: usize) -> Result<Members<B>, Unavailable> {
         if let Some((_, partial)) = self.following.borrow().iter().find(|(id, _)| *id == rule.symbol) {
             return Ok(partial.clone());
         }
@@ -318,6 +336,7 @@ impl<'m, B: Number> Scene<'m, B> {
     fn forget(&self) {
         self.memo.borrow_mut().clear();
         self.followed.borrow_mut().clear();
+        self.tensors.borrow_mut().clear();
     }
 
     /// The index values of every member of a family there is here.
@@ -335,8 +354,10 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn place_of(&self, id: SymbolId, indices: &[u8]) -> usize {
-        let extents = self.model.symbols.extents(id);
-        indices.iter().zip(&extents).fold(0, |at, (i, n)| at * usize::from(*n) + usize::from(*i) - 1)
+        let symbols = &self.model.symbols;
+        let upper = |letter: &IndexId| usize::from(symbols.indices[letter.0].upper);
+        let slots = &symbols.entry(id).slots;
+        indices.iter().zip(slots).fold(0, |at, (i, (_, letter))| at * upper(letter) + usize::from(*i) - 1)
     }
 
     /// A symbol by its meaning alone.
@@ -361,11 +382,13 @@ impl<'m, B: Number> Scene<'m, B> {
                 _ => pick(place).map(Value::Scalar),
             }
         };
-        let fixed = |numbers: &[B]| number(&|at| numbers.get(at).map(|x| Series::constant(*x))).ok_or_else(none);
+        let fixed = |numbers: &[B]| number(&|at| numbers.get(at).map(|x| self.constant(*x))).ok_or_else(none);
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
             Meaning::Constant(i) => fixed(&self.base.constants[*i]),
-            Meaning::Varying(i) => number(&|at| self.base.varying[*i].get(at).copied()).ok_or_else(none),
+            Meaning::Varying(i) => {
+                number(&|at| Some(self.base.varying[*i].series(at)?.truncated(self.terms))).ok_or_else(none)
+            }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
             Meaning::Defined(formula) => {
@@ -380,10 +403,14 @@ impl<'m, B: Number> Scene<'m, B> {
                 value
             }
             Meaning::Rotation(..) => Err(none()),
-            Meaning::FixedAxis(k) => Ok(Value::Vector(unit(*k))),
-            Meaning::Frame(FrameQuantity::Angle) => {
-                self.base.frame_angles.first().copied().map(Value::Scalar).ok_or_else(none)
-            }
+            Meaning::FixedAxis(k) => Ok(Value::Vector(self.unit(*k))),
+            Meaning::Frame(FrameQuantity::Angle) => self
+                .base
+                .frame_angles
+                .first()
+                .map(|angle| angle.truncated(self.terms))
+                .map(Value::Scalar)
+                .ok_or_else(none),
             Meaning::Frame(FrameQuantity::AngularVelocity) => {
                 Ok(Value::Vector(self.turning().ok_or_else(none)?.angular_velocity))
             }
@@ -416,7 +443,12 @@ impl<'m, B: Number> Scene<'m, B> {
         let costly =
             matches!(self.model.meaning(id), Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_)))
                 || self.rules.iter().any(|rule| rule.symbol == id);
-        costly && self.crowd.borrow().is_none() && self.place.borrow().is_default()
+        costly && self.is_alone() && self.place.borrow().is_default()
+    }
+
+    /// Whether no particles stand in for others, and none are being followed.
+    pub(super) fn is_alone(&self) -> bool {
+        self.crowd.borrow().is_none() && self.following.borrow().is_empty()
     }
 
     /// Lets the rules that join families take effect: their members stand in for the family that is joined.
@@ -444,11 +476,6 @@ impl<'m, B: Number> Scene<'m, B> {
         }
         Ok(())
     }
-}
-
-/// The k-th unit vector.
-fn unit<B: Number>(k: usize) -> Vector3<Series<B>> {
-    Vector3::from_fn(|i, _| Series::constant(if i == k { B::one() } else { B::zero() }))
 }
 
 pub(super) fn matrix<B: Number>(m: &Matrix3<Series<B>>) -> Value<Series<B>> {

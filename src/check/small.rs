@@ -35,6 +35,8 @@ struct Shrinkage<'m> {
 pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Result<Finding> {
     let on_shell = context.on_shell.unwrap_or(context.model.has_motion());
     let wanted = f64::from(order + 1) - SLACK;
+    // Below this the order is missed for certain, and not by what rounding makes of the measurement.
+    let missed = f64::from(order) + SLACK;
     let families = families(link, small, context, on_shell)?;
     if families.len() < FEWEST.min(context.options.points) {
         let message = format!("only {} states have small quantities that can be scaled", families.len());
@@ -44,7 +46,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     for family in &families {
         match family.power(link) {
             Err(reason) => return Ok(context.unavailable(&reason)),
-            Ok((power, failure)) if power < wanted => {
+            Ok((power, failure)) if power < missed => {
                 let last = family.scenes.last().zip(failure.as_ref());
                 return Ok(Finding {
                     points: families.len(),
@@ -60,23 +62,27 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
             Ok((power, _)) => slowest = slowest.min(power),
         }
     }
-    let holds_for_all = |link: &Link, families: &[Shrinkage<'_>]| {
-        families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted))
+    if slowest < wanted {
+        let message = format!("the error falls as the power {slowest:.1} of what is small, which tells neither way");
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
+    let all_reach = |link: &Link, families: &[Shrinkage<'_>], least: f64| {
+        families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power >= least))
     };
     if on_shell {
         let off_shell = self::families(link, small, context, false)?;
-        if holds_for_all(link, &off_shell) {
+        if all_reach(link, &off_shell, wanted) {
             return Ok(
                 context.finding(Verdict::Undecided, "everything in it is that small anyhow, whatever the motion")
             );
         }
     }
     let survivors: Vec<_> =
-        twins(link, context.model).into_iter().filter(|twin| holds_for_all(&twin.link, &families)).collect();
+        twins(link, context.model).into_iter().filter(|twin| all_reach(&twin.link, &families, wanted)).collect();
     if !survivors.is_empty() {
         let wide = Context { reach: super::draw::Reach::Beyond, ..*context };
         let wide = self::families(link, small, &wide, on_shell)?;
-        if let Some(twin) = survivors.iter().find(|twin| !holds_for_all(&twin.link, &wide)) {
+        if let Some(twin) = survivors.iter().find(|twin| !all_reach(&twin.link, &wide, missed)) {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
             return Ok(context.finding(Verdict::Undecided, message));
         }
@@ -131,7 +137,7 @@ impl Shrinkage<'_> {
                     last = Some(Failure { lhs: a.value, rhs: b.value, residual: difference, entry: None });
                 }
                 error = error.max(difference);
-                noise = noise.max(1e-12 * (a.magnitude + b.magnitude));
+                noise = noise.max(1e-11 * (a.magnitude + b.magnitude));
             }
             if error <= noise {
                 break;

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::formula::units::{Affine, Dimension, Mismatch, Survey, parse};
+use crate::formula::units::{Affine, Dimension, Mismatch, Ratio, Survey, parse};
 use crate::formula::{Expr, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Claims};
@@ -16,7 +16,7 @@ use crate::{Error, Result};
 
 use super::desk::{self, Desk};
 use super::document::id;
-use super::model::{Meaning, Model, Quantity};
+use super::model::{FrameQuantity, Meaning, Model, ParticleQuantity, Quantity};
 use super::verdict::{Finding, Verdict};
 
 /// How far an equation is to be believed.
@@ -106,11 +106,20 @@ impl<'a> Units<'a> {
         for (symbol, entry) in model.symbols.iter() {
             let turns = matches!(
                 model.meaning(symbol),
-                Some(Meaning::World(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes))
+                Some(
+                    Meaning::World(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)
+                        | Meaning::FixedAxis(_)
+                        | Meaning::Frame(FrameQuantity::Axes | FrameQuantity::Angle)
+                        | Meaning::Particles(ParticleQuantity::PrincipalAxes, ..)
+                )
             );
             if entry.angle || turns {
                 know(symbol, Dimension::NONE);
             }
+        }
+        for continuum in &model.continua {
+            let exponent = Ratio::whole(continuum.dimension.into());
+            know(continuum.region, Dimension::LENGTH.power(exponent));
         }
         let default = model.symbols.time.as_ref().is_some_and(|name| name.to_string() == "t");
         if let (Some(time), true) = (self.survey.time(), default) {
@@ -171,8 +180,14 @@ pub fn conflicts(model: &Model, declared: &[(SymbolId, Dimension)], readings: &[
 }
 
 impl Desk<'_> {
-    /// The term of a statement that does not fit the units of the document: no number is computed of it.
-    pub(super) fn unit_conflict(&self, display: usize, statement: &Statement, claim: &Claim) -> Option<Finding> {
+    /// The term of a statement that does not fit the units of the document: no number is computed of it. The text of
+    /// the display starts at `offset`.
+    pub(super) fn unit_conflict(
+        &self,
+        (display, offset): (usize, usize),
+        statement: &Statement,
+        claim: &Claim,
+    ) -> Option<Finding> {
         let units = self.units.as_ref().filter(|_| claim.units_off.is_none())?;
         let mismatch = units.mismatch(statement)?;
         let others = mismatch.origins.iter().filter(|origin| **origin != display);
@@ -184,7 +199,6 @@ impl Desk<'_> {
             [] => mismatch.message,
             names => format!("{}; units inferred from {}", mismatch.message, names.join(", ")),
         };
-        let offset = self.notes.equations[display].body.start;
         Some(Finding::new(Verdict::Unreadable, mismatch.span.shifted(offset), message))
     }
 }

@@ -6,6 +6,7 @@
 mod check;
 mod equal;
 mod eval;
+mod progress;
 mod read;
 
 use std::io::{IsTerminal, Write};

@@ -304,8 +304,16 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 _ => Err(Unavailable::Symbol(id)),
             };
         }
-        let values: Evaluated<Vec<u8>> = indices.iter().map(|index| self.index(*index)).collect();
-        self.member(id, &values?)
+        // Most symbols have few indices: those need no list.
+        match indices {
+            [] => self.member(id, &[]),
+            [i] => self.member(id, &[self.index(*i)?]),
+            [i, j] => self.member(id, &[self.index(*i)?, self.index(*j)?]),
+            _ => {
+                let values: Evaluated<Vec<u8>> = indices.iter().map(|index| self.index(*index)).collect();
+                self.member(id, &values?)
+            }
+        }
     }
 
     /// A symbol for given values of its indices; of a family that was put together, the member of that name.

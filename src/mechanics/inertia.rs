@@ -4,7 +4,7 @@
 //! I_ab = ∂²T/∂ω_a∂ω_b. Its closed form stands in the notes, and is not used here.
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
-use num_dual::HyperDual;
+use num_dual::Dual;
 
 use super::Nodes;
 use crate::scalar::Number;
@@ -18,18 +18,18 @@ pub fn kinetic_energy<D: Number>(particles: &Nodes<D>, angular_velocity: &Vector
     })
 }
 
-/// The inertia tensor about the origin, in the axes in which the points are given: T is quadratic in ω, so its second
-/// derivatives are the same at every ω.
+/// The inertia tensor about the origin, in the axes in which the points are given: T is quadratic in ω, so ∂T/∂ω_a at
+/// the unit rate about b is its second derivative by both.
 pub fn inertia_tensor<D: Number>(particles: &Nodes<D>) -> Matrix3<D> {
-    let lift = |(r, mass): &(Vector3<D>, D)| (r.map(HyperDual::from_re), HyperDual::from_re(*mass));
+    let lift = |(r, mass): &(Vector3<D>, D)| (r.map(Dual::from_re), Dual::from_re(*mass));
     let lifted = Nodes { points: particles.points.iter().map(lift).collect() };
     let mut tensor = Matrix3::zeros();
     for a in 0..3 {
         for b in a..3 {
-            let mut omega = Vector3::from_element(HyperDual::from_re(D::zero()));
-            omega[a].eps1 = D::one();
-            omega[b].eps2 = D::one();
-            tensor[(a, b)] = kinetic_energy(&lifted, &omega).eps1eps2;
+            let mut omega = Vector3::from_element(Dual::from_re(D::zero()));
+            omega[b].re = D::one();
+            omega[a].eps = D::one();
+            tensor[(a, b)] = kinetic_energy(&lifted, &omega).eps;
             tensor[(b, a)] = tensor[(a, b)];
         }
     }

@@ -162,6 +162,14 @@ impl Reader<'_> {
     fn matrix(&mut self, name: &str, rows: &[Vec<Vec<Item>>], span: Span) -> Read<Expr> {
         match name {
             "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" => {
+                for (at, row) in rows.iter().enumerate() {
+                    let empty = |cell: &Vec<Item>| cell.iter().all(|item| matches!(item.layout, Layout::Space(_)));
+                    if let Some(column) = row.iter().position(empty) {
+                        let place = row.iter().flatten().map(|item| item.span).reduce(Span::to).unwrap_or(span);
+                        let message = format!("row {} of this matrix has nothing in column {}", at + 1, column + 1);
+                        return Err(Fault::new(place, message).help("write the 0, or take out the & that is too many"));
+                    }
+                }
                 let rows: Read<Vec<Vec<Expr>>> =
                     rows.iter().map(|row| row.iter().map(|cell| self.sum(cell, span)).collect()).collect();
                 let rows = rows?;

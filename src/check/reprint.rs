@@ -1,0 +1,233 @@
+//! A second print of equations: claims about one file, applied to the same equations as another file has them.
+//!
+//! The claims file and its own notes, the *reference*, say what the names mean, what is defined, assumed and corrected.
+//! Each display of the print that bears the number of an equation of the reference is read with those names, as it
+//! stands, and judged by the claim of that number. What reads as the reference does says what the reference says: a
+//! definition there is a definition here. What reads otherwise must hold by the names of the reference, whatever it
+//! defines. Sentences are quoted from the reference and stay with it.
+
+use rayon::prelude::*;
+
+use crate::formula::{Expr, Statement};
+use crate::latex::{Introduced, Macros, Reading};
+use crate::notes::claims::{Claim, Claims, Expected};
+use crate::notes::document::Numbered;
+use crate::notes::{Display, Notes};
+use crate::source::Span;
+use crate::{Error, Result};
+
+use super::desk::Desk;
+use super::document::{Run, define_macros, id, repeated_numbers, with_desk};
+use super::equation::{says_the_same, worst};
+use super::reading::corrected;
+use super::verdict::{Document, Equation, Finding, Part, Verdict};
+
+/// Applies claims, each with its reference, to a print. Of an equation that several are about the worst finding counts;
+/// a numbered one that none is about is unclaimed.
+///
+/// # Errors
+/// As [`check_document`](super::check_document) for each reference; for a number that the print has twice, and for a
+/// print that has no number of any reference.
+pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> Result<Document> {
+    repeated_numbers(print)?;
+    let found: Vec<Vec<Equation>> =
+        sets.par_iter().map(|(claims, reference)| apply(run, claims, reference, print)).collect::<Result<_>>()?;
+    if !sets.iter().any(|(_, reference)| pairs(reference, print).any(|(_, display)| display.is_some())) {
+        let names: Vec<&str> = sets.iter().map(|(_, reference)| reference.source.path.as_str()).collect();
+        let message = format!("{} has no equation with a number of {}", print.source.path, names.join(" or "));
+        return Err(Error::new(message).help("claims are applied to another print of their notes number by number"));
+    }
+    let mut equations: Vec<Equation> = Vec::new();
+    for equation in found.into_iter().flatten() {
+        match equations.iter_mut().find(|known| known.id == equation.id) {
+            Some(known) if known.finding.verdict.severity() < equation.finding.verdict.severity() => *known = equation,
+            Some(_) => {}
+            None => equations.push(equation),
+        }
+    }
+    for display in wanted(run, print) {
+        let Some(number) = id(display).filter(|number| equations.iter().all(|known| known.id != *number)) else {
+            continue;
+        };
+        equations.push(Equation {
+            id: number.to_owned(),
+            line: display.line,
+            latex: print.source.slice(display.body).to_owned(),
+            reading: String::new(),
+            finding: Finding::new(
+                Verdict::Unclaimed,
+                display.body,
+                "no claims file is about an equation of this number",
+            ),
+            ok: false,
+            because: None,
+            parts: Vec::new(),
+        });
+    }
+    equations.sort_by_key(|equation| (equation.line, equation.finding.span.start));
+    let paths: Vec<&str> = sets.iter().map(|(claims, _)| claims.source.path.as_str()).collect();
+    let inferred = sets.iter().map(|(claims, reference)| {
+        let (claims, own, sentences) = (&claims.source.path, &reference.source.path, claims.sentences.len());
+        format!("{claims} is about {own}; its {sentences} sentences are tested there")
+    });
+    Ok(Document {
+        path: print.source.path.clone(),
+        claims: Some(paths.join(", ")),
+        source: print.source.clone(),
+        equations,
+        sentences: Vec::new(),
+        unnumbered: print.equations.iter().filter(|display| id(display).is_none()).count(),
+        inferred: inferred.collect(),
+    })
+}
+
+fn wanted<'a>(run: &'a Run<'_>, notes: &'a Notes) -> impl Iterator<Item = &'a Display> {
+    notes.equations.iter().filter(|display| run.only.is_none_or(|only| id(display) == Some(only)))
+}
+
+/// The numbered equations of a reference, by their places, each with the display of the print that has its number.
+fn pairs<'a>(reference: &'a Notes, print: &'a Notes) -> impl Iterator<Item = (usize, Option<&'a Display>)> {
+    let number = |display: &'a Display| display.number.as_ref().map(|number| number.id.as_str());
+    let numbered = reference.equations.iter().enumerate().filter_map(move |(at, d)| Some((at, number(d)?)));
+    numbered.map(move |(at, wanted)| (at, print.equations.iter().find(|display| number(display) == Some(wanted))))
+}
+
+/// The equations of a reference that are to be judged; none, if the print has no number of it.
+fn work<'a>(reference: &'a Notes, print: &'a Notes, only: Option<&str>) -> Vec<(usize, Option<&'a Display>)> {
+    let all: Vec<_> = pairs(reference, print).collect();
+    if all.iter().all(|(_, display)| display.is_none()) {
+        return Vec::new();
+    }
+    let chosen = |at: usize| only.is_none_or(|only| id(&reference.equations[at]) == Some(only));
+    all.into_iter().filter(|(at, _)| chosen(*at)).collect()
+}
+
+/// How many equations [`check_reprint`] judges.
+pub fn items(sets: &[(Claims, Notes)], print: &Notes, only: Option<&str>) -> usize {
+    sets.iter().map(|(_, reference)| work(reference, print, only).len()).sum()
+}
+
+/// The findings on the equations of one reference, as the print has them.
+fn apply(run: &Run<'_>, claims: &Claims, reference: &Notes, print: &Notes) -> Result<Vec<Equation>> {
+    let work = work(reference, print, run.only);
+    if work.is_empty() {
+        return Ok(Vec::new());
+    }
+    with_desk(run, claims, reference, |desk| {
+        let mut macros = desk.model.macros.clone();
+        define_macros(print, &mut macros);
+        let desk = Desk { source: &print.source, ..desk };
+        let judged = work.par_iter().map(|(at, display)| {
+            let equation = match display {
+                Some(display) => equation(&desk, &macros, *at, display),
+                None => Ok(absent(reference, print, *at)),
+            };
+            run.progress.done(&print.source.path);
+            equation
+        });
+        judged.collect()
+    })
+}
+
+/// The finding on a display that prints the `at`-th equation of the desk's notes.
+fn equation(desk: &Desk<'_>, macros: &Macros, at: usize, display: &Display) -> Result<Equation> {
+    let none = Claim::default();
+    let claim = desk.assigned[at].unwrap_or(&none);
+    let reading = read(desk, macros, at, &display.text, claim);
+    let parts = judged(desk, (at, display), &reading, claim)?;
+    let failed = parts.iter().any(|part| !part.finding.verdict.passes());
+    // What is wrong in the reference, too, is known to be wrong, where it is the same that is wrong.
+    let excused = parts.iter().all(|p| p.finding.verdict.passes() || p.finding.verdict == Verdict::Refuted);
+    let original = || desk.as_printed(&desk.notes.equations[at].text, claim, macros);
+    let (mut ok, mut because) = (!failed, None);
+    if let (true, true, Some(expect)) = (failed, excused, &claim.expect) {
+        ok = expect.verdict.value == Expected::Refuted && reads_alike(&reading, &original());
+        because = Some(expect.because.value.clone());
+    }
+    if failed && excused && !claim.errata.is_empty() {
+        let edits: Vec<String> =
+            claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
+        // The misprint may be spelled in another way here; where it is spelled alike, its correction must pass.
+        let verdict = match corrected(desk.claims, &display.text, &claim.errata) {
+            Ok(text) => {
+                let mended = judged(desk, (at, display), &read(desk, macros, at, &text, claim), claim)?;
+                ok = mended.iter().all(|part| part.finding.verdict.passes());
+                if ok { String::new() } else { format!("; corrected so it does not pass: {}", worst(&mended).message) }
+            }
+            Err(_) => {
+                ok = reads_alike(&reading, &original());
+                if ok { String::new() } else { "; but this is not what stands here".to_owned() }
+            }
+        };
+        because = Some(format!("a known erratum: {}{verdict}", edits.join(", ")));
+    }
+    Ok(desk.assembled(display, &reading, parts, ok, because))
+}
+
+/// The parts of a reading of the print. What a claim asks for and a damaged display does not have makes it unreadable.
+fn judged(desk: &Desk<'_>, (at, display): (usize, &Display), reading: &Reading, claim: &Claim) -> Result<Vec<Part>> {
+    let unreadable = |message: String| {
+        let finding = Finding::new(Verdict::Unreadable, display.body, message);
+        vec![desk.part(finding, String::new())]
+    };
+    if reading.statements.is_empty() {
+        return Ok(unreadable("there is no formula here".to_owned()));
+    }
+    let topic = id(display).unwrap_or_default();
+    // The same claim on the reference tells whether it is the claim that is wrong, or the print.
+    desk.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
+        desk.parts((at, display.body.start), &desk.readings[at], claim, topic)?;
+        Ok(unreadable(format!("it cannot be judged as ({topic}) of {}: {}", desk.notes.source.path, error.message())))
+    })
+}
+
+/// The reading of a text in the place of the `at`-th equation, with the definitions that it shares with the reference.
+fn read(desk: &Desk<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) -> Reading {
+    let mut reading = desk.as_printed(text, claim, macros);
+    for introduced in &desk.readings[at].introduced {
+        let Some(Ok(original)) = desk.readings[at].statements.get(introduced.statement) else { continue };
+        let shared =
+            |read: &Statement| defined(read, introduced).is_some_and(|d| Some(d) == defined(original, introduced));
+        let here = reading.statements.iter().position(|read| read.as_ref().is_ok_and(shared));
+        if let Some(statement) = here {
+            reading.introduced.push(Introduced { statement, ..introduced.clone() });
+        }
+    }
+    reading
+}
+
+/// Whether two readings say the same, wherever it stands.
+fn reads_alike(a: &Reading, b: &Reading) -> bool {
+    let alike = |(a, b): (&_, &_)| matches!((a, b), (Ok(a), Ok(b)) if says_the_same(a, b));
+    a.statements.len() == b.statements.len() && a.statements.iter().zip(&b.statements).all(alike)
+}
+
+/// The member that introduces a name, and the member that defines it.
+fn defined<'a>(statement: &'a Statement, introduced: &Introduced) -> Option<(&'a Expr, &'a Expr)> {
+    let beside = introduced.member.checked_sub(1).unwrap_or(1);
+    Some((statement.members.get(introduced.member)?, statement.members.get(beside)?))
+}
+
+/// The finding on an equation whose number the print lacks, at the number before it or, at the start, after it.
+fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
+    let present: Vec<(usize, &Numbered)> =
+        pairs(reference, print).filter_map(|(at, display)| Some((at, display?.number.as_ref()?))).collect();
+    let before = present.iter().rev().find(|(known, _)| *known < at);
+    let (side, span) = match before.or(present.first()) {
+        Some((known, number)) if *known < at => (format!(" after ({})", number.id), number.span),
+        Some((_, number)) => (format!(" before ({})", number.id), number.span),
+        None => (String::new(), Span::default()),
+    };
+    let number = id(&reference.equations[at]).unwrap_or_default();
+    let message = format!("no display{side} has the number ({number}), that {} has", reference.source.path);
+    Equation {
+        id: number.to_owned(),
+        line: print.source.line_column(span.start).0,
+        latex: print.source.slice(span).to_owned(),
+        reading: String::new(),
+        finding: Finding::new(Verdict::Unreadable, span, message),
+        ok: false,
+        because: None,
+        parts: Vec::new(),
+    }
+}

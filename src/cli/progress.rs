@@ -1,0 +1,125 @@
+//! How far a run has come: one line on standard error, where that is a terminal and the run takes its time.
+
+use std::io::{IsTerminal, Write};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{JoinHandle, park_timeout};
+use std::time::{Duration, Instant};
+
+use crate::check::Progress;
+
+/// What is quicker needs no line.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How often the line is written anew.
+const TICK: Duration = Duration::from_millis(100);
+
+/// Erases the line that the cursor stands in.
+const ERASE: &str = "\r\u{1b}[2K";
+
+/// How far the run is.
+#[derive(Default)]
+struct State {
+    done: usize,
+    document: String,
+    over: bool,
+}
+
+/// The line, for as long as this lives; dropped, it leaves nothing behind. Without a terminal it does nothing.
+pub(super) struct Terminal {
+    state: Arc<Mutex<State>>,
+    writer: Option<JoinHandle<()>>,
+}
+
+impl Terminal {
+    /// Starts to wait for a run of so many items to take long.
+    pub(super) fn start(items: usize) -> Terminal {
+        let state = Arc::new(Mutex::new(State::default()));
+        let shared = state.clone();
+        let writer = std::io::stderr().is_terminal().then(|| std::thread::spawn(move || write(&shared, items)));
+        Terminal { state, writer }
+    }
+
+    fn with(&self, change: impl FnOnce(&mut State)) {
+        change(&mut self.state.lock().unwrap_or_else(PoisonError::into_inner));
+    }
+}
+
+impl Progress for Terminal {
+    fn done(&self, document: &str) {
+        self.with(|state| {
+            state.done += 1;
+            if state.document != document {
+                document.clone_into(&mut state.document);
+            }
+        });
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        self.with(|state| state.over = true);
+        if let Some(writer) = self.writer.take() {
+            writer.thread().unpark();
+            // It has written all that it will, or has panicked; either way the report follows.
+            let _ = writer.join();
+        }
+    }
+}
+
+/// Writes the line until the run is over.
+fn write(state: &Mutex<State>, items: usize) {
+    let started = Instant::now();
+    let mut shown = false;
+    loop {
+        park_timeout(if shown { TICK } else { PATIENCE.saturating_sub(started.elapsed()) });
+        let line = {
+            let state = state.lock().unwrap_or_else(PoisonError::into_inner);
+            if state.over {
+                break;
+            }
+            format!("{} of {items} checked  {}", state.done, state.document)
+        };
+        if started.elapsed() >= PATIENCE {
+            shown = true;
+            print(&format!("{ERASE}{}", fitted(&line, width())));
+        }
+    }
+    if shown {
+        print(ERASE);
+    }
+}
+
+/// A terminal that has gone away needs no progress.
+fn print(text: &str) {
+    let mut stderr = std::io::stderr();
+    let _ = stderr.write_all(text.as_bytes()).and_then(|()| stderr.flush());
+}
+
+fn width() -> usize {
+    terminal_size::terminal_size_of(std::io::stderr()).map_or(80, |(width, _)| usize::from(width.0))
+}
+
+/// As much of a line as stays in one line of the terminal: what wraps could not be erased. Control characters, that a
+/// path may have, would move the cursor; what is not ASCII may be two columns wide.
+fn fitted(line: &str, width: usize) -> String {
+    let mut columns = 0;
+    let fits = |c: &char| {
+        columns += if c.is_ascii() { 1 } else { 2 };
+        columns < width
+    };
+    line.chars().map(|c| if c.is_control() { '?' } else { c }).take_while(fits).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fitted;
+
+    #[test]
+    fn a_line_never_wraps_and_never_moves_the_cursor() {
+        assert_eq!(fitted("3 of 8", 80), "3 of 8");
+        assert_eq!(fitted("3 of 8", 4), "3 o");
+        assert_eq!(fitted("3 of 8", 0), "");
+        assert_eq!(fitted("力学.md", 7), "力学.m");
+        assert_eq!(fitted("a\u{1b}[2J\nb", 80), "a?[2J?b");
+    }
+}
