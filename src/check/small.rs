@@ -42,7 +42,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         let message = format!("only {} states have small quantities that can be scaled", families.len());
         return Ok(context.finding(Verdict::Undecided, message));
     }
-    let mut slowest = f64::INFINITY;
+    let (mut slowest, mut told) = (f64::INFINITY, 0);
     for family in &families {
         match family.power(link) {
             Err(reason) => return Ok(context.unavailable(&reason)),
@@ -59,15 +59,22 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
                     )
                 });
             }
-            Ok((power, _)) => slowest = slowest.min(power),
+            Ok((power, _)) => {
+                slowest = slowest.min(power);
+                told += usize::from(!power.is_nan());
+            }
         }
+    }
+    if told < FEWEST.min(context.options.points) {
+        let message = format!("only {told} of {} states can tell: too few", families.len());
+        return Ok(context.finding(Verdict::Undecided, message));
     }
     if slowest < wanted {
         let message = format!("the error falls as the power {slowest:.1} of what is small, which tells neither way");
         return Ok(context.finding(Verdict::Undecided, message));
     }
     let all_reach = |link: &Link, families: &[Shrinkage<'_>], least: f64| {
-        families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power >= least))
+        families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
     };
     if on_shell {
         let off_shell = self::families(link, small, context, false)?;
@@ -81,7 +88,9 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         twins(link, context.model).into_iter().filter(|twin| all_reach(&twin.link, &families, wanted)).collect();
     if !survivors.is_empty() {
         let wide = Context { reach: super::draw::Reach::Beyond, ..*context };
-        let wide = self::families(link, small, &wide, on_shell)?;
+        let mut wide = self::families(link, small, &wide, on_shell)?;
+        // Far out not every state has a family: those at which the claim itself can be seen to hold count.
+        wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
         if let Some(twin) = survivors.iter().find(|twin| !all_reach(&twin.link, &wide, missed)) {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
             return Ok(context.finding(Verdict::Undecided, message));
@@ -130,8 +139,9 @@ impl Shrinkage<'_> {
             let (mut error, mut noise) = (0.0_f64, 0.0_f64);
             for (a, b) in lhs.into_iter().zip(rhs) {
                 let difference = (a.value - b.value).abs();
+                // Where too little is left of a number to tell, nothing is told.
                 if difference.is_nan() {
-                    return Ok((0.0, None));
+                    return Ok((f64::NAN, None));
                 }
                 if difference >= error {
                     last = Some(Failure { lhs: a.value, rhs: b.value, residual: difference, entry: None });
