@@ -5,11 +5,21 @@ mod support;
 
 #[path = "checks/claims.rs"]
 mod claims;
+#[path = "checks/continua.rs"]
+mod continua;
 #[path = "checks/evidence.rs"]
 mod evidence;
+#[path = "checks/families.rs"]
+mod families;
+#[path = "checks/names.rs"]
+mod names;
 #[path = "checks/own_system.rs"]
 mod own_system;
+#[path = "checks/rigid.rs"]
+mod rigid;
 #[path = "checks/sentences.rs"]
 mod sentences;
+#[path = "checks/small.rs"]
+mod small;
 #[path = "checks/units.rs"]
 mod units;

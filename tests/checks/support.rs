@@ -41,6 +41,11 @@ pub fn with(claims: &Json, key: &str, value: Json) -> Json {
     claims
 }
 
+/// A claim that holds under these hypotheses, of which there may be none.
+pub fn assuming(hypotheses: &[&str]) -> Json {
+    if hypotheses.is_empty() { json!({}) } else { json!({ "assume": hypotheses }) }
+}
+
 /// Notes in which each of these displays has its place in the list, from 1, as its number.
 pub fn numbered(displays: &[&str]) -> String {
     let display = |(at, latex): (usize, &&str)| format!("$$\n{latex}\n\\tag{{{}}}\n$$\n\n", at + 1);

@@ -22,6 +22,13 @@ fn terms(claims: &Json, units: &[(&str, &str)], displays: &[&str]) -> Vec<(Strin
     let claims = Arc::new(Source::new("claims.json", with(claims, "notes", json!("notes.md")).to_string()));
     let claims = Claims::parse(claims, Path::new("claims.json")).unwrap();
     let mut model = Model::new(&claims, Macros::default(), &Registry::standard()).unwrap();
+    // What the claims file defines is read where the document is.
+    for (name, formula) in &claims.define {
+        let display = format!("{} = {}", name.value, formula.value);
+        for introduced in read_display(&display, &mut model.symbols, &Macros::default()).introduced {
+            model.define(introduced.symbol, introduced.formula);
+        }
+    }
     let mut readings = Vec::new();
     for display in displays {
         let reading = read_display(display, &mut model.symbols, &Macros::default());

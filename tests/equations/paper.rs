@@ -1,13 +1,15 @@
 //! A document of `derivations/` with its claims, checked once, its equations and sentences asked for one by one.
 
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use libtest_mimic::Failed;
 use onshell::Result;
 use onshell::check::{Document, Equation, Finding, Options, check_document, document};
+use onshell::notes::document::Kind;
 use onshell::notes::{Claims, Notes, json};
 use onshell::report::diagnostic;
+use onshell::source::Source;
 use onshell::systems::Registry;
 
 /// What the command line checks with, unless told otherwise.
@@ -61,9 +63,30 @@ impl Paper {
         name.map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone())
     }
 
-    /// Checks these notes, the paper's own or others like them, against the paper's claims.
-    pub fn check(&self, notes: &Notes, only: Option<&str>) -> Result<Document> {
-        check_document(&self.claims, notes, &Registry::standard(), OPTIONS, only)
+    /// Notes like the paper's in which the errata of one equation have been followed, with claims that no longer list them.
+    pub fn corrected(&self, notes: Notes, id: &str) -> Result<(Notes, Claims), Failed> {
+        let mut claims = self.claims.clone();
+        let Some(display) = notes.equations.iter().find(|display| document::id(display) == Some(id)) else {
+            return Err(Failed::from(format!("({id}) is not in {}", notes.source.path)));
+        };
+        let (mut text, body) = (notes.source.text.clone(), display.body);
+        let mut mended = text[body.start..body.end].to_owned();
+        for (address, claim) in &mut claims.equations {
+            let of_this_one = address
+                .resolve(&notes, &self.claims.source)?
+                .iter()
+                .any(|at| document::id(&notes.equations[*at]) == Some(id));
+            for erratum in claim.errata.extract_if(.., |_| of_this_one) {
+                let count = mended.matches(&erratum.printed.value).count();
+                if count != erratum.times {
+                    return Err(Failed::from(format!("“{}” stands {count} times in ({id})", erratum.printed.value)));
+                }
+                mended = mended.replace(&erratum.printed.value, &erratum.read.value);
+            }
+        }
+        text.replace_range(body.start..body.end, &mended);
+        let source = Arc::new(Source::new(&notes.source.path, text));
+        Ok((Notes::parse(source, Kind::Markdown)?, claims))
     }
 
     /// The test of one equation.
@@ -79,9 +102,14 @@ impl Paper {
     }
 
     fn checked(&self) -> Result<&Document, Failed> {
-        let checked = self.checked.get_or_init(|| self.check(&self.notes, None));
+        let checked = self.checked.get_or_init(|| check(&self.claims, &self.notes, None));
         checked.as_ref().map_err(|error| Failed::from(error.to_string()))
     }
+}
+
+/// Checks notes against claims as the command line does.
+pub fn check(claims: &Claims, notes: &Notes, only: Option<&str>) -> Result<Document> {
+    check_document(claims, notes, &Registry::standard(), OPTIONS, only)
 }
 
 fn as_expected(item: &Equation) -> Result<(), Failed> {

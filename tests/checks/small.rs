@@ -1,0 +1,151 @@
+//! What holds while something is small, what is true exactly when something else is, and bodies made of bodies.
+
+use onshell::check::Verdict::{self, Refuted, Unreadable, Verified};
+use serde_json::{Value as Json, json};
+
+use crate::support::{error, numbers, pendulum, verdict, with};
+
+fn numbers_with(x: &str) -> Json {
+    with(&numbers(), "constants", json!({ "a, b, c": "> 0", "x": x, "y": "any" }))
+}
+
+#[test]
+fn an_approximation_has_an_order() {
+    let to_order =
+        |latex: &str, order: u32| verdict(&numbers_with("any"), &[latex], json!({ "small": "x", "order": order }));
+    assert_eq!(to_order(r"a \sin x \approx a x", 1), Verified);
+    assert_eq!(to_order(r"a \sin x \approx a x", 2), Verified);
+    assert_eq!(to_order(r"a \sin x \approx a x", 3), Refuted);
+    assert_eq!(to_order(r"a \sin x \approx a x - \frac16 a x^3", 3), Verified);
+    assert_eq!(to_order(r"a \sin x \approx a x + \frac16 a x^3", 3), Refuted);
+    assert_eq!(to_order(r"a \cos x \approx a", 1), Verified);
+    assert_eq!(to_order(r"a \cos x \approx a", 2), Refuted);
+    assert_eq!(to_order(r"a \cos x \approx a - \frac12 a x^2", 2), Verified);
+    assert_eq!(to_order(r"a \cos x \approx a - a x^2", 2), Refuted);
+    assert_eq!(to_order(r"\frac{a}{1 + x} \approx a - a x", 1), Verified);
+    assert_eq!(to_order(r"\frac{a}{1 + x} \approx a + a x", 1), Refuted);
+}
+
+#[test]
+fn small_alone_is_first_order() {
+    let small = |latex: &str| verdict(&numbers_with("> 0"), &[latex], json!({ "small": "x" }));
+    assert_eq!(small(r"\sqrt{a^2 + x} \approx a + \frac{x}{2a}"), Verified);
+    assert_eq!(small(r"\sqrt{a^2 + x} \approx a + \frac{x}{a}"), Refuted);
+    assert_eq!(small(r"\sqrt{a^2 + x} \approx a"), Refuted);
+}
+
+#[test]
+fn several_things_are_small_together() {
+    let small = |latex: &str, which: Json| verdict(&numbers_with("any"), &[latex], json!({ "small": which }));
+    assert_eq!(small(r"(a + x)(b + y) \approx ab + ay + bx", json!(["x", "y"])), Verified);
+    assert_eq!(small(r"(a + x)(b + y) \approx ab + ay", json!(["x", "y"])), Refuted);
+    // With y as it is, x y is of first order.
+    assert_eq!(small(r"(a + x)(b + y) \approx ab + ay + bx", json!(["x"])), Refuted);
+}
+
+#[test]
+fn small_oscillations_obey_the_motion() {
+    let small = |latex: &str| verdict(&pendulum(), &[latex], json!({ "small": r"\theta" }));
+    assert_eq!(small(r"l \ddot\theta + g \theta \approx 0"), Verified);
+    assert_eq!(small(r"l \ddot\theta - g \theta \approx 0"), Refuted);
+    assert_eq!(small(r"l \ddot\theta + 2g \theta \approx 0"), Refuted);
+    assert_eq!(small(r"l \ddot\theta \approx 0"), Refuted);
+    // Whatever the motion is, this is small.
+    assert_ne!(small(r"\theta^2 \approx 0"), Verified);
+}
+
+#[test]
+fn small_is_said_of_an_approximation_and_of_symbols() {
+    assert_eq!(verdict(&numbers_with("any"), &[r"a \sin x \approx a x"], json!({})), Unreadable);
+    assert!(error(&numbers_with("any"), &[r"a \sin x \approx ax"], json!({ "order": 1 })).contains("claims.json:"));
+    assert!(error(&numbers_with("any"), &[r"a \sin x \approx ax"], json!({ "small": "z" })).contains("claims.json:"));
+}
+
+fn exactly(latex: &str, conditions: Json) -> Verdict {
+    verdict(&numbers_with("any"), &[latex], json!({ "true exactly when": conditions }))
+}
+
+#[test]
+fn true_where_it_is_said_and_nowhere_else() {
+    assert_eq!(exactly("x^2 > a^2", json!({ "any of": [["x > a"], ["x < -a"]] })), Verified);
+    // One alternative too few, and one too many.
+    assert_eq!(exactly("x^2 > a^2", json!(["x > a"])), Refuted);
+    assert_eq!(exactly("x^2 > a^2", json!({ "any of": [["x > a"], ["x < -a"], ["x > -a"]] })), Refuted);
+    assert_eq!(exactly("x^2 > a^2", json!({ "any of": [["x > a"], ["x < a"]] })), Refuted);
+}
+
+#[test]
+fn conditions_of_one_alternative_hold_together() {
+    assert_eq!(exactly("x^2 < a^2", json!(["x < a", "x > -a"])), Verified);
+    // One condition too few, and one too many.
+    assert_eq!(exactly("x^2 < a^2", json!(["x < a"])), Refuted);
+    assert_eq!(exactly("x^2 < a^2", json!(["x < a", "x > -a", "x > 0"])), Refuted);
+}
+
+#[test]
+fn the_edge_counts() {
+    assert_eq!(exactly(r"x^2 \geq a^2", json!({ "any of": [[r"x \geq a"], [r"x \leq -a"]] })), Verified);
+    assert_eq!(exactly("x y > 0", json!({ "any of": [["x > 0", "y > 0"], ["x < 0", "y < 0"]] })), Verified);
+    assert_eq!(exactly(r"x y \geq 0", json!({ "any of": [["x > 0", "y > 0"], ["x < 0", "y < 0"]] })), Refuted);
+    assert_eq!(exactly("(a - b)(a - c) > 0", json!({ "any of": [["a > b", "a > c"], ["a < b", "a < c"]] })), Verified);
+    assert_eq!(
+        exactly("(a - b)(a - c) > 0", json!({ "any of": [[r"a \geq b", r"a \geq c"], ["a < b", "a < c"]] })),
+        Refuted
+    );
+}
+
+#[test]
+fn true_exactly_when_needs_both_cases() {
+    // It always holds, so there is no state where it must fail.
+    assert_ne!(exactly("x^2 + a > 0", json!(["a > 0"])), Verified);
+    assert_ne!(exactly("x^2 + a < 0", json!(["a < 0"])), Verified);
+}
+
+/// Two families of particles.
+fn two_bodies() -> Json {
+    json!({
+        "indices": { "i": "1..n" },
+        "constants": { "m_i, m_{1i}, m_{2i}": "> 0", r"\vec r_i, \vec r_{1i}, \vec r_{2i}": "any" },
+        "define": { "M": r"\sum_i m_i", r"\vec S": r"\sum_i m_i \vec r_i" },
+    })
+}
+
+fn together(latex: &str, meanings: Json) -> Verdict {
+    verdict(&two_bodies(), &[latex], json!({ "where": meanings }))
+}
+
+#[test]
+fn a_body_made_of_two_has_the_particles_of_both() {
+    let both = json!({ "m_i": r"m_{1i} \cup m_{2i}", r"\vec r_i": r"\vec r_{1i} \cup \vec r_{2i}" });
+    let masses = |right: &str| together(&format!(r"M = {right}"), both.clone());
+    assert_eq!(masses(r"\sum_i m_{1i} + \sum_i m_{2i}"), Verified);
+    assert_eq!(masses(r"\sum_i m_{1i}"), Refuted);
+    assert_eq!(masses(r"\sum_i m_{1i} - \sum_i m_{2i}"), Refuted);
+    let moments = |right: &str| together(&format!(r"\vec S = {right}"), both.clone());
+    assert_eq!(moments(r"\sum_i m_{1i} \vec r_{1i} + \sum_i m_{2i} \vec r_{2i}"), Verified);
+    assert_eq!(moments(r"\sum_i m_{1i} \vec r_{2i} + \sum_i m_{2i} \vec r_{1i}"), Refuted);
+    let crossed = json!({ "m_i": r"m_{2i} \cup m_{1i}", r"\vec r_i": r"\vec r_{1i} \cup \vec r_{2i}" });
+    let sum = r"\vec S = \sum_i m_{1i} \vec r_{1i} + \sum_i m_{2i} \vec r_{2i}";
+    assert_eq!(together(sum, crossed), Refuted);
+    // Without the meaning it is false.
+    assert_eq!(verdict(&two_bodies(), &[sum], json!({})), Refuted);
+}
+
+#[test]
+fn a_mirror_image_is_a_second_body() {
+    let mirrored = json!({ "m_i": r"m_i \cup m_i", r"\vec r_i": r"\vec r_i \cup -\vec r_i" });
+    assert_eq!(together(r"\vec S = \vec 0", mirrored), Verified);
+    let doubled = json!({ "m_i": r"m_i \cup m_i", r"\vec r_i": r"\vec r_i \cup \vec r_i" });
+    assert_eq!(together(r"\vec S = \vec 0", doubled), Refuted);
+    let unequal = json!({ "m_i": r"m_i \cup 2 m_i", r"\vec r_i": r"\vec r_i \cup -\vec r_i" });
+    assert_eq!(together(r"\vec S = \vec 0", unequal), Refuted);
+}
+
+#[test]
+fn where_gives_a_symbol_a_meaning_in_one_equation_only() {
+    let double = |latex: &str| verdict(&numbers(), &[latex], json!({ "where": { "a": "2b" } }));
+    assert_eq!(double("a^2 = 4b^2"), Verified);
+    assert_eq!(double("a^2 = 2b^2"), Refuted);
+    assert_eq!(verdict(&numbers(), &["a^2 = 4b^2"], json!({})), Refuted);
+    assert_eq!(verdict(&numbers(), &["a^2 = 4b^2"], json!({ "where": { "a": "-2b" } })), Verified);
+}
