@@ -83,8 +83,18 @@ impl<B: Number> Crowd<B> {
 pub struct Place<B: Number> {
     /// The continuum and the point of it.
     point: Option<(usize, Vector3<B>)>,
-    /// The part of it that is cut out around its own point, and its size.
-    pub part: Option<(Crowd<B>, B)>,
+    /// The part of a continuum that is cut out around its own point, and its size.
+    pub part: Option<Part<B>>,
+}
+
+/// A part of a continuum.
+pub struct Part<B: Number> {
+    /// Of which.
+    pub of: usize,
+    /// The particles in it.
+    pub crowd: Crowd<B>,
+    /// Its volume, area or length.
+    pub size: B,
 }
 
 impl<B: Number> Default for Place<B> {
@@ -216,8 +226,8 @@ impl<B: Number> Scene<'_, B> {
     }
 
     /// The volume, area or length of the part at hand.
-    pub(super) fn size_of_part(&self, _at: usize) -> Option<Series<B>> {
-        self.place.borrow().part.as_ref().map(|(_, size)| self.constant(*size))
+    pub(super) fn size_of_part(&self, at: usize) -> Option<Series<B>> {
+        self.place.borrow().part.as_ref().filter(|part| part.of == at).map(|part| self.constant(part.size))
     }
 
     /// An integral over a continuum.
@@ -279,8 +289,8 @@ impl<B: Number> Scene<'_, B> {
             let cells = part.cells(3).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
             let size = cells.total();
             let cells = hidden.set(cells, continuum.dimension, &around).with_density(|x| self.density_at(at, x));
-            self.place.borrow_mut().part =
-                Some((Crowd::of(&cells, (mass, position), label, |x| self.constant(x)), size));
+            let crowd = Crowd::of(&cells, (mass, position), label, |x| self.constant(x));
+            self.place.borrow_mut().part = Some(Part { of: at, crowd, size });
             let value = formula();
             self.place.borrow_mut().part = None;
             values.push(value?);

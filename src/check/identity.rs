@@ -224,6 +224,8 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
             Ok(match (always.verdict, on_shell.verdict) {
                 (Verdict::Verified, Verdict::Verified) => always,
                 (Verdict::Undecided, Verdict::Refuted | Verdict::Undecided) => always,
+                // Where no state obeys the laws, what is false without them stays so.
+                (Verdict::Refuted, Verdict::Undecided) if on_shell.points == 0 => always,
                 _ => on_shell,
             })
         }

@@ -35,6 +35,9 @@ pub struct Mode {
 /// A symbol and the values of its indices.
 type Member = (SymbolId, [u8; 3]);
 
+/// Masses, positions, and their inertia tensor.
+type Tensor<B> = (Expr, Expr, Matrix3<Series<B>>);
+
 /// The values of all members of a family, in order.
 type Members<B> = Vec<Value<Series<B>>>;
 
@@ -63,7 +66,7 @@ pub struct Scene<'m, B: Number> {
     /// The same when all is found.
     followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
     /// Inertia tensors of masses at positions.
-    pub(super) tensors: RefCell<Vec<(Expr, Expr, Matrix3<Series<B>>)>>,
+    pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
     memo: RefCell<BTreeMap<Member, Value<Series<B>>>>,
 }
@@ -369,7 +372,7 @@ impl<'m, B: Number> Scene<'m, B> {
         {
             return Ok(member);
         }
-        if let Some(member) = self.place.borrow().part.as_ref().and_then(|(part, _)| part.member(id, indices)) {
+        if let Some(member) = self.place.borrow().part.as_ref().and_then(|part| part.crowd.member(id, indices)) {
             return Ok(member);
         }
         let number = |pick: &dyn Fn(usize) -> Option<Series<B>>| {
@@ -528,8 +531,10 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     }
 
     fn count_within(&self, region: SymbolId) -> Result<u8, Unavailable> {
+        let Some(Meaning::Region(at)) = self.model.meaning(region) else { return Err(Unavailable::Symbol(region)) };
         let place = self.place.borrow();
-        place.part.as_ref().map(|(part, _)| part.len()).ok_or(Unavailable::Symbol(region))
+        let part = place.part.as_ref().filter(|part| part.of == *at);
+        part.map(|part| part.crowd.len()).ok_or(Unavailable::Symbol(region))
     }
 
     fn rotation(&self, id: SymbolId, angle: Series<B>) -> Result<Matrix3<Series<B>>, Unavailable> {

@@ -65,7 +65,9 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
         let message = format!("{} is set against {}", a.1.shape.noun(), b.1.shape.noun());
         return Err(Fault::new(span, message));
     }
-    if components(&a.1.free, symbols) != components(&b.1.free, symbols) {
+    let lacks = |one: &Type, other: &Type| one.free.iter().any(|letter| !other.free.contains(letter));
+    let strangers = lacks(a.1, b.1) && lacks(b.1, a.1);
+    if strangers || components(&a.1.free, symbols) != components(&b.1.free, symbols) {
         return Err(Fault::new(span, "the free indices of the two sides do not match"));
     }
     Ok(())
