@@ -193,7 +193,7 @@ fn names_notes(path: &Path) -> bool {
 /// The files of a job, read.
 enum Loaded {
     /// Claims and the notes that they are about.
-    Own(Claims, Notes),
+    Own(Box<Claims>, Notes),
     /// Claims, each with the notes that they are about, for another print of these.
     Reprint(Vec<(Claims, Notes)>, Notes),
     Unclaimed(Notes),
@@ -225,7 +225,7 @@ fn load(job: &Job) -> Result<Loaded> {
         Job::Claims(path) => {
             let claims = Claims::read(path, &shown(path))?;
             let notes = notes_at(&claims.notes_path())?;
-            return Ok(Loaded::Own(claims, notes));
+            return Ok(Loaded::Own(Box::new(claims), notes));
         }
         Job::Pair { notes, claims } => (notes, claims),
     };
@@ -237,7 +237,7 @@ fn load(job: &Job) -> Result<Loaded> {
         // Claims whose notes are not there are taken to be about what is.
         if !own.exists() || is_same(&own, path) {
             if files.len() == 1 {
-                return Ok(Loaded::Own(claims, notes));
+                return Ok(Loaded::Own(Box::new(claims), notes));
             }
             let message = format!("{} is about {} itself", shown(file), shown(path));
             return Err(Error::new(message).help("give it alone; the others are about other notes"));
