@@ -134,15 +134,17 @@ fn equation(desk: &Desk<'_>, macros: &Macros, at: usize, display: &Display) -> R
     let none = Claim::default();
     let claim = desk.assigned[at].unwrap_or(&none);
     let reading = read(desk, macros, at, &display.text, claim);
-    let parts = judged(desk, (at, display), &reading, claim)?;
+    let mut parts = judged(desk, (at, display), &reading, claim)?;
     let failed = parts.iter().any(|part| !part.finding.verdict.passes());
     // What is wrong in the reference, too, is known to be wrong, where it is the same that is wrong.
     let excused = parts.iter().all(|p| p.finding.verdict.passes() || p.finding.verdict == Verdict::Refuted);
     let original = || desk.as_printed(&desk.notes.equations[at].text, claim, macros);
     let (mut ok, mut because) = (!failed, None);
-    if let (true, true, Some(expect)) = (failed, excused, &claim.expect) {
-        ok = expect.verdict.value == Expected::Refuted && reads_alike(&reading, &original());
+    let known = claim.expect.as_ref().filter(|expect| expect.verdict.value == Expected::Refuted);
+    if let Some(expect) = known.filter(|_| failed && excused && reads_alike(&reading, &original())) {
+        ok = true;
         because = Some(expect.because.value.clone());
+        parts.iter_mut().for_each(|part| part.ok = true);
     }
     if failed && excused && !claim.errata.is_empty() {
         let edits: Vec<String> =
@@ -166,18 +168,12 @@ fn equation(desk: &Desk<'_>, macros: &Macros, at: usize, display: &Display) -> R
 
 /// The parts of a reading of the print. What a claim asks for and a damaged display does not have makes it unreadable.
 fn judged(desk: &Desk<'_>, (at, display): (usize, &Display), reading: &Reading, claim: &Claim) -> Result<Vec<Part>> {
-    let unreadable = |message: String| {
-        let finding = Finding::new(Verdict::Unreadable, display.body, message);
-        vec![desk.part(finding, String::new())]
-    };
-    if reading.statements.is_empty() {
-        return Ok(unreadable("there is no formula here".to_owned()));
-    }
     let topic = id(display).unwrap_or_default();
     // The same claim on the reference tells whether it is the claim that is wrong, or the print.
     desk.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
         desk.parts((at, display.body.start), &desk.readings[at], claim, topic)?;
-        Ok(unreadable(format!("it cannot be judged as ({topic}) of {}: {}", desk.notes.source.path, error.message())))
+        let message = format!("it cannot be judged as ({topic}) of {}: {}", desk.notes.source.path, error.message());
+        Ok(vec![desk.part(Finding::new(Verdict::Unreadable, display.body, message), String::new())])
     })
 }
 

@@ -35,7 +35,9 @@ impl Terminal {
     pub(super) fn start(items: usize) -> Terminal {
         let state = Arc::new(Mutex::new(State::default()));
         let shared = state.clone();
-        let writer = std::io::stderr().is_terminal().then(|| std::thread::spawn(move || write(&shared, items)));
+        let writer = std::io::stderr()
+            .is_terminal()
+            .then(|| std::thread::spawn(move || write(&shared, items, PATIENCE, &mut std::io::stderr())));
         Terminal { state, writer }
     }
 
@@ -66,12 +68,13 @@ impl Drop for Terminal {
     }
 }
 
-/// Writes the line until the run is over.
-fn write(state: &Mutex<State>, items: usize) {
+/// Writes the line until the run is over. A terminal that has gone away needs no progress.
+fn write(state: &Mutex<State>, items: usize, patience: Duration, terminal: &mut impl Write) {
+    let mut print = |text: &str| drop(terminal.write_all(text.as_bytes()).and_then(|()| terminal.flush()));
     let started = Instant::now();
     let mut shown = false;
     loop {
-        park_timeout(if shown { TICK } else { PATIENCE.saturating_sub(started.elapsed()) });
+        park_timeout(if shown { TICK } else { patience.saturating_sub(started.elapsed()) });
         let line = {
             let state = state.lock().unwrap_or_else(PoisonError::into_inner);
             if state.over {
@@ -79,7 +82,7 @@ fn write(state: &Mutex<State>, items: usize) {
             }
             format!("{} of {items} checked  {}", state.done, state.document)
         };
-        if started.elapsed() >= PATIENCE {
+        if started.elapsed() >= patience {
             shown = true;
             print(&format!("{ERASE}{}", fitted(&line, width())));
         }
@@ -87,12 +90,6 @@ fn write(state: &Mutex<State>, items: usize) {
     if shown {
         print(ERASE);
     }
-}
-
-/// A terminal that has gone away needs no progress.
-fn print(text: &str) {
-    let mut stderr = std::io::stderr();
-    let _ = stderr.write_all(text.as_bytes()).and_then(|()| stderr.flush());
 }
 
 fn width() -> usize {
@@ -112,7 +109,32 @@ fn fitted(line: &str, width: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::fitted;
+    use super::*;
+
+    /// What a run of so long writes.
+    fn written(patience: Duration, run: Duration) -> String {
+        let state = Arc::new(Mutex::new(State::default()));
+        let shared = state.clone();
+        let writer = std::thread::spawn(move || {
+            let mut terminal = Vec::new();
+            write(&shared, 3, patience, &mut terminal);
+            terminal
+        });
+        let terminal = Terminal { state: state.clone(), writer: None };
+        terminal.done("top.md");
+        std::thread::sleep(run);
+        drop(terminal);
+        writer.thread().unpark();
+        String::from_utf8(writer.join().expect("it does not panic")).expect("it is UTF-8")
+    }
+
+    #[test]
+    fn the_line_is_erased_and_a_quick_run_has_none() {
+        let slow = written(Duration::ZERO, 2 * TICK);
+        assert!(slow.contains("1 of 3 checked  top.md"), "{slow:?}");
+        assert!(slow.starts_with(ERASE) && slow.ends_with(ERASE) && !slow.contains('\n'), "{slow:?}");
+        assert_eq!(written(Duration::from_secs(60), Duration::ZERO), "");
+    }
 
     #[test]
     fn a_line_never_wraps_and_never_moves_the_cursor() {

@@ -104,17 +104,18 @@ fn a_definition_in_other_words_is_tested_against_the_reference() {
 
 #[test]
 fn what_is_damaged_is_unreadable_at_its_place() {
-    for (name, damage) in [
-        ("accent", r"E = \frac{p^2}{2\bar{\bar{m}}}"),
-        ("brace", r"E = \frac{p^2}{2m"),
-        ("empty", r" "),
-        ("name", r"K = \frac{p^2}{2m}"),
-        ("cell", r"E = \begin{pmatrix} p & & m \end{pmatrix}"),
-        ("no-relation", r"\frac{p^2}{2m}"),
+    for (name, damage, word) in [
+        ("accent", r"E = \frac{p^2}{2\bar{\bar{m}}}", "is not declared"),
+        ("brace", r"E = \frac{p^2}{2m", "never closed"),
+        ("empty", r" ", "display is empty"),
+        ("name", r"K = \frac{p^2}{2m}", "not known"),
+        ("cell", r"E = \begin{pmatrix} p & & m \end{pmatrix}", "nothing in column 2"),
+        ("no-relation", r"\frac{p^2}{2m}", "without a relation"),
     ] {
         let (verdict, ok, code, equation) = changed(&format!("reprint-{name}"), (r"E = \frac{p^2}{2m}", damage), "1.2");
         assert_eq!((verdict.as_str(), ok, code), ("unreadable", false, 2), "{name}: {equation}");
         assert_eq!(equation["line"], 6, "{name}: {equation}");
+        assert!(equation["message"].as_str().is_some_and(|message| message.contains(word)), "{name}: {equation}");
     }
 }
 
@@ -165,6 +166,21 @@ fn a_law_is_granted_only_as_the_reference_has_it() {
 }
 
 #[test]
+fn what_a_claim_needs_and_the_print_lost_is_no_error_of_the_claims() {
+    let desk = Desk::with_the_derivations("reprint-limit");
+    let verdict = |print: String| {
+        desk.write("print.md", print);
+        let claims = "derivations/06-spinning-top.json";
+        let run = desk.onshell(&["check", "print.md", "--claims", claims, "--only", "6.76", "--format", "json"]);
+        let equation = run.json()["documents"][0]["equations"][0].clone();
+        (run.code, equation["verdict"].as_str().unwrap_or_else(|| panic!("{}{}", run.out, run.err)).to_owned())
+    };
+    let notes = desk.read("derivations/06-spinning-top.md");
+    assert_eq!(verdict(notes.clone()), (0, "verified".to_owned()));
+    assert_eq!(verdict(notes.replace("\\approx", "=")), (2, "unreadable".to_owned()));
+}
+
+#[test]
 fn several_claims_files_share_a_print() {
     let desk = Desk::new("reprint-several");
     std::fs::create_dir_all(desk.path("claims")).expect("a folder can be made");
@@ -186,6 +202,13 @@ fn several_claims_files_share_a_print() {
     for files in [vec!["--claims", a, b], vec!["--claims", a, "--claims", b]] {
         let run = desk.onshell(&[&["check", "print.txt"], &files[..], &json[..]].concat());
         assert_eq!(run.out, folder.out);
+    }
+    for format in ["text", "json"] {
+        let run =
+            |threads| desk.onshell_on(Some(threads), &["check", "print.txt", "--claims", "claims", "--format", format]);
+        let (one, two, again) = (run(1), run(2), run(2));
+        assert_eq!((&one.out, &one.err), (&two.out, &two.err));
+        assert_eq!((&two.out, &two.err), (&again.out, &again.err));
     }
     // Without the second file its numbers are unclaimed.
     let half = desk.onshell(&["check", "print.txt", "--claims", a, "--format", "json"]);
