@@ -74,7 +74,8 @@ impl Desk<'_> {
             known |= reading.introduced.iter().any(|new| link.lhs.as_plain_symbol() == Some(new.symbol))
                 || reading.statements.iter().flatten().any(|statement| statement.members.contains(&link.lhs));
         }
-        if !known {
+        let found = continuum::check(link, context)?;
+        if !known && found.verdict.passes() {
             let message = format!(
                 "({}) does not say what {} is for particles",
                 of.text,
@@ -82,26 +83,23 @@ impl Desk<'_> {
             );
             return Ok(context.finding(Verdict::Undecided, message));
         }
-        continuum::check(link, context)
+        Ok(found)
     }
 
-    /// Refuses what is said of a relation that none of the statements has.
-    pub fn needs_a_relation<'s>(&self, claim: &Claim, statements: impl Iterator<Item = &'s Statement>) -> Result<()> {
+    /// What a claim says of a relation that none of the statements has.
+    pub fn lacks_a_relation<'s>(
+        &self,
+        claim: &Claim,
+        statements: impl Iterator<Item = &'s Statement>,
+    ) -> Option<&'static str> {
         let relations: Vec<Relation> =
             statements.flat_map(|s| s.relations.iter().map(|(relation, _)| *relation)).collect();
-        let wrong = |latex: &Spanned<String>, message: &str| Err(Error::at(&self.claims.source, latex.span, message));
-        if let Some(small) = claim.small.first()
-            && !relations.contains(&Relation::Approximately)
-        {
-            return wrong(small, "there is no ≈ here, and only that holds for what is small");
-        }
         let plain = |relation: &Relation| is_equality(*relation) || *relation == Relation::Approximately;
-        if let Some(when) = claim.exactly_when.iter().flatten().next()
-            && relations.iter().all(plain)
-        {
-            return wrong(when, "there is no inequality here that could be true exactly when something else is");
+        if !claim.small.is_empty() && !relations.contains(&Relation::Approximately) {
+            return Some("there is no ≈ here, and only that holds for what is \"small\"");
         }
-        Ok(())
+        let inequality = claim.exactly_when.is_empty() || !relations.iter().all(plain);
+        (!inequality).then_some("there is no inequality here that could be true \"exactly when\" something else is")
     }
 
     /// The alternatives of a claim that holds exactly when one of them does.

@@ -154,7 +154,13 @@ impl Desk<'_> {
                 "there is no ≈ in this equation, and only that has a limit",
             ));
         }
-        self.needs_a_relation(claim, reading.statements.iter().flatten())?;
+        if let (Some(message), true) = (
+            self.lacks_a_relation(claim, reading.statements.iter().flatten()),
+            reading.statements.iter().all(Result::is_ok),
+        ) {
+            let span = self.notes.equations[display].body;
+            return Ok(vec![self.part(Finding::new(Verdict::Unreadable, span, message), String::new())]);
+        }
         let mut units_agree = true;
         for (at, statement) in reading.statements.iter().enumerate() {
             let (topic, span) = match statement {

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use crate::Result;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::tree::Sign;
-use crate::formula::{Expr, Node, Relation, text};
+use crate::formula::{Expr, Index, IndexId, Node, Relation, text};
 use crate::latex::typeset;
 use crate::scalar::{Measured, TERMS};
 use crate::source::Span;
@@ -451,22 +451,48 @@ pub fn counterexample(link: &Link, scene: &Scene<'_, Measured>, failure: &Failur
     }
 }
 
+/// So many values of a counterexample are shown.
+const MOST_SHOWN: usize = 40;
+
 /// The values of the plain symbols of some formulas at a state, dotted ones as they occur.
 pub fn values(formulas: &[&Expr], scene: &Scene<'_, Measured>) -> Vec<(String, f64)> {
     let model = scene.model();
     let mut found: Vec<(String, f64)> = Vec::new();
     for formula in formulas {
         formula.walk(&mut |expr| {
-            let Node::Symbol { indices, .. } = &expr.node else { return };
-            if !indices.is_empty() {
-                return;
+            let Node::Symbol { id, indices, dots } = &expr.node else { return };
+            // Of a family, every member there is.
+            let mut labels: Vec<(IndexId, u8)> = Vec::new();
+            for index in indices {
+                match index {
+                    Index::Letter(letter) if !labels.iter().any(|(known, _)| known == letter) => {
+                        labels.push((*letter, 1))
+                    }
+                    _ => {}
+                }
             }
-            let name = typeset(expr, &model.symbols);
-            let value = crate::formula::evaluate(expr, scene, &[]);
-            if let Ok(crate::formula::Value::Scalar(value)) = value
-                && !found.iter().any(|(known, _)| *known == name)
-            {
-                found.push((name, value.value().value));
+            loop {
+                let at = |index: &Index| match index {
+                    Index::Letter(letter) => {
+                        Index::Fixed(labels.iter().find(|(known, _)| known == letter).map_or(1, |(_, value)| *value))
+                    }
+                    fixed => *fixed,
+                };
+                let member = Node::Symbol { id: *id, indices: indices.iter().map(at).collect(), dots: *dots };
+                let member = Expr::new(member, expr.span);
+                let name = typeset(&member, &model.symbols);
+                let Ok(value) = crate::formula::evaluate(&member, scene, &[]) else { return };
+                let entries = value.entries();
+                for (axis, entry) in ["x", "y", "z"].iter().zip(&entries) {
+                    let name = if entries.len() == 1 { name.clone() } else { format!("{name} {axis}") };
+                    if entries.len() <= 3 && found.len() < MOST_SHOWN && !found.iter().any(|(known, _)| *known == name)
+                    {
+                        found.push((name, entry.value().value));
+                    }
+                }
+                if !matches!(judge::advance(&mut labels, scene), Ok(true)) {
+                    return;
+                }
             }
         });
     }

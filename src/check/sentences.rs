@@ -204,7 +204,9 @@ fn quoted(sentence: &Sentence) -> String {
 
 /// Every link of some statements.
 fn claim(desk: &Desk<'_>, sentence: &Sentence, statements: &[Statement], context: &Context<'_>) -> Result<Finding> {
-    desk.needs_a_relation(&sentence.claim, statements.iter())?;
+    if let Some(message) = desk.lacks_a_relation(&sentence.claim, statements.iter()) {
+        return Ok(context.finding(Verdict::Unreadable, message));
+    }
     let mut findings = Vec::new();
     for statement in statements {
         for (at, (relation, _)) in statement.relations.iter().enumerate() {

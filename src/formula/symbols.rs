@@ -276,7 +276,9 @@ impl Symbols {
     /// Finds a name as [`Symbols::find`] does, or else puts its family together from the names of all its members,
     /// or else finds it with the index that is meant for each.
     pub fn find_or_assemble(&mut self, name: &Name) -> Option<(SymbolId, Vec<Index>)> {
-        if let Some(letter) = self.for_each {
+        // A name that has the letter, or is known with another index, needs none.
+        let own = |letter: &IndexId| name.subscript.contains(&self.indices[letter.0].letter);
+        if let Some(letter) = self.for_each.filter(|letter| !own(letter)) {
             let mut each = name.clone();
             each.subscript.push(self.indices[letter.0].letter.clone());
             if let Some(found) = self.find(&each).or_else(|| self.assemble(&each)) {
