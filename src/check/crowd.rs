@@ -233,30 +233,35 @@ impl<B: Number> Scene<'_, B> {
     /// An integral over a continuum.
     pub(super) fn integrate(&self, region: SymbolId, integrand: Integrand<'_, Series<B>>) -> Valued<B> {
         let (at, continuum) = self.continuum(region)?;
-        let value = self.sum_over_nodes(at, DEGREE, integrand)?;
+        let (value, _) = self.sum_over_nodes(at, DEGREE, integrand)?;
         if !continuum.solids.is_empty() {
-            let finer = self.sum_over_nodes(at, FINER, integrand)?;
-            let same = |(a, b): (&Series<B>, Series<B>)| {
-                let (a, b) = (a.value().re(), b.value().re());
-                (a - b).abs() <= 1e-9 * (a.abs() + b.abs()) || a.abs() + b.abs() < 1e-12
-            };
-            if !value.entries().iter().zip(finer.entries()).all(same) {
+            let (finer, scale) = self.sum_over_nodes(at, FINER, integrand)?;
+            let same = |(a, b): (&Series<B>, &Series<B>)| (a.value().re() - b.value().re()).abs() <= 1e-10 * scale;
+            if !value.entries().iter().zip(&finer.entries()).all(same) {
                 return Err(Unavailable::Operation("an integral of something that is no polynomial of low degree"));
             }
         }
         Ok(value)
     }
 
-    fn sum_over_nodes(&self, at: usize, degree: usize, integrand: Integrand<'_, Series<B>>) -> Valued<B> {
+    /// The sum over the nodes of a degree, and the magnitude of what was summed.
+    fn sum_over_nodes(
+        &self,
+        at: usize,
+        degree: usize,
+        integrand: Integrand<'_, Series<B>>,
+    ) -> Result<(Value<Series<B>>, f64), Unavailable> {
         let nodes = self.nodes(at, degree)?;
         let outer = self.place.borrow_mut().point.take();
         let mut total: Option<Value<Series<B>>> = None;
+        let mut scale = 0.0;
         let mut failure = None;
         for (x, weight) in nodes.points {
             self.place.borrow_mut().point = Some((at, x));
             match integrand() {
                 Ok(value) => {
                     let term = value.map(|y| y * self.constant(weight));
+                    scale += term.entries().iter().map(|entry| entry.value().re().abs()).sum::<f64>();
                     total = match total {
                         None => Some(term),
                         Some(total) => total.plus(term),
@@ -271,7 +276,7 @@ impl<B: Number> Scene<'_, B> {
         self.place.borrow_mut().point = outer;
         match failure {
             Some(reason) => Err(reason),
-            None => total.ok_or(Unavailable::Operation("an integral over nothing")),
+            None => Ok((total.ok_or(Unavailable::Operation("an integral over nothing"))?, scale)),
         }
     }
 

@@ -149,12 +149,18 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
                     Finding { points: 1, tried: 1, ..context.finding(Verdict::Verified, message) }
                 }
                 found => {
-                    let lacks = if found.is_some() { "does not contain" } else { "is not in these notes, and so not" };
-                    let others = match holders.is_empty() {
-                        true => String::new(),
-                        false => format!("; ({}) do", holders.join("), (")),
+                    let others = match holders.as_slice() {
+                        [] => String::new(),
+                        [only] => format!("; ({only}) does"),
+                        all => format!("; ({}) do", all.join("), (")),
                     };
-                    context.finding(Verdict::Refuted, format!("({}) {lacks} {words}{others}", number.value))
+                    let message = match found {
+                        Some(_) => format!("({}) does not contain {words}{others}", number.value),
+                        None => {
+                            format!("({}) is not in these notes, and so does not contain {words}{others}", number.value)
+                        }
+                    };
+                    context.finding(Verdict::Refuted, message)
                 }
             };
             Ok((finding, format!("({}) contains {words}", number.value)))

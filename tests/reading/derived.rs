@@ -131,7 +131,8 @@ fn a_name_without_its_index_stands_for_each() {
     let mut symbols = particles();
     assert_eq!(refused_with(r"\vec p", &mut symbols), r"\vec p");
     symbols.for_each = symbols.index("i");
-    assert_eq!(read_with(r"\vec r \times \vec p", &mut symbols), "r\u{20d7} × p\u{20d7}_i", "r is declared, p is not");
+    let both = "r\u{20d7}_i × p\u{20d7}_i";
+    assert_eq!(read_with(r"\vec r \times \vec p", &mut symbols), both, "of each, though r alone is declared too");
     assert_eq!(read_with("m p", &mut symbols), "m_i·|p\u{20d7}_i|");
 }
 
