@@ -252,7 +252,9 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         return Ok((context.no_room(&ensemble), Next::Settled));
     }
     if !is_equality(link.relation) {
-        ensemble.scenes.extend(context.special(mode)?.scenes);
+        let special = context.special(mode)?;
+        ensemble.tried += special.tried;
+        ensemble.scenes.extend(special.scenes);
     }
     let outcome = match run(link, &ensemble.scenes) {
         Ok(outcome) => outcome,

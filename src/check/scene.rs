@@ -2,7 +2,7 @@
 //!
 //! A state is fixed by its *base*: numbers for the time, the constants, and the derivatives of everything that
 //! varies. Off shell the base holds all derivatives up to the order in use; on shell it holds q and q̇, and the Euler–
-//! Lagrange equations give the rest. Hypotheses that are [`Rule`]s are followed when their symbol is asked for. The same
+//! Lagrange equations give the rest. Hypotheses that are rules are followed when their symbol is asked for. The same
 //! code runs over measured numbers (to judge) and dual numbers (to solve conditions for a variable).
 
 use std::cell::{Cell, OnceCell, RefCell};
