@@ -15,7 +15,7 @@ use super::identity::{Context, Options, is_equality};
 use super::judge::Link;
 use super::limit::Towards;
 use super::model::{Law, Meaning, Model, formula_error};
-use super::rules::{Action, Rule};
+use super::rules::{Action, Rule, reaches};
 use super::small;
 use super::units::Units;
 use super::verdict::{Finding, Verdict};
@@ -140,7 +140,7 @@ impl Desk<'_> {
                 Action::Union(parts.iter().map(part).collect::<Result<_>>()?)
             } else {
                 let formula = self.formula(meaning)?;
-                if self.model.depends_on(&formula, &[symbol]) {
+                if reaches(self.model, &rules, &formula, symbol) {
                     return Err(at(format!("{} cannot mean something that it is part of", name.value)));
                 }
                 Action::Equals(formula)

@@ -305,8 +305,7 @@ impl<'m> Solver<'m> {
         if mode.on_shell {
             conditions.extend(model.laws.iter().flat_map(|law| law.conditions.iter().cloned()));
         }
-        let (mut found, explicit) = rules(model, &conditions);
-        found.extend_from_slice(setting.local);
+        let (found, explicit) = rules(model, setting.local, &conditions);
         let slots = slots(model, mode);
         let (rules, plan) = (found.into(), Vec::new());
         Solver {

@@ -9,7 +9,7 @@ use crate::source::Span;
 
 use super::ensemble::Condition;
 use super::model::{Meaning, Model};
-use super::rules::{Action, Rule};
+use super::rules::{Action, Rule, letters};
 
 /// How deep definitions are opened.
 const DEPTH: usize = 8;
@@ -71,14 +71,7 @@ fn derivative(model: &Model, core: &Expr) -> Option<(SymbolId, Vec<IndexId>, u8)
     if !matches!(model.meaning(*id)?, Meaning::Varying(_)) {
         return None;
     }
-    let mut letters = Vec::new();
-    for index in indices {
-        match index {
-            Index::Letter(letter) if !letters.contains(letter) => letters.push(*letter),
-            _ => return None,
-        }
-    }
-    Some((*id, letters, *order))
+    Some((*id, letters(indices)?, *order))
 }
 
 /// Opens sums, products with constants, derivatives and definitions; `dots` derivatives are taken of the term.

@@ -50,9 +50,9 @@ pub enum Action {
     Union(Vec<Expr>),
 }
 
-/// The rules that these hypotheses are, and whether each of them is one.
-pub fn rules(model: &Model, conditions: &[Condition]) -> (Vec<Rule>, Vec<bool>) {
-    let mut rules: Vec<Rule> = Vec::new();
+/// The rules that these hypotheses are, after those of the claim itself, and whether each of them is one.
+pub fn rules(model: &Model, local: &[Rule], conditions: &[Condition]) -> (Vec<Rule>, Vec<bool>) {
+    let mut rules: Vec<Rule> = local.to_vec();
     let mut explicit = vec![false; conditions.len()];
     // A hypothesis that fixes a whole vector by itself goes before the laws, which leave a choice.
     for (at, condition) in conditions.iter().enumerate() {
@@ -83,6 +83,11 @@ fn free_symbol(model: &Model, expr: &Expr) -> Option<(SymbolId, Vec<IndexId>)> {
     if entry.kind != Kind::Vector && entry.slots.is_empty() || indices.len() != entry.slots.len() {
         return None;
     }
+    Some((*id, letters(indices)?))
+}
+
+/// The letters of indices, if each is one of its own.
+pub(super) fn letters(indices: &[Index]) -> Option<Vec<IndexId>> {
     let mut letters = Vec::new();
     for index in indices {
         match index {
@@ -90,7 +95,7 @@ fn free_symbol(model: &Model, expr: &Expr) -> Option<(SymbolId, Vec<IndexId>)> {
             _ => return None,
         }
     }
-    Some((*id, letters))
+    Some(letters)
 }
 
 /// `X_{ij} = ± X_{ji}`.
@@ -212,7 +217,7 @@ fn flatten(model: &Model, expr: &Expr, sign: Sign, depth: usize, into: &mut Vec<
 }
 
 /// Whether the value of a formula depends on a symbol, through definitions and earlier rules.
-fn reaches(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> bool {
+pub(super) fn reaches(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> bool {
     let mut reached = vec![symbol];
     // Whatever a rule builds on the symbol depends on it as well.
     loop {
