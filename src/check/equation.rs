@@ -16,7 +16,7 @@ use super::model::Law;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, exactly, generates, limit, solves};
+use super::{definitions, exactly, generates, judge, limit, solves};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -210,12 +210,20 @@ impl Desk<'_> {
             let law = self.readings[place.0].statements.get(place.1);
             place.0 == display && law.is_some_and(|law| law.as_ref().is_ok_and(|law| says_the_same(law, statement)))
         };
-        let is_here = |law: &&Law| law.printed.iter().any(is_law);
-        let Some(law) = self.model.laws.iter().find(is_here) else { return Ok(None) };
+        // A law that the claims file writes out is one wherever the notes print it.
+        let mut links = Vec::new();
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
-            let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+            links.push(self.link(&statement.members[at], *relation, &statement.members[at + 1])?);
+        }
+        let written = |law: &Law| {
+            let same = |link: &judge::Link| law.conditions.iter().any(|c| c.lhs == link.lhs && c.rhs == link.rhs);
+            law.printed.is_empty() && !links.is_empty() && links.iter().all(same)
+        };
+        let is_here = |law: &&Law| law.printed.iter().any(is_law) || written(law);
+        let Some(law) = self.model.laws.iter().find(is_here) else { return Ok(None) };
+        for link in &links {
             let always = Context { on_shell: Some(false), conditions: &[], local: &[], ..*context };
-            let finding = identity::check(&link, &always)?;
+            let finding = identity::check(link, &always)?;
             if finding.verdict.passes() {
                 let message = format!("this is no law, it can be checked: {}", finding.message);
                 return Ok(Some(context.finding(Verdict::Undecided, message)));

@@ -1,7 +1,7 @@
 //! Claims that hold exactly when something else does: both where it holds and where it does not.
 
 use crate::Result;
-use crate::formula::text;
+use crate::formula::{Value, evaluate, text};
 
 use super::ensemble::Condition;
 use super::identity::{Context, FEWEST, counterexample};
@@ -16,6 +16,10 @@ use crate::scalar::Measured;
 /// When the world's mass matrix is singular.
 pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>) -> Result<Finding> {
     let conditions: Vec<&Condition> = alternatives.iter().flatten().collect();
+    let restates = |c: &&Condition| c.lhs == link.lhs && c.relation == link.relation && c.rhs == link.rhs;
+    if conditions.iter().any(|condition| restates(condition)) {
+        return Ok(context.finding(Verdict::Undecided, "one of the conditions is the claim itself"));
+    }
     let formulas = [&link.lhs, &link.rhs].into_iter().chain(conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]));
     let formulas: Vec<_> = formulas.collect();
     let mode = context.mode(context.on_shell.unwrap_or(context.model.has_motion()), &formulas);
@@ -27,13 +31,18 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
         _ => None,
     };
     let (mut both, mut neither, mut other) = (0, 0, 0);
+    let mut met_at = vec![0; alternatives.len()];
     for scene in &scenes {
         let met = |condition: &Condition| {
             let Condition { lhs, relation, rhs, free, .. } = condition.clone();
             holds(&Link { lhs, relation, rhs, free }, scene)
         };
         let alternative = |all: &Vec<Condition>| all.iter().map(met).try_fold(true, |so_far, met| Some(so_far && met?));
-        let any = alternatives.iter().map(alternative).try_fold(false, |so_far, met| Some(so_far || met?));
+        let each: Option<Vec<bool>> = alternatives.iter().map(alternative).collect();
+        let any = each.as_ref().map(|each| each.contains(&true));
+        for (count, met) in met_at.iter_mut().zip(each.into_iter().flatten()) {
+            *count += usize::from(met);
+        }
         match (holds(link, scene), any) {
             (Some(true), Some(true)) => both += 1,
             (Some(false), Some(false)) => neither += 1,
@@ -43,10 +52,12 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
                     true => format!("“{relation}” holds here, and none of the conditions does"),
                     false => format!("“{relation}” fails here, though the conditions hold"),
                 };
-                let failure = match judge::test(link, scene) {
-                    Ok(Point::Fails(failure)) => failure,
-                    _ => judge::Failure { lhs: f64::NAN, rhs: f64::NAN, residual: 1.0, entry: None },
+                let side = |expr| match evaluate(expr, scene, &[]) {
+                    Ok(Value::Scalar(value)) => value.value().value,
+                    _ => f64::NAN,
                 };
+                let (lhs, rhs) = (side(&link.lhs), side(&link.rhs));
+                let failure = judge::Failure { lhs, rhs, residual: 1.0, entry: None };
                 return Ok(Finding {
                     points: both + neither + 1,
                     tried: scenes.len(),
@@ -59,6 +70,10 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
     }
     if both < FEWEST / 2 || neither < FEWEST / 2 || both + neither < other {
         let message = format!("{both} states where it holds and {neither} where it does not are too few");
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
+    if let Some(at) = met_at.iter().position(|count| *count == 0) {
+        let message = format!("its alternative {} is met at no state, so it says nothing", at + 1);
         return Ok(context.finding(Verdict::Undecided, message));
     }
     let message = format!("holds at {both} states, and at none of the {neither} others, as the conditions say");

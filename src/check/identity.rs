@@ -330,6 +330,10 @@ fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
         c.relation == link.relation
             && (c.lhs == link.lhs && c.rhs == link.rhs || c.lhs == link.rhs && c.rhs == link.lhs)
     };
+    if let Some(law) = context.model.laws.iter().find(|law| law.conditions.iter().any(is_hypothesis)) {
+        return (context.on_shell != Some(false))
+            .then(|| context.finding(Verdict::Law, format!("taken for granted: {}", law.name)));
+    }
     context
         .conditions
         .iter()

@@ -176,7 +176,7 @@ impl Shrinkage<'_> {
                     last = Some(Failure { lhs: a.value, rhs: b.value, residual: difference, entry: None });
                 }
                 error = error.max(difference);
-                noise = noise.max(1e-11 * (a.magnitude + b.magnitude));
+                noise = noise.max(1e-12 * (a.magnitude + b.magnitude));
             }
             if error <= noise {
                 break;

@@ -1,6 +1,6 @@
 //! What holds while something is small, what is true exactly when something else is, and bodies made of bodies.
 
-use onshell::check::Verdict::{self, Refuted, Unreadable, Verified};
+use onshell::check::Verdict::{self, Law, Refuted, Undecided, Unreadable, Verified};
 use serde_json::{Value as Json, json};
 
 use crate::support::{error, numbers, pendulum, verdict, with};
@@ -148,4 +148,41 @@ fn where_gives_a_symbol_a_meaning_in_one_equation_only() {
     assert_eq!(double("a^2 = 2b^2"), Refuted);
     assert_eq!(verdict(&numbers(), &["a^2 = 4b^2"], json!({})), Refuted);
     assert_eq!(verdict(&numbers(), &["a^2 = 4b^2"], json!({ "where": { "a": "-2b" } })), Verified);
+}
+
+#[test]
+fn exactly_when_says_something_and_all_of_it_is_met() {
+    let when =
+        |condition: Json| verdict(&numbers_with("any"), &["x^2 > a^2"], json!({ "true exactly when": condition }));
+    assert_eq!(when(json!({ "any of": ["x > a", "x < -a"] })), Verified);
+    assert_eq!(when(json!("x > a")), Refuted);
+    // The claim itself, and an alternative that no state meets.
+    assert_eq!(when(json!("x^2 > a^2")), Undecided);
+    assert_eq!(when(json!({ "any of": ["x > a", "x < -a", "x^2 < -a"] })), Undecided);
+}
+
+#[test]
+fn a_law_is_a_law_wherever_it_is_printed() {
+    let spring = json!({
+        "varies with time": { "x": "any" },
+        "constants": { "m, k, b": "> 0" },
+        "laws": { "the force": r"m \ddot x = -k x" },
+    });
+    let of = |latex: &str| verdict(&spring, &[latex], json!({}));
+    assert_eq!(of(r"m \ddot x = -k x"), Law);
+    assert_eq!(of(r"\ddot x = -\frac{k}{m} x"), Verified);
+    assert_eq!(of(r"m \ddot x = -2 k x"), Refuted);
+    assert_eq!(of(r"m \ddot x = -k x - b \dot x"), Refuted);
+}
+
+#[test]
+fn what_is_meant_cannot_go_in_a_circle() {
+    let claims = json!({ "varies with time": { "x, v, w": "any", r"\vec u, \vec s": "any" } });
+    let circle = json!({ "where": { "v": "w + 1", "w": "v - 1" } });
+    assert!(error(&claims, &[r"v = \dot x"], circle).contains("part of"));
+    assert_eq!(verdict(&claims, &["v = w + x"], json!({ "where": { "v": "w + 1", "w": "x" } })), Refuted);
+    // Two hypotheses that each make one of two vectors parallel to the other.
+    let both = json!({ "assume": [r"\vec u \propto \vec s", r"\vec s \propto \vec u"] });
+    assert_eq!(verdict(&claims, &[r"\vec u = \vec s"], both.clone()), Refuted);
+    assert_eq!(verdict(&claims, &[r"\vec u \times \vec s = 0"], both), Verified);
 }
