@@ -16,8 +16,8 @@ use crate::scalar::Measured;
 /// When the world's mass matrix is singular.
 pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>) -> Result<Finding> {
     let conditions: Vec<&Condition> = alternatives.iter().flatten().collect();
-    let restates = |c: &&Condition| c.lhs == link.lhs && c.relation == link.relation && c.rhs == link.rhs;
-    if conditions.iter().any(|condition| restates(condition)) {
+    let restates = |c: &Condition| c.lhs == link.lhs && c.relation == link.relation && c.rhs == link.rhs;
+    if alternatives.iter().flatten().any(restates) {
         return Ok(context.finding(Verdict::Undecided, "one of the conditions is the claim itself"));
     }
     let formulas = [&link.lhs, &link.rhs].into_iter().chain(conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]));
