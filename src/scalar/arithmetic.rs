@@ -96,6 +96,10 @@ pub trait Arithmetic: Copy + Debug + Send + Sync + 'static {
     fn order(self, other: Self) -> Option<Ordering> {
         self.real().partial_cmp(&other.real())
     }
+    /// Whether two numbers are the same, for numbers that can tell this and have no order.
+    fn same(self, other: Self) -> bool {
+        self.order(other) == Some(Ordering::Equal)
+    }
 }
 
 /// Integer power by squaring, for the numbers whose product is all they need.
@@ -170,7 +174,7 @@ macro_rules! dual_number {
             }
             impl$(<$b: $bound>)? PartialEq for $name$(<$b>)? {
                 fn eq(&self, other: &Self) -> bool {
-                    self.order(*other) == Some(Ordering::Equal)
+                    self.same(*other)
                 }
             }
             impl$(<$b: $bound>)? PartialEq<f64> for $name$(<$b>)? {

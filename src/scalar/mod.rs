@@ -8,14 +8,18 @@
 pub use num_dual::DualNum;
 
 mod arithmetic;
+pub mod field;
 mod measured;
 mod polynomial;
+mod rational;
 mod series;
 mod symbol;
 
 pub use arithmetic::{Arithmetic, Function};
+pub use field::Modular;
 pub use measured::Measured;
 pub use polynomial::simplify_all;
+pub use rational::{Meant, Ratio, meant, simplest};
 pub use series::{Series, TERMS};
 pub use symbol::{Graph, Node, Symbol};
 

@@ -1,0 +1,237 @@
+//! What a number would be divided by, were it written as one fraction: products of powers of known factors.
+//!
+//! The bound on false acceptance needs the degree of the numerator. Were every denominator a polynomial of its own, a
+//! sum of fractions would multiply them all; so a divisor is remembered as a *factor*, known by its value at the point,
+//! and fractions over the same factors are added over their least common multiple.
+
+use std::collections::HashMap;
+
+use super::mersenne::{Modulus, Residue};
+
+/// How large a polynomial can be: its degree, and the sum of the magnitudes of its coefficients.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// The total degree.
+    pub degree: u32,
+    /// The sum of the coefficients' magnitudes.
+    pub norm: f64,
+}
+
+impl Size {
+    /// Of the number 1.
+    pub const ONE: Size = Size { degree: 0, norm: 1.0 };
+    /// Of the number 0.
+    pub const ZERO: Size = Size { degree: 0, norm: 0.0 };
+
+    pub fn plus(self, other: Size) -> Size {
+        Size { degree: self.degree.max(other.degree), norm: self.norm + other.norm }
+    }
+
+    pub fn times(self, other: Size) -> Size {
+        // 0 times anything is 0, also where the other has become infinite
+        if self.norm == 0.0 || other.norm == 0.0 {
+            return Size::ZERO;
+        }
+        Size { degree: self.degree.saturating_add(other.degree), norm: self.norm * other.norm }
+    }
+}
+
+/// One denominator among [`Denominators`]; 0 is the number 1.
+pub type Bottom = u32;
+
+struct Factor<F> {
+    value: Residue<F>,
+    size: Size,
+}
+
+#[derive(Clone)]
+struct Entry<F> {
+    /// Factors with their exponents, in the order of the factors.
+    factors: Vec<(u32, u32)>,
+    value: Residue<F>,
+    size: Size,
+}
+
+/// A common denominator, and what each of the two numerators is multiplied with.
+#[derive(Clone, Copy)]
+pub struct Common {
+    pub bottom: Bottom,
+    pub first: Size,
+    pub second: Size,
+}
+
+/// All denominators at one point.
+pub struct Denominators<F> {
+    factors: Vec<Factor<F>>,
+    by_value: HashMap<u128, u32>,
+    entries: Vec<Entry<F>>,
+    places: HashMap<Vec<(u32, u32)>, Bottom>,
+    products: HashMap<(Bottom, Bottom), Bottom>,
+    common: HashMap<(Bottom, Bottom), Common>,
+}
+
+impl<F: Modulus> Denominators<F> {
+    pub fn new() -> Self {
+        let one = Entry { factors: Vec::new(), value: Residue::ONE, size: Size::ONE };
+        Denominators {
+            factors: Vec::new(),
+            by_value: HashMap::new(),
+            entries: vec![one],
+            places: [(Vec::new(), 0)].into(),
+            products: HashMap::new(),
+            common: HashMap::new(),
+        }
+    }
+
+    /// The value of a denominator.
+    pub fn value(&self, bottom: Bottom) -> Residue<F> {
+        self.entries[bottom as usize].value
+    }
+
+    /// Its size as a polynomial.
+    pub fn size(&self, bottom: Bottom) -> Size {
+        self.entries[bottom as usize].size
+    }
+
+    fn entry(&mut self, factors: Vec<(u32, u32)>) -> Bottom {
+        if let Some(known) = self.places.get(&factors) {
+            return *known;
+        }
+        let (mut value, mut size) = (Residue::ONE, Size::ONE);
+        for &(factor, exponent) in &factors {
+            for _ in 0..exponent {
+                value = value.times(self.factors[factor as usize].value);
+                size = size.times(self.factors[factor as usize].size);
+            }
+        }
+        let place = self.entries.len() as Bottom;
+        self.entries.push(Entry { factors: factors.clone(), value, size });
+        self.places.insert(factors, place);
+        place
+    }
+
+    /// A denominator that is one factor, with its size as a polynomial.
+    pub fn factor(&mut self, value: Residue<F>, size: Size) -> Bottom {
+        let next = self.factors.len() as u32;
+        let place = *self.by_value.entry(value.value()).or_insert(next);
+        match self.factors.get_mut(place as usize) {
+            None => self.factors.push(Factor { value, size }),
+            // one value, met with two sizes: the larger counts
+            Some(known) if known.size.degree < size.degree || known.size.norm < size.norm => {
+                known.size = Size { degree: known.size.degree.max(size.degree), norm: known.size.norm.max(size.norm) };
+            }
+            Some(_) => {}
+        }
+        self.entry(vec![(place, 1)])
+    }
+
+    /// A whole number as a denominator, prime by prime.
+    pub fn whole(&mut self, mut number: u64) -> Bottom {
+        let mut bottom = 0;
+        let mut divide = |prime: u64, all: &mut Self| {
+            let size = Size { degree: 0, norm: prime as f64 };
+            let factor = all.factor(Residue::new(prime.into()), size);
+            bottom = all.product(bottom, factor);
+        };
+        let mut prime = 2;
+        while prime * prime <= number && prime < 1000 {
+            while number.is_multiple_of(prime) {
+                divide(prime, self);
+                number /= prime;
+            }
+            prime += 1;
+        }
+        if number > 1 {
+            divide(number, self);
+        }
+        bottom
+    }
+
+    /// The product of two denominators.
+    pub fn product(&mut self, a: Bottom, b: Bottom) -> Bottom {
+        if a == 0 || b == 0 {
+            return a + b;
+        }
+        let key = (a.min(b), a.max(b));
+        if let Some(known) = self.products.get(&key) {
+            return *known;
+        }
+        let factors = self.combined(a, b, |m, n| m + n);
+        let product = self.entry(factors);
+        self.products.insert(key, product);
+        product
+    }
+
+    /// The least common multiple of two denominators.
+    pub fn common(&mut self, a: Bottom, b: Bottom) -> Common {
+        if let Some(known) = self.common.get(&(a, b)) {
+            return *known;
+        }
+        let factors = self.combined(a, b, u32::max);
+        let bottom = self.entry(factors);
+        let common = Common { bottom, first: self.missing(a, bottom), second: self.missing(b, bottom) };
+        self.common.insert((a, b), common);
+        common
+    }
+
+    /// Both without what they share.
+    pub fn reduced(&mut self, a: Bottom, b: Bottom) -> (Bottom, Bottom) {
+        if a == 0 || b == 0 {
+            return (a, b);
+        }
+        let (of_a, of_b) = (self.combined(a, b, u32::saturating_sub), self.combined(b, a, u32::saturating_sub));
+        (self.entry(of_a), self.entry(of_b))
+    }
+
+    /// The factors of two denominators, with exponents that are made of theirs.
+    fn combined(&self, a: Bottom, b: Bottom, exponent: impl Fn(u32, u32) -> u32) -> Vec<(u32, u32)> {
+        let (a, b) = (&self.entries[a as usize].factors, &self.entries[b as usize].factors);
+        let of = |all: &[(u32, u32)], factor: u32| {
+            all.iter().find(|(known, _)| *known == factor).map_or(0, |(_, exponent)| *exponent)
+        };
+        let mut factors: Vec<u32> = a.iter().chain(b).map(|(factor, _)| *factor).collect();
+        factors.sort_unstable();
+        factors.dedup();
+        let with_exponents = factors.into_iter().map(|factor| (factor, exponent(of(a, factor), of(b, factor))));
+        with_exponents.filter(|(_, exponent)| *exponent > 0).collect()
+    }
+
+    /// What a numerator over `from` is multiplied with to stand over `to`, which is a multiple of it.
+    fn missing(&self, from: Bottom, to: Bottom) -> Size {
+        let missing = self.combined(to, from, u32::saturating_sub);
+        missing.iter().fold(Size::ONE, |size, &(factor, exponent)| {
+            (0..exponent).fold(size, |size, _| size.times(self.factors[factor as usize].size))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::mersenne::Large;
+    use super::*;
+
+    #[test]
+    fn fractions_over_one_factor_do_not_multiply() {
+        let mut all = Denominators::<Large>::new();
+        let size = Size { degree: 3, norm: 5.0 };
+        let factor = all.factor(Residue::new(1234), size);
+        let square = all.product(factor, factor);
+        let sum = all.common(factor, square);
+        assert_eq!(sum.bottom, square);
+        assert_eq!((sum.first, sum.second), (size, Size::ONE));
+        assert_eq!(all.size(square), Size { degree: 6, norm: 25.0 });
+        assert_eq!(all.reduced(square, factor), (factor, 0));
+        // the twin: another factor does
+        let other = all.factor(Residue::new(4321), size);
+        assert_eq!(all.common(factor, other).first, size);
+    }
+
+    #[test]
+    fn sixths_and_quarters_are_twelfths() {
+        let mut all = Denominators::<Large>::new();
+        let (six, four) = (all.whole(6), all.whole(4));
+        let common = all.common(six, four);
+        assert_eq!(all.value(common.bottom), Residue::new(12));
+        assert_eq!((common.first.norm, common.second.norm), (2.0, 3.0));
+    }
+}

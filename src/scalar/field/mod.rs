@@ -1,0 +1,442 @@
+//! A prime field as a number: where it holds, an identity is not near, it *is*.
+//!
+//! A rational identity that fails as an identity holds at a random point of a large field with a tiny probability, which
+//! its degree bounds (Schwartz, Zippel; for formulas, Gonnet). [`Modular`] is a full [`num_dual::DualNum`] over the field
+//! of p = 2¹²⁷ − 1 elements, so that printed formulas and Lagrangians in Rust run over it unchanged. It carries
+//!
+//! - its value, and as an *angle* a label on the unit circle over the field, which is cyclic of order 2¹²⁷: sines and
+//!   cosines of sums, halves and multiples of angles, and shifts by parts of a turn, are exact;
+//! - an honest bound on itself: the degree of its numerator, were it written as one fraction, and the sum of the magnitudes
+//!   of the numerator's coefficients, which must stay below p lest one of them vanish in the field. Sine and cosine count
+//!   as the Laurent polynomials in e^{iθ} that they are.
+//!
+//! What a field cannot do (an exponential, a sign, an order) is noted, and nothing is concluded. A square root exists at
+//! half of the points; its sign is free, so an identity with roots must hold for all choices of them.
+//!
+//! Numbers live within [`at_a_point`] only, on one thread. Nothing here knows of formulas.
+
+mod circle;
+mod denominators;
+mod mersenne;
+mod session;
+#[cfg(test)]
+mod tests;
+
+use std::any::Any;
+use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::fmt;
+
+use super::arithmetic::{dual_number, power_by_squaring};
+use super::rational::Ratio;
+use super::{Arithmetic, Function};
+use circle::drawn_bits;
+use denominators::{Bottom, Size};
+use mersenne::Residue;
+use session::{Angle, Session};
+
+pub use mersenne::{Large, Modulus};
+pub use session::Account;
+
+/// A number of the field: see the [module](self).
+#[derive(Clone, Copy, Debug)]
+pub struct Modular<F: Modulus = Large> {
+    value: Residue<F>,
+    size: Size,
+    bottom: Bottom,
+    kind: Kind,
+}
+
+/// What else is known of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    /// Nothing but its value.
+    Rest,
+    /// A small whole number.
+    Whole(i32),
+    /// A fraction, by its place in the session.
+    Ratio(u32),
+    /// An angle, by its place in the session.
+    Angle(u32),
+}
+
+thread_local! {
+    static SESSION: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
+}
+
+/// Evaluates `f` at the point of the field that `seed` names. The n-th bit of `signs` is the sign of the n-th square root;
+/// `finest` is the least common denominator of multiples of angles, as far as it is known.
+///
+/// The account tells whether the result means anything. Where its `finest` is larger than what was given, the degrees are
+/// too small, and the evaluation must be repeated with that.
+pub fn at_a_point<F: Modulus, R>(seed: u64, signs: u32, finest: u64, f: impl FnOnce() -> R) -> (R, Account) {
+    /// Puts the interrupted session back, also when `f` panics.
+    struct Interrupted(Option<Box<dyn Any>>);
+    impl Drop for Interrupted {
+        fn drop(&mut self) {
+            SESSION.replace(self.0.take());
+        }
+    }
+    let interrupted = Interrupted(SESSION.replace(Some(Box::new(Session::<F>::new(seed, signs, finest)))));
+    let result = f();
+    let session = SESSION.take().and_then(|session| session.downcast::<Session<F>>().ok());
+    drop(interrupted);
+    (result, session.map(|session| session.account).unwrap_or_default())
+}
+
+/// Runs `f` on the session of the thread; outside of one, on a scratch session of which nothing is ever read.
+fn session<F: Modulus, R>(f: impl FnOnce(&mut Session<F>) -> R) -> R {
+    SESSION.with_borrow_mut(|open| match open.as_mut().and_then(|session| session.downcast_mut()) {
+        Some(session) => f(session),
+        None => f(&mut Session::new(0, 0, 1)),
+    })
+}
+
+/// The bound on the probability that two different sides agree at a random point, as a power of two.
+///
+/// `differences` are left side minus right side, entry by entry; `attempts` is how many points could have been tried.
+/// `None` where coefficients may be so large that they vanish in the field without being zero.
+pub fn false_accept_log2<F: Modulus>(differences: &[Modular<F>], account: &Account, attempts: u32) -> Option<f64> {
+    // with k roots of free sign the norm is a product of 2ᵏ conjugates
+    let conjugates = f64::from(1_u32 << account.roots.min(20));
+    let norm = differences.iter().map(|d| d.size.norm).fold(1.0, f64::max).log2() * conjugates;
+    // NaN is too large as well
+    if !(norm < f64::from(F::BITS)) {
+        return None;
+    }
+    let degree = differences.iter().map(|d| f64::from(d.size.degree)).fold(1.0, f64::max) * conjugates;
+    let accidents = (degree + account.coincidences) * f64::from(attempts.max(1));
+    Some((accidents.log2() - f64::from(drawn_bits::<F>())).min(0.0))
+}
+
+impl<F: Modulus> Modular<F> {
+    const ZERO: Self = Modular { value: Residue::ZERO, size: Size::ZERO, bottom: 0, kind: Kind::Whole(0) };
+    const ONE: Self = Modular { value: Residue::ONE, size: Size::ONE, bottom: 0, kind: Kind::Whole(1) };
+
+    /// A random number, which may also be an angle.
+    pub fn drawn() -> Self {
+        let (value, place) = session::<F, _>(Session::drawn);
+        Modular { value, size: Size { degree: 1, norm: 1.0 }, bottom: 0, kind: Kind::Angle(place) }
+    }
+
+    /// Whether it is 0 at this point.
+    pub fn vanishes(self) -> bool {
+        self.value.is_zero()
+    }
+
+    /// Nothing but a value.
+    fn rest(value: Residue<F>, size: Size, bottom: Bottom) -> Self {
+        Modular { value, size, bottom, kind: Kind::Rest }
+    }
+
+    fn is_literally_zero(self) -> bool {
+        self.size.norm == 0.0
+    }
+
+    fn ratio(self, session: &Session<F>) -> Option<Ratio> {
+        match self.kind {
+            Kind::Whole(n) => Some(Ratio::whole(n.into())),
+            Kind::Ratio(place) => session.ratios.get(place as usize).copied(),
+            Kind::Rest | Kind::Angle(_) => None,
+        }
+    }
+
+    /// The kind of a fraction.
+    fn of_ratio(ratio: Option<Ratio>, session: &mut Session<F>) -> Kind {
+        match ratio {
+            None => Kind::Rest,
+            Some(Ratio { numerator, denominator: 1 }) if i32::try_from(numerator).is_ok() => {
+                Kind::Whole(numerator as i32)
+            }
+            Some(ratio) => {
+                session.ratios.push(ratio);
+                Kind::Ratio(session.ratios.len() as u32 - 1)
+            }
+        }
+    }
+
+    /// As an angle: what is nothing else is a rest.
+    fn angle(self, session: &Session<F>) -> Angle<F> {
+        match self.kind {
+            Kind::Angle(place) => session.angles[place as usize],
+            _ => Angle { rest: self.value, ..Angle::NONE },
+        }
+    }
+
+    /// Times a fraction, as an angle.
+    fn scaled_angle(self, ratio: Ratio, value: Residue<F>, session: &mut Session<F>) -> Kind {
+        match self.kind {
+            Kind::Angle(_) => {
+                let angle = self.angle(session).scaled(ratio, value);
+                Kind::Angle(session.angle(angle))
+            }
+            _ => Kind::Rest,
+        }
+    }
+
+    fn sum(self, other: Self, value: Residue<F>, negated: bool) -> Self {
+        let constant = |x: Self| matches!(x.kind, Kind::Whole(_) | Kind::Ratio(_));
+        let kind = match (self.kind, other.kind) {
+            (Kind::Rest, Kind::Rest) => Kind::Rest,
+            (Kind::Whole(a), Kind::Whole(b)) if a.checked_add(if negated { -b } else { b }).is_some() => {
+                Kind::Whole(a + if negated { -b } else { b })
+            }
+            _ if constant(self) && constant(other) => session(|session| {
+                let second = other.ratio(session).and_then(|r| if negated { r.negated() } else { Some(r) });
+                let ratio = self.ratio(session).zip(second).and_then(|(a, b)| a.plus(b));
+                Self::of_ratio(ratio, session)
+            }),
+            (Kind::Angle(_), _) | (_, Kind::Angle(_)) => session(|session| {
+                let second = other.angle(session);
+                let second = if negated { second.scaled(Ratio::whole(-1), Residue::whole(-1)) } else { second };
+                let angle = self.angle(session).plus(second);
+                Kind::Angle(session.angle(angle))
+            }),
+            _ => Kind::Rest,
+        };
+        if self.bottom == other.bottom {
+            return Modular { value, size: self.size.plus(other.size), bottom: self.bottom, kind };
+        }
+        let common = session(|session: &mut Session<F>| session.denominators.common(self.bottom, other.bottom));
+        let size = self.size.times(common.first).plus(other.size.times(common.second));
+        Modular { value, size, bottom: common.bottom, kind }
+    }
+
+    /// Cosine and sine.
+    fn circular(self) -> (Self, Self) {
+        if self.is_literally_zero() {
+            return (Self::ONE, Self::ZERO);
+        }
+        let (point, degree, bottom) = session(|session| {
+            let angle = self.angle(session);
+            let (point, degree) = session.point(angle, self.size.degree);
+            // (e^{iθ} ± e^{−iθ})/2
+            (point, degree, session.denominators.whole(2))
+        });
+        let number = |value| Self::rest(value, Size { degree, norm: 2.0 }, bottom);
+        (number(point.cosine), number(point.sine))
+    }
+
+    fn root(self) -> Self {
+        if self.is_literally_zero() {
+            return Self::ZERO;
+        }
+        let exact = |n: u128| (n.isqrt() * n.isqrt() == n).then(|| n.isqrt() as f64);
+        let ratio = session(|session| self.ratio(session)).filter(|ratio| ratio.numerator > 0);
+        if let Some(ratio) = ratio
+            && let (Some(n), Some(d)) = (exact(ratio.numerator.unsigned_abs().into()), exact(ratio.denominator.into()))
+        {
+            return Self::constant(n).over(Self::constant(d));
+        }
+        // √(X/Y) = √(XY)/Y
+        let (value, below) = session(|session| {
+            let value = session.root(self.value, self.size.degree);
+            (value, session.denominators.size(self.bottom))
+        });
+        let degree = self.size.degree.saturating_add(below.degree).div_ceil(2);
+        Self::rest(value, Size { degree, norm: (self.size.norm * below.norm).sqrt().max(1.0) }, self.bottom)
+    }
+
+    /// What has no meaning in a field.
+    fn refused(why: &'static str) -> Self {
+        session(|session: &mut Session<F>| session.fault(why));
+        Self::ZERO
+    }
+}
+
+impl<F: Modulus> Arithmetic for Modular<F> {
+    type Inner = f64;
+
+    fn constant(value: f64) -> Self {
+        if value == 0.0 {
+            return Self::ZERO;
+        }
+        if value == 1.0 {
+            return Self::ONE;
+        }
+        if value.fract() == 0.0 && value.abs() < 1e9 {
+            let size = Size { degree: 0, norm: value.abs() };
+            return Modular { value: Residue::whole(value as i64), size, bottom: 0, kind: Kind::Whole(value as i32) };
+        }
+        session(|session| {
+            let known = session.constant(value);
+            let kind = match known.angle {
+                Some(place) => Kind::Angle(place),
+                None => Self::of_ratio(known.ratio, session),
+            };
+            Modular { value: known.value, size: known.size, bottom: known.bottom, kind }
+        })
+    }
+
+    fn real(self) -> f64 {
+        match session(|session| self.ratio(session)) {
+            Some(ratio) => ratio.value(),
+            None => {
+                Self::refused("the size of a number");
+                f64::NAN
+            }
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        if self.is_literally_zero() {
+            return other;
+        }
+        if other.is_literally_zero() {
+            return self;
+        }
+        self.sum(other, self.value.plus(other.value), false)
+    }
+
+    fn minus(self, other: Self) -> Self {
+        if other.is_literally_zero() {
+            return self;
+        }
+        if self.is_literally_zero() {
+            return other.negated();
+        }
+        self.sum(other, self.value.minus(other.value), true)
+    }
+
+    fn times(self, other: Self) -> Self {
+        if self.is_literally_zero() || other.is_literally_zero() {
+            return Self::ZERO;
+        }
+        let (value, size) = (self.value.times(other.value), self.size.times(other.size));
+        let kind = match (self.kind, other.kind) {
+            (Kind::Whole(1), kind) | (kind, Kind::Whole(1)) => kind,
+            (Kind::Rest, _) | (_, Kind::Rest) | (Kind::Angle(_), Kind::Angle(_)) => Kind::Rest,
+            _ => session(|session| match (self.ratio(session), other.ratio(session)) {
+                (Some(a), Some(b)) => Self::of_ratio(a.times(b), session),
+                (Some(a), None) => other.scaled_angle(a, self.value, session),
+                (None, Some(b)) => self.scaled_angle(b, other.value, session),
+                (None, None) => Kind::Rest,
+            }),
+        };
+        let bottom = match (self.bottom, other.bottom) {
+            (0, bottom) | (bottom, 0) => bottom,
+            (a, b) => session(|session: &mut Session<F>| session.denominators.product(a, b)),
+        };
+        Modular { value, size, bottom, kind }
+    }
+
+    fn over(self, other: Self) -> Self {
+        if other.value.is_zero() {
+            // a quotient by what is literally 0 has no value anywhere
+            if other.is_literally_zero() {
+                return Self::refused("a quotient by 0");
+            }
+            session(|session: &mut Session<F>| session.account.elsewhere = true);
+            return Self::ZERO;
+        }
+        if other.kind == Kind::Whole(1) || self.is_literally_zero() {
+            return self;
+        }
+        session(|session| {
+            // (a/A)/(b/B) = (a·B)/(A·b), without what A and B share
+            let (above, below) = session.denominators.reduced(other.bottom, self.bottom);
+            let numerator = other.value.times(session.denominators.value(other.bottom));
+            let inverse = match other.ratio(session).and_then(Ratio::inverse) {
+                // a whole number divides prime by prime
+                Some(_) if other.bottom == 0 => {
+                    let size = other.size.norm as u64;
+                    session.denominators.whole(size)
+                }
+                _ => session.denominators.factor(numerator, other.size),
+            };
+            let (value, bottom) =
+                (self.value.times(other.value.inverse()), session.denominators.product(below, inverse));
+            let size = self.size.times(session.denominators.size(above));
+            let kind = match (self.kind, other.ratio(session).and_then(Ratio::inverse)) {
+                (_, None) => Kind::Rest,
+                (Kind::Angle(_), Some(ratio)) => self.scaled_angle(ratio, other.value.inverse(), session),
+                (_, Some(ratio)) => {
+                    let quotient = self.ratio(session).and_then(|own| own.times(ratio));
+                    Self::of_ratio(quotient, session)
+                }
+            };
+            Modular { value, size, bottom, kind }
+        })
+    }
+
+    fn negated(self) -> Self {
+        let kind = match self.kind {
+            Kind::Rest => Kind::Rest,
+            Kind::Whole(n) if n != i32::MIN => Kind::Whole(-n),
+            Kind::Whole(_) | Kind::Ratio(_) => session(|session| {
+                let ratio = self.ratio(session).and_then(Ratio::negated);
+                Self::of_ratio(ratio, session)
+            }),
+            Kind::Angle(_) => session(|session| self.scaled_angle(Ratio::whole(-1), Residue::whole(-1), session)),
+        };
+        Modular { value: self.value.negated(), kind, ..self }
+    }
+
+    fn power(self, n: i32) -> Self {
+        power_by_squaring(self, n)
+    }
+
+    fn real_power(self, n: f64) -> Self {
+        if n.fract() == 0.0 && n.abs() <= 1024.0 {
+            return self.power(n as i32);
+        }
+        if (2.0 * n).fract() == 0.0 && n.abs() <= 512.0 {
+            return self.root().power((2.0 * n) as i32);
+        }
+        Self::refused("a power that is neither whole nor half")
+    }
+
+    fn apply(self, function: Function) -> Self {
+        match function {
+            Function::Sqrt => self.root(),
+            Function::Sin => self.circular().1,
+            Function::Cos => self.circular().0,
+            Function::Tan => {
+                let (cosine, sine) = self.circular();
+                sine.over(cosine)
+            }
+            Function::Cbrt => Self::refused("a cube root"),
+            Function::Exp | Function::ExpM1 | Function::Sinh | Function::Cosh | Function::Tanh => {
+                Self::refused("an exponential")
+            }
+            Function::Ln | Function::Ln1p => Self::refused("a logarithm"),
+            Function::Asin | Function::Acos | Function::Atan | Function::Asinh | Function::Acosh | Function::Atanh => {
+                Self::refused("an inverse function")
+            }
+        }
+    }
+
+    fn angle_from(self, _: Self) -> Self {
+        Self::refused("the angle of a point")
+    }
+
+    fn sine_cosine(self) -> (Self, Self) {
+        let (cosine, sine) = self.circular();
+        (sine, cosine)
+    }
+
+    fn order(self, other: Self) -> Option<Ordering> {
+        if self.value == other.value {
+            return Some(Ordering::Equal);
+        }
+        match session(|session| self.ratio(session).zip(other.ratio(session))) {
+            Some((a, b)) => a.value().partial_cmp(&b.value()),
+            None => {
+                Self::refused("an absolute value, or which of two numbers is larger");
+                None
+            }
+        }
+    }
+
+    fn same(self, other: Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl<F: Modulus> fmt::Display for Modular<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} (mod 2^{} − 1)", self.value.value(), F::BITS)
+    }
+}
+
+dual_number!(Modular<F: Modulus>);

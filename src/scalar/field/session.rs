@@ -1,0 +1,334 @@
+//! One evaluation at one random point of the field: what is drawn there, and what was met on the way.
+//!
+//! A number of the field cannot say that it has no square root here, or that it was asked for its sign. Such events are
+//! noted by the session that is open on the thread, and whoever opened it reads them in its [`Account`].
+
+use std::collections::HashMap;
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+
+use super::circle::{Circle, Point, drawn_bits, turn_bits};
+use super::denominators::{Denominators, Size};
+use super::mersenne::{Modulus, Residue};
+use crate::scalar::rational::{Meant, Ratio, meant};
+
+/// What happened in a session.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Account {
+    /// Why nothing can be concluded: an operation that a field does not have.
+    pub fault: Option<&'static str>,
+    /// A denominator vanishes here, or a number has no square root: another point may do.
+    pub elsewhere: bool,
+    /// How many square roots were taken whose sign is free.
+    pub roots: u32,
+    /// Whether something was met of which relations are not known to the field: a root, a sine of a product, a constant
+    /// that is no simple number. Two sides that differ may then be equal nevertheless.
+    pub opaque: bool,
+    /// The degree of all that might have been equal by accident.
+    pub coincidences: f64,
+    /// The least common denominator of the multiples of angles.
+    pub finest: u64,
+}
+
+/// A constant, once read.
+#[derive(Clone, Copy)]
+pub struct Known<F> {
+    pub value: Residue<F>,
+    pub size: Size,
+    pub bottom: u32,
+    /// The fraction, unless it has to do with π.
+    pub ratio: Option<Ratio>,
+    /// Its place among the angles, if it has to do with π.
+    pub angle: Option<u32>,
+}
+
+/// A number as an angle: a sum of multiples of what was drawn, and a rest of which nothing is known.
+#[derive(Clone, Copy)]
+pub struct Angle<F> {
+    /// The labels of the multiples, summed.
+    pub label: u128,
+    /// The value of the rest.
+    pub rest: Residue<F>,
+    /// The sum of the magnitudes of the multiples.
+    pub spread: f64,
+    /// Their common denominator.
+    pub denominator: u64,
+    /// Whether a part of π is in it.
+    pub of_pi: bool,
+    /// Whether it was divided so that the label is not known.
+    pub lost: bool,
+}
+
+impl<F: Modulus> Angle<F> {
+    /// No angle and no rest.
+    pub const NONE: Self =
+        Angle { label: 0, rest: Residue::ZERO, spread: 0.0, denominator: 1, of_pi: false, lost: false };
+
+    /// The sum of two.
+    pub fn plus(self, other: Self) -> Self {
+        Angle {
+            label: self.label.wrapping_add(other.label),
+            rest: self.rest.plus(other.rest),
+            spread: self.spread + other.spread,
+            denominator: common_multiple(self.denominator, other.denominator),
+            of_pi: self.of_pi || other.of_pi,
+            lost: self.lost || other.lost,
+        }
+    }
+
+    /// A fraction of it.
+    pub fn scaled(self, ratio: Ratio, value: Residue<F>) -> Self {
+        let halvings = ratio.denominator.trailing_zeros();
+        let odd = ratio.denominator >> halvings;
+        let multiple = self.label.wrapping_mul(ratio.numerator as i128 as u128);
+        // a third of a half turn is no point of this circle
+        let divides = multiple.trailing_zeros() >= halvings && !(self.of_pi && odd > 1);
+        let halved = ((multiple as i128) >> halvings) as u128;
+        Angle {
+            label: halved.wrapping_mul(inverse_of_odd(odd.into())),
+            rest: self.rest.times(value),
+            spread: self.spread * ratio.value().abs(),
+            denominator: self.denominator.saturating_mul(ratio.denominator),
+            of_pi: self.of_pi,
+            lost: self.lost || !divides,
+        }
+    }
+}
+
+fn common_multiple(a: u64, b: u64) -> u64 {
+    let gcd = |mut a: u64, mut b: u64| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a.max(1)
+    };
+    (a / gcd(a, b)).saturating_mul(b)
+}
+
+/// The inverse of an odd number modulo 2¹²⁸, by Newton's iteration.
+fn inverse_of_odd(odd: u128) -> u128 {
+    (0..7).fold(1_u128, |x, _| x.wrapping_mul(2_u128.wrapping_sub(odd.wrapping_mul(x))))
+}
+
+/// Multiples that are recognised among square roots and among arguments of sines.
+const SIMPLE: [(i64, u64); 14] = [
+    (1, 1),
+    (-1, 1),
+    (2, 1),
+    (-2, 1),
+    (1, 2),
+    (-1, 2),
+    (3, 1),
+    (-3, 1),
+    (1, 3),
+    (-1, 3),
+    (4, 1),
+    (-4, 1),
+    (1, 4),
+    (-1, 4),
+];
+
+/// The state of a session.
+pub struct Session<F> {
+    generator: Pcg64Mcg,
+    circle: Circle<F>,
+    points: HashMap<u128, Point<F>>,
+    pub denominators: Denominators<F>,
+    constants: HashMap<u64, Known<F>>,
+    pub angles: Vec<Angle<F>>,
+    pub ratios: Vec<Ratio>,
+    /// Square roots by what they are roots of.
+    roots: Vec<(Residue<F>, Residue<F>)>,
+    signs: u32,
+    /// The labels of arguments of which only the value is known.
+    atoms: Vec<(Residue<F>, u128, u32)>,
+    pi: Residue<F>,
+    pub account: Account,
+}
+
+impl<F: Modulus> Session<F> {
+    /// A point; the n-th bit of `signs` says which root the n-th square root is.
+    pub fn new(seed: u64, signs: u32, finest: u64) -> Self {
+        let mut session = Session {
+            generator: Pcg64Mcg::seed_from_u64(seed),
+            circle: Circle::new(),
+            points: HashMap::new(),
+            denominators: Denominators::new(),
+            constants: HashMap::new(),
+            angles: Vec::new(),
+            ratios: Vec::new(),
+            roots: Vec::new(),
+            signs,
+            atoms: Vec::new(),
+            pi: Residue::ONE,
+            account: Account { finest, ..Account::default() },
+        };
+        session.pi = session.random();
+        session
+    }
+
+    /// Notes the first reason why nothing can be concluded.
+    pub fn fault(&mut self, why: &'static str) {
+        self.account.fault.get_or_insert(why);
+    }
+
+    fn bits(&mut self) -> u128 {
+        (u128::from(self.generator.next_u64()) << 64) | u128::from(self.generator.next_u64())
+    }
+
+    fn random(&mut self) -> Residue<F> {
+        loop {
+            let bits = self.bits() & F::PRIME;
+            if bits != F::PRIME {
+                return Residue::new(bits);
+            }
+        }
+    }
+
+    /// A label with room for halvings.
+    fn random_label(&mut self) -> u128 {
+        (self.bits() & ((1 << drawn_bits::<F>()) - 1)) << F::HALVINGS
+    }
+
+    /// A random number that is an angle too.
+    pub fn drawn(&mut self) -> (Residue<F>, u32) {
+        let (value, label) = (self.random(), self.random_label());
+        (value, self.angle(Angle { label, spread: 1.0, ..Angle::NONE }))
+    }
+
+    /// Keeps an angle.
+    pub fn angle(&mut self, angle: Angle<F>) -> u32 {
+        self.angles.push(angle);
+        self.angles.len() as u32 - 1
+    }
+
+    /// What a constant is.
+    pub fn constant(&mut self, x: f64) -> Known<F> {
+        if let Some(known) = self.constants.get(&x.to_bits()) {
+            return *known;
+        }
+        let fraction = |session: &mut Self, ratio: Ratio| {
+            let value = Residue::whole(ratio.numerator).times(Residue::new(ratio.denominator.into()).inverse());
+            let size = Size { degree: 0, norm: ratio.numerator.unsigned_abs() as f64 };
+            (value, size, session.denominators.whole(ratio.denominator))
+        };
+        let known = match meant(x) {
+            None => {
+                // no number at all, or none that could be exact: infinitely large, so that nothing follows
+                let size = Size { degree: 0, norm: f64::INFINITY };
+                Known { value: Residue::ZERO, size, bottom: 0, ratio: None, angle: None }
+            }
+            Some(Meant::Ratio(ratio)) => {
+                self.account.opaque |= ratio.denominator > 1_000_000_000_000;
+                let (value, size, bottom) = fraction(self, ratio);
+                Known { value, size, bottom, ratio: Some(ratio), angle: None }
+            }
+            Some(Meant::OfPi(ratio)) => {
+                let (value, size, bottom) = fraction(self, ratio);
+                let half_turn = Angle { label: 1 << (turn_bits::<F>() - 1), of_pi: true, ..Angle::NONE };
+                let angle = self.angle(half_turn.scaled(ratio, value));
+                let size = size.times(Size { degree: 1, norm: 1.0 });
+                Known { value: value.times(self.pi), size, bottom, ratio: None, angle: Some(angle) }
+            }
+        };
+        self.constants.insert(x.to_bits(), known);
+        known
+    }
+
+    /// Cosine and sine of an angle, and their degree.
+    pub fn point(&mut self, angle: Angle<F>, rest_degree: u32) -> (Point<F>, u32) {
+        if angle.lost {
+            self.fault("a sine or cosine of such a fraction of an angle");
+        }
+        let (mut label, mut spread) = (angle.label, angle.spread);
+        let mut denominator = angle.denominator;
+        if !angle.rest.is_zero() {
+            self.account.opaque = true;
+            let (of_rest, multiple) = self.atom(angle.rest, rest_degree);
+            label = label.wrapping_add(of_rest);
+            spread += multiple.value().abs();
+            denominator = common_multiple(denominator, multiple.denominator);
+        }
+        self.account.finest = common_multiple(self.account.finest, denominator);
+        let point = match self.points.get(&label) {
+            Some(point) => *point,
+            None => {
+                let point = self.circle.at(label);
+                self.points.insert(label, point);
+                point
+            }
+        };
+        (point, (2.0 * spread * self.account.finest as f64).ceil().min(f64::from(u32::MAX)) as u32)
+    }
+
+    /// A label for a value of which nothing else is known, and which multiple it is of one that was drawn.
+    fn atom(&mut self, value: Residue<F>, degree: u32) -> (u128, Ratio) {
+        for (known, label, known_degree) in &self.atoms {
+            for (numerator, denominator) in SIMPLE {
+                self.account.coincidences += f64::from(degree.max(*known_degree));
+                // value = (n/d)·known
+                let multiple = known.times(Residue::whole(numerator));
+                if multiple == value.times(Residue::new(denominator.into())) {
+                    let ratio = Ratio { numerator, denominator };
+                    let angle = Angle::<F> { label: *label, ..Angle::NONE };
+                    return (angle.scaled(ratio, Residue::ONE).label, ratio);
+                }
+            }
+        }
+        let label = self.random_label();
+        self.atoms.push((value, label, degree));
+        (label, Ratio::whole(1))
+    }
+
+    /// A square root: of simple multiples of one radicand the same multiple of one root, else one of either sign.
+    pub fn root(&mut self, radicand: Residue<F>, degree: u32) -> Residue<F> {
+        for (numerator, denominator) in SIMPLE.into_iter().filter(|(n, _)| *n > 0) {
+            let (n, d) = (Residue::whole(numerator), Residue::<F>::new(denominator.into()));
+            for (known, root) in &self.roots {
+                self.account.coincidences += f64::from(degree);
+                if known.times(n.square()) == radicand.times(d.square()) {
+                    return root.times(n).times(d.inverse());
+                }
+            }
+        }
+        self.account.opaque = true;
+        let Some(root) = radicand.root() else {
+            self.account.elsewhere = true;
+            return Residue::ZERO;
+        };
+        let negative = self.signs >> self.account.roots & 1 == 1;
+        let root = if negative { root.negated() } else { root };
+        self.account.roots += 1;
+        self.roots.push((radicand, root));
+        root
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::mersenne::Large;
+    use super::*;
+
+    #[test]
+    fn odd_numbers_have_inverses_modulo_powers_of_two() {
+        for odd in (1..100_u128).step_by(2).chain([u128::MAX]) {
+            assert_eq!(odd.wrapping_mul(inverse_of_odd(odd)), 1);
+        }
+    }
+
+    #[test]
+    fn a_third_of_three_halves_of_an_angle_is_its_half() {
+        let mut session = Session::<Large>::new(1, 0, 1);
+        let (_, place) = session.drawn();
+        let angle = session.angles[place as usize];
+        let by =
+            |angle: Angle<Large>, numerator, denominator| angle.scaled(Ratio { numerator, denominator }, Residue::ONE);
+        assert_eq!(by(by(angle, 3, 2), 1, 3).label, by(angle, 1, 2).label);
+        assert_eq!(by(by(angle, -12, 1), 1, 8).label, by(angle, -3, 2).label);
+        assert!(!by(angle, 1, 1 << 10).lost);
+        // the twins
+        assert_ne!(by(angle, 1, 4).label, by(angle, 1, 2).label);
+        assert!(by(angle, 1, 1 << 40).lost);
+    }
+}
