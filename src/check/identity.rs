@@ -429,17 +429,19 @@ fn held_against_twins(
     }
     // A twin that holds where the claim does and fails where it does, far beyond the ranges, says the same.
     let wide = context.ensemble(ensemble.mode, true, 3 * context.options.points)?;
-    let holds = |link: &Link, scene: &Scene<'_, Measured>| match judge::test(link, scene) {
+    let holds = |found: Result<Point, Unavailable>| match found {
         Ok(Point::Holds(_)) => Some(true),
         Ok(Point::Useless) => None,
         _ => Some(false),
     };
+    let states = AtStates::new(link, &wide.scenes);
+    let itself: Vec<Option<bool>> = (0..wide.scenes.len()).map(|at| holds(states.test(link, at))).collect();
     for twin in survivors {
-        let told_apart = |scene: &Scene<'_, Measured>| match (holds(link, scene), holds(&twin.link, scene)) {
-            (Some(a), Some(b)) => a != b,
+        let told_apart = |(at, itself): (usize, &Option<bool>)| match (itself, holds(states.test(&twin.link, at))) {
+            (Some(a), Some(b)) => *a != b,
             _ => false,
         };
-        if wide.scenes.iter().any(told_apart) {
+        if itself.iter().enumerate().any(told_apart) {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
             return Ok(Finding { message, verdict: Verdict::Undecided, ..finding });
         }

@@ -35,6 +35,9 @@ pub struct Mode {
 /// A symbol and the values of its indices.
 type Member = (SymbolId, [u8; 3]);
 
+/// What was computed: of each member, and whether the particles that stand in for others were meant.
+type Memo<B> = BTreeMap<(Member, bool), Box<Value<Series<B>>>>;
+
 /// Masses, positions, and their inertia tensor.
 type Tensor<B> = (Expr, Expr, Matrix3<Series<B>>);
 
@@ -68,7 +71,7 @@ pub struct Scene<'m, B: Number> {
     /// Inertia tensors of masses at positions.
     pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
-    memo: RefCell<BTreeMap<Member, Value<Series<B>>>>,
+    memo: RefCell<Memo<B>>,
 }
 
 impl<'m, B: Number> Scene<'m, B> {
@@ -267,8 +270,9 @@ impl<'m, B: Number> Scene<'m, B> {
                 _ => return Err(wrong),
             },
             Action::Follows { order, formula } => {
-                let all = self.follow(rule, usize::from(*order), formula, at)?;
-                return all.get(self.place_of(id, indices)).cloned().ok_or(Unavailable::Symbol(id));
+                let place = self.place_of(id, indices);
+                let member = self.follow(rule, usize::from(*order), formula, (at, place))?;
+                return member.ok_or(Unavailable::Symbol(id));
             }
             // What joins families acts through the crowd that stands in for them.
             Action::Union(..) => return before(),
@@ -282,13 +286,20 @@ impl<'m, B: Number> Scene<'m, B> {
         own.plus(shift.map(|x| Series::constant(x.value()))).ok_or(wrong)
     }
 
-    /// All members of a symbol that follows from its lower derivatives, by these and by what its rule says of the next.
-    fn follow(&self, rule: &Rule, order: usize, formula: &Expr, at: usize) -> Result<Members<B>, Unavailable> {
+    /// A member, by its place, of a symbol that follows from its lower derivatives, by these and by what its rule says
+    /// of the next: all members are found together.
+    fn follow(
+        &self,
+        rule: &Rule,
+        order: usize,
+        formula: &Expr,
+        (at, place): (usize, usize),
+    ) -> Result<Option<Value<Series<B>>>, Unavailable> {
         if let Some((_, partial)) = self.following.borrow().iter().find(|(id, _)| *id == rule.symbol) {
-            return Ok(partial.clone());
+            return Ok(partial.get(place).cloned());
         }
         if let Some(known) = self.followed.borrow().get(&rule.symbol) {
-            return Ok(known.clone());
+            return Ok(known.get(place).cloned());
         }
         let members = self.every_member(rule.symbol)?;
         let mut known: Members<B> = Vec::new();
@@ -299,19 +310,26 @@ impl<'m, B: Number> Scene<'m, B> {
             known.push(free.map(|x| x.truncated(order)));
         }
         let wrong = || Unavailable::Operation("a sum of different shapes");
+        let mut values: Members<B> = Vec::new();
         for next in order..terms {
-            self.following.borrow_mut().push((rule.symbol, known.clone()));
-            self.memo.borrow_mut().clear();
-            let values: Result<Vec<_>, Unavailable> = members
-                .iter()
-                .map(|member| {
-                    let letters: Vec<(IndexId, u8)> =
-                        rule.letters.iter().copied().zip(member.iter().copied()).collect();
-                    evaluate(formula, self, &letters)
-                })
-                .collect();
-            self.following.borrow_mut().pop();
-            for (known, value) in known.iter_mut().zip(values?) {
+            // What was found with fewer derivatives may reach further.
+            let enough = |value: &Value<Series<B>>| value.entries().iter().all(|x| x.known() > next - order);
+            if values.is_empty() || !values.iter().all(enough) {
+                self.following.borrow_mut().push((rule.symbol, known.clone()));
+                self.memo.borrow_mut().clear();
+                let found: Result<Members<B>, Unavailable> = members
+                    .iter()
+                    .map(|member| {
+                        let letters: Vec<(IndexId, u8)> =
+                            rule.letters.iter().copied().zip(member.iter().copied()).collect();
+                        evaluate(formula, self, &letters)
+                    })
+                    .collect();
+                self.following.borrow_mut().pop();
+                self.memo.borrow_mut().clear();
+                values = found?;
+            }
+            for (known, value) in known.iter_mut().zip(&values) {
                 let (old, new) = (known.entries(), value.entries());
                 let zero = Series::constant(B::zero());
                 let mut entries = old.iter().enumerate().map(|(k, x)| {
@@ -328,11 +346,11 @@ impl<'m, B: Number> Scene<'m, B> {
                 };
             }
         }
-        self.memo.borrow_mut().clear();
+        let member = known.get(place).cloned();
         if self.following.borrow().is_empty() {
-            self.followed.borrow_mut().insert(rule.symbol, known.clone());
+            self.followed.borrow_mut().insert(rule.symbol, known);
         }
-        Ok(known)
+        Ok(member)
     }
 
     /// Forgets what was computed for other values.
@@ -446,7 +464,7 @@ impl<'m, B: Number> Scene<'m, B> {
         let costly =
             matches!(self.model.meaning(id), Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_)))
                 || self.rules.iter().any(|rule| rule.symbol == id);
-        costly && self.is_alone() && self.place.borrow().is_default()
+        costly && self.place.borrow().is_default()
     }
 
     /// Whether no particles stand in for others, and none are being followed.
@@ -497,13 +515,14 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
         if indices.len() > 3 || !self.keeps(id) {
             return self.ruled(id, indices, self.rules.len());
         }
-        let mut key = [0; 3];
-        key[..indices.len()].copy_from_slice(indices);
-        if let Some(value) = self.memo.borrow().get(&(id, key)) {
-            return Ok(value.clone());
+        let mut values = [0; 3];
+        values[..indices.len()].copy_from_slice(indices);
+        let key = ((id, values), self.crowded.get());
+        if let Some(value) = self.memo.borrow().get(&key) {
+            return Ok(value.as_ref().clone());
         }
         let value = self.ruled(id, indices, self.rules.len())?;
-        self.memo.borrow_mut().insert((id, key), value.clone());
+        self.memo.borrow_mut().insert(key, Box::new(value.clone()));
         Ok(value)
     }
 

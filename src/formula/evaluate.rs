@@ -123,11 +123,11 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                         continue;
                     }
                     let value = self.value(&term.expr)?;
-                    let value = if term.sign == Sign::Plus { value } else { value.map(|x| -x) };
-                    total = Some(match total {
-                        None => value,
-                        Some(total) => total.plus(value).ok_or(Unavailable::Operation("a sum of different shapes"))?,
-                    });
+                    match &mut total {
+                        None if term.sign == Sign::Plus => total = Some(value),
+                        None => total = Some(value.map(|x| -x)),
+                        Some(total) => added(total, &value, term.sign)?,
+                    }
                 }
                 total.unwrap_or(Value::Scalar(constant(0.0)))
             }
@@ -244,11 +244,10 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                     self.indices.push((*index, value));
                     let term = self.value(body);
                     self.indices.pop();
-                    let term = term?;
-                    total = Some(match total {
-                        None => term,
-                        Some(total) => total.plus(term).ok_or(Unavailable::Operation("a sum of different shapes"))?,
-                    });
+                    match &mut total {
+                        None => total = Some(term?),
+                        Some(total) => added(total, &term?, Sign::Plus)?,
+                    }
                 }
                 total.unwrap_or(Value::Scalar(constant(0.0)))
             }
@@ -354,16 +353,24 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     }
 }
 
+fn added<D: Number>(total: &mut Value<D>, value: &Value<D>, sign: Sign) -> Evaluated<()> {
+    total.add(value, sign).then_some(()).ok_or(Unavailable::Operation("a sum of different shapes"))
+}
+
 fn constant<D: Number>(value: f64) -> D {
     D::from(value)
 }
 
 fn differentiated<D: Moving>(mut value: Value<D>, order: u8) -> Evaluated<Value<D>> {
     for _ in 0..order {
-        if value.entries().iter().any(|entry| entry.rate().is_none()) {
+        let mut known = true;
+        value.for_each(|entry| match entry.rate() {
+            Some(rate) => *entry = rate,
+            None => known = false,
+        });
+        if !known {
             return Err(Unavailable::Derivative(order));
         }
-        value = value.map(|entry| entry.rate().unwrap_or(entry));
     }
     Ok(value)
 }
