@@ -141,7 +141,7 @@ impl<B: Number> Hidden<B> {
     fn set(&self, nodes: Nodes<B>, dimension: u8, around: &Vector3<B>) -> Nodes<B> {
         let along_x = |x: Vector3<B>| if dimension == 1 { Vector3::new(x.z, x.x, x.y) } else { x };
         let points = nodes.points.into_iter().map(|(x, w)| (along_x(x), w)).collect();
-        Nodes { points }.turned(&self.turned()).moved(around)
+        Nodes { points }.turned(self.turned()).moved(around)
     }
 }
 

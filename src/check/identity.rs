@@ -192,10 +192,8 @@ impl<'a, 'm> AtStates<'a, 'm> {
     /// What a state says of a twin.
     fn test(&self, twin: &Link, at: usize) -> Result<Point, Unavailable> {
         let scene = &self.scenes[at];
-        match self.sides[at].get_or_init(|| Sides::of(self.link, scene).ok()) {
-            Some(sides) => judge::test_twin(twin, self.link, sides, scene),
-            None => judge::test(twin, scene),
-        }
+        let sides = self.sides[at].get_or_init(|| Sides::of(self.link, scene).ok());
+        judge::test_twin(twin, self.link, sides.as_ref(), scene)
     }
 
     /// Whether a twin fails at one of the states; it counts as failing where it has no value at all.

@@ -10,7 +10,7 @@ use num_dual::Dual;
 use crate::scalar::{Measured, Number, Series};
 
 use super::symbols::{Kind, SymbolId, Symbols};
-use super::tree::{Expr, Function, Index, IndexId, Node, Sign};
+use super::tree::{Expr, Function, Index, IndexId, Node, Sign, Term};
 use super::value::Value;
 
 /// Why a formula has no value at a state.
@@ -112,37 +112,9 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             }
             Node::Pi => Value::Scalar(constant(std::f64::consts::PI)),
             Node::Euler => Value::Scalar(constant(std::f64::consts::E)),
-            Node::Symbol { id, indices, dots } => {
-                let value = self.symbol(*id, indices)?;
-                differentiated(value, *dots)?
-            }
-            Node::Sum(terms) => {
-                let mut total: Option<Value<D>> = None;
-                for term in terms {
-                    if terms.len() > 1 && term.expr.is_zero() {
-                        continue;
-                    }
-                    let value = self.value(&term.expr)?;
-                    match &mut total {
-                        None if term.sign == Sign::Plus => total = Some(value),
-                        None => total = Some(value.map(|x| -x)),
-                        Some(total) => added(total, &value, term.sign)?,
-                    }
-                }
-                total.unwrap_or(Value::Scalar(constant(0.0)))
-            }
-            Node::Product(factors) => {
-                let mut factors = factors.iter();
-                let mut total = match factors.next() {
-                    Some(first) => self.value(first)?,
-                    None => Value::Scalar(constant(1.0)),
-                };
-                for factor in factors {
-                    let value = self.value(factor)?;
-                    total = total.times(value).ok_or(Unavailable::Operation("a product of these shapes"))?;
-                }
-                total
-            }
+            Node::Symbol { id, indices, dots } => return self.dotted(*id, indices, *dots),
+            Node::Sum(terms) => return self.sum(terms),
+            Node::Product(factors) => return self.product(factors),
             Node::Quotient(a, b) => {
                 let divisor = self.scalar(b)?;
                 self.value(a)?.map(|x| x / divisor)
@@ -169,8 +141,9 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 _ => return Err(Unavailable::Operation("a function of several arguments")),
             },
             Node::TimeDerivative(order, inner) => {
-                let value = self.value(inner)?;
-                differentiated(value, *order)?
+                let mut value = self.value(inner)?;
+                differentiate(&mut value, *order)?;
+                value
             }
             Node::Norm(inner) => Value::Scalar(match self.value(inner)? {
                 Value::Scalar(x) => x.abs(),
@@ -234,24 +207,72 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 Value::Scalar(*vector.get(at).ok_or(Unavailable::Operation("such a component"))?)
             }
             Node::SumOver { index, except, within, body, .. } => {
-                let upper = match within {
-                    Some(region) => self.environment.count_within(*region)?,
-                    None => self.environment.count(*index)?,
-                };
-                let except = except.map(|except| self.index(except)).transpose()?;
-                let mut total: Option<Value<D>> = None;
-                for value in (1..=upper).filter(|value| Some(*value) != except) {
-                    self.indices.push((*index, value));
-                    let term = self.value(body);
-                    self.indices.pop();
-                    match &mut total {
-                        None => total = Some(term?),
-                        Some(total) => added(total, &term?, Sign::Plus)?,
-                    }
-                }
-                total.unwrap_or(Value::Scalar(constant(0.0)))
+                return self.sum_over(*index, *except, *within, body);
             }
         })
+    }
+
+    // What formulas are mostly made of has functions of its own, not inlined: so the frame of each is small.
+
+    #[inline(never)]
+    fn dotted(&mut self, id: SymbolId, indices: &[Index], dots: u8) -> Evaluated<Value<D>> {
+        let mut value = self.symbol(id, indices)?;
+        differentiate(&mut value, dots)?;
+        Ok(value)
+    }
+
+    #[inline(never)]
+    fn sum(&mut self, terms: &[Term]) -> Evaluated<Value<D>> {
+        let mut total: Option<Value<D>> = None;
+        for term in terms {
+            if terms.len() > 1 && term.expr.is_zero() {
+                continue;
+            }
+            let value = self.value(&term.expr)?;
+            match &mut total {
+                None if term.sign == Sign::Plus => total = Some(value),
+                None => total = Some(value.map(|x| -x)),
+                Some(total) => added(total, &value, term.sign)?,
+            }
+        }
+        Ok(total.unwrap_or(Value::Scalar(constant(0.0))))
+    }
+
+    #[inline(never)]
+    fn product(&mut self, factors: &[Expr]) -> Evaluated<Value<D>> {
+        let Some((first, others)) = factors.split_first() else { return Ok(Value::Scalar(constant(1.0))) };
+        let mut total = self.value(first)?;
+        for factor in others {
+            let value = self.value(factor)?;
+            total = total.times(value).ok_or(Unavailable::Operation("a product of these shapes"))?;
+        }
+        Ok(total)
+    }
+
+    #[inline(never)]
+    fn sum_over(
+        &mut self,
+        index: IndexId,
+        except: Option<Index>,
+        within: Option<SymbolId>,
+        body: &Expr,
+    ) -> Evaluated<Value<D>> {
+        let upper = match within {
+            Some(region) => self.environment.count_within(region)?,
+            None => self.environment.count(index)?,
+        };
+        let except = except.map(|except| self.index(except)).transpose()?;
+        let mut total: Option<Value<D>> = None;
+        for value in (1..=upper).filter(|value| Some(*value) != except) {
+            self.indices.push((index, value));
+            let term = self.value(body);
+            self.indices.pop();
+            match &mut total {
+                None => total = Some(term?),
+                Some(total) => added(total, &term?, Sign::Plus)?,
+            }
+        }
+        Ok(total.unwrap_or(Value::Scalar(constant(0.0))))
     }
 
     fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {
@@ -361,7 +382,8 @@ fn constant<D: Number>(value: f64) -> D {
     D::from(value)
 }
 
-fn differentiated<D: Moving>(mut value: Value<D>, order: u8) -> Evaluated<Value<D>> {
+/// Takes the time derivative so many times.
+fn differentiate<D: Moving>(value: &mut Value<D>, order: u8) -> Evaluated<()> {
     for _ in 0..order {
         let mut known = true;
         value.for_each(|entry| match entry.rate() {
@@ -372,7 +394,7 @@ fn differentiated<D: Moving>(mut value: Value<D>, order: u8) -> Evaluated<Value<
             return Err(Unavailable::Derivative(order));
         }
     }
-    Ok(value)
+    Ok(())
 }
 
 fn call<D: Number>(function: Function, x: D) -> D {

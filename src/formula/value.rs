@@ -105,8 +105,14 @@ impl<D: Number> Value<D> {
     /// The product of two things side by side, where there is one.
     pub fn times(self, other: Self) -> Option<Self> {
         match (self, other) {
-            (Value::Scalar(a), other) => Some(other.map(|b| a * b)),
-            (other, Value::Scalar(b)) => Some(other.map(|a| a * b)),
+            (Value::Scalar(a), mut other) => {
+                other.for_each(|b| *b = a * *b);
+                Some(other)
+            }
+            (mut other, Value::Scalar(b)) => {
+                other.for_each(|a| *a *= b);
+                Some(other)
+            }
             (Value::Matrix(a), Value::Matrix(b)) if a.ncols() == b.nrows() => Some(Value::Matrix(a * b)),
             (Value::Matrix(a), Value::Vector(b)) if a.shape() == (3, 3) => {
                 Some(Value::Vector(a.fixed_view::<3, 3>(0, 0) * b))

@@ -84,7 +84,17 @@ impl<B: Number> Series<B> {
 
     /// The same series, known to no more than `known` coefficients.
     pub fn truncated(&self, known: usize) -> Self {
-        Series::build(known.min(self.known()), self.length(), |k, _| self.coefficients[k])
+        let mut series = *self;
+        if known < self.known() {
+            if known == 0 {
+                return Series::build(0, 0, |_, _| B::zero());
+            }
+            for coefficient in &mut series.coefficients[known..self.length().max(known)] {
+                *coefficient = B::zero();
+            }
+            (series.known, series.length) = (known as u8, self.length.min(known as u8));
+        }
+        series
     }
 
     /// Coefficient after coefficient, each from those before it; beyond `length` they are zero.
