@@ -9,7 +9,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
 
-use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::formula::evaluate::{Unavailable, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Node, Relation, SymbolId, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
@@ -548,12 +548,14 @@ impl<'m> Solver<'m> {
     }
 }
 
-/// lhs − rhs, entry by entry, for all values of the free indices.
+/// lhs − rhs, entry by entry, for all values of the free indices; with the derivatives that are made to vanish.
 fn difference<B: Number>(scene: &Scene<'_, B>, condition: &Condition) -> Result<Vec<Series<B>>, Unavailable> {
     let mut indices: Vec<(IndexId, u8)> = condition.free.iter().map(|id| (*id, 1)).collect();
+    let terms = if condition.throughout { THROUGHOUT + 1 } else { 1 };
     let mut all = Vec::new();
     loop {
-        let (lhs, rhs) = (evaluate(&condition.lhs, scene, &indices)?, evaluate(&condition.rhs, scene, &indices)?);
+        let side = |side: &Expr| evaluate_to(terms, side, scene, &indices);
+        let (lhs, rhs) = (side(&condition.lhs)?, side(&condition.rhs)?);
         match (lhs, rhs) {
             (Value::Vector(a), Value::Vector(b)) if condition.relation == Relation::Proportional => {
                 all.extend(a.cross(&b).iter());

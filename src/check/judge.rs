@@ -6,7 +6,7 @@
 
 use approx::{AbsDiffEq, abs_diff_eq};
 
-use crate::formula::evaluate::{Environment, Unavailable, evaluate};
+use crate::formula::evaluate::{Environment, Unavailable, evaluate_to};
 use crate::formula::{Expr, IndexId, Relation, Value};
 use crate::scalar::{Measured, Series};
 
@@ -109,8 +109,8 @@ impl Sides {
         let mut sides = Sides { lhs: Vec::new(), rhs: Vec::new() };
         let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
         loop {
-            sides.lhs.push(evaluate(&link.lhs, scene, &indices)?);
-            sides.rhs.push(evaluate(&link.rhs, scene, &indices)?);
+            sides.lhs.push(evaluate_to(1, &link.lhs, scene, &indices)?);
+            sides.rhs.push(evaluate_to(1, &link.rhs, scene, &indices)?);
             if !advance(&mut indices, scene)? {
                 return Ok(sides);
             }
@@ -150,7 +150,7 @@ fn test_knowing(
     for at in 0.. {
         let side = |expr: &Expr, known: Known<'_>, indices: &[(IndexId, u8)]| match known.and_then(|all| all.get(at)) {
             Some(value) => Ok(value.clone()),
-            None => evaluate(expr, scene, indices),
+            None => evaluate_to(1, expr, scene, indices),
         };
         let (lhs, rhs) = (side(&link.lhs, known_lhs, &indices)?, side(&link.rhs, known_rhs, &indices)?);
         let label = |k: usize, shape| {

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::Result;
-use crate::formula::evaluate::{Body, Environment, Unavailable, evaluate};
+use crate::formula::evaluate::{ALL, Body, Environment, Moving, Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
 use crate::mechanics::{Quantities, rotations};
 use crate::notes::claims::Turning;
@@ -35,11 +35,11 @@ pub struct Mode {
 /// A symbol and the values of its indices.
 type Member = (SymbolId, [u8; 3]);
 
-/// What was computed: of each member, and whether the particles that stand in for others were meant.
-type Memo<B> = BTreeMap<(Member, bool), Box<Value<Series<B>>>>;
+/// What was computed: of each member, and whether the particles that stand in for others were meant; how many terms.
+type Memo<B> = BTreeMap<(Member, bool), (usize, Box<Value<Series<B>>>)>;
 
-/// Masses, positions, and their inertia tensor.
-type Tensor<B> = (Expr, Expr, Matrix3<Series<B>>);
+/// Masses, positions, how many terms were asked for, and the inertia tensor.
+type Tensor<B> = (Expr, Expr, usize, Matrix3<Series<B>>);
 
 /// The values of all members of a family, in order.
 type Members<B> = Vec<Value<Series<B>>>;
@@ -236,18 +236,18 @@ impl<'m, B: Number> Scene<'m, B> {
         })
     }
 
-    /// A symbol after the first `upto` rules.
-    fn ruled(&self, id: SymbolId, indices: &[u8], upto: usize) -> Valued<B> {
+    /// A symbol after the first `upto` rules, of which so many terms are used.
+    fn ruled(&self, id: SymbolId, indices: &[u8], upto: usize, terms: usize) -> Valued<B> {
         let Some(at) = self.rules[..upto].iter().rposition(|rule| rule.symbol == id) else {
-            return self.raw(id, indices);
+            return self.raw(id, indices, terms);
         };
         let rule = &self.rules[at];
-        let before = || self.ruled(id, indices, at);
+        let before = || self.ruled(id, indices, at, terms);
         let letters: Vec<(IndexId, u8)> = rule.letters.iter().copied().zip(indices.iter().copied()).collect();
         let wrong = Unavailable::Operation("a sum of different shapes");
         let target = match &rule.action {
             Action::Equals(formula) => {
-                let value = evaluate(formula, self, &letters)?;
+                let value = evaluate_to(terms, formula, self, &letters)?;
                 match (self.model.symbols.entry(id).kind, value) {
                     (Kind::Vector, Value::Scalar(zero)) => Value::Vector(Vector3::from_element(zero)),
                     (_, value) => value,
@@ -255,11 +255,11 @@ impl<'m, B: Number> Scene<'m, B> {
             }
             Action::Symmetric { permutation, sign } => {
                 let permuted: Vec<u8> = permutation.iter().map(|at| indices[*at]).collect();
-                let image = self.ruled(id, &permuted, at)?;
+                let image = self.ruled(id, &permuted, at, terms)?;
                 let image = if *sign == Sign::Minus { image.map(|x| -x) } else { image };
                 before()?.plus(image).ok_or(wrong.clone())?.map(|x| x * 0.5)
             }
-            Action::Parallel(along) => match (before()?, evaluate(along, self, &letters)?) {
+            Action::Parallel(along) => match (before()?, evaluate_to(terms, along, self, &letters)?) {
                 (Value::Vector(v), Value::Vector(a)) => {
                     let square = a.dot(&a);
                     match square.value().re() == 0.0 {
@@ -305,7 +305,7 @@ impl<'m, B: Number> Scene<'m, B> {
         let mut known: Members<B> = Vec::new();
         let mut terms = 0;
         for member in &members {
-            let free = self.ruled(rule.symbol, member, at)?;
+            let free = self.ruled(rule.symbol, member, at, ALL)?;
             terms = terms.max(free.entries().first().map_or(0, Series::known));
             known.push(free.map(|x| x.truncated(order)));
         }
@@ -381,8 +381,8 @@ impl<'m, B: Number> Scene<'m, B> {
         indices.iter().zip(slots).fold(0, |at, (i, (_, letter))| at * upper(letter) + usize::from(*i) - 1)
     }
 
-    /// A symbol by its meaning alone.
-    fn raw(&self, id: SymbolId, indices: &[u8]) -> Valued<B> {
+    /// A symbol by its meaning alone, of which so many terms are used.
+    fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let entry = self.model.symbols.entry(id);
         if self.crowded.get()
@@ -408,7 +408,7 @@ impl<'m, B: Number> Scene<'m, B> {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
             Meaning::Constant(i) => fixed(&self.base.constants[*i]),
             Meaning::Varying(i) => {
-                number(&|at| Some(self.base.varying[*i].series(at)?.truncated(self.terms))).ok_or_else(none)
+                number(&|at| Some(self.base.varying[*i].series(at)?.truncated(self.terms.min(terms)))).ok_or_else(none)
             }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
@@ -419,7 +419,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 if let Some(crowd) = self.crowd.borrow().as_ref().filter(|crowd| crowd.stands_in_partly()) {
                     self.crowded.set(self.model.depends_on(formula, &crowd.symbols()));
                 }
-                let value = evaluate(formula, self, &free);
+                let value = evaluate_to(terms, formula, self, &free);
                 self.crowded.set(outer);
                 value
             }
@@ -441,17 +441,18 @@ impl<'m, B: Number> Scene<'m, B> {
             }
             Meaning::Rigid(i) => {
                 let Value::Vector(fixed) = fixed(&self.base.rigid[*i])? else { return Err(none()) };
-                let turned = self.turning().ok_or_else(none)?.orientation.transpose() * fixed;
+                let orientation = self.turning().ok_or_else(none)?.orientation.map(|entry| entry.known_to(terms));
+                let turned = orientation.transpose() * fixed;
                 match self.model.rigid[*i].about {
                     None => Ok(Value::Vector(turned)),
                     Some(about) => {
-                        let sum = self.symbol(about, &[])?.plus(Value::Vector(turned));
+                        let sum = self.symbol_to(about, &[], terms)?.plus(Value::Vector(turned));
                         sum.ok_or(Unavailable::Operation("a sum of different shapes"))
                     }
                 }
             }
             Meaning::Particles(quantity, label, masses, positions) => {
-                self.of_particles(*quantity, (*label, masses, positions), id, indices)
+                self.of_particles(*quantity, (*label, masses, positions), (id, indices), terms)
             }
             Meaning::Region(at) => self.size_of_part(*at).map(Value::Scalar).ok_or_else(none),
             Meaning::Density(at) => self.density(*at).map(Value::Scalar).ok_or_else(none),
@@ -509,20 +510,28 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     }
 
     fn symbol(&self, id: SymbolId, indices: &[u8]) -> Valued<B> {
+        self.symbol_to(id, indices, ALL)
+    }
+
+    fn symbol_to(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
+        let cut = |mut value: Value<Series<B>>| {
+            value.for_each(|x| *x = x.known_to(terms));
+            value
+        };
         if let Some((_, value)) = self.overrides.iter().find(|(known, _)| *known == id) {
-            return Ok(value.clone());
+            return Ok(cut(value.clone()));
         }
         if indices.len() > 3 || !self.keeps(id) {
-            return self.ruled(id, indices, self.rules.len());
+            return self.ruled(id, indices, self.rules.len(), terms).map(cut);
         }
         let mut values = [0; 3];
         values[..indices.len()].copy_from_slice(indices);
         let key = ((id, values), self.crowded.get());
-        if let Some(value) = self.memo.borrow().get(&key) {
-            return Ok(value.as_ref().clone());
+        if let Some((_, value)) = self.memo.borrow().get(&key).filter(|(known, _)| *known >= terms) {
+            return Ok(cut(value.as_ref().clone()));
         }
-        let value = self.ruled(id, indices, self.rules.len())?;
-        self.memo.borrow_mut().insert(key, Box::new(value.clone()));
+        let value = cut(self.ruled(id, indices, self.rules.len(), terms)?);
+        self.memo.borrow_mut().insert(key, (terms, Box::new(value.clone())));
         Ok(value)
     }
 
@@ -535,7 +544,7 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
             return Ok(crowd.len());
         }
         let Some(count) = entry.count else { return Ok(entry.upper) };
-        match self.symbol(count, &[])? {
+        match self.symbol_to(count, &[], 1)? {
             Value::Scalar(n) => Ok((n.value().re() as u8).clamp(1, entry.upper)),
             _ => Err(Unavailable::Symbol(count)),
         }

@@ -30,11 +30,18 @@ pub trait Moving: Number {
     fn rate(&self) -> Option<Self> {
         None
     }
+    /// The same number, known to no more than so many terms: the value and its derivatives.
+    fn known_to(self, _terms: usize) -> Self {
+        self
+    }
 }
 
 impl<B: Number> Moving for Series<B> {
     fn rate(&self) -> Option<Self> {
         (self.known() > 1).then(|| self.derivative())
+    }
+    fn known_to(self, terms: usize) -> Self {
+        if self.known() <= terms { self } else { self.truncated(terms) }
     }
 }
 
@@ -48,6 +55,10 @@ pub trait Environment<D: Moving> {
     fn symbols(&self) -> &Symbols;
     /// The value of a symbol, for given values of its indices.
     fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<D>, Unavailable>;
+    /// The same where no more than so many terms of it are used; there may be more.
+    fn symbol_to(&self, id: SymbolId, indices: &[u8], _terms: usize) -> Result<Value<D>, Unavailable> {
+        self.symbol(id, indices)
+    }
     /// How many values an index takes here.
     fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
         let entry = &self.symbols().indices[index.0];
@@ -80,7 +91,21 @@ pub fn evaluate<D: Moving>(
     environment: &impl Environment<D>,
     free: &[(IndexId, u8)],
 ) -> Result<Value<D>, Unavailable> {
-    Evaluator { environment, indices: free.to_vec(), number: std::marker::PhantomData }.value(expr)
+    evaluate_to(ALL, expr, environment, free)
+}
+
+/// As many terms as are known.
+pub const ALL: usize = usize::MAX;
+
+/// The same where no more than `terms` of the result are used: its value and derivatives. What is not differentiated any
+/// further is then not known any further, and products are short.
+pub fn evaluate_to<D: Moving>(
+    terms: usize,
+    expr: &Expr,
+    environment: &impl Environment<D>,
+    free: &[(IndexId, u8)],
+) -> Result<Value<D>, Unavailable> {
+    Evaluator { environment, indices: free.to_vec(), terms, number: std::marker::PhantomData }.value(expr)
 }
 
 /// The exact value of an exponent that holds numbers only.
@@ -99,6 +124,8 @@ pub fn constant_exponent(expr: &Expr) -> Option<f64> {
 struct Evaluator<'a, D, E> {
     environment: &'a E,
     indices: Vec<(IndexId, u8)>,
+    /// How many terms are used of what is evaluated.
+    terms: usize,
     number: std::marker::PhantomData<D>,
 }
 
@@ -141,7 +168,11 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 _ => return Err(Unavailable::Operation("a function of several arguments")),
             },
             Node::TimeDerivative(order, inner) => {
-                let mut value = self.value(inner)?;
+                let terms = self.terms;
+                self.terms = terms.saturating_add(usize::from(*order));
+                let value = self.value(inner);
+                self.terms = terms;
+                let mut value = value?;
                 differentiate(&mut value, *order)?;
                 value
             }
@@ -216,7 +247,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
 
     #[inline(never)]
     fn dotted(&mut self, id: SymbolId, indices: &[Index], dots: u8) -> Evaluated<Value<D>> {
-        let mut value = self.symbol(id, indices)?;
+        let mut value = self.symbol(id, indices, self.terms.saturating_add(usize::from(dots)))?;
         differentiate(&mut value, dots)?;
         Ok(value)
     }
@@ -302,11 +333,11 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    fn symbol(&self, id: SymbolId, indices: &[Index]) -> Evaluated<Value<D>> {
+    fn symbol(&self, id: SymbolId, indices: &[Index], terms: usize) -> Evaluated<Value<D>> {
         let symbols = self.environment.symbols();
         let entry = symbols.entry(id);
         if indices.is_empty() && !entry.slots.is_empty() && entry.kind == Kind::Scalar {
-            let member = |indices: &[u8]| match self.member(id, indices)? {
+            let member = |indices: &[u8]| match self.member(id, indices, terms)? {
                 Value::Scalar(value) => Ok(value),
                 _ => Err(Unavailable::Symbol(id)),
             };
@@ -326,22 +357,22 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
         // Most symbols have few indices: those need no list.
         match indices {
-            [] => self.member(id, &[]),
-            [i] => self.member(id, &[self.index(*i)?]),
-            [i, j] => self.member(id, &[self.index(*i)?, self.index(*j)?]),
+            [] => self.member(id, &[], terms),
+            [i] => self.member(id, &[self.index(*i)?], terms),
+            [i, j] => self.member(id, &[self.index(*i)?, self.index(*j)?], terms),
             _ => {
                 let values: Evaluated<Vec<u8>> = indices.iter().map(|index| self.index(*index)).collect();
-                self.member(id, &values?)
+                self.member(id, &values?, terms)
             }
         }
     }
 
     /// A symbol for given values of its indices; of a family that was put together, the member of that name.
-    fn member(&self, id: SymbolId, indices: &[u8]) -> Evaluated<Value<D>> {
+    fn member(&self, id: SymbolId, indices: &[u8], terms: usize) -> Evaluated<Value<D>> {
         let symbols = self.environment.symbols();
         let entry = symbols.entry(id);
         if entry.members.is_empty() {
-            return self.environment.symbol(id, indices);
+            return self.environment.symbol_to(id, indices, terms);
         }
         let extents = symbols.extents(id);
         let place = indices
@@ -349,7 +380,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             .zip(&extents)
             .fold(0, |place, (index, extent)| place * usize::from(*extent) + usize::from(*index) - 1);
         let member = entry.members.get(place).ok_or(Unavailable::Symbol(id))?;
-        self.environment.symbol(*member, &[])
+        self.environment.symbol_to(*member, &[], terms)
     }
 
     fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<D> {
