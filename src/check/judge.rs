@@ -118,6 +118,11 @@ impl Sides {
     }
 }
 
+/// Tests a link at a state where its sides are known.
+pub fn test_sides(link: &Link, sides: &Sides, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
+    test_knowing(link, scene, (Some(&sides.lhs), Some(&sides.rhs)), false)
+}
+
 /// Tests a link at a state, for all values of its free indices and entry by entry.
 pub fn test(link: &Link, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
     test_knowing(link, scene, (None, None), false)

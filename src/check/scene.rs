@@ -16,7 +16,7 @@ use crate::formula::evaluate::{ALL, Body, Environment, Moving, Unavailable, eval
 use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
 use crate::mechanics::{Quantities, rotations};
 use crate::notes::claims::Turning;
-use crate::scalar::{Number, Series};
+use crate::scalar::{Number, Series, TERMS};
 
 use super::base::Base;
 use super::crowd::{Crowd, Place};
@@ -57,7 +57,8 @@ pub struct Scene<'m, B: Number> {
     rules: Arc<[Rule]>,
     overrides: Vec<(SymbolId, Value<Series<B>>)>,
     quantities: OnceCell<Option<Quantities<Series<B>>>>,
-    turning: OnceCell<Option<rotations::Turning<Series<B>>>>,
+    /// How the frame turns, known to so many terms as its place here says.
+    turning: [OnceCell<Option<Box<rotations::Turning<Series<B>>>>>; TERMS + 1],
     /// Where in a continuum the formula at hand is evaluated.
     pub(super) place: RefCell<Place<B>>,
     /// Particles that stand in for those of a family.
@@ -106,7 +107,7 @@ impl<'m, B: Number> Scene<'m, B> {
             rules: rules.clone(),
             overrides: Vec::new(),
             quantities: OnceCell::new(),
-            turning: OnceCell::new(),
+            turning: std::array::from_fn(|_| OnceCell::new()),
             place: RefCell::new(Place::default()),
             crowd: RefCell::new(None),
             crowded: Cell::new(false),
@@ -196,9 +197,11 @@ impl<'m, B: Number> Scene<'m, B> {
         self.model.parameters.iter().map(|place| self.constant(self.base.constants[*place][0])).collect()
     }
 
-    /// How the document's frame turns.
-    fn turning(&self) -> Option<&rotations::Turning<Series<B>>> {
-        self.turning.get_or_init(|| self.base.turning(self.model.frame?, self.terms + 1)).as_ref()
+    /// How the document's frame turns, where so many terms of it are used.
+    fn turning(&self, terms: usize) -> Option<&rotations::Turning<Series<B>>> {
+        let terms = terms.min(self.terms);
+        let compute = || self.base.turning(self.model.frame?, terms + 1).map(Box::new);
+        self.turning.get(terms)?.get_or_init(compute).as_deref()
     }
 
     fn quantity(&self, quantity: Quantity, id: SymbolId, indices: &[u8]) -> Valued<B> {
@@ -433,15 +436,15 @@ impl<'m, B: Number> Scene<'m, B> {
                 .map(Value::Scalar)
                 .ok_or_else(none),
             Meaning::Frame(FrameQuantity::AngularVelocity) => {
-                Ok(Value::Vector(self.turning().ok_or_else(none)?.angular_velocity))
+                Ok(Value::Vector(self.turning(terms).ok_or_else(none)?.angular_velocity))
             }
             Meaning::Frame(FrameQuantity::Axes) => {
                 let at = indices.first().map(|index| usize::from(*index) - 1).ok_or_else(none)?;
-                Ok(Value::Vector(self.turning().ok_or_else(none)?.orientation.row(at).transpose()))
+                Ok(Value::Vector(self.turning(terms).ok_or_else(none)?.orientation.row(at).transpose()))
             }
             Meaning::Rigid(i) => {
                 let Value::Vector(fixed) = fixed(&self.base.rigid[*i])? else { return Err(none()) };
-                let orientation = self.turning().ok_or_else(none)?.orientation.map(|entry| entry.known_to(terms));
+                let orientation = self.turning(terms).ok_or_else(none)?.orientation.map(|entry| entry.known_to(terms));
                 let turned = orientation.transpose() * fixed;
                 match self.model.rigid[*i].about {
                     None => Ok(Value::Vector(turned)),

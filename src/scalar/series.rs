@@ -65,7 +65,7 @@ impl<B: Number> Series<B> {
     /// The k-th time derivative at the instant, if it is known.
     pub fn nth_derivative_value(&self, k: usize) -> Option<B> {
         let factorial: f64 = (1..=k).map(|j| j as f64).product();
-        (k < self.known()).then(|| self.coefficient(k) * factorial)
+        (k < self.known()).then(|| self.coefficients[k] * factorial)
     }
 
     /// The series of the time derivative; it knows one order less.
@@ -76,9 +76,8 @@ impl<B: Number> Series<B> {
     /// assert_eq!((t * t * t).derivative().value(), 12.0);
     /// ```
     pub fn derivative(&self) -> Self {
-        let length = if self.has_value() { self.length() } else { self.known() };
-        Series::build(self.known().saturating_sub(1), length.saturating_sub(1), |k, _| {
-            self.coefficient(k + 1) * (k + 1) as f64
+        Series::build(self.known().saturating_sub(1), self.length() - 1, |k, _| {
+            self.coefficients[k + 1] * (k + 1) as f64
         })
     }
 
@@ -107,7 +106,17 @@ impl<B: Number> Series<B> {
         for k in 0..length {
             coefficients[k] = next(k, &coefficients);
         }
-        Series { coefficients, known: known as u8, length: length.max(1) as u8 }
+        Series::of(coefficients, known, length)
+    }
+
+    /// What has no value does not stay as it is: no rate of it is 0 because nothing in it varies.
+    fn of(mut coefficients: [B; TERMS], known: usize, length: usize) -> Self {
+        let mut length = length.clamp(1, known.max(1));
+        if length < known && !coefficients[0].re().is_finite() {
+            coefficients[length..known].fill(B::from(f64::NAN));
+            length = known;
+        }
+        Series { coefficients, known: known as u8, length: length as u8 }
     }
 
     fn length(&self) -> usize {
@@ -117,15 +126,6 @@ impl<B: Number> Series<B> {
     /// How many coefficients a function of this has: that of a constant is a constant.
     fn length_of_function(&self) -> usize {
         if self.length == 1 { 1 } else { self.known() }
-    }
-
-    fn has_value(&self) -> bool {
-        self.coefficients[0].re().is_finite()
-    }
-
-    /// A coefficient. What has no value does not stay as it is: no rate of it is 0 because nothing in it varies.
-    fn coefficient(&self, k: usize) -> B {
-        if k < self.length() || self.has_value() { self.coefficients[k] } else { B::from(f64::NAN) }
     }
 
     fn common(&self, other: &Self) -> usize {
@@ -158,8 +158,7 @@ impl<B: Number> Series<B> {
             s[k] = Self::integral_step(k, x, &c);
             c[k] = Self::integral_step(k, x, &s) * sign;
         }
-        let of = |coefficients| Series { coefficients, known: self.known, length: length.max(1) as u8 };
-        (of(s), of(c))
+        (Series::of(s, self.known(), length), Series::of(c, self.known(), length))
     }
 }
 
@@ -353,7 +352,8 @@ mod tests {
             for b in polynomials {
                 let (x, y) = (written_out(a), written_out(b));
                 let pairs = [(a + b, x + y), (a - b, x - y), (a * b, x * y), (a / b, x / y), (-a, -x)];
-                let functions = [(a.sin(), x.sin()), (a.atan2(b), x.atan2(y)), (a.exp(), x.exp()), (a.tanh(), x.tanh())];
+                let functions =
+                    [(a.sin(), x.sin()), (a.atan2(b), x.atan2(y)), (a.exp(), x.exp()), (a.tanh(), x.tanh())];
                 for (short, long) in pairs.into_iter().chain(functions) {
                     for k in 0..TERMS {
                         let (short, long) = (short.nth_derivative_value(k), long.nth_derivative_value(k));
