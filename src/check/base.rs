@@ -1,5 +1,7 @@
 //! The numbers that fix a state, in their order, and what they are put together to.
 
+use std::cell::{OnceCell, RefCell};
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::SymbolId;
@@ -115,12 +117,26 @@ pub struct Jets<B> {
     numbers: Vec<B>,
     /// How many belong to one.
     jet: usize,
+    /// The same as functions of time, of those that were asked for.
+    series: RefCell<Vec<Option<Series<B>>>>,
 }
 
 impl<B: Number> Jets<B> {
+    fn new(numbers: &[B], jet: usize) -> Self {
+        Jets { numbers: numbers.to_vec(), jet, series: RefCell::new(Vec::new()) }
+    }
+
     /// One of them as a function of time.
     pub fn series(&self, at: usize) -> Option<Series<B>> {
-        self.numbers.get(at * self.jet..(at + 1) * self.jet).map(Series::from_derivatives)
+        let mut known = self.series.borrow_mut();
+        if known.is_empty() {
+            known.resize(self.numbers.len() / self.jet, None);
+        }
+        let slot = known.get_mut(at)?;
+        if slot.is_none() {
+            *slot = self.numbers.get(at * self.jet..(at + 1) * self.jet).map(Series::from_derivatives);
+        }
+        *slot
     }
 }
 
@@ -136,13 +152,15 @@ pub struct Hidden<B> {
     pub angles: [B; 3],
     /// A point in it, as shares of the edges from the middle.
     pub point: [B; 3],
+    /// Q, once it was asked for.
+    turned: OnceCell<Matrix3<B>>,
 }
 
 impl<B: Number> Hidden<B> {
     /// Q, which turns it from its canonical position.
-    pub fn turned(&self) -> Matrix3<B> {
+    pub fn turned(&self) -> &Matrix3<B> {
         let [phi, theta, psi] = self.angles;
-        euler_angles(phi, theta, psi).transpose()
+        self.turned.get_or_init(|| euler_angles(phi, theta, psi).transpose())
     }
 }
 
@@ -156,7 +174,7 @@ impl<B: Number> Base<B> {
             let (count, jet) = groups.next().map_or((0, 1), |group| (group.numbers, group.derivatives + 1));
             let (numbers, more) = rest.split_at((count * jet).min(rest.len()));
             rest = more;
-            Jets { numbers: numbers.to_vec(), jet }
+            Jets::new(numbers, jet)
         };
         fn few<B: Number, const N: usize>(jets: &Jets<B>) -> [B; N] {
             std::array::from_fn(|i| jets.numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
@@ -180,6 +198,7 @@ impl<B: Number> Base<B> {
                 middle: Vector3::from(few(&middle)),
                 angles: few(&angles),
                 point: few(&point),
+                turned: OnceCell::new(),
             }
         };
         let continua = model.continua.iter().map(hidden).collect();

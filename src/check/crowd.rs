@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::formula::evaluate::{Body as Integrand, Environment, Unavailable, evaluate};
+use crate::formula::evaluate::{Body as Integrand, Environment, Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, IndexId, SymbolId, Value};
 use crate::mechanics::inertia::{inertia_tensor, principal_axes};
 use crate::mechanics::{Body, Nodes};
@@ -141,7 +141,7 @@ impl<B: Number> Hidden<B> {
     fn set(&self, nodes: Nodes<B>, dimension: u8, around: &Vector3<B>) -> Nodes<B> {
         let along_x = |x: Vector3<B>| if dimension == 1 { Vector3::new(x.z, x.x, x.y) } else { x };
         let points = nodes.points.into_iter().map(|(x, w)| (along_x(x), w)).collect();
-        Nodes { points }.turned(&self.turned()).moved(around)
+        Nodes { points }.turned(self.turned()).moved(around)
     }
 }
 
@@ -327,28 +327,30 @@ impl<B: Number> Scene<'_, B> {
         Ok(Crowd::of(&cells, families, label, |x| self.constant(x)))
     }
 
-    /// The inertia tensor of point masses; that of each family is computed once a state.
+    /// The inertia tensor of point masses, of which so many terms are used; that of each family is computed once a state.
     fn tensor(
         &self,
         (label, masses, positions): (IndexId, &Expr, &Expr),
         id: SymbolId,
+        terms: usize,
     ) -> Result<Matrix3<Series<B>>, Unavailable> {
         let alone = self.place.borrow().is_default() && self.is_alone();
-        let known = self.tensors.borrow().iter().find(|(m, x, _)| m == masses && x == positions).map(|known| known.2);
+        let same = |(m, x, known, _): &&(Expr, Expr, usize, _)| *known >= terms && m == masses && x == positions;
+        let known = self.tensors.borrow().iter().find(same).map(|known| known.3);
         if let (Some(known), true) = (known, alone) {
             return Ok(known);
         }
         let mut points = Vec::new();
         for value in 1..=self.count(label)? {
             let at = [(label, value)];
-            match (evaluate(positions, self, &at)?, evaluate(masses, self, &at)?) {
+            match (evaluate_to(terms, positions, self, &at)?, evaluate_to(terms, masses, self, &at)?) {
                 (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
                 _ => return Err(Unavailable::Symbol(id)),
             }
         }
         let tensor = inertia_tensor(&Nodes { points });
         if alone {
-            self.tensors.borrow_mut().push((masses.clone(), positions.clone(), tensor));
+            self.tensors.borrow_mut().push((masses.clone(), positions.clone(), terms, tensor));
         }
         Ok(tensor)
     }
@@ -358,11 +360,13 @@ impl<B: Number> Scene<'_, B> {
         &self,
         quantity: ParticleQuantity,
         (label, masses, positions): (IndexId, &Expr, &Expr),
-        id: SymbolId,
-        indices: &[u8],
+        (id, indices): (SymbolId, &[u8]),
+        terms: usize,
     ) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
-        let tensor = self.tensor((label, masses, positions), id)?;
+        // Of axes and moments the value alone is known.
+        let terms = if quantity == ParticleQuantity::InertiaTensor { terms } else { 1 };
+        let tensor = self.tensor((label, masses, positions), id, terms)?;
         let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
         if quantity == ParticleQuantity::InertiaTensor {
             return Ok(match indices {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
 
-use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::formula::evaluate::{Unavailable, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Node, Relation, SymbolId, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
@@ -94,11 +94,7 @@ impl<'m> Ensemble<'m> {
         while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 && !solver.hopeless {
             ensemble.tried += 1;
             let base = draw.base(&solver.slots, setting.reach);
-            let solved = solver.solve(base).and_then(|base| match base {
-                Some(base) => solver.accept(&base).map(|scene| scene.map(|scene| (base, scene))),
-                None => Ok(None),
-            });
-            match solved {
+            match solver.state(base) {
                 Ok(Some((base, scene))) => {
                     ensemble.scenes.push(scene);
                     ensemble.bases.push(base);
@@ -146,8 +142,7 @@ impl<'m> Ensemble<'m> {
                 let mut base = draw.base(&solver.slots, setting.reach);
                 place.set(&mut base, &solver.slots);
                 if solver.slots.iter().zip(&base).all(|(slot, value)| contains(&slot.range, *value))
-                    && let Ok(Some(base)) = solver.solve(base)
-                    && let Ok(Some(scene)) = solver.accept(&base)
+                    && let Ok(Some((base, scene))) = solver.state(base)
                 {
                     ensemble.scenes.push(scene);
                     ensemble.bases.push(base);
@@ -288,10 +283,7 @@ impl<'m> Family<'m> {
             let number = Expr::new(Node::Number(format!("{:e}", value.abs())), condition.lhs.span);
             condition.rhs = if *value < 0.0 { number.negated() } else { number };
         }
-        match self.solver.solve(base.to_vec())? {
-            Some(base) => self.solver.accept(&base),
-            None => Ok(None),
-        }
+        Ok(self.solver.state(base.to_vec())?.map(|(_, scene)| scene))
     }
 }
 
@@ -348,10 +340,17 @@ impl<'m> Solver<'m> {
         Ok(scene)
     }
 
+    /// The state near a base at which every hypothesis holds, if there is one.
+    fn state(&mut self, base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
+        let Some((base, scene)) = self.solve(base)? else { return Ok(None) };
+        Ok(self.accepts(&scene).then_some((base, scene)))
+    }
+
     /// Moves a base onto the equalities.
-    fn solve(&mut self, mut base: Vec<f64>) -> Result<Option<Vec<f64>>> {
+    fn solve(&mut self, mut base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
         if self.equalities().next().is_none() {
-            return Ok(Some(base));
+            let scene = self.measured(&base)?;
+            return Ok(Some((base, scene)));
         }
         let drawn = base.clone();
         if self.plan.is_empty() || self.newton(&mut base, &self.plan.clone())? {
@@ -367,8 +366,9 @@ impl<'m> Solver<'m> {
     }
 
     /// Solves the rows that are not planned yet, from a base that obeys those that are.
-    fn complete(&mut self, mut base: Vec<f64>) -> Result<Option<Vec<f64>>> {
-        let rows = self.rows(&base)?;
+    fn complete(&mut self, mut base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
+        let mut scene = self.measured(&base)?;
+        let rows = self.rows(&scene);
         if rows.len() > MOST {
             self.hopeless = true;
             return Ok(None);
@@ -377,7 +377,7 @@ impl<'m> Solver<'m> {
             if self.plan.iter().any(|(planned, _)| *planned == row) {
                 continue;
             }
-            let Some(value) = self.values(&self.measured(&base)?, &[row]) else { return Ok(None) };
+            let Some(value) = self.values(&scene, &[row]) else { return Ok(None) };
             if judge::vanishes(value[0]) {
                 continue;
             }
@@ -388,8 +388,9 @@ impl<'m> Solver<'m> {
                 return Ok(None);
             }
             self.plan = plan;
+            scene = self.measured(&base)?;
         }
-        Ok(Some(base))
+        Ok(Some((base, scene)))
     }
 
     fn measured(&self, base: &[f64]) -> Result<Scene<'m, Measured>> {
@@ -405,20 +406,22 @@ impl<'m> Solver<'m> {
         (highest + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
     }
 
-    fn rows(&self, base: &[f64]) -> Result<Vec<Row>> {
-        let scene = self.measured(base)?;
+    fn rows(&self, scene: &Scene<'m, Measured>) -> Vec<Row> {
         let mut rows = Vec::new();
+        let differences: Vec<_> = self
+            .equalities()
+            .map(|(at, condition)| (at, condition, difference(scene, condition).unwrap_or_default()))
+            .collect();
         for derivative in 0..=THROUGHOUT {
-            for (at, condition) in self.equalities() {
-                let entries = difference(&scene, condition).unwrap_or_default();
+            for (at, condition, entries) in &differences {
                 for (entry, value) in entries.iter().enumerate() {
                     if derivative < value.known() && (derivative == 0 || condition.throughout) {
-                        rows.push((at, derivative, entry));
+                        rows.push((*at, derivative, entry));
                     }
                 }
             }
         }
-        Ok(rows)
+        rows
     }
 
     /// The slot to solve a row for, besides those of the plan: one in which it is linear, else of the highest class.
@@ -522,14 +525,13 @@ impl<'m> Solver<'m> {
         Ok(plan.iter().all(|(_, slot)| in_range(*slot)))
     }
 
-    /// The state of a base, if every hypothesis holds there.
-    fn accept(&mut self, base: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
-        let scene = self.measured(base)?;
+    /// Whether every hypothesis holds at a state.
+    fn accepts(&mut self, scene: &Scene<'m, Measured>) -> bool {
         // Rules hold by what they are, unless one undoes another: that shows at once.
         let all = self.accepted < 2;
         let to_check = self.conditions.iter().zip(&self.explicit).filter(|(_, is_rule)| all || !**is_rule);
         for (condition, _) in to_check {
-            let Ok(entries) = difference(&scene, condition) else { return Ok(None) };
+            let Ok(entries) = difference(scene, condition) else { return false };
             let holds = entries.iter().all(|entry| match condition.relation {
                 Relation::Equal | Relation::Identical | Relation::Proportional => {
                     let derivatives = if condition.throughout { entry.known().min(THROUGHOUT + 1) } else { 1 };
@@ -538,20 +540,22 @@ impl<'m> Solver<'m> {
                 relation => judge::holds(relation, entry.value()),
             });
             if !holds {
-                return Ok(None);
+                return false;
             }
         }
         self.accepted += 1;
-        Ok(Some(scene))
+        true
     }
 }
 
-/// lhs − rhs, entry by entry, for all values of the free indices.
+/// lhs − rhs, entry by entry, for all values of the free indices; with the derivatives that are made to vanish.
 fn difference<B: Number>(scene: &Scene<'_, B>, condition: &Condition) -> Result<Vec<Series<B>>, Unavailable> {
     let mut indices: Vec<(IndexId, u8)> = condition.free.iter().map(|id| (*id, 1)).collect();
+    let terms = if condition.throughout { THROUGHOUT + 1 } else { 1 };
     let mut all = Vec::new();
     loop {
-        let (lhs, rhs) = (evaluate(&condition.lhs, scene, &indices)?, evaluate(&condition.rhs, scene, &indices)?);
+        let side = |side: &Expr| evaluate_to(terms, side, scene, &indices);
+        let (lhs, rhs) = (side(&condition.lhs)?, side(&condition.rhs)?);
         match (lhs, rhs) {
             (Value::Vector(a), Value::Vector(b)) if condition.relation == Relation::Proportional => {
                 all.extend(a.cross(&b).iter());

@@ -155,9 +155,14 @@ pub struct Outcome {
 
 /// Tests a link at all states.
 pub fn run(link: &Link, scenes: &[Scene<'_, Measured>]) -> Result<Outcome, Unavailable> {
+    gathered(scenes.len(), |at| judge::test(link, &scenes[at]))
+}
+
+/// What so many states say.
+fn gathered(states: usize, test: impl Fn(usize) -> Result<Point, Unavailable>) -> Result<Outcome, Unavailable> {
     let mut outcome = Outcome { points: 0, residual: 0.0, failure: None, one_sided: None, doubtful: 0 };
-    for (at, scene) in scenes.iter().enumerate() {
-        match judge::test(link, scene)? {
+    for at in 0..states {
+        match test(at)? {
             Point::Holds(residual) => {
                 outcome.points += 1;
                 outcome.residual = outcome.residual.max(residual);
@@ -189,13 +194,21 @@ impl<'a, 'm> AtStates<'a, 'm> {
         AtStates { link, scenes, sides: scenes.iter().map(|_| OnceCell::new()).collect() }
     }
 
+    fn sides(&self, at: usize) -> Option<&Sides> {
+        self.sides[at].get_or_init(|| Sides::of(self.link, &self.scenes[at]).ok()).as_ref()
+    }
+
+    /// Tests the link itself at all states.
+    fn run(&self) -> Result<Outcome, Unavailable> {
+        gathered(self.scenes.len(), |at| match self.sides(at) {
+            Some(sides) => judge::test_sides(self.link, sides, &self.scenes[at]),
+            None => judge::test(self.link, &self.scenes[at]),
+        })
+    }
+
     /// What a state says of a twin.
     fn test(&self, twin: &Link, at: usize) -> Result<Point, Unavailable> {
-        let scene = &self.scenes[at];
-        match self.sides[at].get_or_init(|| Sides::of(self.link, scene).ok()) {
-            Some(sides) => judge::test_twin(twin, self.link, sides, scene),
-            None => judge::test(twin, scene),
-        }
+        judge::test_twin(twin, self.link, self.sides(at), &self.scenes[at])
     }
 
     /// Whether a twin fails at one of the states; it counts as failing where it has no value at all.
@@ -256,11 +269,12 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         ensemble.tried += special.tried;
         ensemble.scenes.extend(special.scenes);
     }
-    let outcome = match run(link, &ensemble.scenes) {
+    let states = AtStates::new(link, &ensemble.scenes);
+    let outcome = match states.run() {
         Ok(outcome) => outcome,
         Err(reason) => return Ok((context.unavailable(&reason), Next::Settled)),
     };
-    let finding = conclude(link, context, &ensemble, &outcome);
+    let finding = conclude(&states, context, &ensemble, &outcome);
     // What is claimed of all states is claimed of the motions: an inequality may fail on them alone.
     let open = outcome.failure.is_some() || outcome.doubtful > 0 || !is_equality(link.relation);
     let next = if open { Next::OnShell } else { Next::Settled };
@@ -280,7 +294,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     if let Emptiness::Empty(reason) = emptiness {
         return withheld(reason.to_owned());
     }
-    let mut finding = held_against_twins(link, context, &ensemble, finding)?;
+    let mut finding = held_against_twins(&states, context, ensemble.mode, finding)?;
     if finding.verdict == Verdict::Verified {
         if on_shell && let Some(combination) = evidence::combination(link, context)? {
             finding.message.push_str(&format!(": it is {combination}"));
@@ -341,7 +355,8 @@ fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
         .then(|| context.finding(Verdict::Undecided, "this is one of its own hypotheses, so nothing is checked"))
 }
 
-fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome: &Outcome) -> Finding {
+fn conclude(states: &AtStates<'_, '_>, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome: &Outcome) -> Finding {
+    let link = states.link;
     let evidence = |verdict, message: String| Finding {
         points: outcome.points,
         tried: ensemble.tried,
@@ -371,7 +386,7 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
         let mut finding = evidence(Verdict::Refuted, message);
         finding.max_residual = Some(failure.residual);
         finding.counterexample = Some(counterexample(link, &ensemble.scenes[*at], failure));
-        if let Some(twin) = meant(link, context.model, &ensemble.scenes) {
+        if let Some(twin) = meant(states, context.model) {
             finding.message.push_str(&format!("; it would hold with {}", twin.change));
         }
         return finding;
@@ -398,11 +413,11 @@ fn conclude(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, outcome
 }
 
 /// The first twin that holds at all states: what may have been meant.
-fn meant(link: &Link, model: &Model, scenes: &[Scene<'_, Measured>]) -> Option<Twin> {
-    let states = AtStates::new(link, scenes);
-    twins(link, model).into_iter().find(|twin| {
+fn meant(states: &AtStates<'_, '_>, model: &Model) -> Option<Twin> {
+    let count = states.scenes.len();
+    twins(states.link, model).into_iter().find(|twin| {
         let mut points = 0;
-        let clean = (0..scenes.len()).all(|at| match states.test(&twin.link, at) {
+        let clean = (0..count).all(|at| match states.test(&twin.link, at) {
             Ok(Point::Holds(_)) => {
                 points += 1;
                 true
@@ -410,36 +425,38 @@ fn meant(link: &Link, model: &Model, scenes: &[Scene<'_, Measured>]) -> Option<T
             Ok(Point::Useless) => true,
             _ => false,
         });
-        clean && points >= FEWEST.min(scenes.len())
+        clean && points >= FEWEST.min(count)
     })
 }
 
 /// A pass stands only if the states refute every twin that is not as true as the claim itself.
 fn held_against_twins(
-    link: &Link,
+    states: &AtStates<'_, '_>,
     context: &Context<'_>,
-    ensemble: &Ensemble<'_>,
+    mode: Mode,
     finding: Finding,
 ) -> Result<Finding> {
-    let states = AtStates::new(link, &ensemble.scenes);
+    let link = states.link;
     let survivors: Vec<Twin> =
         twins(link, context.model).into_iter().filter(|twin| !states.fails(&twin.link)).collect();
     if survivors.is_empty() {
         return Ok(finding);
     }
     // A twin that holds where the claim does and fails where it does, far beyond the ranges, says the same.
-    let wide = context.ensemble(ensemble.mode, true, 3 * context.options.points)?;
-    let holds = |link: &Link, scene: &Scene<'_, Measured>| match judge::test(link, scene) {
+    let wide = context.ensemble(mode, true, 3 * context.options.points)?;
+    let holds = |found: Result<Point, Unavailable>| match found {
         Ok(Point::Holds(_)) => Some(true),
         Ok(Point::Useless) => None,
         _ => Some(false),
     };
+    let states = AtStates::new(link, &wide.scenes);
+    let itself: Vec<Option<bool>> = (0..wide.scenes.len()).map(|at| holds(states.test(link, at))).collect();
     for twin in survivors {
-        let told_apart = |scene: &Scene<'_, Measured>| match (holds(link, scene), holds(&twin.link, scene)) {
-            (Some(a), Some(b)) => a != b,
+        let told_apart = |(at, itself): (usize, &Option<bool>)| match (itself, holds(states.test(&twin.link, at))) {
+            (Some(a), Some(b)) => *a != b,
             _ => false,
         };
-        if wide.scenes.iter().any(told_apart) {
+        if itself.iter().enumerate().any(told_apart) {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
             return Ok(Finding { message, verdict: Verdict::Undecided, ..finding });
         }
@@ -535,11 +552,12 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if ensemble.scenes.is_empty() {
         return Ok(context.no_room(&ensemble));
     }
-    let outcome = match run(&link, &ensemble.scenes) {
+    let states = AtStates::new(&link, &ensemble.scenes);
+    let outcome = match states.run() {
         Ok(outcome) => outcome,
         Err(reason) => return Ok(context.unavailable(&reason)),
     };
-    let mut finding = conclude(&link, &on_shell, &ensemble, &outcome);
+    let mut finding = conclude(&states, &on_shell, &ensemble, &outcome);
     finding.message = match finding.verdict {
         Verdict::Verified => "constant on shell".to_owned(),
         Verdict::Refuted => "it varies on shell".to_owned(),

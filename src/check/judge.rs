@@ -6,7 +6,7 @@
 
 use approx::{AbsDiffEq, abs_diff_eq};
 
-use crate::formula::evaluate::{Environment, Unavailable, evaluate};
+use crate::formula::evaluate::{Environment, Unavailable, evaluate_to};
 use crate::formula::{Expr, IndexId, Relation, Value};
 use crate::scalar::{Measured, Series};
 
@@ -109,8 +109,8 @@ impl Sides {
         let mut sides = Sides { lhs: Vec::new(), rhs: Vec::new() };
         let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
         loop {
-            sides.lhs.push(evaluate(&link.lhs, scene, &indices)?);
-            sides.rhs.push(evaluate(&link.rhs, scene, &indices)?);
+            sides.lhs.push(evaluate_to(1, &link.lhs, scene, &indices)?);
+            sides.rhs.push(evaluate_to(1, &link.rhs, scene, &indices)?);
             if !advance(&mut indices, scene)? {
                 return Ok(sides);
             }
@@ -118,16 +118,27 @@ impl Sides {
     }
 }
 
-/// Tests a link at a state, for all values of its free indices and entry by entry.
-pub fn test(link: &Link, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
-    test_knowing(link, scene, (None, None))
+/// Tests a link at a state where its sides are known.
+pub fn test_sides(link: &Link, sides: &Sides, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
+    test_knowing(link, scene, (Some(&sides.lhs), Some(&sides.rhs)), false)
 }
 
-/// Tests a twin of a link whose sides are known at a state.
-pub fn test_twin(twin: &Link, link: &Link, sides: &Sides, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
-    let lhs = (twin.lhs == link.lhs).then_some(sides.lhs.as_slice());
-    let rhs = (twin.rhs == link.rhs).then_some(sides.rhs.as_slice());
-    test_knowing(twin, scene, (lhs, rhs))
+/// Tests a link at a state, for all values of its free indices and entry by entry.
+pub fn test(link: &Link, scene: &Scene<'_, Measured>) -> Result<Point, Unavailable> {
+    test_knowing(link, scene, (None, None), false)
+}
+
+/// Tests a twin of a link at a state, the link's sides being known there. What does not agree at one entry is looked at
+/// no further, so this says whether it holds, and not where it fails most clearly.
+pub fn test_twin(
+    twin: &Link,
+    link: &Link,
+    sides: Option<&Sides>,
+    scene: &Scene<'_, Measured>,
+) -> Result<Point, Unavailable> {
+    let lhs = sides.filter(|_| twin.lhs == link.lhs).map(|sides| sides.lhs.as_slice());
+    let rhs = sides.filter(|_| twin.rhs == link.rhs).map(|sides| sides.rhs.as_slice());
+    test_knowing(twin, scene, (lhs, rhs), true)
 }
 
 /// The values of a side, for one after another of the values of the free indices.
@@ -137,13 +148,14 @@ fn test_knowing(
     link: &Link,
     scene: &Scene<'_, Measured>,
     (known_lhs, known_rhs): (Known<'_>, Known<'_>),
+    to_the_first: bool,
 ) -> Result<Point, Unavailable> {
     let mut worst = Point::Holds(0.0);
     let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
     for at in 0.. {
         let side = |expr: &Expr, known: Known<'_>, indices: &[(IndexId, u8)]| match known.and_then(|all| all.get(at)) {
             Some(value) => Ok(value.clone()),
-            None => evaluate(expr, scene, indices),
+            None => evaluate_to(1, expr, scene, indices),
         };
         let (lhs, rhs) = (side(&link.lhs, known_lhs, &indices)?, side(&link.rhs, known_rhs, &indices)?);
         let label = |k: usize, shape| {
@@ -157,6 +169,9 @@ fn test_knowing(
         for (k, (a, b)) in a.into_iter().zip(b).enumerate() {
             let found = compare(link.relation, a, b, || label(k, shape));
             worst = worse(worst, found);
+            if to_the_first && !matches!(worst, Point::Holds(_) | Point::Useless) {
+                return Ok(worst);
+            }
         }
         if !advance(&mut indices, scene)? {
             break;

@@ -12,11 +12,11 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::Result;
-use crate::formula::evaluate::{Body, Environment, Unavailable, evaluate};
+use crate::formula::evaluate::{ALL, Body, Environment, Moving, Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
 use crate::mechanics::{Quantities, rotations};
 use crate::notes::claims::Turning;
-use crate::scalar::{Number, Series};
+use crate::scalar::{Number, Series, TERMS};
 
 use super::base::Base;
 use super::crowd::{Crowd, Place};
@@ -35,8 +35,11 @@ pub struct Mode {
 /// A symbol and the values of its indices.
 type Member = (SymbolId, [u8; 3]);
 
-/// Masses, positions, and their inertia tensor.
-type Tensor<B> = (Expr, Expr, Matrix3<Series<B>>);
+/// What was computed: of each member, and whether the particles that stand in for others were meant; how many terms.
+type Memo<B> = BTreeMap<(Member, bool), (usize, Box<Value<Series<B>>>)>;
+
+/// Masses, positions, how many terms were asked for, and the inertia tensor.
+type Tensor<B> = (Expr, Expr, usize, Matrix3<Series<B>>);
 
 /// The values of all members of a family, in order.
 type Members<B> = Vec<Value<Series<B>>>;
@@ -54,7 +57,8 @@ pub struct Scene<'m, B: Number> {
     rules: Arc<[Rule]>,
     overrides: Vec<(SymbolId, Value<Series<B>>)>,
     quantities: OnceCell<Option<Quantities<Series<B>>>>,
-    turning: OnceCell<Option<rotations::Turning<Series<B>>>>,
+    /// How the frame turns, known to so many terms as its place here says.
+    turning: [OnceCell<Option<Box<rotations::Turning<Series<B>>>>>; TERMS + 1],
     /// Where in a continuum the formula at hand is evaluated.
     pub(super) place: RefCell<Place<B>>,
     /// Particles that stand in for those of a family.
@@ -68,7 +72,7 @@ pub struct Scene<'m, B: Number> {
     /// Inertia tensors of masses at positions.
     pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
-    memo: RefCell<BTreeMap<Member, Value<Series<B>>>>,
+    memo: RefCell<Memo<B>>,
 }
 
 impl<'m, B: Number> Scene<'m, B> {
@@ -103,7 +107,7 @@ impl<'m, B: Number> Scene<'m, B> {
             rules: rules.clone(),
             overrides: Vec::new(),
             quantities: OnceCell::new(),
-            turning: OnceCell::new(),
+            turning: std::array::from_fn(|_| OnceCell::new()),
             place: RefCell::new(Place::default()),
             crowd: RefCell::new(None),
             crowded: Cell::new(false),
@@ -193,9 +197,11 @@ impl<'m, B: Number> Scene<'m, B> {
         self.model.parameters.iter().map(|place| self.constant(self.base.constants[*place][0])).collect()
     }
 
-    /// How the document's frame turns.
-    fn turning(&self) -> Option<&rotations::Turning<Series<B>>> {
-        self.turning.get_or_init(|| self.base.turning(self.model.frame?, self.terms + 1)).as_ref()
+    /// How the document's frame turns, where so many terms of it are used.
+    fn turning(&self, terms: usize) -> Option<&rotations::Turning<Series<B>>> {
+        let terms = terms.min(self.terms);
+        let compute = || self.base.turning(self.model.frame?, terms + 1).map(Box::new);
+        self.turning.get(terms)?.get_or_init(compute).as_deref()
     }
 
     fn quantity(&self, quantity: Quantity, id: SymbolId, indices: &[u8]) -> Valued<B> {
@@ -233,18 +239,18 @@ impl<'m, B: Number> Scene<'m, B> {
         })
     }
 
-    /// A symbol after the first `upto` rules.
-    fn ruled(&self, id: SymbolId, indices: &[u8], upto: usize) -> Valued<B> {
+    /// A symbol after the first `upto` rules, of which so many terms are used.
+    fn ruled(&self, id: SymbolId, indices: &[u8], upto: usize, terms: usize) -> Valued<B> {
         let Some(at) = self.rules[..upto].iter().rposition(|rule| rule.symbol == id) else {
-            return self.raw(id, indices);
+            return self.raw(id, indices, terms);
         };
         let rule = &self.rules[at];
-        let before = || self.ruled(id, indices, at);
+        let before = || self.ruled(id, indices, at, terms);
         let letters: Vec<(IndexId, u8)> = rule.letters.iter().copied().zip(indices.iter().copied()).collect();
         let wrong = Unavailable::Operation("a sum of different shapes");
         let target = match &rule.action {
             Action::Equals(formula) => {
-                let value = evaluate(formula, self, &letters)?;
+                let value = evaluate_to(terms, formula, self, &letters)?;
                 match (self.model.symbols.entry(id).kind, value) {
                     (Kind::Vector, Value::Scalar(zero)) => Value::Vector(Vector3::from_element(zero)),
                     (_, value) => value,
@@ -252,11 +258,11 @@ impl<'m, B: Number> Scene<'m, B> {
             }
             Action::Symmetric { permutation, sign } => {
                 let permuted: Vec<u8> = permutation.iter().map(|at| indices[*at]).collect();
-                let image = self.ruled(id, &permuted, at)?;
+                let image = self.ruled(id, &permuted, at, terms)?;
                 let image = if *sign == Sign::Minus { image.map(|x| -x) } else { image };
                 before()?.plus(image).ok_or(wrong.clone())?.map(|x| x * 0.5)
             }
-            Action::Parallel(along) => match (before()?, evaluate(along, self, &letters)?) {
+            Action::Parallel(along) => match (before()?, evaluate_to(terms, along, self, &letters)?) {
                 (Value::Vector(v), Value::Vector(a)) => {
                     let square = a.dot(&a);
                     match square.value().re() == 0.0 {
@@ -267,8 +273,9 @@ impl<'m, B: Number> Scene<'m, B> {
                 _ => return Err(wrong),
             },
             Action::Follows { order, formula } => {
-                let all = self.follow(rule, usize::from(*order), formula, at)?;
-                return all.get(self.place_of(id, indices)).cloned().ok_or(Unavailable::Symbol(id));
+                let place = self.place_of(id, indices);
+                let member = self.follow(rule, usize::from(*order), formula, (at, place))?;
+                return member.ok_or(Unavailable::Symbol(id));
             }
             // What joins families acts through the crowd that stands in for them.
             Action::Union(..) => return before(),
@@ -282,36 +289,50 @@ impl<'m, B: Number> Scene<'m, B> {
         own.plus(shift.map(|x| Series::constant(x.value()))).ok_or(wrong)
     }
 
-    /// All members of a symbol that follows from its lower derivatives, by these and by what its rule says of the next.
-    fn follow(&self, rule: &Rule, order: usize, formula: &Expr, at: usize) -> Result<Members<B>, Unavailable> {
+    /// A member, by its place, of a symbol that follows from its lower derivatives, by these and by what its rule says
+    /// of the next: all members are found together.
+    fn follow(
+        &self,
+        rule: &Rule,
+        order: usize,
+        formula: &Expr,
+        (at, place): (usize, usize),
+    ) -> Result<Option<Value<Series<B>>>, Unavailable> {
         if let Some((_, partial)) = self.following.borrow().iter().find(|(id, _)| *id == rule.symbol) {
-            return Ok(partial.clone());
+            return Ok(partial.get(place).cloned());
         }
         if let Some(known) = self.followed.borrow().get(&rule.symbol) {
-            return Ok(known.clone());
+            return Ok(known.get(place).cloned());
         }
         let members = self.every_member(rule.symbol)?;
         let mut known: Members<B> = Vec::new();
         let mut terms = 0;
         for member in &members {
-            let free = self.ruled(rule.symbol, member, at)?;
+            let free = self.ruled(rule.symbol, member, at, ALL)?;
             terms = terms.max(free.entries().first().map_or(0, Series::known));
             known.push(free.map(|x| x.truncated(order)));
         }
         let wrong = || Unavailable::Operation("a sum of different shapes");
+        let mut values: Members<B> = Vec::new();
         for next in order..terms {
-            self.following.borrow_mut().push((rule.symbol, known.clone()));
-            self.memo.borrow_mut().clear();
-            let values: Result<Vec<_>, Unavailable> = members
-                .iter()
-                .map(|member| {
-                    let letters: Vec<(IndexId, u8)> =
-                        rule.letters.iter().copied().zip(member.iter().copied()).collect();
-                    evaluate(formula, self, &letters)
-                })
-                .collect();
-            self.following.borrow_mut().pop();
-            for (known, value) in known.iter_mut().zip(values?) {
+            // What was found with fewer derivatives may reach further.
+            let enough = |value: &Value<Series<B>>| value.entries().iter().all(|x| x.known() > next - order);
+            if values.is_empty() || !values.iter().all(enough) {
+                self.following.borrow_mut().push((rule.symbol, known.clone()));
+                self.memo.borrow_mut().clear();
+                let found: Result<Members<B>, Unavailable> = members
+                    .iter()
+                    .map(|member| {
+                        let letters: Vec<(IndexId, u8)> =
+                            rule.letters.iter().copied().zip(member.iter().copied()).collect();
+                        evaluate(formula, self, &letters)
+                    })
+                    .collect();
+                self.following.borrow_mut().pop();
+                self.memo.borrow_mut().clear();
+                values = found?;
+            }
+            for (known, value) in known.iter_mut().zip(&values) {
                 let (old, new) = (known.entries(), value.entries());
                 let zero = Series::constant(B::zero());
                 let mut entries = old.iter().enumerate().map(|(k, x)| {
@@ -328,11 +349,11 @@ impl<'m, B: Number> Scene<'m, B> {
                 };
             }
         }
-        self.memo.borrow_mut().clear();
+        let member = known.get(place).cloned();
         if self.following.borrow().is_empty() {
-            self.followed.borrow_mut().insert(rule.symbol, known.clone());
+            self.followed.borrow_mut().insert(rule.symbol, known);
         }
-        Ok(known)
+        Ok(member)
     }
 
     /// Forgets what was computed for other values.
@@ -363,8 +384,8 @@ impl<'m, B: Number> Scene<'m, B> {
         indices.iter().zip(slots).fold(0, |at, (i, (_, letter))| at * upper(letter) + usize::from(*i) - 1)
     }
 
-    /// A symbol by its meaning alone.
-    fn raw(&self, id: SymbolId, indices: &[u8]) -> Valued<B> {
+    /// A symbol by its meaning alone, of which so many terms are used.
+    fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let entry = self.model.symbols.entry(id);
         if self.crowded.get()
@@ -390,7 +411,7 @@ impl<'m, B: Number> Scene<'m, B> {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
             Meaning::Constant(i) => fixed(&self.base.constants[*i]),
             Meaning::Varying(i) => {
-                number(&|at| Some(self.base.varying[*i].series(at)?.truncated(self.terms))).ok_or_else(none)
+                number(&|at| Some(self.base.varying[*i].series(at)?.truncated(self.terms.min(terms)))).ok_or_else(none)
             }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
@@ -401,7 +422,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 if let Some(crowd) = self.crowd.borrow().as_ref().filter(|crowd| crowd.stands_in_partly()) {
                     self.crowded.set(self.model.depends_on(formula, &crowd.symbols()));
                 }
-                let value = evaluate(formula, self, &free);
+                let value = evaluate_to(terms, formula, self, &free);
                 self.crowded.set(outer);
                 value
             }
@@ -415,25 +436,26 @@ impl<'m, B: Number> Scene<'m, B> {
                 .map(Value::Scalar)
                 .ok_or_else(none),
             Meaning::Frame(FrameQuantity::AngularVelocity) => {
-                Ok(Value::Vector(self.turning().ok_or_else(none)?.angular_velocity))
+                Ok(Value::Vector(self.turning(terms).ok_or_else(none)?.angular_velocity))
             }
             Meaning::Frame(FrameQuantity::Axes) => {
                 let at = indices.first().map(|index| usize::from(*index) - 1).ok_or_else(none)?;
-                Ok(Value::Vector(self.turning().ok_or_else(none)?.orientation.row(at).transpose()))
+                Ok(Value::Vector(self.turning(terms).ok_or_else(none)?.orientation.row(at).transpose()))
             }
             Meaning::Rigid(i) => {
                 let Value::Vector(fixed) = fixed(&self.base.rigid[*i])? else { return Err(none()) };
-                let turned = self.turning().ok_or_else(none)?.orientation.transpose() * fixed;
+                let orientation = self.turning(terms).ok_or_else(none)?.orientation.map(|entry| entry.known_to(terms));
+                let turned = orientation.transpose() * fixed;
                 match self.model.rigid[*i].about {
                     None => Ok(Value::Vector(turned)),
                     Some(about) => {
-                        let sum = self.symbol(about, &[])?.plus(Value::Vector(turned));
+                        let sum = self.symbol_to(about, &[], terms)?.plus(Value::Vector(turned));
                         sum.ok_or(Unavailable::Operation("a sum of different shapes"))
                     }
                 }
             }
             Meaning::Particles(quantity, label, masses, positions) => {
-                self.of_particles(*quantity, (*label, masses, positions), id, indices)
+                self.of_particles(*quantity, (*label, masses, positions), (id, indices), terms)
             }
             Meaning::Region(at) => self.size_of_part(*at).map(Value::Scalar).ok_or_else(none),
             Meaning::Density(at) => self.density(*at).map(Value::Scalar).ok_or_else(none),
@@ -446,7 +468,7 @@ impl<'m, B: Number> Scene<'m, B> {
         let costly =
             matches!(self.model.meaning(id), Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_)))
                 || self.rules.iter().any(|rule| rule.symbol == id);
-        costly && self.is_alone() && self.place.borrow().is_default()
+        costly && self.place.borrow().is_default()
     }
 
     /// Whether no particles stand in for others, and none are being followed.
@@ -491,19 +513,28 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     }
 
     fn symbol(&self, id: SymbolId, indices: &[u8]) -> Valued<B> {
+        self.symbol_to(id, indices, ALL)
+    }
+
+    fn symbol_to(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
+        let cut = |mut value: Value<Series<B>>| {
+            value.for_each(|x| *x = x.known_to(terms));
+            value
+        };
         if let Some((_, value)) = self.overrides.iter().find(|(known, _)| *known == id) {
-            return Ok(value.clone());
+            return Ok(cut(value.clone()));
         }
         if indices.len() > 3 || !self.keeps(id) {
-            return self.ruled(id, indices, self.rules.len());
+            return self.ruled(id, indices, self.rules.len(), terms).map(cut);
         }
-        let mut key = [0; 3];
-        key[..indices.len()].copy_from_slice(indices);
-        if let Some(value) = self.memo.borrow().get(&(id, key)) {
-            return Ok(value.clone());
+        let mut values = [0; 3];
+        values[..indices.len()].copy_from_slice(indices);
+        let key = ((id, values), self.crowded.get());
+        if let Some((_, value)) = self.memo.borrow().get(&key).filter(|(known, _)| *known >= terms) {
+            return Ok(cut(value.as_ref().clone()));
         }
-        let value = self.ruled(id, indices, self.rules.len())?;
-        self.memo.borrow_mut().insert((id, key), value.clone());
+        let value = cut(self.ruled(id, indices, self.rules.len(), terms)?);
+        self.memo.borrow_mut().insert(key, (terms, Box::new(value.clone())));
         Ok(value)
     }
 
@@ -516,7 +547,7 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
             return Ok(crowd.len());
         }
         let Some(count) = entry.count else { return Ok(entry.upper) };
-        match self.symbol(count, &[])? {
+        match self.symbol_to(count, &[], 1)? {
             Value::Scalar(n) => Ok((n.value().re() as u8).clamp(1, entry.upper)),
             _ => Err(Unavailable::Symbol(count)),
         }

@@ -10,7 +10,7 @@ use num_dual::Dual;
 use crate::scalar::{Measured, Number, Series};
 
 use super::symbols::{Kind, SymbolId, Symbols};
-use super::tree::{Expr, Function, Index, IndexId, Node, Sign};
+use super::tree::{Expr, Function, Index, IndexId, Node, Sign, Term};
 use super::value::Value;
 
 /// Why a formula has no value at a state.
@@ -30,11 +30,18 @@ pub trait Moving: Number {
     fn rate(&self) -> Option<Self> {
         None
     }
+    /// The same number, known to no more than so many terms: the value and its derivatives.
+    fn known_to(self, _terms: usize) -> Self {
+        self
+    }
 }
 
 impl<B: Number> Moving for Series<B> {
     fn rate(&self) -> Option<Self> {
         (self.known() > 1).then(|| self.derivative())
+    }
+    fn known_to(self, terms: usize) -> Self {
+        if self.known() <= terms { self } else { self.truncated(terms) }
     }
 }
 
@@ -48,6 +55,10 @@ pub trait Environment<D: Moving> {
     fn symbols(&self) -> &Symbols;
     /// The value of a symbol, for given values of its indices.
     fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<D>, Unavailable>;
+    /// The same where no more than so many terms of it are used; there may be more.
+    fn symbol_to(&self, id: SymbolId, indices: &[u8], _terms: usize) -> Result<Value<D>, Unavailable> {
+        self.symbol(id, indices)
+    }
     /// How many values an index takes here.
     fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
         let entry = &self.symbols().indices[index.0];
@@ -80,7 +91,21 @@ pub fn evaluate<D: Moving>(
     environment: &impl Environment<D>,
     free: &[(IndexId, u8)],
 ) -> Result<Value<D>, Unavailable> {
-    Evaluator { environment, indices: free.to_vec(), number: std::marker::PhantomData }.value(expr)
+    evaluate_to(ALL, expr, environment, free)
+}
+
+/// As many terms as are known.
+pub const ALL: usize = usize::MAX;
+
+/// The same where no more than `terms` of the result are used: its value and derivatives. What is not differentiated any
+/// further is then not known any further, and products are short.
+pub fn evaluate_to<D: Moving>(
+    terms: usize,
+    expr: &Expr,
+    environment: &impl Environment<D>,
+    free: &[(IndexId, u8)],
+) -> Result<Value<D>, Unavailable> {
+    Evaluator { environment, indices: free.to_vec(), terms, number: std::marker::PhantomData }.value(expr)
 }
 
 /// The exact value of an exponent that holds numbers only.
@@ -99,6 +124,8 @@ pub fn constant_exponent(expr: &Expr) -> Option<f64> {
 struct Evaluator<'a, D, E> {
     environment: &'a E,
     indices: Vec<(IndexId, u8)>,
+    /// How many terms are used of what is evaluated.
+    terms: usize,
     number: std::marker::PhantomData<D>,
 }
 
@@ -112,37 +139,9 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             }
             Node::Pi => Value::Scalar(constant(std::f64::consts::PI)),
             Node::Euler => Value::Scalar(constant(std::f64::consts::E)),
-            Node::Symbol { id, indices, dots } => {
-                let value = self.symbol(*id, indices)?;
-                differentiated(value, *dots)?
-            }
-            Node::Sum(terms) => {
-                let mut total: Option<Value<D>> = None;
-                for term in terms {
-                    if terms.len() > 1 && term.expr.is_zero() {
-                        continue;
-                    }
-                    let value = self.value(&term.expr)?;
-                    let value = if term.sign == Sign::Plus { value } else { value.map(|x| -x) };
-                    total = Some(match total {
-                        None => value,
-                        Some(total) => total.plus(value).ok_or(Unavailable::Operation("a sum of different shapes"))?,
-                    });
-                }
-                total.unwrap_or(Value::Scalar(constant(0.0)))
-            }
-            Node::Product(factors) => {
-                let mut factors = factors.iter();
-                let mut total = match factors.next() {
-                    Some(first) => self.value(first)?,
-                    None => Value::Scalar(constant(1.0)),
-                };
-                for factor in factors {
-                    let value = self.value(factor)?;
-                    total = total.times(value).ok_or(Unavailable::Operation("a product of these shapes"))?;
-                }
-                total
-            }
+            Node::Symbol { id, indices, dots } => return self.dotted(*id, indices, *dots),
+            Node::Sum(terms) => return self.sum(terms),
+            Node::Product(factors) => return self.product(factors),
             Node::Quotient(a, b) => {
                 let divisor = self.scalar(b)?;
                 self.value(a)?.map(|x| x / divisor)
@@ -169,8 +168,13 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 _ => return Err(Unavailable::Operation("a function of several arguments")),
             },
             Node::TimeDerivative(order, inner) => {
-                let value = self.value(inner)?;
-                differentiated(value, *order)?
+                let terms = self.terms;
+                self.terms = terms.saturating_add(usize::from(*order));
+                let value = self.value(inner);
+                self.terms = terms;
+                let mut value = value?;
+                differentiate(&mut value, *order)?;
+                value
             }
             Node::Norm(inner) => Value::Scalar(match self.value(inner)? {
                 Value::Scalar(x) => x.abs(),
@@ -234,25 +238,72 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 Value::Scalar(*vector.get(at).ok_or(Unavailable::Operation("such a component"))?)
             }
             Node::SumOver { index, except, within, body, .. } => {
-                let upper = match within {
-                    Some(region) => self.environment.count_within(*region)?,
-                    None => self.environment.count(*index)?,
-                };
-                let except = except.map(|except| self.index(except)).transpose()?;
-                let mut total: Option<Value<D>> = None;
-                for value in (1..=upper).filter(|value| Some(*value) != except) {
-                    self.indices.push((*index, value));
-                    let term = self.value(body);
-                    self.indices.pop();
-                    let term = term?;
-                    total = Some(match total {
-                        None => term,
-                        Some(total) => total.plus(term).ok_or(Unavailable::Operation("a sum of different shapes"))?,
-                    });
-                }
-                total.unwrap_or(Value::Scalar(constant(0.0)))
+                return self.sum_over(*index, *except, *within, body);
             }
         })
+    }
+
+    // What formulas are mostly made of has functions of its own, not inlined: so the frame of each is small.
+
+    #[inline(never)]
+    fn dotted(&mut self, id: SymbolId, indices: &[Index], dots: u8) -> Evaluated<Value<D>> {
+        let mut value = self.symbol(id, indices, self.terms.saturating_add(usize::from(dots)))?;
+        differentiate(&mut value, dots)?;
+        Ok(value)
+    }
+
+    #[inline(never)]
+    fn sum(&mut self, terms: &[Term]) -> Evaluated<Value<D>> {
+        let mut total: Option<Value<D>> = None;
+        for term in terms {
+            if terms.len() > 1 && term.expr.is_zero() {
+                continue;
+            }
+            let value = self.value(&term.expr)?;
+            match &mut total {
+                None if term.sign == Sign::Plus => total = Some(value),
+                None => total = Some(value.map(|x| -x)),
+                Some(total) => added(total, &value, term.sign)?,
+            }
+        }
+        Ok(total.unwrap_or(Value::Scalar(constant(0.0))))
+    }
+
+    #[inline(never)]
+    fn product(&mut self, factors: &[Expr]) -> Evaluated<Value<D>> {
+        let Some((first, others)) = factors.split_first() else { return Ok(Value::Scalar(constant(1.0))) };
+        let mut total = self.value(first)?;
+        for factor in others {
+            let value = self.value(factor)?;
+            total = total.times(value).ok_or(Unavailable::Operation("a product of these shapes"))?;
+        }
+        Ok(total)
+    }
+
+    #[inline(never)]
+    fn sum_over(
+        &mut self,
+        index: IndexId,
+        except: Option<Index>,
+        within: Option<SymbolId>,
+        body: &Expr,
+    ) -> Evaluated<Value<D>> {
+        let upper = match within {
+            Some(region) => self.environment.count_within(region)?,
+            None => self.environment.count(index)?,
+        };
+        let except = except.map(|except| self.index(except)).transpose()?;
+        let mut total: Option<Value<D>> = None;
+        for value in (1..=upper).filter(|value| Some(*value) != except) {
+            self.indices.push((index, value));
+            let term = self.value(body);
+            self.indices.pop();
+            match &mut total {
+                None => total = Some(term?),
+                Some(total) => added(total, &term?, Sign::Plus)?,
+            }
+        }
+        Ok(total.unwrap_or(Value::Scalar(constant(0.0))))
     }
 
     fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {
@@ -282,11 +333,11 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    fn symbol(&self, id: SymbolId, indices: &[Index]) -> Evaluated<Value<D>> {
+    fn symbol(&self, id: SymbolId, indices: &[Index], terms: usize) -> Evaluated<Value<D>> {
         let symbols = self.environment.symbols();
         let entry = symbols.entry(id);
         if indices.is_empty() && !entry.slots.is_empty() && entry.kind == Kind::Scalar {
-            let member = |indices: &[u8]| match self.member(id, indices)? {
+            let member = |indices: &[u8]| match self.member(id, indices, terms)? {
                 Value::Scalar(value) => Ok(value),
                 _ => Err(Unavailable::Symbol(id)),
             };
@@ -306,22 +357,22 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
         // Most symbols have few indices: those need no list.
         match indices {
-            [] => self.member(id, &[]),
-            [i] => self.member(id, &[self.index(*i)?]),
-            [i, j] => self.member(id, &[self.index(*i)?, self.index(*j)?]),
+            [] => self.member(id, &[], terms),
+            [i] => self.member(id, &[self.index(*i)?], terms),
+            [i, j] => self.member(id, &[self.index(*i)?, self.index(*j)?], terms),
             _ => {
                 let values: Evaluated<Vec<u8>> = indices.iter().map(|index| self.index(*index)).collect();
-                self.member(id, &values?)
+                self.member(id, &values?, terms)
             }
         }
     }
 
     /// A symbol for given values of its indices; of a family that was put together, the member of that name.
-    fn member(&self, id: SymbolId, indices: &[u8]) -> Evaluated<Value<D>> {
+    fn member(&self, id: SymbolId, indices: &[u8], terms: usize) -> Evaluated<Value<D>> {
         let symbols = self.environment.symbols();
         let entry = symbols.entry(id);
         if entry.members.is_empty() {
-            return self.environment.symbol(id, indices);
+            return self.environment.symbol_to(id, indices, terms);
         }
         let extents = symbols.extents(id);
         let place = indices
@@ -329,7 +380,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             .zip(&extents)
             .fold(0, |place, (index, extent)| place * usize::from(*extent) + usize::from(*index) - 1);
         let member = entry.members.get(place).ok_or(Unavailable::Symbol(id))?;
-        self.environment.symbol(*member, &[])
+        self.environment.symbol_to(*member, &[], terms)
     }
 
     fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<D> {
@@ -354,18 +405,27 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     }
 }
 
+fn added<D: Number>(total: &mut Value<D>, value: &Value<D>, sign: Sign) -> Evaluated<()> {
+    total.add(value, sign).then_some(()).ok_or(Unavailable::Operation("a sum of different shapes"))
+}
+
 fn constant<D: Number>(value: f64) -> D {
     D::from(value)
 }
 
-fn differentiated<D: Moving>(mut value: Value<D>, order: u8) -> Evaluated<Value<D>> {
+/// Takes the time derivative so many times.
+fn differentiate<D: Moving>(value: &mut Value<D>, order: u8) -> Evaluated<()> {
     for _ in 0..order {
-        if value.entries().iter().any(|entry| entry.rate().is_none()) {
+        let mut known = true;
+        value.for_each(|entry| match entry.rate() {
+            Some(rate) => *entry = rate,
+            None => known = false,
+        });
+        if !known {
             return Err(Unavailable::Derivative(order));
         }
-        value = value.map(|entry| entry.rate().unwrap_or(entry));
     }
-    Ok(value)
+    Ok(())
 }
 
 fn call<D: Number>(function: Function, x: D) -> D {

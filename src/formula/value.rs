@@ -5,9 +5,10 @@ use nalgebra::{DMatrix, Vector3};
 use crate::scalar::Number;
 
 use super::shape::Shape;
+use super::tree::Sign;
 
 /// The value of a formula.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub enum Value<D: Number> {
     /// A number.
     Scalar(D),
@@ -15,6 +16,17 @@ pub enum Value<D: Number> {
     Vector(Vector3<D>),
     /// A matrix.
     Matrix(DMatrix<D>),
+}
+
+// Derived, it would copy a vector number after number.
+impl<D: Number> Clone for Value<D> {
+    fn clone(&self) -> Self {
+        match self {
+            Value::Scalar(value) => Value::Scalar(*value),
+            Value::Vector(vector) => Value::Vector(*vector),
+            Value::Matrix(matrix) => Value::Matrix(matrix.clone()),
+        }
+    }
 }
 
 impl<D: Number> Value<D> {
@@ -54,6 +66,15 @@ impl<D: Number> Value<D> {
         }
     }
 
+    /// Changes every number in it.
+    pub fn for_each(&mut self, f: impl FnMut(&mut D)) {
+        match self {
+            Value::Scalar(value) => std::iter::once(value).for_each(f),
+            Value::Vector(vector) => vector.iter_mut().for_each(f),
+            Value::Matrix(matrix) => matrix.iter_mut().for_each(f),
+        }
+    }
+
     /// The sum, where both have the same shape.
     pub fn plus(self, other: Self) -> Option<Self> {
         match (self, other) {
@@ -64,11 +85,34 @@ impl<D: Number> Value<D> {
         }
     }
 
+    /// Adds another value, or takes it away; false, and nothing is done, where the shapes differ.
+    pub fn add(&mut self, other: &Self, sign: Sign) -> bool {
+        let put = |a: &mut D, b: D| match sign {
+            Sign::Plus => *a += b,
+            Sign::Minus => *a -= b,
+        };
+        match (self, other) {
+            (Value::Scalar(a), Value::Scalar(b)) => put(a, *b),
+            (Value::Vector(a), Value::Vector(b)) => a.iter_mut().zip(b.iter()).for_each(|(a, b)| put(a, *b)),
+            (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => {
+                a.iter_mut().zip(b.iter()).for_each(|(a, b)| put(a, *b));
+            }
+            _ => return false,
+        }
+        true
+    }
+
     /// The product of two things side by side, where there is one.
     pub fn times(self, other: Self) -> Option<Self> {
         match (self, other) {
-            (Value::Scalar(a), other) => Some(other.map(|b| a * b)),
-            (other, Value::Scalar(b)) => Some(other.map(|a| a * b)),
+            (Value::Scalar(a), mut other) => {
+                other.for_each(|b| *b = a * *b);
+                Some(other)
+            }
+            (mut other, Value::Scalar(b)) => {
+                other.for_each(|a| *a *= b);
+                Some(other)
+            }
             (Value::Matrix(a), Value::Matrix(b)) if a.ncols() == b.nrows() => Some(Value::Matrix(a * b)),
             (Value::Matrix(a), Value::Vector(b)) if a.shape() == (3, 3) => {
                 Some(Value::Vector(a.fixed_view::<3, 3>(0, 0) * b))

@@ -14,32 +14,39 @@ pub const TERMS: usize = 6;
 
 /// x(t) = Σₖ cₖ τᵏ with τ the time since the instant; the k-th derivative is k!·cₖ.
 ///
-/// Sums, products and functions are known as far as all that went in; a constant is known to all orders.
-#[derive(Clone, Copy, Debug)]
+/// Sums, products and functions are known as far as all that went in; a constant is known to all orders. What is a
+/// polynomial in time by how it was made, as a constant is, costs no more than its own coefficients.
+#[derive(Copy, Debug)]
 pub struct Series<B> {
     coefficients: [B; TERMS],
     known: u8,
+    /// So many coefficients, one at least, may differ from zero; those that follow are zero identically.
+    length: u8,
+}
+
+// Derived, it would copy coefficient after coefficient.
+impl<B: Copy> Clone for Series<B> {
+    fn clone(&self) -> Self {
+        *self
+    }
 }
 
 impl<B: Number> Series<B> {
     /// A value that does not vary.
     pub fn constant(value: B) -> Self {
-        let mut coefficients = [B::zero(); TERMS];
-        coefficients[0] = value;
-        Series { coefficients, known: TERMS as u8 }
+        Series::build(TERMS, 1, |_, _| value)
     }
 
     /// The time itself, at an instant.
     pub fn time(now: B) -> Self {
-        let mut series = Series::constant(now);
-        series.coefficients[1] = B::one();
-        series
+        Series::build(TERMS, 2, |k, _| if k == 0 { now } else { B::one() })
     }
 
     /// From the value, the first derivative, the second …: as many as are known (those beyond [`TERMS`] are dropped).
     pub fn from_derivatives(derivatives: &[B]) -> Self {
         let mut factorial = 1.0;
-        Series::build(derivatives.len().min(TERMS), |k, _| {
+        let known = derivatives.len().min(TERMS);
+        Series::build(known, known, |k, _| {
             factorial *= k.max(1) as f64;
             derivatives[k] / factorial
         })
@@ -69,24 +76,56 @@ impl<B: Number> Series<B> {
     /// assert_eq!((t * t * t).derivative().value(), 12.0);
     /// ```
     pub fn derivative(&self) -> Self {
-        Series::build(self.known().saturating_sub(1), |k, _| self.coefficients[k + 1] * (k + 1) as f64)
+        Series::build(self.known().saturating_sub(1), self.length() - 1, |k, _| {
+            self.coefficients[k + 1] * (k + 1) as f64
+        })
     }
 
     /// The same series, known to no more than `known` coefficients.
     pub fn truncated(&self, known: usize) -> Self {
-        Series::build(known.min(self.known()), |k, _| self.coefficients[k])
+        let mut series = *self;
+        if known < self.known() {
+            if known == 0 {
+                return Series::build(0, 0, |_, _| B::zero());
+            }
+            for coefficient in &mut series.coefficients[known..self.length().max(known)] {
+                *coefficient = B::zero();
+            }
+            (series.known, series.length) = (known as u8, self.length.min(known as u8));
+        }
+        series
     }
 
-    /// Coefficient after coefficient, each from those before it.
-    fn build(known: usize, mut next: impl FnMut(usize, &[B; TERMS]) -> B) -> Self {
+    /// Coefficient after coefficient, each from those before it; beyond `length` they are zero.
+    fn build(known: usize, length: usize, mut next: impl FnMut(usize, &[B; TERMS]) -> B) -> Self {
         let mut coefficients = [B::zero(); TERMS];
         if known == 0 {
             coefficients[0] = B::from(f64::NAN); // nothing is known: whoever looks shall not find a number
         }
-        for k in 0..known {
+        let length = length.min(known);
+        for k in 0..length {
             coefficients[k] = next(k, &coefficients);
         }
-        Series { coefficients, known: known as u8 }
+        Series::of(coefficients, known, length)
+    }
+
+    /// What has no value does not stay as it is: no rate of it is 0 because nothing in it varies.
+    fn of(mut coefficients: [B; TERMS], known: usize, length: usize) -> Self {
+        let mut length = length.clamp(1, known.max(1));
+        if length < known && !coefficients[0].re().is_finite() {
+            coefficients[length..known].fill(B::from(f64::NAN));
+            length = known;
+        }
+        Series { coefficients, known: known as u8, length: length as u8 }
+    }
+
+    fn length(&self) -> usize {
+        self.length as usize
+    }
+
+    /// How many coefficients a function of this has: that of a constant is a constant.
+    fn length_of_function(&self) -> usize {
+        if self.length == 1 { 1 } else { self.known() }
     }
 
     fn common(&self, other: &Self) -> usize {
@@ -104,7 +143,7 @@ impl<B: Number> Series<B> {
 
     /// f(x) from its value and the series of f′(x): f(x) = f(x₀) + ∫ f′(x) dx.
     fn integrate(&self, value: B, slope: Self) -> Self {
-        Series::build(self.known(), |k, _| match k {
+        Series::build(self.known(), self.length_of_function(), |k, _| match k {
             0 => value,
             _ => Self::integral_step(k, &self.coefficients, &slope.coefficients),
         })
@@ -112,14 +151,14 @@ impl<B: Number> Series<B> {
 
     /// Two functions, each the other's derivative up to a sign: sine and cosine (−1), their hyperbolic sisters (+1).
     fn coupled(&self, first: B, second: B, sign: f64) -> (Self, Self) {
-        let (x, known) = (&self.coefficients, self.known());
+        let (x, length) = (&self.coefficients, self.length_of_function());
         let (mut s, mut c) = ([B::zero(); TERMS], [B::zero(); TERMS]);
         (s[0], c[0]) = (first, second);
-        for k in 1..known {
+        for k in 1..length {
             s[k] = Self::integral_step(k, x, &c);
             c[k] = Self::integral_step(k, x, &s) * sign;
         }
-        (Series { coefficients: s, known: self.known }, Series { coefficients: c, known: self.known })
+        (Series::of(s, self.known(), length), Series::of(c, self.known(), length))
     }
 }
 
@@ -134,16 +173,31 @@ impl<B: Number> Arithmetic for Series<B> {
         self.coefficients[0].re()
     }
     fn plus(self, other: Self) -> Self {
-        Series::build(self.common(&other), |k, _| self.coefficients[k] + other.coefficients[k])
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        Series::build(self.common(&other), self.length().max(other.length()), |k, _| {
+            match (k < self.length(), k < other.length()) {
+                (true, true) => a[k] + b[k],
+                (true, false) => a[k],
+                _ => b[k],
+            }
+        })
     }
     fn minus(self, other: Self) -> Self {
-        Series::build(self.common(&other), |k, _| self.coefficients[k] - other.coefficients[k])
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        Series::build(self.common(&other), self.length().max(other.length()), |k, _| {
+            match (k < self.length(), k < other.length()) {
+                (true, true) => a[k] - b[k],
+                (true, false) => a[k],
+                _ => -b[k],
+            }
+        })
     }
     fn times(self, other: Self) -> Self {
         let (a, b) = (&self.coefficients, &other.coefficients);
-        Series::build(self.common(&other), |k, _| {
-            let mut sum = a[0] * b[k];
-            for j in 1..=k {
+        Series::build(self.common(&other), self.length() + other.length() - 1, |k, _| {
+            let first = k.saturating_sub(other.length() - 1);
+            let mut sum = a[first] * b[k - first];
+            for j in first + 1..=k.min(self.length() - 1) {
                 sum += a[j] * b[k - j];
             }
             sum
@@ -151,16 +205,17 @@ impl<B: Number> Arithmetic for Series<B> {
     }
     fn over(self, other: Self) -> Self {
         let (a, b) = (&self.coefficients, &other.coefficients);
-        Series::build(self.common(&other), |k, quotient| {
+        let length = if other.length == 1 { self.length() } else { self.common(&other) };
+        Series::build(self.common(&other), length, |k, quotient| {
             let mut left = a[k];
-            for j in 1..=k {
+            for j in 1..=k.min(other.length() - 1) {
                 left -= b[j] * quotient[k - j];
             }
             left / b[0]
         })
     }
     fn negated(self) -> Self {
-        Series::build(self.known(), |k, _| -self.coefficients[k])
+        Series::build(self.known(), self.length(), |k, _| -self.coefficients[k])
     }
     fn power(self, n: i32) -> Self {
         power_by_squaring(self, n)
@@ -171,7 +226,7 @@ impl<B: Number> Arithmetic for Series<B> {
         }
         // x·y′ = n·y·x′
         let x = &self.coefficients;
-        Series::build(self.known(), |k, y| match k {
+        Series::build(self.known(), self.length_of_function(), |k, y| match k {
             0 => x[0].powf(n),
             _ => {
                 let sum = (1..=k).map(|j| x[j] * y[k - j] * (n * j as f64 - (k - j) as f64));
@@ -190,9 +245,9 @@ impl<B: Number> Arithmetic for Series<B> {
                     let sum = (1..=k).map(|j| self.coefficients[j] * y[k - j] * (j as f64 / 3.0 - (k - j) as f64));
                     sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / (x0 * k as f64)
                 };
-                Series::build(self.known(), |k, y| if k == 0 { root } else { slope(k, y) })
+                Series::build(self.known(), self.length_of_function(), |k, y| if k == 0 { root } else { slope(k, y) })
             }
-            Function::Exp => Series::build(self.known(), |k, y| match k {
+            Function::Exp => Series::build(self.known(), self.length_of_function(), |k, y| match k {
                 0 => value(),
                 _ => Self::integral_step(k, &self.coefficients, y),
             }),
@@ -208,7 +263,7 @@ impl<B: Number> Arithmetic for Series<B> {
             Function::Sinh => self.coupled(x0.sinh(), x0.cosh(), 1.0).0,
             Function::Cosh => self.coupled(x0.sinh(), x0.cosh(), 1.0).1,
             // y′ = (1 − y²)·x′, which does not overflow where sinh and cosh do
-            Function::Tanh => Series::build(self.known(), |k, y| match k {
+            Function::Tanh => Series::build(self.known(), self.length_of_function(), |k, y| match k {
                 0 => value(),
                 _ => {
                     let square = |m: usize| (0..=m).map(|i| y[i] * y[m - i]).reduce(|a, b| a + b).unwrap_or(B::zero());
@@ -234,7 +289,8 @@ impl<B: Number> Arithmetic for Series<B> {
         let square = x * x + self * self;
         let (along_y, along_x) = (x.over(square), self.over(square));
         let value = self.coefficients[0].atan2(x.coefficients[0]);
-        Series::build(self.common(&x), |k, _| match k {
+        let length = self.length_of_function().max(x.length_of_function());
+        Series::build(self.common(&x), length, |k, _| match k {
             0 => value,
             _ => {
                 Self::integral_step(k, &self.coefficients, &along_y.coefficients)
@@ -271,6 +327,41 @@ mod tests {
         assert_eq!(square.nth_derivative_value(3), Some(0.0));
         assert_eq!(t.powf(3.0).nth_derivative_value(3), Some(6.0));
         assert_eq!(t.powi(0).nth_derivative_value(1), Some(0.0));
+    }
+
+    #[test]
+    fn a_constant_without_a_value_has_no_rate() {
+        let (zero, t) = (Series::constant(0.0_f64), Series::time(2.0));
+        for nothing in [zero / zero, zero.ln() * 2.0, (zero - 1.0).sqrt() + t, t * (zero / zero)] {
+            assert!(nothing.derivative().value().is_nan());
+            assert!(nothing.nth_derivative_value(1).is_some_and(f64::is_nan));
+            assert!(nothing.derivative().derivative().value().is_nan());
+        }
+        // the twin: what has a value and does not vary has the rate 0
+        assert_eq!(((zero + 4.0).sqrt() * 3.0).derivative().value(), 0.0);
+    }
+
+    #[test]
+    fn a_polynomial_is_the_series_with_its_zeros_written_out() {
+        let t = Series::time(0.7_f64);
+        let polynomials = [Series::constant(1.3), t, t * t - t * 2.0, (t + 0.4) * t * t];
+        let written_out = |x: Series<f64>| {
+            Series::from_derivatives(&(0..TERMS).filter_map(|k| x.nth_derivative_value(k)).collect::<Vec<_>>())
+        };
+        for a in polynomials {
+            for b in polynomials {
+                let (x, y) = (written_out(a), written_out(b));
+                let pairs = [(a + b, x + y), (a - b, x - y), (a * b, x * y), (a / b, x / y), (-a, -x)];
+                let functions =
+                    [(a.sin(), x.sin()), (a.atan2(b), x.atan2(y)), (a.exp(), x.exp()), (a.tanh(), x.tanh())];
+                for (short, long) in pairs.into_iter().chain(functions) {
+                    for k in 0..TERMS {
+                        let (short, long) = (short.nth_derivative_value(k), long.nth_derivative_value(k));
+                        assert!(short.zip(long).is_some_and(|(s, l)| (s - l).abs() <= 1e-12 * (1.0 + l.abs())), "{k}");
+                    }
+                }
+            }
+        }
     }
 
     #[test]
