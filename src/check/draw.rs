@@ -40,6 +40,11 @@ impl Draw {
         Draw { generator: Pcg64Mcg::seed_from_u64(seed ^ mix) }
     }
 
+    /// A seed for another stream.
+    pub fn seed(&mut self) -> u64 {
+        self.generator.next_u64()
+    }
+
     /// A number between 0 and 1.
     pub fn unit(&mut self) -> f64 {
         (self.generator.next_u64() >> 11) as f64 / (1_u64 << 53) as f64

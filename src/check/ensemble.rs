@@ -11,6 +11,7 @@ use num_dual::Dual64;
 
 use crate::formula::evaluate::{Unavailable, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Node, Relation, SymbolId, Value};
+use crate::mechanics::Elimination;
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Number, Series};
 use crate::{Error, Result};
@@ -78,6 +79,8 @@ pub struct Ensemble<'m> {
     pub mode: Mode,
     /// What the hypotheses make of some symbols.
     pub rules: Arc<[Rule]>,
+    /// How they were moved onto the hypotheses.
+    pub solver: Solver<'m>,
 }
 
 impl<'m> Ensemble<'m> {
@@ -88,24 +91,23 @@ impl<'m> Ensemble<'m> {
     pub fn draw(model: &'m Model, setting: &Setting<'_>, points: usize, draw: &mut Draw) -> Result<Self> {
         let mode = setting.mode;
         let mut solver = Solver::new(model, setting);
-        let rules = solver.rules.clone();
-        let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode, rules };
+        let (mut scenes, mut bases, mut tried) = (Vec::new(), Vec::new(), 0);
         let mut failure: Option<Error> = None;
-        while ensemble.scenes.len() < points && ensemble.tried < 4 * points + 32 && !solver.hopeless {
-            ensemble.tried += 1;
+        while scenes.len() < points && tried < 4 * points + 32 && !solver.hopeless {
+            tried += 1;
             let base = draw.base(&solver.slots, setting.reach);
             match solver.state(base) {
                 Ok(Some((base, scene))) => {
-                    ensemble.scenes.push(scene);
-                    ensemble.bases.push(base);
+                    scenes.push(scene);
+                    bases.push(base);
                 }
                 Ok(None) => {}
                 Err(error) => failure = Some(error),
             }
         }
         match failure {
-            Some(error) if ensemble.scenes.is_empty() => Err(error),
-            _ => Ok(ensemble),
+            Some(error) if scenes.is_empty() => Err(error),
+            _ => Ok(Ensemble { scenes, bases, tried, mode, rules: solver.rules.clone(), solver }),
         }
     }
 }
@@ -119,8 +121,7 @@ impl<'m> Ensemble<'m> {
     pub fn special(model: &'m Model, setting: &Setting<'_>, draw: &mut Draw) -> Result<Self> {
         let mode = setting.mode;
         let mut solver = Solver::new(model, setting);
-        let rules = solver.rules.clone();
-        let mut ensemble = Ensemble { scenes: Vec::new(), bases: Vec::new(), tried: 0, mode, rules };
+        let (mut scenes, mut bases, mut tried) = (Vec::new(), Vec::new(), 0);
         let single: Vec<usize> = (1..solver.slots.len()).filter(|at| !solver.slots[*at].one_of_many).collect();
         let mut places: Vec<Place> = Vec::new();
         for &at in &single {
@@ -138,19 +139,19 @@ impl<'m> Ensemble<'m> {
         for place in places {
             // Hypotheses may exclude a state that is drawn, and not the place.
             for _ in 0..8 {
-                ensemble.tried += 1;
+                tried += 1;
                 let mut base = draw.base(&solver.slots, setting.reach);
                 place.set(&mut base, &solver.slots);
                 if solver.slots.iter().zip(&base).all(|(slot, value)| contains(&slot.range, *value))
                     && let Ok(Some((base, scene))) = solver.state(base)
                 {
-                    ensemble.scenes.push(scene);
-                    ensemble.bases.push(base);
+                    scenes.push(scene);
+                    bases.push(base);
                     break;
                 }
             }
         }
-        Ok(ensemble)
+        Ok(Ensemble { scenes, bases, tried, mode, rules: solver.rules.clone(), solver })
     }
 }
 
@@ -228,17 +229,19 @@ impl Place {
     }
 }
 
-struct Solver<'m> {
-    model: &'m Model,
-    mode: Mode,
+/// How states are moved onto the hypotheses of a claim.
+pub struct Solver<'m> {
+    pub(super) model: &'m Model,
+    pub(super) mode: Mode,
     reach: Reach,
-    conditions: Vec<Condition>,
+    pub(super) conditions: Vec<Condition>,
     /// Which of the conditions are rules, and so need no solving.
     explicit: Vec<bool>,
     rules: Arc<[Rule]>,
-    slots: Vec<Slot>,
+    /// What a base consists of.
+    pub(super) slots: Vec<Slot>,
     /// Which row is solved for which slot; found at the first state that works.
-    plan: Vec<(Row, usize)>,
+    pub(super) plan: Vec<(Row, usize)>,
     /// How many states were accepted.
     accepted: usize,
     /// Whether there is more to solve than is solved.
@@ -288,7 +291,7 @@ impl<'m> Family<'m> {
 }
 
 /// The `derivative`-th time derivative of the `condition`-th hypothesis, one entry of it.
-type Row = (usize, usize, usize);
+pub(super) type Row = (usize, usize, usize);
 
 impl<'m> Solver<'m> {
     fn new(model: &'m Model, setting: &Setting<'_>) -> Self {
@@ -314,13 +317,19 @@ impl<'m> Solver<'m> {
         }
     }
 
-    fn equalities(&self) -> impl Iterator<Item = (usize, &Condition)> {
+    /// Which of the conditions are rules.
+    pub(super) fn explicit(&self) -> &[bool] {
+        &self.explicit
+    }
+
+    /// The hypotheses that are solved.
+    pub(super) fn equalities(&self) -> impl Iterator<Item = (usize, &Condition)> {
         let is_equality = |c: &Condition| matches!(c.relation, Relation::Equal | Relation::Identical);
         self.conditions.iter().enumerate().filter(move |(at, c)| is_equality(c) && !self.explicit[*at])
     }
 
     /// The values of rows over any number; `None` where one has none. Each hypothesis is evaluated once.
-    fn values<B: Number>(&self, scene: &Scene<'m, B>, rows: &[Row]) -> Option<Vec<B>> {
+    pub(super) fn values<B: Number>(&self, scene: &Scene<'m, B>, rows: &[Row]) -> Option<Vec<B>> {
         let mut known: Vec<(usize, Vec<Series<B>>)> = Vec::new();
         let mut values = Vec::with_capacity(rows.len());
         for (at, derivative, entry) in rows {
@@ -334,7 +343,17 @@ impl<'m> Solver<'m> {
     }
 
     fn scene<B: Number>(&self, base: &[B], terms: usize) -> Result<Scene<'m, B>> {
-        let scene = Scene::knowing(terms, self.model, self.mode, base, &self.rules)?;
+        self.scene_by(Elimination::Pivots, base, terms)
+    }
+
+    /// The state of a base, the mass matrix inverted in the given way.
+    pub(super) fn scene_by<B: Number>(
+        &self,
+        elimination: Elimination,
+        base: &[B],
+        terms: usize,
+    ) -> Result<Scene<'m, B>> {
+        let scene = Scene::by(elimination, terms, self.model, self.mode, base, &self.rules)?;
         let joined = scene.join();
         joined.map_err(|_| Error::new("families that are joined must be families of one label"))?;
         Ok(scene)
@@ -406,7 +425,7 @@ impl<'m> Solver<'m> {
         (highest + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
     }
 
-    fn rows(&self, scene: &Scene<'m, Measured>) -> Vec<Row> {
+    pub(super) fn rows<B: Number>(&self, scene: &Scene<'m, B>) -> Vec<Row> {
         let mut rows = Vec::new();
         let differences: Vec<_> = self
             .equalities()
@@ -549,7 +568,10 @@ impl<'m> Solver<'m> {
 }
 
 /// lhs − rhs, entry by entry, for all values of the free indices; with the derivatives that are made to vanish.
-fn difference<B: Number>(scene: &Scene<'_, B>, condition: &Condition) -> Result<Vec<Series<B>>, Unavailable> {
+pub(super) fn difference<B: Number>(
+    scene: &Scene<'_, B>,
+    condition: &Condition,
+) -> Result<Vec<Series<B>>, Unavailable> {
     let mut indices: Vec<(IndexId, u8)> = condition.free.iter().map(|id| (*id, 1)).collect();
     let terms = if condition.throughout { THROUGHOUT + 1 } else { 1 };
     let mut all = Vec::new();

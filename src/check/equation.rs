@@ -481,6 +481,8 @@ pub(super) fn merged(findings: Vec<Finding>) -> Option<Finding> {
     let fewest = findings.iter().filter(|f| f.points > 0).map(|f| f.points).min();
     let largest = findings.iter().filter_map(|f| f.max_residual).reduce(f64::max);
     let tried = findings.iter().map(|f| f.tried).max();
+    // that one or the other is false is at most as probable as both together
+    let false_accept = findings.iter().filter_map(|f| f.false_accept_log2).map(f64::exp2).reduce(|a, b| a + b);
     let mut messages: Vec<String> = Vec::new();
     for finding in findings.iter().filter(|finding| finding.verdict.passes()) {
         if !messages.contains(&finding.message) {
@@ -495,6 +497,7 @@ pub(super) fn merged(findings: Vec<Finding>) -> Option<Finding> {
         worst.points = fewest.unwrap_or(0);
         worst.max_residual = largest;
         worst.tried = tried.unwrap_or(0);
+        worst.false_accept_log2 = false_accept.filter(|_| worst.verdict == Verdict::Certified).map(f64::log2);
     }
     Some(worst)
 }

@@ -10,6 +10,7 @@ use crate::latex::typeset;
 use crate::scalar::{Measured, TERMS};
 use crate::source::Span;
 
+use super::certify;
 use super::draw::{Draw, Reach};
 use super::ensemble::{Condition, Ensemble, Setting};
 use super::evidence::{self, Emptiness};
@@ -235,7 +236,7 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
             }
             let (on_shell, _) = check_in(link, context, true)?;
             Ok(match (always.verdict, on_shell.verdict) {
-                (Verdict::Verified, Verdict::Verified) => always,
+                (always_verdict, verdict) if always_verdict.holds() && verdict.holds() => always,
                 (Verdict::Undecided, Verdict::Refuted | Verdict::Undecided) => always,
                 // Where no state obeys the laws, what is false without them stays so.
                 (Verdict::Refuted, Verdict::Undecided) if on_shell.points == 0 => always,
@@ -306,6 +307,8 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         if !unneeded.is_empty() {
             finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
         }
+        drop(states);
+        finding = certify::certify(link, context, &ensemble).stamp(finding);
     }
     Ok((finding, Next::Settled))
 }
@@ -559,7 +562,10 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     };
     let mut finding = conclude(&states, &on_shell, &ensemble, &outcome);
     finding.message = match finding.verdict {
-        Verdict::Verified => "constant on shell".to_owned(),
+        Verdict::Verified => {
+            finding = certify::certify(&link, &on_shell, &ensemble).stamp(finding);
+            "constant on shell".to_owned()
+        }
         Verdict::Refuted => "it varies on shell".to_owned(),
         _ => finding.message,
     };

@@ -8,6 +8,7 @@
 
 mod base;
 mod builder;
+mod certify;
 mod continuum;
 mod crowd;
 pub mod definitions;

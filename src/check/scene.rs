@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use crate::Result;
 use crate::formula::evaluate::{ALL, Body, Environment, Moving, Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
-use crate::mechanics::{Quantities, rotations};
+use crate::mechanics::{Elimination, Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Number, Series, TERMS};
 
@@ -50,6 +50,7 @@ type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 /// A state.
 pub struct Scene<'m, B: Number> {
     pub(super) model: &'m Model,
+    elimination: Elimination,
     /// How many derivatives are known of what is drawn, the value counted.
     terms: usize,
     pub(super) base: Base<B>,
@@ -89,18 +90,35 @@ impl<'m, B: Number> Scene<'m, B> {
     /// # Errors
     /// When the mass matrix is singular there.
     pub fn knowing(terms: usize, model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
+        Scene::by(Elimination::Pivots, terms, model, mode, base, rules)
+    }
+
+    /// The same state, the mass matrix inverted in the given way.
+    ///
+    /// # Errors
+    /// When it cannot be.
+    pub fn by(
+        elimination: Elimination,
+        terms: usize,
+        model: &'m Model,
+        mode: Mode,
+        base: &[B],
+        rules: &Arc<[Rule]>,
+    ) -> Result<Self> {
         let base = Base::of(model, mode, base);
         let coordinates = match &model.world {
             Some(world) if mode.on_shell => {
                 let q: Vec<B> = base.coordinates.iter().map(|jet| jet[0]).collect();
                 let v: Vec<B> = base.coordinates.iter().map(|jet| jet[1]).collect();
                 let parameters: Vec<B> = model.parameters.iter().map(|place| base.constants[*place][0]).collect();
-                world.motion(base.time, &q, &v, &parameters, mode.order.min(terms - 1).max(1))?
+                let order = mode.order.min(terms - 1).max(1);
+                world.motion_by(elimination, base.time, &q, &v, &parameters, order)?
             }
             _ => base.coordinates.iter().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
         };
         Ok(Scene {
             model,
+            elimination,
             terms,
             base,
             coordinates,
@@ -220,7 +238,11 @@ impl<'m, B: Number> Scene<'m, B> {
             Quantity::EffectivePotential => {
                 let world = self.model.world.as_ref().ok_or_else(none)?;
                 let v = self.velocities();
-                let value = world.effective_potential(self.time(), &self.coordinates, &v, &self.parameters());
+                let (time, parameters) = (self.time(), self.parameters());
+                let value = match self.elimination {
+                    Elimination::Pivots => world.effective_potential(time, &self.coordinates, &v, &parameters),
+                    Elimination::Cramer => world.effective_potential_exactly(time, &self.coordinates, &v, &parameters),
+                };
                 Value::Scalar(value.map_err(|_| none())?)
             }
             Quantity::RotationMatrix => {
@@ -265,7 +287,7 @@ impl<'m, B: Number> Scene<'m, B> {
             Action::Parallel(along) => match (before()?, evaluate_to(terms, along, self, &letters)?) {
                 (Value::Vector(v), Value::Vector(a)) => {
                     let square = a.dot(&a);
-                    match square.value().re() == 0.0 {
+                    match square.value().is_zero() {
                         true => Value::Vector(Vector3::zeros()),
                         false => Value::Vector(a * (v.dot(&a) / square)),
                     }

@@ -9,6 +9,7 @@ use crate::formula::{Expr, SymbolId, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Series};
 
+use super::certify::certify_solutions;
 use super::draw::contains;
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{self, Failure, Link, Point};
@@ -121,12 +122,13 @@ fn put_in_and_count(
         }
         false => "put in, it satisfies the equation".to_owned(),
     };
-    Ok(Finding {
+    let finding = Finding {
         points,
         tried: ensemble.tried,
         max_residual: Some(residual),
         ..context.finding(Verdict::Verified, message)
-    })
+    };
+    Ok(certify_solutions(target, unknown, branches, all_of_them, context, &ensemble).stamp(finding))
 }
 
 /// A twin of a branch that solves the equation as well.

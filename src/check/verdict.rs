@@ -48,6 +48,11 @@ impl Verdict {
         matches!(self, Verdict::Certified | Verdict::Verified | Verdict::Definition | Verdict::Law)
     }
 
+    /// Whether a claim was tested and found to hold.
+    pub fn holds(self) -> bool {
+        matches!(self, Verdict::Certified | Verdict::Verified)
+    }
+
     /// How bad it is: its place in [`Verdict::ALL`].
     pub fn severity(self) -> usize {
         Verdict::ALL.iter().position(|verdict| *verdict == self).unwrap_or(0)
@@ -106,6 +111,10 @@ pub struct Finding {
     pub tried: usize,
     /// The largest residual relative to the terms that met in it, where residuals were taken.
     pub max_residual: Option<f64>,
+    /// Of what is certified: the probability that it is false nevertheless, as a power of two.
+    pub false_accept_log2: Option<f64>,
+    /// Of an equality that is verified and not certified: what a field cannot decide.
+    pub not_certified_because: Option<String>,
     /// Where it fails.
     pub counterexample: Option<Counterexample>,
     /// The bytes of the notes that the finding is about.
@@ -121,6 +130,8 @@ impl Finding {
             points: 0,
             tried: 0,
             max_residual: None,
+            false_accept_log2: None,
+            not_certified_because: None,
             counterexample: None,
             span,
         }

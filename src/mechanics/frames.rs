@@ -42,10 +42,13 @@ impl<B: Number> Frame<B> {
     pub fn about(direction: [B; 3], angle: Series<B>) -> Result<Self> {
         let [x, y, z] = direction;
         let length = (x * x + y * y + z * z).sqrt();
-        if !(length.re().is_finite() && length.re() > 0.0) {
+        let unit = direction.map(|component| component / length);
+        // NaN alone differs from itself; numbers of a field have no size to ask for
+        #[allow(clippy::eq_op)]
+        if length.is_zero() || unit.iter().any(|component| component != component) {
             return Err(Error::new("the axis of a rotation has no direction").help("give three numbers, not all 0"));
         }
-        let axis = Vector3::from(direction.map(|component| Series::constant(component / length)));
+        let axis = Vector3::from(unit.map(Series::constant));
         Ok(Frame { orientation: rodrigues(&axis, angle).transpose() })
     }
 

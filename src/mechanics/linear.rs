@@ -1,4 +1,7 @@
 //! Linear equations with a mass matrix: solved over any number, refused with the condition number when singular.
+//!
+//! Numbers that have no size, those of a field, cannot be pivoted by it: for them there is Cramer's rule, which also keeps
+//! the degrees of what comes out low.
 
 use nalgebra::{DMatrix, DVector, Dyn};
 use num_dual::linalg::LU;
@@ -23,6 +26,60 @@ pub fn condition_number(matrix: &DMatrix<f64>) -> f64 {
         (Some(largest), Some(smallest)) if smallest > 0.0 => largest / smallest,
         (Some(_), _) => f64::INFINITY,
         _ => 1.0,
+    }
+}
+
+/// How linear equations are solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Elimination {
+    /// By elimination with exchange of rows, after a look at the condition number: for real numbers.
+    Pivots,
+    /// By Cramer's rule, looking at no values: for numbers that have no size.
+    Cramer,
+}
+
+/// The most unknowns that Cramer's rule is used for.
+const MOST_BY_CRAMER: usize = 4;
+
+/// Solves M x = b by Cramer's rule.
+///
+/// # Errors
+/// When there are more than [`MOST_BY_CRAMER`] unknowns.
+fn cramer<D: Number>(what: &str, matrix: &DMatrix<D>, right: &[D]) -> Result<Vec<D>> {
+    let n = right.len();
+    if n > MOST_BY_CRAMER {
+        return Err(Error::new(format!(
+            "the {what} has more than {MOST_BY_CRAMER} rows, too many to be inverted exactly"
+        )));
+    }
+    let determinant = determinant(matrix);
+    let with_column = |j: usize| DMatrix::from_fn(n, n, |i, k| if k == j { right[i] } else { matrix[(i, k)] });
+    Ok((0..n).map(|j| self::determinant(&with_column(j)) / determinant).collect())
+}
+
+/// By Laplace's expansion along the first row.
+fn determinant<D: Number>(matrix: &DMatrix<D>) -> D {
+    if matrix.nrows() == 0 {
+        return D::one();
+    }
+    let below = matrix.clone().remove_row(0);
+    let cofactor = |j: usize| determinant(&below.clone().remove_column(j)) * if j % 2 == 0 { 1.0 } else { -1.0 };
+    (0..matrix.ncols()).map(|j| matrix[(0, j)] * cofactor(j)).fold(D::zero(), |sum, term| sum + term)
+}
+
+/// Solves M x = b in the given way.
+///
+/// # Errors
+/// As [`solve`] or [`cramer`].
+pub(crate) fn solve_by<D: Number>(
+    elimination: Elimination,
+    what: &str,
+    matrix: DMatrix<D>,
+    right: Vec<D>,
+) -> Result<Vec<D>> {
+    match elimination {
+        Elimination::Pivots => solve(what, matrix, right),
+        Elimination::Cramer => cramer(what, &matrix, &right),
     }
 }
 
@@ -61,6 +118,19 @@ mod tests {
         assert_relative_eq!(condition_number(&good), 3.0, epsilon = 1e-12);
         assert_relative_eq!(condition_number(&in_other_units), 3.0, epsilon = 1e-12);
         assert!(solve("mass matrix", in_other_units, vec![1.0, 1.0]).is_ok());
+    }
+
+    #[test]
+    fn cramers_rule_agrees_with_elimination() {
+        let matrix = |n: usize| DMatrix::from_fn(n, n, |i, j| if i == j { 3.0 } else { 1.0 / (1 + i + 2 * j) as f64 });
+        for n in 1..=MOST_BY_CRAMER {
+            let right: Vec<f64> = (0..n).map(|i| 1.0 - i as f64).collect();
+            let [pivots, cramer] = [Elimination::Pivots, Elimination::Cramer]
+                .map(|way| DVector::from_vec(solve_by(way, "matrix", matrix(n), right.clone()).unwrap()));
+            assert_relative_eq!(pivots, cramer, epsilon = 1e-13);
+            approx::assert_relative_ne!(pivots, -cramer, epsilon = 1e-3);
+        }
+        assert!(solve_by(Elimination::Cramer, "matrix", matrix(5), vec![1.0; 5]).is_err());
     }
 
     #[test]

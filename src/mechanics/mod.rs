@@ -32,6 +32,6 @@ mod world;
 pub use bodies::{Body, Nodes};
 pub use frames::Frame;
 pub use lagrangian::{Lagrangian, State};
-pub use linear::{MAX_CONDITION, condition_number};
+pub use linear::{Elimination, MAX_CONDITION, condition_number};
 pub use tape::{LANES, Op, Tape};
 pub use world::{Quantities, System, World, of};

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
+use super::linear::Elimination;
 use super::trace::{Layout, Traced, trace, upper};
 use super::{LANES, Lagrangian, linear, motion};
 use crate::scalar::{Number, Series};
@@ -228,9 +229,28 @@ impl World {
         parameters: &[D],
         order: usize,
     ) -> Result<Vec<Series<D>>> {
+        self.motion_by(Elimination::Pivots, time, q, v, parameters, order)
+    }
+
+    /// The same with the mass matrix inverted in the given way.
+    ///
+    /// # Errors
+    /// When it cannot be, or `order` is beyond what a [`Series`] holds.
+    pub fn motion_by<D: Number>(
+        &self,
+        elimination: Elimination,
+        time: D,
+        q: &[D],
+        v: &[D],
+        parameters: &[D],
+        order: usize,
+    ) -> Result<Vec<Series<D>>> {
         let time = Series::time(time);
         let parameters: Vec<_> = parameters.iter().copied().map(Series::constant).collect();
-        motion::complete(q, v, order, |q, v| self.accelerations(time, q, v, &parameters))
+        motion::complete(q, v, order, |q, v| {
+            let (mass, bias) = self.dynamics(&self.inputs(time, q, v, &parameters));
+            linear::solve_by(elimination, "mass matrix", mass, bias.iter().map(|&h| -h).collect())
+        })
     }
 
     /// The accelerations of many states, in blocks.

@@ -71,6 +71,8 @@ fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String
         "points": finding.points,
         "tried": finding.tried,
         "max_residual": finding.max_residual.map(number),
+        "false_accept_log2": finding.false_accept_log2,
+        "not_certified_because": finding.not_certified_because,
         "message": finding.message,
         "counterexample": finding.counterexample.as_ref().map(counterexample),
     });
@@ -112,6 +114,8 @@ pub fn answer(answer: &Answer) -> Value {
         "points": answer.finding.points,
         "tried": answer.finding.tried,
         "max_residual": answer.finding.max_residual.map(number),
+        "false_accept_log2": answer.finding.false_accept_log2,
+        "not_certified_because": answer.finding.not_certified_because,
         "counterexample": answer.finding.counterexample.as_ref().map(counterexample),
     })
 }

@@ -78,6 +78,9 @@ fn summary_of(finding: &Finding) -> String {
         if let Some(residual) = finding.max_residual {
             text.push_str(&format!(" · residual {residual:.0e}"));
         }
+        if let Some(power) = finding.false_accept_log2 {
+            text.push_str(&format!(" · false with probability below 2^{:.0}", power.ceil()));
+        }
     }
     text
 }
@@ -87,10 +90,16 @@ fn details(item: &Equation, width: usize) -> String {
     let mut text = String::new();
     if item.parts.is_empty() {
         text.push_str(&format!("{indent}{}\n", item.reading));
+        if let Some(reason) = &item.finding.not_certified_because {
+            text.push_str(&format!("{indent}not certified because of {reason}\n"));
+        }
     }
     for part in &item.parts {
         text.push_str(&format!("{indent}{}  {}\n", part.finding.verdict.word(), part.reading));
         text.push_str(&format!("{indent}  {}\n", summary_of(&part.finding)));
+        if let Some(reason) = &part.finding.not_certified_because {
+            text.push_str(&format!("{indent}  not certified because of {reason}\n"));
+        }
     }
     if let (true, Some(counterexample)) = (item.ok, &item.finding.counterexample) {
         for note in diagnostic::evidence(counterexample) {

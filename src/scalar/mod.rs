@@ -11,7 +11,7 @@ mod arithmetic;
 pub mod field;
 mod measured;
 mod polynomial;
-mod rational;
+pub mod rational;
 mod series;
 mod symbol;
 
@@ -19,7 +19,7 @@ pub use arithmetic::{Arithmetic, Function};
 pub use field::Modular;
 pub use measured::Measured;
 pub use polynomial::simplify_all;
-pub use rational::{Meant, Ratio, meant, simplest};
+pub use rational::Ratio;
 pub use series::{Series, TERMS};
 pub use symbol::{Graph, Node, Symbol};
 

@@ -112,7 +112,10 @@ impl<B: Number> Series<B> {
     /// What has no value does not stay as it is: no rate of it is 0 because nothing in it varies.
     fn of(mut coefficients: [B; TERMS], known: usize, length: usize) -> Self {
         let mut length = length.clamp(1, known.max(1));
-        if length < known && !coefficients[0].re().is_finite() {
+        let value = coefficients[0];
+        // NaN alone differs from itself; not every number has a real part to ask
+        #[allow(clippy::eq_op)]
+        if length < known && value != value {
             coefficients[length..known].fill(B::from(f64::NAN));
             length = known;
         }
