@@ -10,6 +10,7 @@ mod base;
 mod builder;
 mod continuum;
 mod crowd;
+mod damage;
 pub mod definitions;
 mod desk;
 pub mod document;

@@ -210,6 +210,10 @@ pub struct Model {
     pub laws: Vec<Law>,
     /// The author's commands.
     pub macros: Macros,
+    /// Names of the claims file that could not be given a meaning, each with the display that it would need.
+    pub lost: Vec<(String, String)>,
+    /// Laws that could not be taken over, each with the display that it would need.
+    pub lost_laws: Vec<(String, String)>,
     /// What was inferred, for the reader of the report.
     pub inferred: Vec<String>,
 }
@@ -231,6 +235,8 @@ impl Model {
             continua: Vec::new(),
             laws: Vec::new(),
             macros,
+            lost: Vec::new(),
+            lost_laws: Vec::new(),
             inferred: Vec::new(),
         }
     }
@@ -336,7 +342,7 @@ pub fn formula_error(claims: &Claims, latex: &Spanned<String>, fault: crate::sou
         Some(part) => format!("at “{part}”: {}", fault.message),
         None => fault.message,
     };
-    let error = Error::at(&claims.source, latex.span, message);
+    let error = Error::at(&claims.source, latex.span, message).lacking(fault.missing);
     match fault.help {
         Some(help) => error.help(help),
         None => error,
