@@ -338,7 +338,12 @@ impl Piece<'_> {
                 relation,
                 Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual | Relation::NotEqual
             );
-            if is_order && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
+            let differ = relation == Relation::NotEqual
+                && [a, b]
+                    .into_iter()
+                    .zip([&types[pair - 1], &types[pair]])
+                    .all(|(member, of)| of.shape == Shape::Vector || member.is_zero());
+            if is_order && !differ && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
                 let message = format!("“{}” between things that are no numbers", relation.glyph());
                 return Err(Fault::new(place, message));
             }

@@ -76,6 +76,23 @@ fn a_family_may_have_more_labels_than_its_definition() {
 }
 
 #[test]
+fn a_name_is_printed_as_what_it_is() {
+    assert_eq!(introduced(r"\vec Q \equiv M \vec v"), [r"\vec{Q}: M·v"]);
+    assert_eq!(introduced(r"Q \equiv M v"), ["Q: M·|v|"]);
+    for (latex, place) in [
+        (r"Q \equiv M \vec v", "Q"),
+        (r"Q_{tot} = \sum_i \vec p_i", "Q_{tot}"),
+        (r"\bar Q = M \vec v", r"\bar Q"),
+        (r"M \vec v \equiv Q", "Q"),
+        (r"\vec Q \equiv M v", r"\vec Q"),
+        (r"\mathbf Q = M", r"\mathbf Q"),
+        (r"\vec r + \vec v \equiv \vec A + B", "B"),
+    ] {
+        assert_eq!(faults(latex), [place], "{latex}");
+    }
+}
+
+#[test]
 fn a_name_at_the_end_of_a_chain_is_introduced() {
     let chain = r"\vec P_{tot} = \sum_i m_i \vec v_i = M \vec v = \vec P_{cm}";
     assert_eq!(introduced(chain), [r"\vec{P}_{tot}: Σ_i m_i·v_i", r"\vec{P}_{cm}: M·v"]);
@@ -172,6 +189,14 @@ fn vectors_are_proportional() {
     assert_eq!(introduced(r"\vec F_{ij} \propto \vec r_{ij}"), [""; 0]);
     assert_eq!(faults(r"\vec F_{ij} \propto M").len(), 1);
     assert_eq!(faults(r"\vec v < \vec r"), ["<"]);
+}
+
+#[test]
+fn vectors_differ() {
+    assert_eq!(introduced(r"\vec v \neq \vec r"), [""; 0]);
+    assert_eq!(introduced(r"\vec v \neq 0, \quad \vec v \neq \vec 0"), [""; 0]);
+    assert_eq!(faults(r"\vec v \neq M").len(), 1);
+    assert_eq!(faults(r"\delta_{ab} \neq \begin{pmatrix} 1 & 0 & 0 \\ 0 & 1 & 0 \\ 0 & 0 & 2 \end{pmatrix}").len(), 1);
 }
 
 #[test]

@@ -108,6 +108,38 @@ fn integrals_end_with_the_differential_of_their_continuum() {
 }
 
 #[test]
+fn elements_of_volume_of_area_and_of_mass() {
+    for (latex, words) in [
+        (r"\int_V \rho \vec r\, dV", "∫_V ρ·r\u{20d7}"),
+        (r"\int_A \sigma\, dA", "∫_A σ"),
+        (r"\int_A \sigma\, \mathrm{d}S", "∫_A σ"),
+        (r"\int_V \vec r\, dm", "∫_V ρ·r\u{20d7}"),
+        (r"\int_L r^2 dm", "∫_L λ·|r\u{20d7}|^2"),
+        (r"\int_A dm", "∫_A σ"),
+        (r"\int_V d^3r\, \rho(\vec r) \vec r", "∫_V ρ·r\u{20d7}"),
+        (r"\int_V dV \rho \vec r + \vec r", "∫_V ρ·r\u{20d7} + r\u{20d7}"),
+        (r"\int_V dm\, \vec r", "∫_V ρ·r\u{20d7}"),
+        (r"\int_V d^3r \int_A d^2r\, \rho \sigma", "∫_V ∫_A ρ·σ"),
+        (r"\frac1M \int_V dm\, r^2", "(1/M)·(∫_V ρ·|r\u{20d7}|^2)"),
+    ] {
+        assert_eq!(read(latex), words, "{latex}");
+    }
+    for (latex, place) in [
+        (r"\int_A \sigma\, dV", "dV"),
+        (r"\int_V \rho\, dA", "dA"),
+        (r"\int_V \rho\, dS", "dS"),
+        (r"\int_L \lambda\, dA", "dA"),
+        (r"\int_V \rho\, d^3V", "d^3V"),
+        (r"\int_V \rho\, d^3m", "d^3m"),
+        (r"\int_V dV", r"\int_V dV"),
+        (r"\int_V d^2r\, \rho", "d^2r"),
+        (r"\int_V dM\, \vec r", "dM"),
+    ] {
+        assert_eq!(refused(latex), place, "{latex}");
+    }
+}
+
+#[test]
 fn a_continuum_shrinks_to_a_point() {
     let density = r"\lim_{V(\vec{r}) \to 0} \frac{\sum_{\vec{r}_i \in V(\vec{r})} m_i}{V(\vec{r})}";
     assert_eq!(read(density), "lim_{V → 0} (Σ_i∈V m_i)/V");
