@@ -271,6 +271,13 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
         let letter = &symbols.indices[stray.0].letter;
         return Err(error(format!("{letter} is free in this definition, and {shown} does not have it")));
     }
+    if let Some((_, [letter, _])) =
+        formula.pair_sums().iter().find(|(_, pair)| own.iter().any(|own| pair.contains(own)))
+    {
+        let letter = &symbols.indices[letter.0].letter;
+        return Err(error(format!("{shown} has an index that its definition sums over in pairs with {letter}"))
+            .help("write a Σ for each letter that is summed over"));
+    }
     symbols.entry_mut(id).varies = true;
     symbols.entry_mut(id).squared = square.is_some();
     model.symbols = symbols;

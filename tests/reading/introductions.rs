@@ -70,6 +70,15 @@ fn a_name_on_the_left_is_introduced() {
 }
 
 #[test]
+fn a_sum_over_pairs_has_no_free_letter() {
+    assert_eq!(introduced(r"\vec Q = \sum_{i<j} \vec F_{ij}"), [r"\vec{Q}: Σ_j Σ_i<j F_{ij}"]);
+    assert_eq!(introduced(r"\vec Q_j = \sum_{i} \vec F_{ij}"), [r"\vec{Q}_j: Σ_i F_{ij}"]);
+    let pairs = r"\sum_{i<j} \vec F_{ij}";
+    assert_eq!(faults(&format!(r"\vec Q_j = {pairs}")), [pairs]);
+    assert_eq!(faults(&format!(r"m_i \vec v_i = {pairs}")), [pairs]);
+}
+
+#[test]
 fn a_family_may_have_more_labels_than_its_definition() {
     assert_eq!(introduced(r"\vec Q_i = M \vec v"), [r"\vec{Q}_i: M·v"]);
     assert_eq!(introduced(r"\vec Q_{ji} = \vec r_j - \vec r_i"), [r"\vec{Q}_{ji}: r_j − r_i"]);
