@@ -16,7 +16,7 @@ use super::ensemble::Condition;
 use super::identity::{Context, Options, is_equality};
 use super::judge::Link;
 use super::limit::Towards;
-use super::model::{Law, Meaning, Model, formula_error};
+use super::model::{Law, Lost, Meaning, Model, formula_error};
 use super::rules::{Action, Rule, reaches};
 use super::small;
 use super::units::Units;
@@ -162,7 +162,7 @@ impl Desk<'_> {
 
     /// The laws of the claims file, as hypotheses; and those that a display takes with it that cannot be read, each with
     /// what is wrong.
-    pub fn laws(&self) -> Result<(Vec<Law>, Vec<(String, String)>)> {
+    pub fn laws(&self) -> Result<(Vec<Law>, Vec<Lost>)> {
         let (mut laws, mut lost) = (Vec::new(), Vec::new());
         for (name, what) in &self.claims.laws {
             match self.declared_law(name, what) {

@@ -130,6 +130,9 @@ pub struct Law {
     pub conditions: Vec<Condition>,
 }
 
+/// A name or a law that is lost with a display that cannot be read, and that display in words.
+pub type Lost = (String, String);
+
 /// What a world determines at a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the quantity of its name")]
@@ -210,10 +213,10 @@ pub struct Model {
     pub laws: Vec<Law>,
     /// The author's commands.
     pub macros: Macros,
-    /// Names of the claims file that could not be given a meaning, each with the display that it would need.
-    pub lost: Vec<(String, String)>,
-    /// Laws that could not be taken over, each with the display that it would need.
-    pub lost_laws: Vec<(String, String)>,
+    /// Names of the claims file that could not be given a meaning.
+    pub lost: Vec<Lost>,
+    /// Laws that could not be taken over.
+    pub lost_laws: Vec<Lost>,
     /// What was inferred, for the reader of the report.
     pub inferred: Vec<String>,
 }
