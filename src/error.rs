@@ -6,7 +6,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::source::{Fault, Source, Span};
+use crate::source::{Fault, Missing, Source, Span};
 
 /// `Result` with onshell's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -20,27 +20,36 @@ struct Inner {
     message: String,
     place: Option<(Arc<Source>, Span)>,
     help: Option<String>,
+    missing: Option<Missing>,
 }
 
 impl Error {
     /// An error that is not about a place in a text.
     pub fn new(message: impl Into<String>) -> Self {
-        Error(Box::new(Inner { message: message.into(), place: None, help: None }))
+        Error(Box::new(Inner { message: message.into(), place: None, help: None, missing: None }))
     }
 
     /// An error at a place in `source`.
     pub fn at(source: &Arc<Source>, span: Span, message: impl Into<String>) -> Self {
-        Error(Box::new(Inner { message: message.into(), place: Some((source.clone(), span)), help: None }))
+        let place = Some((source.clone(), span));
+        Error(Box::new(Inner { message: message.into(), place, help: None, missing: None }))
     }
 
     /// A fault, now that its text is known.
     pub fn fault(source: &Arc<Source>, fault: Fault) -> Self {
-        Error(Box::new(Inner { message: fault.message, place: Some((source.clone(), fault.span)), help: fault.help }))
+        let Fault { span, message, help, missing } = fault;
+        Error(Box::new(Inner { message, place: Some((source.clone(), span)), help, missing }))
     }
 
     /// The same error with advice.
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.0.help = Some(help.into());
+        self
+    }
+
+    /// The same error, for want of this.
+    pub fn lacking(mut self, missing: Option<Missing>) -> Self {
+        self.0.missing = missing;
         self
     }
 
@@ -57,6 +66,11 @@ impl Error {
     /// What to do next.
     pub fn advice(&self) -> Option<&str> {
         self.0.help.as_deref()
+    }
+
+    /// What is wanted and not known, if it is that which is wrong.
+    pub fn missing(&self) -> Option<&Missing> {
+        self.0.missing.as_ref()
     }
 }
 

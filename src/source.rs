@@ -62,12 +62,29 @@ pub struct Fault {
     pub message: String,
     /// What to do next.
     pub help: Option<String>,
+    /// What is wanted and not known, if it is that which is wrong.
+    pub missing: Option<Missing>,
+}
+
+/// Something that a formula or a claim needs and that is not known.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// A name, as LaTeX.
+    Name(String),
+    /// The reading of the equation with this number or label, or on this line.
+    Equation(String),
 }
 
 impl Fault {
     /// A fault at `span`.
     pub fn new(span: Span, message: impl Into<String>) -> Self {
-        Fault { span, message: message.into(), help: None }
+        Fault { span, message: message.into(), help: None, missing: None }
+    }
+
+    /// A name that is not declared, at `span`.
+    pub fn undeclared(span: Span, name: impl fmt::Display) -> Self {
+        let missing = Some(Missing::Name(name.to_string()));
+        Fault { missing, ..Fault::new(span, format!("{name} is not declared")) }
     }
 
     /// The same fault with advice.

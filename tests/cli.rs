@@ -9,6 +9,8 @@ mod support;
 mod bad_input;
 #[path = "cli/contract.rs"]
 mod contract;
+#[path = "cli/damage.rs"]
+mod damage;
 #[path = "cli/formulas.rs"]
 mod formulas;
 #[path = "cli/reprint.rs"]

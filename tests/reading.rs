@@ -1,6 +1,8 @@
 //! What many particles and continua are written with, and what it is read as, in plain words. Beside each formula that
 //! must be read stand near misses that must be refused, and where.
 
+#[path = "reading/derivatives.rs"]
+mod derivatives;
 #[path = "reading/derived.rs"]
 mod derived;
 #[path = "reading/introductions.rs"]
@@ -53,7 +55,8 @@ fn particles() -> Symbols {
         let (density, region) = (find(&symbols, density), find(&symbols, region));
         symbols.entry_mut(density).argument = place.clone();
         symbols.entry_mut(region).argument = place.clone();
-        symbols.entry_mut(region).measure = Some(dimension);
+        let entry = symbols.entry_mut(region);
+        (entry.measure, entry.density) = (Some(dimension), Some(density));
     }
     symbols
 }

@@ -342,7 +342,8 @@ impl Builder<'_> {
             for id in [region, density] {
                 self.model.symbols.entry_mut(id).argument = Some(point_name.clone());
             }
-            self.model.symbols.entry_mut(region).measure = Some(declared.dimension);
+            let entry = self.model.symbols.entry_mut(region);
+            (entry.measure, entry.density) = (Some(declared.dimension), Some(density));
             let family = |builder: &Self, latex: &Spanned<String>| {
                 let name = builder.name(latex)?;
                 let found = builder.model.symbols.find(&name).map(|(id, _)| id);

@@ -1,20 +1,22 @@
 //! The desk at which one document is checked: its claims, notes, symbols and readings, and what a claims file names
 //! among them (an equation, a symbol, a formula, a condition, a limit).
 
-use crate::formula::{Assignment, Expr, Index, Relation, Statement, SymbolId, Value, evaluate, shape, text};
+use crate::formula::shape::Shape;
+use crate::formula::{Assignment, Expr, Index, Node, Relation, Statement, SymbolId, Value, evaluate, shape, text};
 use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::address::{Address, Target};
 use crate::notes::claims::{Claim, Claims, Spanned};
 use crate::notes::{Display, Notes};
-use crate::source::{Fault, Source};
+use crate::source::{Fault, Missing, Source};
 use crate::{Error, Result, suggest};
 
 use super::continuum;
+use super::document::shown;
 use super::ensemble::Condition;
 use super::identity::{Context, Options, is_equality};
 use super::judge::Link;
 use super::limit::Towards;
-use super::model::{Law, Meaning, Model, formula_error};
+use super::model::{Law, Lost, Meaning, Model, formula_error};
 use super::rules::{Action, Rule, reaches};
 use super::small;
 use super::units::Units;
@@ -44,6 +46,14 @@ impl Desk<'_> {
         let (lhs, a) = shape::entries_of((&lhs, &a), (&rhs, &b), symbols).unwrap_or((lhs, a));
         let (rhs, b) = shape::entries_of((&rhs, &b), (&lhs, &a), symbols).unwrap_or((rhs, b));
         shape::comparable((&lhs, &a), (&rhs, &b), symbols).map_err(fault)?;
+        // Vectors differ where one of their components does, and not only where all of them do.
+        let (lhs, rhs) = match relation == Relation::NotEqual && [a.shape, b.shape].contains(&Shape::Vector) {
+            true => {
+                let span = lhs.span.to(rhs.span);
+                (Expr::new(Node::Norm(Box::new(lhs.minus(rhs))), span), Expr::integer(0, span))
+            }
+            false => (lhs, rhs),
+        };
         Ok(Link { lhs, relation, rhs, free: shape::union(&a.free, &b.free) })
     }
 
@@ -150,28 +160,38 @@ impl Desk<'_> {
         Ok(rules)
     }
 
-    /// The laws of the claims file, as hypotheses.
-    pub fn laws(&self) -> Result<Vec<Law>> {
-        let mut laws = Vec::new();
+    /// The laws of the claims file, as hypotheses; and those that a display takes with it that cannot be read, each with
+    /// what is wrong.
+    pub fn laws(&self) -> Result<(Vec<Law>, Vec<Lost>)> {
+        let (mut laws, mut lost) = (Vec::new(), Vec::new());
         for (name, what) in &self.claims.laws {
-            let printed = self.printed(what)?;
-            let statements = match &printed {
-                Some(places) => places
-                    .iter()
-                    .map(|(display, at)| self.read_statement(*display, *at, what))
-                    .collect::<Result<_>>()?,
-                None => self.statements(what)?,
-            };
-            let mut conditions = Vec::new();
-            for statement in &statements {
-                for (at, (relation, _)) in statement.relations.iter().enumerate() {
-                    let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
-                    conditions.push(Condition::of(link, true));
-                }
+            match self.declared_law(name, what) {
+                Ok(law) => laws.push(law),
+                Err(error) => match self.cause(error.missing()) {
+                    Some(cause) => lost.push((name.value.clone(), cause)),
+                    None => return Err(error),
+                },
             }
-            laws.push(Law { name: name.value.clone(), printed: printed.unwrap_or_default(), conditions });
         }
-        Ok(laws)
+        Ok((laws, lost))
+    }
+
+    fn declared_law(&self, name: &Spanned<String>, what: &Spanned<String>) -> Result<Law> {
+        let printed = self.printed(what)?;
+        let statements = match &printed {
+            Some(places) => {
+                places.iter().map(|(display, at)| self.read_statement(*display, *at, what)).collect::<Result<_>>()?
+            }
+            None => self.statements(what)?,
+        };
+        let mut conditions = Vec::new();
+        for statement in &statements {
+            for (at, (relation, _)) in statement.relations.iter().enumerate() {
+                let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+                conditions.push(Condition::of(link, true));
+            }
+        }
+        Ok(Law { name: name.value.clone(), printed: printed.unwrap_or_default(), conditions })
     }
 
     /// The statements that an address names: of each, its display and its place in it. None, if the text is no address.
@@ -199,7 +219,8 @@ impl Desk<'_> {
             Some(Ok(statement)) => Ok(statement.clone()),
             Some(Err(fault)) => {
                 let message = format!("({}) cannot be read: {}", what.value, fault.message);
-                Err(Error::at(&self.claims.source, what.span, message))
+                let missing = Missing::Equation(shown(&self.notes.equations[display]));
+                Err(Error::at(&self.claims.source, what.span, message).lacking(Some(missing)))
             }
             None => Err(Error::at(&self.claims.source, what.span, format!("({}) has no such part", what.value))),
         }
@@ -241,8 +262,8 @@ impl Desk<'_> {
         let known = symbols.len();
         let reading = read_display(&latex.value, &mut symbols, &self.model.macros);
         if let Some(new) = reading.introduced.iter().find(|introduced| introduced.symbol.0 >= known) {
-            let message = format!("{} is not declared", symbols.entry(new.symbol).name);
-            return Err(Error::at(&self.claims.source, latex.span, message));
+            let fault = Fault::undeclared(latex.span, &symbols.entry(new.symbol).name);
+            return Err(Error::fault(&self.claims.source, fault));
         }
         reading.statements.into_iter().map(|s| s.map_err(|fault| formula_error(self.claims, latex, fault))).collect()
     }
@@ -275,7 +296,10 @@ impl Desk<'_> {
             Some(Ok(Statement { members, relations, .. })) if members.len() > 1 => {
                 self.link(&members[0], relations[0].0, &members[1])
             }
-            Some(Err(fault)) => Err(missing(format!("({}) cannot be read: {}", address.value, fault.message))),
+            Some(Err(fault)) => {
+                let unread = Some(Missing::Equation(address.value.clone()));
+                Err(missing(format!("({}) cannot be read: {}", address.value, fault.message)).lacking(unread))
+            }
             _ => Err(missing(format!("({}) is not an equation", address.value))),
         }
     }
@@ -311,7 +335,8 @@ pub(super) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) ->
     let name = names::parse(&latex.value).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
     let found = name.as_ref().and_then(|name| model.symbols.find(name));
     found.map(|(id, _)| id).ok_or_else(|| {
-        let error = Error::at(&claims.source, latex.span, format!("there is no symbol {}", latex.value));
+        let error = Error::at(&claims.source, latex.span, format!("there is no symbol {}", latex.value))
+            .lacking(Some(Missing::Name(latex.value.clone())));
         match name.and_then(|name| model.symbols.nearest(&name)) {
             Some(near) => error.help(format!("did you mean {near}?")),
             None => error,

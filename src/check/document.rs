@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use crate::latex::Macros;
 use crate::notes::address::Address;
 use crate::notes::claims::{Claim, Claims};
+use crate::notes::document::Numbered;
 use crate::notes::{Display, Notes};
 use crate::systems::Registry;
 use crate::{Error, Result};
@@ -63,10 +64,17 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             run.progress.done(path);
             equation
         };
-        let equations: Result<Vec<Equation>> =
-            work.par_iter().map(|at| told(desk.equation(*at, desk.assigned[*at]))).collect();
-        let sentences: Result<Vec<Equation>> =
-            sentences.par_iter().enumerate().map(|(at, s)| told(sentences::check(&desk, at, s))).collect();
+        let equation = |at: usize| {
+            let found = desk.equation(at, desk.assigned[at]).or_else(|error| desk.excused(at, error))?;
+            Ok(desk.without_lost_laws(found, None))
+        };
+        let sentence = |(at, sentence)| {
+            let found = sentences::check(&desk, at, sentence);
+            let found = found.or_else(|error| desk.excused_sentence(at, sentence, error))?;
+            Ok(desk.without_lost_laws(found, Some(sentence)))
+        };
+        let equations: Result<Vec<Equation>> = work.par_iter().map(|at| told(equation(*at))).collect();
+        let sentences: Result<Vec<Equation>> = sentences.par_iter().enumerate().map(|s| told(sentence(s))).collect();
         Ok(Document {
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),
@@ -113,8 +121,11 @@ pub(super) fn with_desk<T>(
     let (source, options) = (&*notes.source, run.options);
     let plain =
         Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units: None };
-    model.laws = plain.laws()?;
-    let units = units::of_document(claims, &model, &readings, &assigned)?;
+    let (laws, lost_laws) = plain.laws()?;
+    let lacks_a_name = |error: &Error| plain.cause(error.missing()).is_some();
+    let known = units::declared(claims, &model, &lacks_a_name)?;
+    (model.laws, model.lost_laws) = (laws, lost_laws);
+    let units = units::of_document(claims, &model, &known, &readings, &assigned)?;
     work(Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units })
 }
 
@@ -126,16 +137,28 @@ pub(super) fn define_macros(notes: &Notes, macros: &mut Macros) {
 }
 
 /// Refuses two displays with one number: a claim about it would be about either.
-pub(super) fn repeated_numbers(notes: &Notes) -> Result<()> {
-    let mut seen: HashMap<&str, usize> = HashMap::new();
-    for display in &notes.equations {
-        let Some(number) = &display.number else { continue };
-        if let Some(line) = seen.insert(&number.id, display.line) {
+fn repeated_numbers(notes: &Notes) -> Result<()> {
+    match repeated(notes).first() {
+        None => Ok(()),
+        Some((number, line)) => {
             let message = format!("the number ({}) is used a second time, after line {line}", number.id);
-            return Err(Error::at(&notes.source, number.span, message).help("give each equation a number of its own"));
+            Err(Error::at(&notes.source, number.span, message).help("give each equation a number of its own"))
         }
     }
-    Ok(())
+}
+
+/// The numbers that stood on a display before, each with the line of the first.
+pub(super) fn repeated(notes: &Notes) -> Vec<(&Numbered, usize)> {
+    let mut seen: HashMap<&str, usize> = HashMap::new();
+    let mut repeated = Vec::new();
+    for display in &notes.equations {
+        let Some(number) = &display.number else { continue };
+        match seen.get(number.id.as_str()) {
+            Some(line) => repeated.push((number, *line)),
+            None => drop(seen.insert(&number.id, display.line)),
+        }
+    }
+    repeated
 }
 
 /// The report of notes that no claims file is about: every numbered equation is unclaimed.
@@ -143,16 +166,7 @@ pub fn unclaimed(notes: &Notes) -> Document {
     let equation = |display: &Display| {
         let message = "nothing says what this should mean: it has no claims file";
         let finding = Finding::new(Verdict::Unclaimed, display.body, message);
-        Some(Equation {
-            id: id(display)?.to_owned(),
-            line: display.line,
-            latex: notes.source.slice(display.body).to_owned(),
-            reading: String::new(),
-            finding,
-            ok: false,
-            because: None,
-            parts: Vec::new(),
-        })
+        Some(unjudged(notes, id(display)?, display.line, finding))
     };
     Document {
         path: notes.source.path.clone(),
@@ -163,6 +177,25 @@ pub fn unclaimed(notes: &Notes) -> Document {
         unnumbered: notes.equations.iter().filter(|display| id(display).is_none()).count(),
         inferred: Vec::new(),
     }
+}
+
+/// An equation of which no more is said than that it cannot be judged.
+pub(super) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -> Equation {
+    Equation {
+        id: id.to_owned(),
+        line,
+        latex: notes.source.slice(finding.span).to_owned(),
+        reading: String::new(),
+        finding,
+        ok: false,
+        because: None,
+        parts: Vec::new(),
+    }
+}
+
+/// What a message calls a display: its number or label, or the line that it is on.
+pub(super) fn shown(display: &Display) -> String {
+    id(display).map_or_else(|| format!("line {}", display.line), str::to_owned)
 }
 
 /// The number or else the first label of a display.

@@ -8,7 +8,7 @@ use crate::source::{Fault, Span};
 use crate::{Error, Result};
 
 use super::desk::Desk;
-use super::document::id;
+use super::document::shown;
 use super::draw::Reach;
 use super::ensemble::Condition;
 use super::identity::{self, Context, is_equality};
@@ -36,7 +36,7 @@ impl Desk<'_> {
         let none = Claim::default();
         let claim = claim.unwrap_or(&none);
         let reading = &self.readings[at];
-        let topic = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
+        let topic = shown(display);
         let as_printed;
         let printed = match claim.errata.is_empty() {
             true => reading,
@@ -91,7 +91,7 @@ impl Desk<'_> {
         let statements = reading.statements.iter().flatten();
         let readings: Vec<String> = statements.map(|s| text::statement(s, &self.model.symbols)).collect();
         Equation {
-            id: id(display).map_or_else(|| format!("line {}", display.line), str::to_owned),
+            id: shown(display),
             line: display.line,
             latex: self.source.slice(display.body).to_owned(),
             reading: readings.join("; "),
@@ -166,7 +166,11 @@ impl Desk<'_> {
             let (topic, span) = match statement {
                 Ok(statement) => context(&format!("{topic} part {}", at + 1), statement.span),
                 Err(fault) => {
-                    parts.push(self.part(unreadable(fault, offset), String::new()));
+                    let mut finding = unreadable(fault, offset);
+                    if let Some(cause) = self.cause(fault.missing.as_ref()) {
+                        finding.message = format!("{}: {cause}", fault.message);
+                    }
+                    parts.push(self.part(finding, String::new()));
                     continue;
                 }
             };
@@ -351,7 +355,7 @@ impl Desk<'_> {
                     if other.members[k..k + 2].iter().any(uses) {
                         let link = self.link(&other.members[k], *relation, &other.members[k + 1])?;
                         let display = &self.notes.equations[at];
-                        let name = id(display).map_or_else(|| format!("line {}", display.line), str::to_owned);
+                        let name = shown(display);
                         claims.push((format!("({name})"), link, self.conditions(claim)?, self.local(claim)?));
                     }
                 }

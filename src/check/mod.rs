@@ -11,6 +11,7 @@ mod builder;
 mod certify;
 mod continuum;
 mod crowd;
+mod damage;
 pub mod definitions;
 mod desk;
 pub mod document;

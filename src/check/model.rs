@@ -130,6 +130,9 @@ pub struct Law {
     pub conditions: Vec<Condition>,
 }
 
+/// A name or a law that is lost with a display that cannot be read, and that display in words.
+pub type Lost = (String, String);
+
 /// What a world determines at a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the quantity of its name")]
@@ -210,6 +213,10 @@ pub struct Model {
     pub laws: Vec<Law>,
     /// The author's commands.
     pub macros: Macros,
+    /// Names of the claims file that could not be given a meaning.
+    pub lost: Vec<Lost>,
+    /// Laws that could not be taken over.
+    pub lost_laws: Vec<Lost>,
     /// What was inferred, for the reader of the report.
     pub inferred: Vec<String>,
 }
@@ -231,6 +238,8 @@ impl Model {
             continua: Vec::new(),
             laws: Vec::new(),
             macros,
+            lost: Vec::new(),
+            lost_laws: Vec::new(),
             inferred: Vec::new(),
         }
     }
@@ -336,7 +345,7 @@ pub fn formula_error(claims: &Claims, latex: &Spanned<String>, fault: crate::sou
         Some(part) => format!("at “{part}”: {}", fault.message),
         None => fault.message,
     };
-    let error = Error::at(&claims.source, latex.span, message);
+    let error = Error::at(&claims.source, latex.span, message).lacking(fault.missing);
     match fault.help {
         Some(help) => error.help(help),
         None => error,

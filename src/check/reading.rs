@@ -2,7 +2,7 @@
 //!
 //! Notes use names before they introduce them, and the prose defines names through those of displays. So what cannot be
 //! read for want of a name is read again when more are known, until nothing new comes out; what then cannot be read is
-//! what is wrong with it.
+//! what is wrong with it. What the claims file builds on such a display is given up with it ([`super::damage`]).
 
 use crate::formula::shape::{Shape, bind};
 use crate::formula::symbols::Name;
@@ -10,8 +10,10 @@ use crate::formula::{IndexId, Kind, Symbols};
 use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
+use crate::source::Fault;
 use crate::{Error, Result};
 
+use super::damage::Damage;
 use super::document::id;
 use super::model::{Model, formula_error};
 use super::particles;
@@ -50,36 +52,43 @@ pub(super) fn read_all(
         of_particles: claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect(),
     };
     pending.settle(model);
-    let mut progress = true;
-    while progress {
-        progress = false;
-        for at in 0..readings.len() {
-            if readings[at].is_none() {
-                readings[at] = pending.read(&texts[at], assigned[at], model);
-                if readings[at].is_some() {
-                    pending.settle(model);
-                    progress = true;
+    loop {
+        let mut progress = true;
+        while progress {
+            progress = false;
+            for at in 0..readings.len() {
+                if readings[at].is_none() {
+                    readings[at] = pending.read(&texts[at], assigned[at], model);
+                    if readings[at].is_some() {
+                        pending.settle(model);
+                        progress = true;
+                    }
                 }
             }
         }
-    }
-    for (name, body) in &pending.definitions {
-        define(claims, name, body, model)?;
-    }
-    for (name, meaning) in &pending.of_particles {
-        particles::declare(claims, name, meaning, model)?;
-    }
-    if !model.tie_components() {
-        let missing = |axes: &Spanned<String>| {
-            names::parse(&axes.value).is_some_and(|(name, _)| model.symbols.find(&name).is_none())
+        // What is damaged whatever else be known gives the names that it has left; what it takes with it is given up.
+        let unread: Vec<(usize, Symbols, Reading)> = (0..readings.len())
+            .filter(|at| readings[*at].is_none())
+            .map(|at| {
+                let (symbols, reading) = read(&texts[at], assigned[at], model);
+                (at, symbols, reading)
+            })
+            .collect();
+        let broken = |(_, symbols, reading): &(usize, Symbols, Reading)| {
+            let lacks_nothing = |fault: &Fault| fault.missing.is_none();
+            faults(reading).next().is_some() && faults(reading).all(lacks_nothing) && !pending.takes(symbols, reading)
         };
-        for (_, components) in &claims.components {
-            if let Components::Along(axes) = &components.value
-                && missing(axes)
-            {
-                return Err(Error::at(&claims.source, axes.span, format!("{} is not declared", axes.value)));
+        if let Some(first) = unread.iter().position(broken).filter(|_| model.tie_components()) {
+            let (at, symbols, reading) = unread.into_iter().nth(first).unwrap_or_default();
+            readings[at] = Some(accept((symbols, reading), model));
+        } else {
+            let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
+            let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
+            if !pending.give_up(&Damage::of(notes, all), model)? {
+                break;
             }
         }
+        pending.settle(model);
     }
     for at in 0..readings.len() {
         if readings[at].is_none() {
@@ -145,15 +154,69 @@ impl Pending<'_> {
             return None;
         }
         let found = read(text, claim, model);
-        let (symbols, reading) = &found;
+        let whole = faults(&found.1).next().is_none();
+        (whole && !self.takes(&found.0, &found.1)).then(|| accept(found, model))
+    }
+
+    /// Whether a reading introduces a name that is still to be defined.
+    fn takes(&self, symbols: &Symbols, reading: &Reading) -> bool {
         let reserved = |name: &Name| {
             let all = self.definitions.iter().chain(&self.of_particles);
             all.filter_map(|(latex, _)| names::parse_decorated(&latex.value)).any(|pending| pending == *name)
         };
-        let takes = reading.introduced.iter().any(|introduced| reserved(&symbols.entry(introduced.symbol).name));
-        let whole = reading.statements.iter().all(std::result::Result::is_ok);
-        (whole && !takes).then(|| accept(found, model))
+        reading.introduced.iter().any(|introduced| reserved(&symbols.entry(introduced.symbol).name))
     }
+
+    /// Gives up what stands on a display that cannot be read; whether there was any.
+    ///
+    /// # Errors
+    /// For a definition that cannot be read for another reason, at its place.
+    fn give_up(&mut self, damage: &Damage<'_>, model: &mut Model) -> Result<bool> {
+        let claims = self.claims;
+        let mut wrong = None;
+        let mut lost = Vec::new();
+        let mut known = |name: &Spanned<String>, found: Result<()>, model: &Model| {
+            let Err(error) = found else { return false };
+            match damage.cause(error.missing(), model) {
+                Some(cause) => {
+                    lost.push((name.value.clone(), cause));
+                    return false;
+                }
+                None => wrong = wrong.take().or(Some(error)),
+            }
+            true
+        };
+        self.definitions.retain(|(name, body)| known(name, define(claims, name, body, model), model));
+        self.of_particles.retain(|(name, what)| known(name, particles::declare(claims, name, what, model), model));
+        let missing = |axes: &Spanned<String>| {
+            names::parse(&axes.value).map(|(name, _)| name).filter(|name| model.symbols.find(name).is_none())
+        };
+        let mut without_axes = Vec::new();
+        for (vector, components) in &claims.components {
+            if let Components::Along(axes) = &components.value
+                && let Some(name) = missing(axes)
+                && model.components.iter().any(|(_, known)| *known == name)
+            {
+                let fault = Fault::undeclared(axes.span, &axes.value);
+                if !known(vector, Err(Error::fault(&claims.source, fault)), model) {
+                    without_axes.push(name);
+                }
+            }
+        }
+        model.components.retain(|(_, axes)| !without_axes.contains(axes));
+        match (lost.is_empty(), wrong) {
+            (true, Some(error)) => Err(error),
+            (none, _) => {
+                model.lost.extend(lost);
+                Ok(!none)
+            }
+        }
+    }
+}
+
+/// Why statements of a display cannot be read.
+pub(super) fn faults(reading: &Reading) -> impl Iterator<Item = &Fault> {
+    reading.statements.iter().filter_map(|read| read.as_ref().err())
 }
 
 /// Reads a display with the names of the model; the names that come with it are those that it introduces.
@@ -207,6 +270,13 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
     if let Some(stray) = found.free.iter().find(|letter| !own.contains(letter)) {
         let letter = &symbols.indices[stray.0].letter;
         return Err(error(format!("{letter} is free in this definition, and {shown} does not have it")));
+    }
+    if let Some((_, [letter, _])) =
+        formula.pair_sums().iter().find(|(_, pair)| own.iter().any(|own| pair.contains(own)))
+    {
+        let letter = &symbols.indices[letter.0].letter;
+        return Err(error(format!("{shown} has an index that its definition sums over in pairs with {letter}"))
+            .help("write a Σ for each letter that is summed over"));
     }
     symbols.entry_mut(id).varies = true;
     symbols.entry_mut(id).squared = square.is_some();

@@ -4,11 +4,12 @@
 //! Each display of the print that bears the number of an equation of the reference is read with those names, as it
 //! stands, and judged by the claim of that number. What reads as the reference does says what the reference says: a
 //! definition there is a definition here. What reads otherwise must hold by the names of the reference, whatever it
-//! defines. Sentences are quoted from the reference and stay with it.
+//! defines, and must say as much: a link of a chain or a row that is lost leaves what is true, and is missed. Sentences
+//! are quoted from the reference and stay with it.
 
 use rayon::prelude::*;
 
-use crate::formula::{Expr, Statement};
+use crate::formula::{Expr, Relation, Statement, text};
 use crate::latex::{Introduced, Macros, Reading};
 use crate::notes::claims::{Claim, Claims, Expected};
 use crate::notes::document::Numbered;
@@ -17,19 +18,18 @@ use crate::source::Span;
 use crate::{Error, Result};
 
 use super::desk::Desk;
-use super::document::{Run, define_macros, id, repeated_numbers, with_desk};
+use super::document::{Run, define_macros, id, repeated, unjudged, with_desk};
 use super::equation::{says_the_same, worst};
 use super::reading::corrected;
 use super::verdict::{Document, Equation, Finding, Part, Verdict};
 
 /// Applies claims, each with its reference, to a print. Of an equation that several are about the worst finding counts;
-/// a numbered one that none is about is unclaimed.
+/// a numbered one that none is about is unclaimed. Where the print has a number twice, the first display is judged, and
+/// the number of the second is a finding of its own.
 ///
 /// # Errors
-/// As [`check_document`](super::check_document) for each reference; for a number that the print has twice, and for a
-/// print that has no number of any reference.
+/// As [`check_document`](super::check_document) for each reference, and for a print that has no number of any.
 pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> Result<Document> {
-    repeated_numbers(print)?;
     let found: Vec<Vec<Equation>> =
         sets.par_iter().map(|(claims, reference)| apply(run, claims, reference, print)).collect::<Result<_>>()?;
     if !sets.iter().any(|(_, reference)| pairs(reference, print).any(|(_, display)| display.is_some())) {
@@ -49,20 +49,17 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         let Some(number) = id(display).filter(|number| equations.iter().all(|known| known.id != *number)) else {
             continue;
         };
-        equations.push(Equation {
-            id: number.to_owned(),
-            line: display.line,
-            latex: print.source.slice(display.body).to_owned(),
-            reading: String::new(),
-            finding: Finding::new(
-                Verdict::Unclaimed,
-                display.body,
-                "no claims file is about an equation of this number",
-            ),
-            ok: false,
-            because: None,
-            parts: Vec::new(),
-        });
+        let message = "no claims file is about an equation of this number";
+        let finding = Finding::new(Verdict::Unclaimed, display.body, message);
+        equations.push(unjudged(print, number, display.line, finding));
+    }
+    for (number, line) in repeated(print) {
+        if run.only.is_none_or(|only| number.id == only) {
+            let message = format!("the number ({}) is used a second time, after line {line}", number.id);
+            let finding = Finding::new(Verdict::Unreadable, number.span, message);
+            let line = print.source.line_column(number.span.start).0;
+            equations.push(unjudged(print, &number.id, line, finding));
+        }
     }
     equations.sort_by_key(|equation| (equation.line, equation.finding.span.start));
     let paths: Vec<&str> = sets.iter().map(|(claims, _)| claims.source.path.as_str()).collect();
@@ -135,10 +132,15 @@ fn equation(desk: &Desk<'_>, macros: &Macros, at: usize, display: &Display) -> R
     let claim = desk.assigned[at].unwrap_or(&none);
     let reading = read(desk, macros, at, &display.text, claim);
     let mut parts = judged(desk, (at, display), &reading, claim)?;
+    let original = || desk.as_printed(&desk.notes.equations[at].text, claim, macros);
+    if let Some(message) = lost(desk, &reading, &desk.readings[at])
+        && (claim.errata.is_empty() || lost(desk, &reading, &original()).is_some())
+    {
+        parts.push(desk.part(Finding::new(Verdict::Unreadable, display.body, message), String::new()));
+    }
     let failed = parts.iter().any(|part| !part.finding.verdict.passes());
     // What is wrong in the reference, too, is known to be wrong, where it is the same that is wrong.
     let excused = parts.iter().all(|p| p.finding.verdict.passes() || p.finding.verdict == Verdict::Refuted);
-    let original = || desk.as_printed(&desk.notes.equations[at].text, claim, macros);
     let (mut ok, mut because) = (!failed, None);
     let known = claim.expect.as_ref().filter(|expect| expect.verdict.value == Expected::Refuted);
     if let Some(expect) = known.filter(|_| failed && excused && reads_alike(&reading, &original())) {
@@ -152,8 +154,10 @@ fn equation(desk: &Desk<'_>, macros: &Macros, at: usize, display: &Display) -> R
         // The misprint may be spelled in another way here; where it is spelled alike, its correction must pass.
         let verdict = match corrected(desk.claims, &display.text, &claim.errata) {
             Ok(text) => {
-                let mended = judged(desk, (at, display), &read(desk, macros, at, &text, claim), claim)?;
-                ok = mended.iter().all(|part| part.finding.verdict.passes());
+                let corrected = read(desk, macros, at, &text, claim);
+                let mended = judged(desk, (at, display), &corrected, claim)?;
+                let whole = lost(desk, &corrected, &desk.readings[at]).is_none();
+                ok = whole && mended.iter().all(|part| part.finding.verdict.passes());
                 if ok { String::new() } else { format!("; corrected so it does not pass: {}", worst(&mended).message) }
             }
             Err(_) => {
@@ -192,6 +196,41 @@ fn read(desk: &Desk<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) 
     reading
 }
 
+/// What a print has lost of what the reference says: it has fewer relations of a kind, or does not call constant what is
+/// constant there. How it spells what it has is free, and what cannot be read in it is reported as that.
+fn lost(desk: &Desk<'_>, reading: &Reading, reference: &Reading) -> Option<String> {
+    let kind = |relation: Relation| match relation {
+        Relation::Identical => Relation::Equal,
+        Relation::Greater => Relation::Less,
+        Relation::GreaterEqual => Relation::LessEqual,
+        other => other,
+    };
+    let kinds = |reading: &Reading| -> Vec<Relation> {
+        let statements = reading.statements.iter().flatten();
+        statements.flat_map(|s| s.relations.iter().map(|(relation, _)| kind(*relation))).collect()
+    };
+    if reading.statements.iter().any(std::result::Result::is_err) {
+        return None;
+    }
+    let (here, there) = (kinds(reading), kinds(reference));
+    let count = |kinds: &[Relation], wanted: Relation| kinds.iter().filter(|found| **found == wanted).count();
+    let source = &desk.notes.source.path;
+    if let Some(fewer) = there.iter().find(|wanted| count(&here, **wanted) < count(&there, **wanted)) {
+        let (has, had) = (count(&here, *fewer), count(&there, *fewer));
+        let members = |reading: &'_ Reading| -> Vec<Expr> {
+            reading.statements.iter().flatten().flat_map(|statement| statement.members.clone()).collect()
+        };
+        let kept = members(reading);
+        let missing = members(reference).into_iter().find(|member| !kept.contains(member));
+        let missing = missing.map_or_else(String::new, |member| {
+            format!("; {} does not stand here", text::formula(&member, &desk.model.symbols))
+        });
+        return Some(format!("{source} has {had} “{}” in this equation, and this print {has}{missing}", fewer.glyph()));
+    }
+    let constants = |reading: &Reading| reading.statements.iter().flatten().filter(|s| s.constant.is_some()).count();
+    (constants(reading) < constants(reference)).then(|| format!("{source} says that something is constant here"))
+}
+
 /// Whether two readings say the same, wherever it stands.
 fn reads_alike(a: &Reading, b: &Reading) -> bool {
     let alike = |(a, b): (&_, &_)| matches!((a, b), (Ok(a), Ok(b)) if says_the_same(a, b));
@@ -216,14 +255,6 @@ fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
     };
     let number = id(&reference.equations[at]).unwrap_or_default();
     let message = format!("no display{side} has the number ({number}), that {} has", reference.source.path);
-    Equation {
-        id: number.to_owned(),
-        line: print.source.line_column(span.start).0,
-        latex: print.source.slice(span).to_owned(),
-        reading: String::new(),
-        finding: Finding::new(Verdict::Unreadable, span, message),
-        ok: false,
-        because: None,
-        parts: Vec::new(),
-    }
+    let line = print.source.line_column(span.start).0;
+    unjudged(print, number, line, Finding::new(Verdict::Unreadable, span, message))
 }

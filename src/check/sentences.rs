@@ -6,6 +6,7 @@
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::{Claims, Holds, Property, Sentence, Sign, Spanned, Test};
+use crate::source::Missing;
 use crate::{Error, Result};
 
 use super::desk::Desk;
@@ -32,7 +33,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
             return Err(Error::at(&desk.claims.source, sentence.quote.span, message).help("quote more of it"));
         }
     };
-    let name = sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone());
+    let name = name(at, sentence);
     let conditions = desk.conditions(&sentence.claim)?;
     let local = desk.local(&sentence.claim)?;
     let on_shell = sentence.claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
@@ -61,6 +62,11 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
         parts: Vec::new(),
         id: name,
     })
+}
+
+/// What the report calls the `at`-th sentence.
+pub(super) fn name(at: usize, sentence: &Sentence) -> String {
+    sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone())
 }
 
 /// Refuses the keys of an equation's claim that mean nothing for a sentence, or are not supported yet.
@@ -246,7 +252,8 @@ fn function(desk: &Desk<'_>, of: &Spanned<String>) -> Result<Expr> {
             let last = statement.members.last().cloned();
             last.ok_or_else(|| Error::at(&desk.claims.source, of.span, "this equation is empty"))
         }
-        Some(_) => Err(Error::at(&desk.claims.source, of.span, format!("({}) cannot be read", of.value))),
+        Some(_) => Err(Error::at(&desk.claims.source, of.span, format!("({}) cannot be read", of.value))
+            .lacking(Some(Missing::Equation(of.value.clone())))),
         None => desk.formula(of),
     }
 }

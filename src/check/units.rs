@@ -206,20 +206,19 @@ impl Desk<'_> {
 /// The units of a document under its claims; `None` where it declares none, and nothing is checked.
 ///
 /// # Errors
-/// For a unit that cannot be read, a symbol that is not there or has two units, a definition that contradicts the
-/// units: each at its place in the claims file.
+/// For a definition that contradicts the units, at its place in the claims file.
 pub(super) fn of_document<'a>(
     claims: &Claims,
     model: &'a Model,
+    declared: &[(SymbolId, Dimension)],
     readings: &[Reading],
     assigned: &[Option<&Claim>],
 ) -> Result<Option<Units<'a>>> {
     if claims.units.is_empty() {
         return Ok(None);
     }
-    let declared = declared(claims, model)?;
     let trust: Vec<Trust> = assigned.iter().map(|claim| claim.map_or(Trust::Sound, trust)).collect();
-    let units = Units::new(model, &declared, readings, &trust);
+    let units = Units::new(model, declared, readings, &trust);
     if let Some(Contradiction { symbol, message }) = units.contradictions.first() {
         let name = model.name(*symbol);
         let define = claims.define.iter().find(|(latex, _)| desk::symbol(claims, model, latex).ok() == Some(*symbol));
@@ -237,11 +236,21 @@ fn trust(claim: &Claim) -> Trust {
     }
 }
 
-/// The declared units, symbol by symbol.
-fn declared(claims: &Claims, model: &Model) -> Result<Vec<(SymbolId, Dimension)>> {
+/// The declared units, symbol by symbol; a symbol that is not there may be excused.
+///
+/// # Errors
+/// For a unit that cannot be read, and a symbol that is not there or has two units, at its place in the claims file.
+pub(super) fn declared(
+    claims: &Claims,
+    model: &Model,
+    excused: &dyn Fn(&Error) -> bool,
+) -> Result<Vec<(SymbolId, Dimension)>> {
     let mut declared: Vec<(SymbolId, Dimension)> = Vec::new();
     for (latex, unit) in &claims.units {
-        let symbol = desk::symbol(claims, model, latex)?;
+        let symbol = match desk::symbol(claims, model, latex) {
+            Err(error) if excused(&error) => continue,
+            symbol => symbol?,
+        };
         let dimension = parse(&unit.value).map_err(|fault| {
             let place = place_in_string(&claims.source.text, unit.span, fault.span);
             let span = if place.start < place.end { place } else { unit.span };

@@ -10,7 +10,7 @@ use num_dual::Dual;
 use crate::scalar::{Measured, Number, Series};
 
 use super::symbols::{Kind, SymbolId, Symbols};
-use super::tree::{Expr, Function, Index, IndexId, Node, Sign, Term};
+use super::tree::{Expr, Function, Index, IndexId, LeftOut, Node, Sign, Term};
 use super::value::Value;
 
 /// Why a formula has no value at a state.
@@ -238,7 +238,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 Value::Scalar(*vector.get(at).ok_or(Unavailable::Operation("such a component"))?)
             }
             Node::SumOver { index, except, within, body, .. } => {
-                return self.sum_over(*index, *except, *within, body);
+                return self.sum_over(*index, except, *within, body);
             }
         })
     }
@@ -284,7 +284,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     fn sum_over(
         &mut self,
         index: IndexId,
-        except: Option<Index>,
+        except: &[LeftOut],
         within: Option<SymbolId>,
         body: &Expr,
     ) -> Evaluated<Value<D>> {
@@ -292,9 +292,9 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             Some(region) => self.environment.count_within(region)?,
             None => self.environment.count(index)?,
         };
-        let except = except.map(|except| self.index(except)).transpose()?;
+        let (first, last, out) = self.kept(except, upper)?;
         let mut total: Option<Value<D>> = None;
-        for value in (1..=upper).filter(|value| Some(*value) != except) {
+        for value in (first..=last).filter(|value| !out.contains(value)) {
             self.indices.push((index, value));
             let term = self.value(body);
             self.indices.pop();
@@ -303,7 +303,31 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 Some(total) => added(total, &term?, Sign::Plus)?,
             }
         }
-        Ok(total.unwrap_or(Value::Scalar(constant(0.0))))
+        match total {
+            Some(total) => Ok(total),
+            None if upper == 0 => Ok(Value::Scalar(constant(0.0))),
+            // An empty sum is the zero of what it sums.
+            None => {
+                self.indices.push((index, 1));
+                let term = self.value(body);
+                self.indices.pop();
+                Ok(term?.map(|_| constant(0.0)))
+            }
+        }
+    }
+
+    /// The values that a Σ keeps: from the first to the last, without those of the list.
+    fn kept(&self, except: &[LeftOut], upper: u8) -> Evaluated<(u8, u8, Vec<u8>)> {
+        let (mut first, mut last, mut out) = (1, upper, Vec::new());
+        for left_out in except {
+            match left_out {
+                LeftOut::Value(index) => out.push(self.index(*index)?),
+                LeftOut::From(index) => last = last.min(self.index(*index)?.saturating_sub(1)),
+                LeftOut::UpTo(index) => first = first.max(self.index(*index)?.saturating_add(1)),
+                LeftOut::Last(count) => last = last.min(upper.saturating_sub(*count)),
+            }
+        }
+        Ok((first, last, out))
     }
 
     fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {

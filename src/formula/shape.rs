@@ -306,7 +306,7 @@ impl Binder<'_> {
                 let free = self.contract(letters, expr)?;
                 Ok(Type { free, ..scalar })
             }
-            Node::SumOver { index, implied, body, .. } => {
+            Node::SumOver { index, implied, body, except, .. } => {
                 if *implied {
                     // Made here before: binding a bound formula again changes nothing.
                     self.summed.push(*index);
@@ -317,10 +317,13 @@ impl Binder<'_> {
                 if self.summed.contains(index) {
                     return Err(Fault::new(span, "this index is summed over already"));
                 }
+                // What bounds the sum is as free as what stands in it.
+                let bounds: Vec<Index> = except.iter().filter_map(|left_out| left_out.index()).collect();
+                let bounds = self.letters(&bounds);
                 self.summed.push(*index);
                 let found = self.bind(body);
                 self.summed.pop();
-                found
+                found.map(|found| Type { free: union(&found.free, &bounds), ..found })
             }
         }
     }
@@ -342,7 +345,7 @@ impl Binder<'_> {
                     let span = expr.span;
                     let body = std::mem::replace(expr, Expr::new(Node::Pi, span));
                     let body = Box::new(body);
-                    expr.node = Node::SumOver { index: *index, implied: true, except: None, within: None, body };
+                    expr.node = Node::SumOver { index: *index, implied: true, except: Vec::new(), within: None, body };
                 }
                 _ => return Err(self.thrice(group[0], expr.span)),
             }

@@ -93,6 +93,8 @@ pub struct Entry {
     pub members: Vec<SymbolId>,
     /// The dimension of a continuum that can be integrated over: 3 for a volume, 2 for an area, 1 for a length.
     pub measure: Option<u8>,
+    /// The density of such a continuum, which a mass element `dm` carries.
+    pub density: Option<SymbolId>,
     /// Along what the components of a vector are taken, where that was declared.
     pub components: Option<Components>,
 }
@@ -198,6 +200,7 @@ impl Symbols {
             squared: false,
             members: Vec::new(),
             measure: None,
+            density: None,
             components: None,
         });
         Some(id)

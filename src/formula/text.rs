@@ -3,7 +3,7 @@
 //! This is what an author looks at to see whether the reader understood: `λ_1·θ̈ = λ_1·φ̇²·sin(θ)·cos(θ) − …`.
 
 use super::symbols::Symbols;
-use super::tree::{Expr, Index, Node, Sign, Statement};
+use super::tree::{Expr, Index, LeftOut, Node, Sign, Statement};
 
 /// A statement in plain words.
 pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
@@ -116,7 +116,8 @@ impl Writer<'_> {
             Node::Delta([a, b]) => format!("δ_{}{}", self.index(*a), self.index(*b)),
             Node::SumOver { index, except, within, body, .. } => {
                 let letter = &self.symbols.indices[index.0].letter;
-                let except = except.map_or_else(String::new, |except| format!("≠{}", self.index(except)));
+                let except: Vec<String> = except.iter().map(|left_out| self.left_out(*left_out)).collect();
+                let except = except.concat();
                 let within = within
                     .map_or_else(String::new, |id| format!("∈{}", plain(&self.symbols.entry(id).name.to_string())));
                 format!("Σ_{letter}{except}{within} {}", self.write(body, 1))
@@ -128,6 +129,15 @@ impl Writer<'_> {
                 format!("lim_{{{} → 0}} {}", plain(&self.symbols.entry(*region).name.to_string()), self.write(a, 1))
             }
             Node::Component(a, index) => format!("({})_{}", self.bare(a), self.index(*index)),
+        }
+    }
+
+    fn left_out(&self, left_out: LeftOut) -> String {
+        match left_out {
+            LeftOut::Value(index) => format!("≠{}", self.index(index)),
+            LeftOut::From(index) => format!("<{}", self.index(index)),
+            LeftOut::UpTo(index) => format!(">{}", self.index(index)),
+            LeftOut::Last(count) => format!("…−{count}"),
         }
     }
 

@@ -82,8 +82,8 @@ pub enum Node {
         index: IndexId,
         /// Whether it is implied by repetition.
         implied: bool,
-        /// A value that it leaves out: the i of `\sum_{j \neq i}`.
-        except: Option<Index>,
+        /// The values that it leaves out.
+        except: Vec<LeftOut>,
         /// The continuum in whose part at hand the particles summed over lie: `\sum_{\vec r_i \in V(\vec r)}`.
         within: Option<SymbolId>,
         /// What is summed.
@@ -100,7 +100,7 @@ pub enum Node {
 impl Node {
     /// `\sum_{index}` of something, over all values.
     pub fn over(index: IndexId, body: Expr) -> Node {
-        Node::SumOver { index, implied: false, except: None, within: None, body: Box::new(body) }
+        Node::SumOver { index, implied: false, except: Vec::new(), within: None, body: Box::new(body) }
     }
 }
 
@@ -147,6 +147,29 @@ pub enum Index {
     Letter(IndexId),
     /// A fixed value.
     Fixed(u8),
+}
+
+/// Values that a Σ leaves out of those of its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeftOut {
+    /// This one: the i of `\sum_{j \neq i}`.
+    Value(Index),
+    /// This one and all above: the i of `\sum_{j < i}`.
+    From(Index),
+    /// This one and all below: the i of `\sum_{j > i}`, the 1 of `\sum_{j=2}^{n}`.
+    UpTo(Index),
+    /// The last so many: one of them in `\sum_{j=1}^{n-1}`.
+    Last(u8),
+}
+
+impl LeftOut {
+    /// The index that bounds it, if there is one.
+    pub fn index(self) -> Option<Index> {
+        match self {
+            LeftOut::Value(index) | LeftOut::From(index) | LeftOut::UpTo(index) => Some(index),
+            LeftOut::Last(_) => None,
+        }
+    }
 }
 
 /// A declared index letter, by its place in [`super::Symbols::indices`].
@@ -354,6 +377,38 @@ impl Expr {
             | Node::Component(a, _)
             | Node::SumOver { body: a, .. } => vec![a],
         }
+    }
+
+    /// The sums over all pairs that are written under one Σ, as `\sum_{i<j}`: where, and over which letters.
+    pub fn pair_sums(&self) -> Vec<(Span, [IndexId; 2])> {
+        let mut found = Vec::new();
+        self.walk(&mut |expr| {
+            if let Node::SumOver { index: outer, body, .. } = &expr.node
+                && let Node::SumOver { index: inner, except, .. } = &body.node
+                && body.span == expr.span
+                && except.iter().any(|left_out| left_out.index() == Some(Index::Letter(*outer)))
+            {
+                found.push((expr.span, [*outer, *inner]));
+            }
+        });
+        found
+    }
+
+    /// Whether a letter stands on a symbol, a component, an entry, ε or δ in it.
+    pub fn has_letter(&self, letter: IndexId) -> bool {
+        let letter = Index::Letter(letter);
+        let mut found = false;
+        self.walk(&mut |expr| {
+            found |= match &expr.node {
+                Node::Symbol { indices, .. } => indices.contains(&letter),
+                Node::Component(_, a) => *a == letter,
+                Node::Entry(_, a, b) => [*a, *b].contains(&letter),
+                Node::Delta(indices) => indices.contains(&letter),
+                Node::Epsilon(indices) => indices.contains(&letter),
+                _ => false,
+            };
+        });
+        found
     }
 
     /// Calls `visit` on this formula and on all inside it, outermost first.

@@ -174,7 +174,7 @@ impl Unknown {
 }
 
 fn undeclared(name: &Name, span: Span, symbols: &Symbols) -> Fault {
-    let fault = Fault::new(span, format!("{name} is not declared"));
+    let fault = Fault::undeclared(span, name);
     match symbols.nearest(name) {
         Some(near) => fault.help(format!("did you mean {near}? Else declare {name} in the claims file")),
         None => fault.help(format!("declare {name} in the claims file")),
@@ -220,6 +220,9 @@ fn one(
         Shape::Matrix(3, 3) if right.is_empty() && left.len() == 2 => Some((Kind::Scalar, Shape::Scalar)),
         _ => None,
     };
+    if let Some((kind, _)) = kind {
+        as_printed(&name, span, kind)?;
+    }
     let Some((kind, shape)) = kind else {
         return Err(match left == right {
             true => undeclared(&name, span, symbols),
@@ -239,6 +242,23 @@ fn one(
     let indices = letters.into_iter().map(Index::Letter).collect();
     let member = Expr::new(Node::Symbol { id, indices, dots: 0 }, span);
     Ok((member, Type { shape, free }, New { name, kind, slots, squared: false, formula }))
+}
+
+/// Refuses a vector under the name of a number, and a number under that of a vector: an arrow is lost, or too many.
+fn as_printed(name: &Name, span: Span, kind: Kind) -> Result<(), Fault> {
+    let has = |marks: &[&str]| marks.iter().any(|mark| name.base.contains(mark));
+    let plain = !name.base.replace("\\bar{", "").replace("\\tilde{", "").replace("\\mathrm{", "").contains('{');
+    match kind {
+        Kind::Vector if plain => {
+            let message = format!("{name} is printed as a number, and what it is set to is a vector");
+            Err(Fault::new(span, message).help("put an arrow on the name, or the bars of a norm around the vector"))
+        }
+        Kind::Scalar if has(&["\\vec{", "\\mathbf{"]) && !name.base.contains("\\hat") => {
+            let message = format!("{name} is printed as a vector, and what it is set to is a number");
+            Err(Fault::new(span, message).help("take the arrow from the name, or make the other side a vector"))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn is_two(item: &Item) -> bool {

@@ -8,7 +8,8 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::Sign;
 
 use super::layout::{Delimiter, Item, Layout, layout};
-use super::lexer::tokens;
+use super::lexer::{TokenKind, tokens};
+use super::macros::Macros;
 
 /// A name as it was printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,6 +90,28 @@ pub fn parse(text: &str) -> Option<(Name, u8)> {
     };
     let printed = printed(item, None).filter(|printed| printed.sup.is_none())?;
     Some((printed.name, printed.dots))
+}
+
+/// Whether two texts spell one name.
+pub fn same(a: &str, b: &str) -> bool {
+    a == b || parse(a).is_some_and(|name| Some(name) == parse(b))
+}
+
+/// Whether a text has the letters of a name in it one after the other, whatever their accents and braces: what a
+/// misprint leaves of the name.
+pub fn mentions(text: &str, name: &str, macros: &Macros) -> bool {
+    let letters = |text: &str| -> Vec<TokenKind> {
+        let tokens = tokens(text);
+        let tokens = macros.expand(tokens.clone()).unwrap_or(tokens);
+        let is_letter = |kind: &TokenKind| match kind {
+            TokenKind::Letter(_) | TokenKind::Digit(_) | TokenKind::Prime => true,
+            TokenKind::Command(command) => is_letter(command),
+            _ => false,
+        };
+        tokens.into_iter().map(|token| token.kind).filter(is_letter).collect()
+    };
+    let (text, name) = (letters(text), letters(name));
+    !name.is_empty() && text.windows(name.len()).any(|part| part == name)
 }
 
 /// A name alone, as a claims file declares it, whose overdots are part of it: `\dot{\vec v}` for a symbol of its own.

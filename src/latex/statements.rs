@@ -6,7 +6,7 @@
 
 use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::Symbols;
-use crate::formula::tree::{Expr, Relation, Sign, Statement};
+use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
 use super::introductions::{Introduced, New, Place, Unknown};
@@ -338,9 +338,24 @@ impl Piece<'_> {
                 relation,
                 Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual | Relation::NotEqual
             );
-            if is_order && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
+            let differ = relation == Relation::NotEqual
+                && [a, b]
+                    .into_iter()
+                    .zip([&types[pair - 1], &types[pair]])
+                    .all(|(member, of)| of.shape == Shape::Vector || member.is_zero());
+            if is_order && !differ && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
                 let message = format!("“{}” between things that are no numbers", relation.glyph());
                 return Err(Fault::new(place, message));
+            }
+        }
+        for (place, letters) in members.iter().flat_map(Expr::pair_sums) {
+            let is_free = |letter: &IndexId| {
+                symbols.for_each == Some(*letter) || types.iter().any(|found| found.free.contains(letter))
+            };
+            if let Some(letter) = letters.iter().find(|letter| is_free(letter)) {
+                let letter = &symbols.indices[letter.0].letter;
+                let message = format!("this sums over pairs, and {letter} is free in this equation");
+                return Err(Fault::new(place, message).help("write a Σ for each letter that is summed over"));
             }
         }
         let statement = Statement { members, relations, constant: self.constant, branch, row: self.row, span };

@@ -4,7 +4,7 @@
 //! a product within a product keeps its parentheses: the text is unambiguous before it is pretty.
 
 use crate::formula::symbols::Symbols;
-use crate::formula::tree::{Expr, Index, Node, Sign};
+use crate::formula::tree::{Expr, Index, LeftOut, Node, Sign};
 
 use super::names;
 use super::reader::unaccented;
@@ -124,12 +124,28 @@ impl Typesetter<'_> {
             Node::SumOver { body, implied: true, .. } => self.bare(body),
             Node::SumOver { index, except, within, body, .. } => {
                 let letter = &self.symbols.indices[index.0].letter;
-                let except = except.map_or_else(String::new, |except| match within {
-                    Some(_) => format!(", {letter} \\neq {}", self.index(except)),
-                    None => format!(" \\neq {}", self.index(except)),
-                });
+                let mut clauses = String::new();
+                let mut upper = String::new();
+                for left_out in except {
+                    let separator =
+                        if clauses.is_empty() && within.is_none() { String::new() } else { format!(", {letter}") };
+                    let clause = match left_out {
+                        LeftOut::Value(other) => format!("\\neq {}", self.index(*other)),
+                        LeftOut::From(other) => format!("< {}", self.index(*other)),
+                        LeftOut::UpTo(Index::Fixed(value)) => format!("= {}", value + 1),
+                        LeftOut::UpTo(other) => format!("> {}", self.index(*other)),
+                        LeftOut::Last(less) => {
+                            let entry = &self.symbols.indices[index.0];
+                            let count = entry.count.map(|count| self.symbols.entry(count).name.to_string());
+                            upper = format!("^{{{} - {less}}}", count.unwrap_or_else(|| entry.upper.to_string()));
+                            continue;
+                        }
+                    };
+                    clauses += &format!("{separator} {clause}");
+                }
+                let except = clauses;
                 let within = within.map_or_else(String::new, |region| format!(" \\in {}", self.region(region)));
-                format!("\\sum_{{{letter}{within}{except}}} {}", self.body(body))
+                format!("\\sum_{{{letter}{within}{except}}}{upper} {}", self.body(body))
             }
             Node::Integral(region, a) => {
                 let entry = self.symbols.entry(*region);

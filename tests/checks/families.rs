@@ -4,7 +4,7 @@ use onshell::check::Verdict::{self, Definition, Law, Refuted, Undecided, Unreada
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{assuming, document, numbered, with};
+use crate::support::{assuming, document, numbered, verdict, with};
 
 /// Particles whose forces act in pairs.
 fn particles() -> Json {
@@ -170,4 +170,53 @@ fn for_each_puts_the_index_where_the_print_leaves_it_out() {
     assert_eq!(verdict(r"\vec L = \vec r \times \vec p"), (Definition, Verified));
     assert_eq!(verdict(r"\vec L = \vec p \times \vec r").1, Refuted);
     assert_eq!(second(&particles(), LAW, r"\vec L = \vec r \times \vec p", json!({})), Unreadable);
+}
+
+#[test]
+fn sums_over_pairs_and_over_some_of_the_values() {
+    let claims = json!({
+        "indices": { "i, j": "1..n" },
+        "constants": { "m_i": "> 0" },
+        "varies with time": { r"\vec r_i, \vec F_{ij}": "any" },
+    });
+    let verdict = |latex: &str| verdict(&claims, &[latex], json!({}));
+    for (right, wrong) in [
+        (
+            r"\left(\sum_i m_i\right)^2 = \sum_i m_i^2 + 2 \sum_{i<j} m_i m_j",
+            r"\left(\sum_i m_i\right)^2 = \sum_i m_i^2 + \sum_{i<j} m_i m_j",
+        ),
+        (
+            r"\sum_i \sum_{j \neq i} \vec F_{ij} = \sum_{i<j} (\vec F_{ij} + \vec F_{ji})",
+            r"\sum_i \sum_{j \neq i} \vec F_{ij} = \sum_{i<j} (\vec F_{ij} - \vec F_{ji})",
+        ),
+        // The first has nobody before it: an empty sum of vectors is the zero vector.
+        (
+            r"\sum_i \sum_{j<i} (\vec r_i + \vec r_j) = (n - 1) \sum_i \vec r_i",
+            r"\sum_i \sum_{j<i} (\vec r_i + \vec r_j) = n \sum_i \vec r_i",
+        ),
+        (
+            r"\sum_i \sum_{j>i} m_i \vec F_{ij} = \sum_{i<j} m_i \vec F_{ij}",
+            r"\sum_i \sum_{j>i} m_i \vec F_{ij} = \sum_{j<i} m_i \vec F_{ij}",
+        ),
+        (r"\sum_{i=2}^n m_i = \sum_i m_i - m_1", r"\sum_{i=2}^n m_i = \sum_i m_i - m_2"),
+        (
+            r"\sum_{i=1}^{n-1} m_i + \sum_{i=2}^{n} m_i = \sum_i m_i + \sum_{i=2}^{n-1} m_i",
+            r"\sum_{i=1}^{n-1} m_i = \sum_i m_i",
+        ),
+    ] {
+        assert_eq!(verdict(right), Verified, "{right}");
+        assert_eq!(verdict(wrong), Refuted, "{wrong}");
+    }
+}
+
+#[test]
+fn vectors_differ_where_one_component_does() {
+    let claims = json!({
+        "varies with time": { r"\vec r, \vec v": "any" },
+        "axes": { r"\hat x, \hat y, \hat z": "fixed" },
+    });
+    let verdict = |latex: &str, claim| verdict(&claims, &[latex], claim);
+    assert_eq!(verdict(r"\hat x \neq \hat y", json!({})), Verified, "they share their third component");
+    assert_eq!(verdict(r"\vec r \neq \vec v", json!({ "assume": r"\vec r = \vec v" })), Refuted);
+    assert_eq!(verdict(r"\vec r \times \vec v \neq 0", json!({ "assume": r"\vec r = 2\vec v" })), Refuted);
 }

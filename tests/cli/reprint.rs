@@ -132,6 +132,59 @@ fn a_lost_number_is_missed_and_a_strange_one_is_unclaimed() {
 }
 
 #[test]
+fn a_number_that_stands_twice_is_a_finding_of_its_own() {
+    let (run, equations) = check("reprint-twice", &format!("{PRINT}\n$$E = 7m$$ (1.2)\n"));
+    assert_eq!(run.code, 2, "{}{}", run.out, run.err);
+    let wanted = [("1.1", true), ("1.2", true), ("1.3", true), ("1.4", true), ("1.5", true), ("1.2", false)];
+    assert_eq!(verdicts(&equations).iter().map(|(id, _, ok)| (*id, *ok)).collect::<Vec<_>>(), wanted, "{}", run.out);
+    let (second, line) = (&equations[5], PRINT.lines().count() + 2);
+    assert_eq!(
+        (&second["verdict"], &second["line"], &second["latex"]),
+        (&"unreadable".into(), &line.into(), &"(1.2)".into())
+    );
+    assert!(
+        second["message"].as_str().is_some_and(|message| message.contains("second time, after line 6")),
+        "{second}"
+    );
+}
+
+/// The verdict on one equation of a print whose reference has `original` in its place, and what is said of it.
+fn instead(name: &str, original: &str, claim: &str, print: &str) -> (String, String) {
+    let desk = Desk::new(name);
+    desk.write("reference.md", format!("$$ {original} \\tag{{1.1}} $$\n"));
+    let claims = r#"{ "notes": "reference.md", "constants": { "m": "> 0" }, "varies with time": { "v": "> 0" }, "#;
+    desk.write("reference.json", format!(r#"{claims} "equations": {{ "1.1": {claim} }} }}"#));
+    desk.write("print.txt", format!("$$ {print} $$ (1.1)\n"));
+    let run = desk.onshell(&["check", "print.txt", "--claims", "reference.json", "--format", "json"]);
+    let equation = run.json()["documents"][0]["equations"][0].clone();
+    let word = |key: &str| equation[key].as_str().unwrap_or_else(|| panic!("{}{}", run.out, run.err)).to_owned();
+    assert_eq!(equation["ok"] == true, word("verdict") == "verified", "{}", run.out);
+    (word("verdict"), word("message"))
+}
+
+#[test]
+fn what_a_print_leaves_out_is_missed() {
+    let (rows, chain) = (r"m v = v m \\ v + v = 2v", "m v + m v = 2 m v = m (v + v)");
+    for (name, original, print, word) in [
+        ("row", rows, "m v = v m", "v + v"),
+        ("link", chain, "m v + m v = 2 m v", "m·(v + v)"),
+        ("first", chain, "2 m v = m (v + v)", "m·v + m·v"),
+        ("weaker", "2 m v = m v + m v", r"2 m v \leq m v + m v", "1 “=”"),
+    ] {
+        let (verdict, message) = instead(&format!("lost-{name}"), original, "{}", print);
+        assert_eq!((verdict.as_str(), message.contains(word)), ("unreadable", true), "{name}: {message}");
+        assert_eq!(instead(&format!("kept-{name}"), original, "{}", original).0, "verified", "{name}");
+    }
+    // The same in other rows, and in other words, is not lost.
+    assert_eq!(instead("kept-rows", rows, "{}", r"m v = v m , \quad 2v = v + v").0, "verified");
+    assert_eq!(instead("kept-words", chain, "{}", r"2 m v = m v + m v, \quad m (v + v) = 2 m v").0, "verified");
+    // A correction may say more than the misprint, which then is lost by nobody.
+    let erratum = r#"{ "erratum": { "for": "= 3 m v", "read": "= 2 m v = m (v + v)" } }"#;
+    let (verdict, message) = instead("lost-mended", "m v + m v = 3 m v", erratum, "m v + m v = 2 m v");
+    assert_eq!(verdict, "verified", "{message}");
+}
+
+#[test]
 fn a_known_erratum_excuses_itself_and_nothing_else() {
     // Spelled in another way it is the same misprint.
     let (verdict, ok, code, _) = changed("erratum-spelled", ("= p^2 + m^2$$", "= {p}^{2}+m^2$$"), "1.4");

@@ -1,6 +1,6 @@
 //! Random formulas: of numbers alone, and of vectors, matrices and indices too.
 
-use onshell::formula::tree::{Index, IndexId, Sign};
+use onshell::formula::tree::{Index, IndexId, LeftOut, Sign};
 use onshell::formula::{Expr, Function, Kind, Node, SymbolId, Symbols, Term};
 use onshell::latex::names;
 use onshell::source::Span;
@@ -156,7 +156,13 @@ fn contracted() -> impl Strategy<Value = Expr> {
         any::<bool>().prop_map(move |sums| {
             let terms = vec![(false, symbol(OMEGA, &[a], 0)), (true, symbol(OMEGA, &[a], 1))];
             let body = if sums { sum(terms) } else { product(terms.into_iter().map(|(_, term)| term).collect()) };
-            node(Node::SumOver { index: IndexId(0), implied: false, except: None, within: None, body: boxed(body) })
+            node(Node::SumOver {
+                index: IndexId(0),
+                implied: false,
+                except: Vec::new(),
+                within: None,
+                body: boxed(body),
+            })
         }),
     ]
 }
@@ -171,15 +177,18 @@ fn entry(inverse: bool, i: Index, j: Index) -> Expr {
 /// Over all i, or all but j or a number, or those within a continuum.
 fn particles(body: Expr) -> impl Strategy<Value = Expr> {
     let except = prop_oneof![
-        2 => Just(None),
-        1 => (1..=4u8).prop_map(|value| Some(Index::Fixed(value))),
-        1 => Just(Some(Index::Letter(J))),
+        2 => Just(vec![]),
+        1 => (1..=4u8).prop_map(|value| vec![LeftOut::Value(Index::Fixed(value))]),
+        1 => Just(vec![LeftOut::Value(Index::Letter(J))]),
+        1 => Just(vec![LeftOut::From(Index::Letter(J))]),
+        1 => Just(vec![LeftOut::UpTo(Index::Letter(J)), LeftOut::Value(Index::Fixed(2))]),
+        1 => Just(vec![LeftOut::UpTo(Index::Fixed(1)), LeftOut::Last(1)]),
     ];
     let within = prop_oneof![Just(None), Just(Some(CONTINUUM))];
     (except, within, any::<bool>()).prop_map(move |(except, within, sums)| {
         let terms = vec![(false, body.clone()), (true, body.clone())];
         let body = Box::new(if sums { sum(terms) } else { body.clone() });
-        let over_j = matches!(except, Some(Index::Letter(_)));
+        let over_j = except.iter().any(|left_out| matches!(left_out.index(), Some(Index::Letter(_))));
         let inner = node(Node::SumOver { index: I, implied: false, except, within, body });
         if over_j { node(Node::over(J, inner)) } else { inner }
     })

@@ -70,9 +70,35 @@ fn a_name_on_the_left_is_introduced() {
 }
 
 #[test]
+fn a_sum_over_pairs_has_no_free_letter() {
+    assert_eq!(introduced(r"\vec Q = \sum_{i<j} \vec F_{ij}"), [r"\vec{Q}: Σ_j Σ_i<j F_{ij}"]);
+    assert_eq!(introduced(r"\vec Q_j = \sum_{i} \vec F_{ij}"), [r"\vec{Q}_j: Σ_i F_{ij}"]);
+    let pairs = r"\sum_{i<j} \vec F_{ij}";
+    assert_eq!(faults(&format!(r"\vec Q_j = {pairs}")), [pairs]);
+    assert_eq!(faults(&format!(r"m_i \vec v_i = {pairs}")), [pairs]);
+}
+
+#[test]
 fn a_family_may_have_more_labels_than_its_definition() {
     assert_eq!(introduced(r"\vec Q_i = M \vec v"), [r"\vec{Q}_i: M·v"]);
     assert_eq!(introduced(r"\vec Q_{ji} = \vec r_j - \vec r_i"), [r"\vec{Q}_{ji}: r_j − r_i"]);
+}
+
+#[test]
+fn a_name_is_printed_as_what_it_is() {
+    assert_eq!(introduced(r"\vec Q \equiv M \vec v"), [r"\vec{Q}: M·v"]);
+    assert_eq!(introduced(r"Q \equiv M v"), ["Q: M·|v|"]);
+    for (latex, place) in [
+        (r"Q \equiv M \vec v", "Q"),
+        (r"Q_{tot} = \sum_i \vec p_i", "Q_{tot}"),
+        (r"\bar Q = M \vec v", r"\bar Q"),
+        (r"M \vec v \equiv Q", "Q"),
+        (r"\vec Q \equiv M v", r"\vec Q"),
+        (r"\mathbf Q = M", r"\mathbf Q"),
+        (r"\vec r + \vec v \equiv \vec A + B", "B"),
+    ] {
+        assert_eq!(faults(latex), [place], "{latex}");
+    }
 }
 
 #[test]
@@ -172,6 +198,14 @@ fn vectors_are_proportional() {
     assert_eq!(introduced(r"\vec F_{ij} \propto \vec r_{ij}"), [""; 0]);
     assert_eq!(faults(r"\vec F_{ij} \propto M").len(), 1);
     assert_eq!(faults(r"\vec v < \vec r"), ["<"]);
+}
+
+#[test]
+fn vectors_differ() {
+    assert_eq!(introduced(r"\vec v \neq \vec r"), [""; 0]);
+    assert_eq!(introduced(r"\vec v \neq 0, \quad \vec v \neq \vec 0"), [""; 0]);
+    assert_eq!(faults(r"\vec v \neq M").len(), 1);
+    assert_eq!(faults(r"\delta_{ab} \neq \begin{pmatrix} 1 & 0 & 0 \\ 0 & 1 & 0 \\ 0 & 0 & 2 \end{pmatrix}").len(), 1);
 }
 
 #[test]

@@ -25,7 +25,14 @@ fn sums_run_over_the_declared_values() {
         (r"\sum_{i=1}^{N} m_i", "{N}"),
         (r"\sum_{a=1}^{n} \hat e_a", "{n}"),
         (r"\sum_{a=1}^{2} \hat e_a", "{2}"),
-        (r"\sum_{i=2}^{n} m_i", "2"),
+        (r"\sum_{i=0}^{n} m_i", "0"),
+        (r"\sum_{i=5}^{n} m_i", "5"),
+        (r"\sum_{i=1}^{n-j} m_i", "{n-j}"),
+        (r"\sum_{i=1}^{3-1} m_i", "{3-1}"),
+        (r"\sum_{i<j}^{n} m_i", "i<j"),
+        (r"\sum_{i<a} m_i", "a"),
+        (r"\sum_{a<b} v_a \omega_b", "a<b"),
+        (r"\sum_i \sum_j \sum_{i<j} \vec F_{ij}", "{i<j}"),
         (r"\sum_{j \neq a} \vec r_j", "a"),
         (r"\sum_{j \neq j} \vec r_j", "j"),
         (r"\sum_{j < i} \vec r_j", "j < i"),
@@ -37,6 +44,25 @@ fn sums_run_over_the_declared_values() {
         (r"\sum_{i}^n", r"\sum_{i}^n"),
     ] {
         assert_eq!(refused(latex), place, "{latex}");
+    }
+}
+
+#[test]
+fn sums_leave_out_what_they_say() {
+    for (latex, words) in [
+        (r"\sum_{i=2}^{n} m_i", "Σ_i>1 m_i"),
+        (r"\sum_{i=1}^{n-1} m_i", "Σ_i…−1 m_i"),
+        (r"\sum_{i=2}^{n-1} m_i", "Σ_i>1…−1 m_i"),
+        (r"\sum_i \sum_{j<i} \vec F_{ij}", "Σ_i Σ_j<i F\u{20d7}_{ij}"),
+        (r"\sum_i \sum_{j>i}^n \vec F_{ij}", "Σ_i Σ_j>i F\u{20d7}_{ij}"),
+        (r"\sum_i \sum_{i<j} \vec F_{ij}", "Σ_i Σ_j>i F\u{20d7}_{ij}"),
+        (r"\sum_i \sum_{i \neq j} \vec F_{ij}", "Σ_i Σ_j≠i F\u{20d7}_{ij}"),
+        (r"\sum_{i<j} \vec F_{ij}", "Σ_j Σ_i<j F\u{20d7}_{ij}"),
+        (r"\sum_{j>i}^n \vec F_{ij}", "Σ_i Σ_j>i F\u{20d7}_{ij}"),
+        (r"\sum_{i,j,\, i \neq j} \vec F_{ij}", "Σ_i Σ_j≠i F\u{20d7}_{ij}"),
+        (r"\sum_{i,j=1,\, i<j}^{n} \vec F_{ij}", "Σ_i Σ_j>i F\u{20d7}_{ij}"),
+    ] {
+        assert_eq!(read(latex), words, "{latex}");
     }
 }
 
@@ -102,6 +128,38 @@ fn integrals_end_with_the_differential_of_their_continuum() {
         (r"\int_V \int_A \rho \sigma\, d^2r", r"\int_V"),
         (r"\int_V \int_A \rho \sigma\, d^3r\, d^2r", "d^2r"),
         (r"\int_V \vec r \vec r d^3 r", r"\vec r"),
+    ] {
+        assert_eq!(refused(latex), place, "{latex}");
+    }
+}
+
+#[test]
+fn elements_of_volume_of_area_and_of_mass() {
+    for (latex, words) in [
+        (r"\int_V \rho \vec r\, dV", "∫_V ρ·r\u{20d7}"),
+        (r"\int_A \sigma\, dA", "∫_A σ"),
+        (r"\int_A \sigma\, \mathrm{d}S", "∫_A σ"),
+        (r"\int_V \vec r\, dm", "∫_V ρ·r\u{20d7}"),
+        (r"\int_L r^2 dm", "∫_L λ·|r\u{20d7}|^2"),
+        (r"\int_A dm", "∫_A σ"),
+        (r"\int_V d^3r\, \rho(\vec r) \vec r", "∫_V ρ·r\u{20d7}"),
+        (r"\int_V dV \rho \vec r + \vec r", "∫_V ρ·r\u{20d7} + r\u{20d7}"),
+        (r"\int_V dm\, \vec r", "∫_V ρ·r\u{20d7}"),
+        (r"\int_V d^3r \int_A d^2r\, \rho \sigma", "∫_V ∫_A ρ·σ"),
+        (r"\frac1M \int_V dm\, r^2", "(1/M)·(∫_V ρ·|r\u{20d7}|^2)"),
+    ] {
+        assert_eq!(read(latex), words, "{latex}");
+    }
+    for (latex, place) in [
+        (r"\int_A \sigma\, dV", "dV"),
+        (r"\int_V \rho\, dA", "dA"),
+        (r"\int_V \rho\, dS", "dS"),
+        (r"\int_L \lambda\, dA", "dA"),
+        (r"\int_V \rho\, d^3V", "d^3V"),
+        (r"\int_V \rho\, d^3m", "d^3m"),
+        (r"\int_V dV", r"\int_V dV"),
+        (r"\int_V d^2r\, \rho", "d^2r"),
+        (r"\int_V dM\, \vec r", "dM"),
     ] {
         assert_eq!(refused(latex), place, "{latex}");
     }

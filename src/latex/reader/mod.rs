@@ -17,7 +17,8 @@
 //! `\log x`, `e^2`, a differential `dx` outside of `\frac{d}{dt}`.
 //!
 //! *One meaning by convention:* `-x^2` is −(x²); `\dot x^2` is (ẋ)²; `\Delta x` is one symbol; `\frac{d}{dt}` acts on
-//! the parenthesis, or on the one factor, after it; `\vec v^2` is **v**·**v**; e with a symbolic exponent is exp.
+//! the parenthesis, the one factor or the sum after it, and on a whole product if it begins with a constant or has one
+//! factor that varies; `\vec v^2` is **v**·**v**; e with a symbolic exponent is exp.
 
 mod arguments;
 mod atoms;

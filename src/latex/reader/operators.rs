@@ -8,6 +8,8 @@ use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
 use super::items::{contents, joint, whole_number};
+use super::regions::is_integral;
+use super::sums::is_big_sum;
 use super::{Joint, Read, Reader, two_ways};
 
 impl Reader<'_> {
@@ -23,12 +25,49 @@ impl Reader<'_> {
             return self.item(first);
         }
         let rest = &items[*cursor..];
-        let one = rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count() == 1;
-        if !one {
-            return Err(two_ways(operator.to(first.span), "how far this derivative reaches").help("put parentheses"));
+        let significant = || rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        if significant().filter(|item| is_operator(item)).count() > 5 {
+            return Err(Fault::new(operator, "derivatives are read up to the fifth"));
+        }
+        let one = significant().count() == 1;
+        if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
+            return Err(two_ways(operator.to(first.span), "how far this derivative reaches")
+                .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
         }
         *cursor = items.len();
         self.sum(rest, operator)
+    }
+
+    /// Whether a derivative before these factors can only be meant of their product: nobody differentiates a constant
+    /// factor alone, and constants after what varies change nothing.
+    fn reaches_to_the_end<'i>(&self, factors: impl Iterator<Item = &'i Item>) -> bool {
+        let factors: Vec<&Item> =
+            factors.filter(|item| !matches!(joint(item), Some(Joint::CDot | Joint::Times))).collect();
+        let constant = |item: &&Item| self.is_constant(item);
+        let divides = |item: &&Item| joint(item) == Some(Joint::Slash);
+        match factors.as_slice() {
+            all if all.iter().any(divides) => false,
+            [first, ..] if constant(first) || is_operator(first) => true,
+            [_, rest @ ..] => rest.iter().all(|item| constant(item) || self.is_time_in_parentheses(item)),
+            [] => false,
+        }
+    }
+
+    /// Whether an item is a number, or made of numbers and symbols that are known not to vary.
+    fn is_constant(&self, item: &Item) -> bool {
+        if let Some(printed) = names::printed(item, self.branch) {
+            let known = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));
+            let is_pi = known.is_none() && printed.name == Name::plain("\\pi");
+            let fixed = !self.symbols.open && known.is_some_and(|entry| !entry.varies);
+            return printed.dots == 0 && (is_pi || fixed) && printed.sup.is_none_or(|sup| self.is_constant(sup));
+        }
+        match &item.layout {
+            Layout::Number(_) => true,
+            Layout::Group(items) => items.iter().all(|item| self.is_constant(item)),
+            Layout::Fraction(a, b) => !starts_differential(a) && self.is_constant(a) && self.is_constant(b),
+            Layout::Root(_, a) => self.is_constant(a),
+            _ => false,
+        }
     }
 
     /// `\frac{d^n …}{dt^n}`: the order and what stands beside the upper d.
@@ -72,6 +111,16 @@ impl Reader<'_> {
             && is_time
             && self.symbols.find(&Name::plain("d")).is_none();
         fits.then_some(1)
+    }
+}
+
+/// Whether an item is a derivative with nothing beside its upper d: `\frac{d}{dt}`.
+fn is_operator(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Fraction(above, below) => {
+            starts_differential(below) && matches!(contents(above), [only] if differential(only).is_some())
+        }
+        _ => false,
     }
 }
 

@@ -1,8 +1,9 @@
 //! Integrals over a declared continuum, `\int_V \rho(\vec r)\,\vec r\,d^3r`, and limits as a part of one shrinks,
 //! `\lim_{V(\vec r) \to 0}`.
 //!
-//! The differential ends an integral. It is that of the place in the continuum, without its arrow, and its power is the
-//! dimension of the continuum: `d^3r`, `d^2r`, `dr`.
+//! The differential ends an integral, or stands first and leaves it the rest of the term. It is that of the place in the
+//! continuum, without its arrow, and its power is the dimension of the continuum: `d^3r`, `d^2r`, `dr`. A volume has `dV`
+//! as well, an area `dA` and `dS`. `dm` is the declared density times any of them.
 
 use crate::formula::SymbolId;
 use crate::formula::symbols::Name;
@@ -14,7 +15,7 @@ use super::super::names;
 use super::items::{contents, extent, whole_number};
 use super::operators::differential;
 use super::symbols::is_lone;
-use super::{Read, Reader, two_ways};
+use super::{Read, Reader, beside, two_ways};
 
 impl Reader<'_> {
     /// A continuum by its name, with its argument in parentheses or without: `V(\vec r)`, `V`.
@@ -53,7 +54,7 @@ impl Reader<'_> {
             return Err(Fault::new(below.span, format!("nothing says what {} is a part of", entry.name))
                 .help("declare it under \"continua\" in the claims file, with what fills it"));
         };
-        let name = entry.name.clone();
+        let (name, density) = (entry.name.clone(), entry.density);
         let wanted = match measure {
             1 => format!("d{}", unaccented(&argument)),
             n => format!("d^{n}{}", unaccented(&argument)),
@@ -80,21 +81,41 @@ impl Reader<'_> {
             );
         }
         let printed = variable.and_then(|item| names::printed(item, None));
-        let is_variable = printed.is_some_and(|printed| {
-            let same = printed.name == argument || printed.name == unaccented(&argument);
-            same && printed.dots == 0 && printed.sup.is_none()
-        });
-        if !is_variable || differential(&rest[at]) != Some(measure.into()) {
+        let printed = printed.filter(|printed| printed.dots == 0 && printed.sup.is_none()).map(|printed| printed.name);
+        let is_one_of =
+            |elements: &[&str]| printed.iter().any(|name| elements.iter().any(|e| *name == Name::plain(*e)));
+        let is_place = printed.iter().any(|name| *name == argument || *name == unaccented(&argument));
+        let is_element = match measure {
+            3 => is_one_of(&["V"]),
+            2 => is_one_of(&["A", "S"]),
+            _ => false,
+        };
+        let order = differential(&rest[at]);
+        let of_mass = density.filter(|_| is_one_of(&["m"]) && order == Some(1));
+        let fits = is_place && order == Some(measure.into()) || is_element && order == Some(1) || of_mass.is_some();
+        if !fits {
             return Err(Fault::new(place, format!("the differential of an integral over {name} is {wanted}")));
         }
-        let body = &rest[..at];
-        if body.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
-            return Err(Fault::new(sign.span.to(place), "nothing stands between this integral and its differential")
+        let blank = |items: &[Item]| items.iter().all(|item| matches!(item.layout, Layout::Space(_)));
+        let (before, after) = (&rest[..at], &rest[(at + 2).min(rest.len())..]);
+        let first = blank(before) && !blank(after);
+        let body = if first { after } else { before };
+        let density = of_mass.map(|id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, place));
+        let body = match (blank(body), density) {
+            (true, None) => {
+                return Err(Fault::new(
+                    sign.span.to(place),
+                    "nothing stands between this integral and its differential",
+                )
                 .help(format!("write what is integrated before {wanted}")));
-        }
-        *cursor += at + 2;
-        let body = self.term(body)?;
-        Ok(Expr::new(Node::Integral(region, Box::new(body)), sign.span.to(place)))
+            }
+            (true, Some(density)) => density,
+            (false, None) => self.term(body)?,
+            (false, Some(density)) => beside(vec![density, self.term(body)?]),
+        };
+        *cursor = if first { items.len() } else { *cursor + at + 2 };
+        let span = sign.span.to(place).to(body.span);
+        Ok(Expr::new(Node::Integral(region, Box::new(body)), span))
     }
 
     /// A limit as a continuum shrinks around a point, of the rest of the term.

@@ -1,21 +1,24 @@
 //! Sums over an index: `\sum_{i=1}^{n}`, `\sum_{j \neq i}`, `\sum_{\vec r_i \in V(\vec r)}`.
 //!
 //! A sum reaches to the end of the term that it stands in. Its index is declared, and its limits are those of the
-//! index: a sum over some of the values only is refused, but for one that is left out.
+//! index: it may start further up, `i=2`, end before the last, `n-1`, and leave out what another index bounds, `j \neq i`,
+//! `j < i`. Of two letters below one Σ, that no other Σ has, `i < j` is a sum over both; `j \neq i` is one over the first.
 
-use crate::formula::tree::{Expr, Index, IndexId, Node};
+use crate::formula::tree::{Expr, Index, IndexId, LeftOut, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Item, Layout};
 use super::super::names;
 use super::items::{contents, extent, whole_number};
-use super::{Read, Reader};
+use super::{Read, Reader, two_ways};
 
 /// One index below a Σ, and what it leaves out or stays within.
 struct Over {
     index: IndexId,
-    except: Option<Index>,
+    except: Vec<LeftOut>,
     within: Option<crate::formula::SymbolId>,
+    /// Where this letter and the next stand as a pair, `i < j`, that nothing else says to be one.
+    pair: Option<Span>,
 }
 
 impl Reader<'_> {
@@ -25,10 +28,13 @@ impl Reader<'_> {
         let Layout::Scripts { sub: Some(sub), sup, .. } = &sigma.layout else {
             return Err(wanted(sigma.span));
         };
-        let overs = self.below(sub)?;
+        let mut overs = self.below(sub)?;
         if let Some(upper) = sup {
-            for over in &overs {
-                self.fits(upper, over.index)?;
+            let less = self.all_but(upper)?;
+            for over in &mut overs {
+                self.fits(less.map_or(upper, |(upper, _)| upper), over.index)
+                    .map_err(|fault| Fault { span: upper.span, ..fault })?;
+                over.except.extend(less.map(|(_, less)| LeftOut::Last(less)));
             }
         }
         for (at, over) in overs.iter().enumerate() {
@@ -44,7 +50,15 @@ impl Reader<'_> {
         let body = self.term(rest);
         self.summed.truncate(outer);
         let mut body = body?;
-        for Over { index, except, within } in overs.into_iter().rev() {
+        let lone = |over: &&Over| over.pair.is_some() && !body.has_letter(over.index);
+        if let Some(Over { index, pair: Some(place), .. }) = overs.iter().find(lone) {
+            let letter = &self.symbols.indices[index.0].letter;
+            let what = format!("a sum over pairs, or over one of them for each {letter}");
+            return Err(
+                two_ways(*place, &what).help(format!("write a Σ for each letter, or only one if {letter} is free"))
+            );
+        }
+        for Over { index, except, within, .. } in overs.into_iter().rev() {
             let node = Node::SumOver { index, implied: false, except, within, body: Box::new(body) };
             body = Expr::new(node, span);
         }
@@ -65,29 +79,76 @@ impl Reader<'_> {
             {
                 let index = self.particle(subject)?;
                 let within = Some(self.region(region, is_in.span)?);
-                overs.push(Over { index, except: None, within });
+                overs.push(Over { index, except: Vec::new(), within, pair: None });
                 continue;
             }
             let index = self.letter(subject).ok_or_else(|| wanted(subject.span))?;
             match predicate {
-                [] => overs.push(Over { index, except: None, within: None }),
+                [] => overs.push(Over { index, except: Vec::new(), within: None, pair: None }),
                 [equals, one] if equals.layout == Layout::Other('=') => {
-                    if whole_number(one) != Some(1) {
-                        return Err(Fault::new(one.span, "a sum is read from 1 up").help("write \\sum_{i=1}^{n}"));
+                    let low = whole_number(one).and_then(|low| u8::try_from(low).ok());
+                    let low = low.filter(|low| (1..=self.symbols.indices[index.0].upper).contains(low));
+                    let low = low.ok_or_else(|| {
+                        Fault::new(one.span, "a sum starts at one of the values of its index")
+                            .help("write \\sum_{i=1}^{n}")
+                    })?;
+                    let except = (low > 1).then_some(LeftOut::UpTo(Index::Fixed(low - 1)));
+                    match overs.iter_mut().find(|over| over.index == index && over.within.is_some()) {
+                        Some(over) => over.except.extend(except),
+                        None => {
+                            overs.push(Over { index, except: except.into_iter().collect(), within: None, pair: None })
+                        }
                     }
-                    overs.push(Over { index, except: None, within: None });
                 }
-                [unequal, other] if is_unequal(unequal) => {
-                    let except = Some(self.left_out(other, index)?);
-                    match overs.iter_mut().find(|over| over.index == index && over.except.is_none()) {
-                        Some(over) => over.except = except,
-                        None => overs.push(Over { index, except, within: None }),
+                [relation, other] if bound(relation).is_some() => {
+                    let Some((bound, flipped, is_order)) = bound(relation) else { return Err(wanted(place)) };
+                    let to = self.left_out(other, index)?;
+                    let has = |overs: &[Over], wanted| overs.iter().position(|over| over.index == wanted);
+                    let other = match to {
+                        Index::Letter(other) => Some(other),
+                        Index::Fixed(_) => None,
+                    };
+                    let of_other = other.and_then(|other| has(&overs, other));
+                    match (has(&overs, index), other, of_other) {
+                        // Both are summed over here: the inner one is bounded by the outer.
+                        (Some(own), Some(_), Some(of_other)) if own < of_other => {
+                            overs[of_other].except.push(flipped(Index::Letter(index)));
+                        }
+                        (Some(own), ..) => overs[own].except.push(bound(to)),
+                        // The other letter is the one that is new.
+                        (None, Some(other), None) if self.summed.contains(&index) && !self.summed.contains(&other) => {
+                            overs.push(Over {
+                                index: other,
+                                except: vec![flipped(Index::Letter(index))],
+                                within: None,
+                                pair: None,
+                            });
+                        }
+                        (None, Some(other), None) if is_order && !self.summed.contains(&other) => {
+                            if !self.symbols.indices[index.0].labels {
+                                return Err(wanted(place));
+                            }
+                            overs.push(Over { index: other, except: Vec::new(), within: None, pair: Some(place) });
+                            overs.push(Over { index, except: vec![bound(to)], within: None, pair: None });
+                        }
+                        _ => overs.push(Over { index, except: vec![bound(to)], within: None, pair: None }),
                     }
                 }
                 _ => return Err(wanted(place)),
             }
         }
         if overs.is_empty() { Err(wanted(sub.span)) } else { Ok(overs) }
+    }
+
+    /// `n - 1` above a Σ: the limit itself, and how many are left out before it.
+    fn all_but<'i>(&self, upper: &'i Item) -> Read<Option<(&'i Item, u8)>> {
+        match contents(upper) {
+            [limit, minus, less] if minus.layout == Layout::Other('-') => match whole_number(less) {
+                Some(less @ 1..=9) => Ok(Some((limit, less as u8))),
+                _ => Err(Fault::new(upper.span, "an upper limit is that of the index, or a number below it: n - 1")),
+            },
+            _ => Ok(None),
+        }
     }
 
     fn letter(&self, item: &Item) -> Option<IndexId> {
@@ -148,11 +209,23 @@ fn wanted(span: Span) -> Fault {
     Fault::new(span, "a sum wants a declared index below, \\sum_{a=1}^{3}")
 }
 
-fn is_unequal(item: &Item) -> bool {
+/// What an index leaves out that stands in this relation to another.
+type Bound = fn(Index) -> LeftOut;
+
+/// What a relation below a Σ leaves out of its left letter, the same for its right letter, and whether it is an order.
+fn bound(item: &Item) -> Option<(Bound, Bound, bool)> {
+    let (unequal, below, above): (Bound, Bound, Bound) = (LeftOut::Value, LeftOut::From, LeftOut::UpTo);
     match &item.layout {
-        Layout::Other('≠') => true,
-        Layout::Command(name) => name == "\\neq",
-        _ => false,
+        Layout::Other('≠') => Some((unequal, unequal, false)),
+        Layout::Other('<') => Some((below, above, true)),
+        Layout::Other('>') => Some((above, below, true)),
+        Layout::Command(name) => match name.as_str() {
+            "\\neq" => Some((unequal, unequal, false)),
+            "\\lt" => Some((below, above, true)),
+            "\\gt" => Some((above, below, true)),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

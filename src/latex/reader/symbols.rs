@@ -74,7 +74,7 @@ impl Reader<'_> {
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
         }
-        let fault = Fault::new(span, format!("{name} is not declared"));
+        let fault = Fault::undeclared(span, name);
         Err(match self.symbols.nearest(name) {
             Some(near) => fault.help(format!("did you mean {near}? Else declare {name} in the claims file")),
             None => fault.help(format!("declare {name} in the claims file")),
