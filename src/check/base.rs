@@ -92,6 +92,17 @@ pub fn slots(model: &Model, mode: Mode) -> Vec<Slot> {
     slots
 }
 
+/// Where the direction stands that the frame turns about, if it does.
+pub fn direction(model: &Model) -> Option<std::ops::Range<usize>> {
+    if model.frame != Some(Frame::FixedDirection) {
+        return None;
+    }
+    let constants: usize = model.constants.iter().map(|constant| constant.numbers).sum();
+    let rigid: usize = model.rigid.iter().map(|rigid| 3 * rigid.members).sum();
+    let first = 1 + constants + rigid;
+    Some(first..first + 3)
+}
+
 /// A base, sorted by what its numbers are.
 pub struct Base<B> {
     /// The time.

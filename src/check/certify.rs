@@ -15,6 +15,7 @@ use crate::notes::claims::Range;
 use crate::scalar::field::{Large, at_a_point, false_accept_log2};
 use crate::scalar::{Modular, Series, rational};
 
+use super::base;
 use super::draw::Draw;
 use super::ensemble::{Ensemble, Row, Solver};
 use super::identity::Context;
@@ -227,6 +228,15 @@ fn outside(formulas: &[&Expr], solver: &Solver<'_>, ensemble: &Ensemble<'_>) -> 
     reason.map(str::to_owned)
 }
 
+/// Makes three numbers the components of a unit vector, by the stereographic projection of the first two.
+fn unit_vector(direction: &mut [Modular]) {
+    let [x, y, z] = direction else { return };
+    let (a, b) = (*x, *y);
+    let square = a * a + b * b;
+    let length = square + 1.0;
+    (*x, *y, *z) = (a * 2.0 / length, b * 2.0 / length, (-square + 1.0) / length);
+}
+
 /// Evaluation at points where the hypotheses hold exactly.
 struct Exactly<'s, 'm> {
     solver: &'s Solver<'m>,
@@ -313,10 +323,9 @@ impl<'m> Exactly<'_, 'm> {
             _ => Modular::drawn(),
         });
         let mut base: Vec<Modular> = drawn.collect();
-        for (row, slot) in self.plan.clone() {
-            self.put(&mut base, row, slot)?.ok_or(NOT_SOLVED)?;
+        if let Some(direction) = base::direction(self.solver.model) {
+            unit_vector(&mut base[direction]);
         }
-        let mut scene = self.state(&base)?;
         if self
             .solver
             .conditions
@@ -325,6 +334,15 @@ impl<'m> Exactly<'_, 'm> {
             .any(|(condition, is_rule)| condition.relation == Relation::Proportional && !is_rule)
         {
             return Err(NOT_SOLVED.to_owned());
+        }
+        let mut scene = self.state(&base)?;
+        // another number of particles has other rows
+        let all = self.solver.rows(&scene);
+        for (row, slot) in self.plan.clone().into_iter().filter(|(row, _)| all.contains(row)) {
+            self.put(&mut base, row, slot)?.ok_or(NOT_SOLVED)?;
+        }
+        if !self.plan.is_empty() {
+            scene = self.state(&base)?;
         }
         let rows = self.solver.rows(&scene);
         for row in &rows {

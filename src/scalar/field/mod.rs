@@ -11,7 +11,8 @@
 //!   as the Laurent polynomials in e^{iθ} that they are.
 //!
 //! What a field cannot do (an exponential, a sign, an order) is noted, and nothing is concluded. A square root exists at
-//! half of the points; its sign is free, so an identity with roots must hold for all choices of them.
+//! half of the points; its sign is free, so an identity with roots must hold for all choices of them. Until more than its
+//! square is asked for, neither matters.
 //!
 //! Numbers live within [`at_a_point`] only, on one thread. Nothing here knows of formulas.
 
@@ -33,7 +34,7 @@ use super::{Arithmetic, Function};
 use circle::drawn_bits;
 use denominators::{Bottom, Size};
 use mersenne::Residue;
-use session::{Angle, Session};
+use session::{Angle, Found, Session};
 
 pub use mersenne::{Large, Modulus};
 pub use session::Account;
@@ -58,6 +59,9 @@ enum Kind {
     Ratio(u32),
     /// An angle, by its place in the session.
     Angle(u32),
+    /// A square root whose value was not needed yet, by its place in the session. The number has the size of the root; its
+    /// value is 0 where the radicand is, else 1.
+    Root(u32),
 }
 
 thread_local! {
@@ -137,7 +141,18 @@ impl<F: Modulus> Modular<F> {
         match self.kind {
             Kind::Whole(n) => Some(Ratio::whole(n.into())),
             Kind::Ratio(place) => session.ratios.get(place as usize).copied(),
-            Kind::Rest | Kind::Angle(_) => None,
+            Kind::Rest | Kind::Angle(_) | Kind::Root(_) => None,
+        }
+    }
+
+    /// The number with the value that it has: that of a root is needed from here on.
+    fn used(self) -> Self {
+        match self.kind {
+            Kind::Root(place) if !self.value.is_zero() => {
+                let value = session(|session: &mut Session<F>| session.value_of_root(place as usize));
+                Modular { value, kind: Kind::Rest, ..self }
+            }
+            _ => self,
         }
     }
 
@@ -177,7 +192,7 @@ impl<F: Modulus> Modular<F> {
     fn sum(self, other: Self, value: Residue<F>, negated: bool) -> Self {
         let constant = |x: Self| matches!(x.kind, Kind::Whole(_) | Kind::Ratio(_));
         let kind = match (self.kind, other.kind) {
-            (Kind::Rest, Kind::Rest) => Kind::Rest,
+            (Kind::Rest | Kind::Root(_), Kind::Rest | Kind::Root(_)) => Kind::Rest,
             (Kind::Whole(a), Kind::Whole(b)) if a.checked_add(if negated { -b } else { b }).is_some() => {
                 Kind::Whole(a + if negated { -b } else { b })
             }
@@ -207,9 +222,10 @@ impl<F: Modulus> Modular<F> {
         if self.is_literally_zero() {
             return (Self::ONE, Self::ZERO);
         }
+        let number = self.used();
         let (point, degree, bottom) = session(|session| {
-            let angle = self.angle(session);
-            let (point, degree) = session.point(angle, self.size.degree);
+            let angle = number.angle(session);
+            let (point, degree) = session.point(angle, number.size.degree);
             // (e^{iθ} ± e^{−iθ})/2
             (point, degree, session.denominators.whole(2))
         });
@@ -228,13 +244,83 @@ impl<F: Modulus> Modular<F> {
         {
             return Self::constant(n).over(Self::constant(d));
         }
-        // √(X/Y) = √(XY)/Y
-        let (value, below) = session(|session| {
-            let value = session.root(self.value, self.size.degree);
-            (value, session.denominators.size(self.bottom))
-        });
-        let degree = self.size.degree.saturating_add(below.degree).div_ceil(2);
-        Self::rest(value, Size { degree, norm: (self.size.norm * below.norm).sqrt().max(1.0) }, self.bottom)
+        let number = self.used();
+        let found = session(|session| session.root(number.value, number.size.degree));
+        match found {
+            Found::Ratio(ratio) => Self::constant(ratio.value()),
+            Found::Root(place) => {
+                // √(X/Y) = √(XY)/Y
+                let below = session(|session: &mut Session<F>| {
+                    session.radicands.insert(place, (number.value, number.size, number.bottom));
+                    session.denominators.size(number.bottom)
+                });
+                let degree = number.size.degree.saturating_add(below.degree).div_ceil(2);
+                let size = Size { degree, norm: (number.size.norm * below.norm).sqrt().max(1.0) };
+                let value = if number.value.is_zero() { Residue::ZERO } else { Residue::ONE };
+                Modular { value, size, bottom: number.bottom, kind: Kind::Root(place) }
+            }
+        }
+    }
+
+    /// The product of two numbers with their values.
+    fn product(self, other: Self) -> Self {
+        let (value, size) = (self.value.times(other.value), self.size.times(other.size));
+        let kind = match (self.kind, other.kind) {
+            (Kind::Rest | Kind::Root(_), _) | (_, Kind::Rest | Kind::Root(_)) | (Kind::Angle(_), Kind::Angle(_)) => {
+                Kind::Rest
+            }
+            _ => session(|session| match (self.ratio(session), other.ratio(session)) {
+                (Some(a), Some(b)) => Self::of_ratio(a.times(b), session),
+                (Some(a), None) => other.scaled_angle(a, self.value, session),
+                (None, Some(b)) => self.scaled_angle(b, other.value, session),
+                (None, None) => Kind::Rest,
+            }),
+        };
+        let bottom = match (self.bottom, other.bottom) {
+            (0, bottom) | (bottom, 0) => bottom,
+            (a, b) => session(|session: &mut Session<F>| session.denominators.product(a, b)),
+        };
+        Modular { value, size, bottom, kind }
+    }
+
+    /// The quotient of two numbers with their values.
+    fn quotient(self, other: Self) -> Self {
+        if other.value.is_zero() {
+            // a quotient by what is literally 0 has no value anywhere
+            if other.is_literally_zero() {
+                return Self::refused("a quotient by 0");
+            }
+            session(|session: &mut Session<F>| session.account.elsewhere = true);
+            return Self::ZERO;
+        }
+        if other.kind == Kind::Whole(1) || self.is_literally_zero() {
+            return self;
+        }
+        session(|session| {
+            // (a/A)/(b/B) = (a·B)/(A·b), without what A and B share
+            let (above, below) = session.denominators.reduced(other.bottom, self.bottom);
+            let numerator = other.value.times(session.denominators.value(other.bottom));
+            let inverse = match other.ratio(session).and_then(Ratio::inverse) {
+                // a whole number divides prime by prime
+                Some(_) if other.bottom == 0 => {
+                    let size = other.size.norm as u64;
+                    session.denominators.whole(size)
+                }
+                _ => session.denominators.factor(numerator, other.size),
+            };
+            let (value, bottom) =
+                (self.value.times(other.value.inverse()), session.denominators.product(below, inverse));
+            let size = self.size.times(session.denominators.size(above));
+            let kind = match (self.kind, other.ratio(session).and_then(Ratio::inverse)) {
+                (_, None) => Kind::Rest,
+                (Kind::Angle(_), Some(ratio)) => self.scaled_angle(ratio, other.value.inverse(), session),
+                (_, Some(ratio)) => {
+                    let quotient = self.ratio(session).and_then(|own| own.times(ratio));
+                    Self::of_ratio(quotient, session)
+                }
+            };
+            Modular { value, size, bottom, kind }
+        })
     }
 
     /// What has no meaning in a field.
@@ -285,7 +371,8 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         if other.is_literally_zero() {
             return self;
         }
-        self.sum(other, self.value.plus(other.value), false)
+        let (a, b) = (self.used(), other.used());
+        a.sum(b, a.value.plus(b.value), false)
     }
 
     fn minus(self, other: Self) -> Self {
@@ -295,73 +382,40 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         if self.is_literally_zero() {
             return other.negated();
         }
-        self.sum(other, self.value.minus(other.value), true)
+        let (a, b) = (self.used(), other.used());
+        a.sum(b, a.value.minus(b.value), true)
     }
 
     fn times(self, other: Self) -> Self {
         if self.is_literally_zero() || other.is_literally_zero() {
             return Self::ZERO;
         }
-        let (value, size) = (self.value.times(other.value), self.size.times(other.size));
-        let kind = match (self.kind, other.kind) {
-            (Kind::Whole(1), kind) | (kind, Kind::Whole(1)) => kind,
-            (Kind::Rest, _) | (_, Kind::Rest) | (Kind::Angle(_), Kind::Angle(_)) => Kind::Rest,
-            _ => session(|session| match (self.ratio(session), other.ratio(session)) {
-                (Some(a), Some(b)) => Self::of_ratio(a.times(b), session),
-                (Some(a), None) => other.scaled_angle(a, self.value, session),
-                (None, Some(b)) => self.scaled_angle(b, other.value, session),
-                (None, None) => Kind::Rest,
-            }),
+        if let (Kind::Root(place), Kind::Root(other)) = (self.kind, other.kind)
+            && place == other
+            && let Some((value, size, bottom)) =
+                session(|session: &mut Session<F>| session.radicands.get(&place).copied())
+        {
+            return Self::rest(value, size, bottom);
+        }
+        let (this, other) = match (self.kind, other.kind) {
+            (Kind::Whole(1), _) => return other,
+            (_, Kind::Whole(1)) => return self,
+            _ => (self.used(), other.used()),
         };
-        let bottom = match (self.bottom, other.bottom) {
-            (0, bottom) | (bottom, 0) => bottom,
-            (a, b) => session(|session: &mut Session<F>| session.denominators.product(a, b)),
-        };
-        Modular { value, size, bottom, kind }
+        this.product(other)
     }
 
     fn over(self, other: Self) -> Self {
-        if other.value.is_zero() {
-            // a quotient by what is literally 0 has no value anywhere
-            if other.is_literally_zero() {
-                return Self::refused("a quotient by 0");
-            }
-            session(|session: &mut Session<F>| session.account.elsewhere = true);
-            return Self::ZERO;
-        }
-        if other.kind == Kind::Whole(1) || self.is_literally_zero() {
+        if other.kind == Kind::Whole(1) {
             return self;
         }
-        session(|session| {
-            // (a/A)/(b/B) = (a·B)/(A·b), without what A and B share
-            let (above, below) = session.denominators.reduced(other.bottom, self.bottom);
-            let numerator = other.value.times(session.denominators.value(other.bottom));
-            let inverse = match other.ratio(session).and_then(Ratio::inverse) {
-                // a whole number divides prime by prime
-                Some(_) if other.bottom == 0 => {
-                    let size = other.size.norm as u64;
-                    session.denominators.whole(size)
-                }
-                _ => session.denominators.factor(numerator, other.size),
-            };
-            let (value, bottom) =
-                (self.value.times(other.value.inverse()), session.denominators.product(below, inverse));
-            let size = self.size.times(session.denominators.size(above));
-            let kind = match (self.kind, other.ratio(session).and_then(Ratio::inverse)) {
-                (_, None) => Kind::Rest,
-                (Kind::Angle(_), Some(ratio)) => self.scaled_angle(ratio, other.value.inverse(), session),
-                (_, Some(ratio)) => {
-                    let quotient = self.ratio(session).and_then(|own| own.times(ratio));
-                    Self::of_ratio(quotient, session)
-                }
-            };
-            Modular { value, size, bottom, kind }
-        })
+        self.used().quotient(other.used())
     }
 
     fn negated(self) -> Self {
-        let kind = match self.kind {
-            Kind::Rest => Kind::Rest,
+        let number = self.used();
+        let kind = match number.kind {
+            Kind::Rest | Kind::Root(_) => Kind::Rest,
             Kind::Whole(n) if n != i32::MIN => Kind::Whole(-n),
             Kind::Whole(_) | Kind::Ratio(_) => session(|session| {
                 let ratio = self.ratio(session).and_then(Ratio::negated);
@@ -369,7 +423,7 @@ impl<F: Modulus> Arithmetic for Modular<F> {
             }),
             Kind::Angle(_) => session(|session| self.scaled_angle(Ratio::whole(-1), Residue::whole(-1), session)),
         };
-        Modular { value: self.value.negated(), kind, ..self }
+        Modular { value: number.value.negated(), kind, ..number }
     }
 
     fn power(self, n: i32) -> Self {
@@ -416,10 +470,11 @@ impl<F: Modulus> Arithmetic for Modular<F> {
     }
 
     fn order(self, other: Self) -> Option<Ordering> {
-        if self.value == other.value {
+        let (this, other) = (self.used(), other.used());
+        if this.value == other.value {
             return Some(Ordering::Equal);
         }
-        match session(|session| self.ratio(session).zip(other.ratio(session))) {
+        match session(|session| this.ratio(session).zip(other.ratio(session))) {
             Some((a, b)) => a.value().partial_cmp(&b.value()),
             None => {
                 Self::refused("an absolute value, or which of two numbers is larger");
@@ -429,7 +484,11 @@ impl<F: Modulus> Arithmetic for Modular<F> {
     }
 
     fn same(self, other: Self) -> bool {
-        self.value == other.value
+        // whether a root is 0 is known without its value
+        if other.is_literally_zero() || self.is_literally_zero() {
+            return self.value == other.value;
+        }
+        self.used().value == other.used().value
     }
 }
 

@@ -129,6 +129,30 @@ const SIMPLE: [(i64, u64); 14] = [
     (-1, 4),
 ];
 
+/// A square root, known by what it is the root of.
+struct Root<F> {
+    radicand: Residue<F>,
+    degree: u32,
+    made: Made<F>,
+}
+
+/// How a square root comes by its value.
+#[derive(Clone, Copy)]
+enum Made<F> {
+    /// By itself, if it exists here; with the sign that it was given when it was first used.
+    Itself(Option<Residue<F>>, Option<bool>),
+    /// A multiple of a product of earlier roots, or of the quotient of two.
+    Of(Residue<F>, Option<usize>, Option<(usize, bool)>),
+}
+
+/// What a new square root turns out to be.
+pub enum Found {
+    /// A fraction: the radicand is its square.
+    Ratio(Ratio),
+    /// A root with a place.
+    Root(u32),
+}
+
 /// The state of a session.
 pub struct Session<F> {
     generator: Pcg64Mcg,
@@ -138,8 +162,9 @@ pub struct Session<F> {
     constants: HashMap<u64, Known<F>>,
     pub angles: Vec<Angle<F>>,
     pub ratios: Vec<Ratio>,
-    /// Square roots by what they are roots of.
-    roots: Vec<(Residue<F>, Residue<F>)>,
+    roots: Vec<Root<F>>,
+    /// Value, size and denominator of what each is the root of.
+    pub radicands: HashMap<u32, (Residue<F>, Size, u32)>,
     signs: u32,
     /// The labels of arguments of which only the value is known.
     atoms: Vec<(Residue<F>, u128, u32)>,
@@ -159,6 +184,7 @@ impl<F: Modulus> Session<F> {
             angles: Vec::new(),
             ratios: Vec::new(),
             roots: Vec::new(),
+            radicands: HashMap::new(),
             signs,
             atoms: Vec::new(),
             pi: Residue::ONE,
@@ -281,27 +307,73 @@ impl<F: Modulus> Session<F> {
         (label, Ratio::whole(1))
     }
 
-    /// A square root: of simple multiples of one radicand the same multiple of one root, else one of either sign.
-    pub fn root(&mut self, radicand: Residue<F>, degree: u32) -> Residue<F> {
-        for (numerator, denominator) in SIMPLE.into_iter().filter(|(n, _)| *n > 0) {
-            let (n, d) = (Residue::whole(numerator), Residue::<F>::new(denominator.into()));
-            for (known, root) in &self.roots {
+    /// A square root. Those of simple fractions are fractions; those of multiples, products and quotients of earlier
+    /// radicands by simple squares are made of the earlier roots, as those of positive numbers are.
+    pub fn root(&mut self, radicand: Residue<F>, degree: u32) -> Found {
+        let squares = SIMPLE.into_iter().filter(|(n, _)| *n > 0);
+        let mut made = None;
+        for (numerator, denominator) in squares {
+            let (n, d) = (Residue::<F>::whole(numerator), Residue::<F>::new(denominator.into()));
+            let (multiple, ratio) = (radicand.times(d.square()), n.times(d.inverse()));
+            if multiple == n.square() {
                 self.account.coincidences += f64::from(degree);
-                if known.times(n.square()) == radicand.times(d.square()) {
-                    return root.times(n).times(d.inverse());
+                return Found::Ratio(Ratio { numerator, denominator });
+            }
+            for (at, root) in self.roots.iter().enumerate() {
+                self.account.coincidences += f64::from(degree.max(root.degree));
+                if multiple == root.radicand.times(n.square()) {
+                    made = made.or(Some(Made::Of(ratio, Some(at), None)));
                 }
             }
         }
-        self.account.opaque = true;
-        let Some(root) = radicand.root() else {
-            self.account.elsewhere = true;
-            return Residue::ZERO;
-        };
-        let negative = self.signs >> self.account.roots & 1 == 1;
-        let root = if negative { root.negated() } else { root };
-        self.account.roots += 1;
-        self.roots.push((radicand, root));
-        root
+        let made = made.or_else(|| self.made_of_two(radicand, degree));
+        let made = made.unwrap_or(Made::Itself(radicand.root(), None));
+        self.roots.push(Root { radicand, degree, made });
+        Found::Root(self.roots.len() as u32 - 1)
+    }
+
+    /// The root of a radicand that is a product or a quotient of two earlier ones.
+    fn made_of_two(&mut self, radicand: Residue<F>, degree: u32) -> Option<Made<F>> {
+        for (at, first) in self.roots.iter().enumerate() {
+            for (other, second) in self.roots.iter().enumerate().filter(|(other, _)| *other != at) {
+                self.account.coincidences += f64::from(degree.max(first.degree).max(second.degree));
+                if first.radicand.times(second.radicand) == radicand {
+                    return Some(Made::Of(Residue::ONE, Some(at), Some((other, false))));
+                }
+                if second.radicand.times(radicand) == first.radicand {
+                    return Some(Made::Of(Residue::ONE, Some(at), Some((other, true))));
+                }
+            }
+        }
+        None
+    }
+
+    /// The value of a square root, which is needed now: it must exist, and takes a sign.
+    pub fn value_of_root(&mut self, place: usize) -> Residue<F> {
+        match self.roots[place].made {
+            Made::Of(ratio, first, second) => {
+                let first = first.map_or(Residue::ONE, |first| self.value_of_root(first));
+                let second = second.map_or(Residue::ONE, |(second, inverted)| {
+                    let value = self.value_of_root(second);
+                    if inverted { value.inverse() } else { value }
+                });
+                ratio.times(first).times(second)
+            }
+            Made::Itself(None, _) => {
+                self.account.elsewhere = true;
+                Residue::ONE
+            }
+            Made::Itself(Some(root), sign) => {
+                let negative = sign.unwrap_or_else(|| {
+                    let negative = self.signs >> self.account.roots & 1 == 1;
+                    self.account.roots += 1;
+                    self.account.opaque = true;
+                    negative
+                });
+                self.roots[place].made = Made::Itself(Some(root), Some(negative));
+                if negative { root.negated() } else { root }
+            }
+        }
     }
 }
 
