@@ -116,6 +116,7 @@
 
 pub mod check;
 pub mod cli;
+pub mod derive;
 pub mod error;
 pub mod formula;
 pub mod latex;
