@@ -9,6 +9,8 @@ mod support;
 mod bad_input;
 #[path = "cli/contract.rs"]
 mod contract;
+#[path = "cli/derive.rs"]
+mod derive;
 #[path = "cli/formulas.rs"]
 mod formulas;
 #[path = "cli/reprint.rs"]
@@ -146,7 +148,7 @@ fn help_is_no_failure_and_a_wrong_flag_is() {
     let desk = Desk::new("flags");
     let help = desk.onshell(&["--help"]);
     assert_eq!(help.code, 0);
-    for command in ["check", "equal", "eval", "read"] {
+    for command in ["check", "derive", "equal", "eval", "read"] {
         assert!(help.out.contains(command), "{}", help.out);
         assert_eq!(desk.onshell(&[command, "--frobnicate"]).code, 2);
     }

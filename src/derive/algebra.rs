@@ -14,6 +14,9 @@ use super::rational::Exact;
 use crate::scalar::Function;
 use crate::{Error, Result};
 
+/// Exponents are below this.
+const HIGHEST: u32 = 1 << 16;
+
 /// What a polynomial is made of.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Atom {
@@ -92,6 +95,13 @@ impl Algebra {
         &self.atoms[place as usize]
     }
 
+    /// The roots of sums: the atom, which power of it is known, and what that is.
+    pub fn roots(&self) -> impl Iterator<Item = (u32, u32, &Polynomial)> {
+        let is_root = |atom: u32| matches!(self.atom(atom), Atom::Root(..));
+        let relations = self.relations.iter().filter(move |(atom, (_, value))| is_root(**atom) && value.len() > 1);
+        relations.map(|(&atom, (degree, value))| (atom, *degree, value))
+    }
+
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
     }
@@ -162,6 +172,17 @@ impl Algebra {
         if fraction.under.is_empty() {
             return Ok(fraction);
         }
+        for (&atom, (degree, value)) in &self.relations {
+            if value.len() > 1
+                && let Some(power) = fraction.under.remove(&value.primitive()?)
+            {
+                // what stands below is known as a power of an atom
+                let (monomial, number) = value.content();
+                for _ in 0..power {
+                    fraction.top = fraction.top.scaled(&monomial.raised(atom, -(*degree as i32)), number)?;
+                }
+            }
+        }
         fraction.top = self.canonical(&fraction.top)?;
         let mut under = BTreeMap::new();
         for (factor, mut power) in std::mem::take(&mut fraction.under) {
@@ -230,7 +251,10 @@ impl Algebra {
         }
         if let (Some((monomial, number)), true) = (a.top.single(), a.under.is_empty())
             && number.is_one()
-            && n < 1 << 16
+            && monomial
+                .factors()
+                .iter()
+                .all(|&(_, exponent)| exponent.unsigned_abs().saturating_mul(n as u32) < HIGHEST)
         {
             return Ok(self.canonical(&Polynomial::term(monomial.power(n), number))?.into());
         }

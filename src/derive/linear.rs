@@ -22,7 +22,10 @@ impl Algebra {
         let mut solution = vec![Fraction::default(); right.len()];
         for block in blocks(matrix) {
             if block.len() > ROWS {
-                return Err(Error::new(format!("{} coupled coordinates are too many to solve for in print", block.len())));
+                return Err(Error::new(format!(
+                    "{} coupled coordinates are too many to solve for in print",
+                    block.len()
+                )));
             }
             let inner: Vec<Vec<Fraction>> =
                 block.iter().map(|&i| block.iter().map(|&j| matrix[i][j].clone()).collect()).collect();

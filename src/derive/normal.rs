@@ -172,14 +172,15 @@ impl Algebra {
 
     fn of_one_angle(&mut self, monomial: &Monomial, coefficient: Exact) -> Result<(Polynomial, Polynomial)> {
         let pi = self.intern(Atom::Pi);
-        let twice = coefficient + coefficient;
+        let twice = rational::plus(coefficient, coefficient)?;
         if *monomial == Monomial::atom(pi, 1) && twice.is_integer() {
             let quarter = usize::try_from(twice.to_integer().rem_euclid(4)).unwrap_or(0);
             let value = |values: [i128; 4]| Polynomial::constant(number(values[quarter]));
             return Ok((value([0, 1, 0, -1]), value([1, 0, -1, 0])));
         }
         let size = coefficient.abs();
-        let (times, base) = if *size.numer() <= MULTIPLE { (*size.numer(), Ratio::new(1, *size.denom())) } else { (1, size) };
+        let (times, base) =
+            if *size.numer() <= MULTIPLE { (*size.numer(), Ratio::new(1, *size.denom())) } else { (1, size) };
         let Pair { sine: s, cosine: c, .. } = self.pair(Polynomial::term(monomial.clone(), base))?;
         let (s, c) = (Polynomial::atom(s), Polynomial::atom(c));
         let (mut sine, mut cosine) = (s.clone(), c.clone());

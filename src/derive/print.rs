@@ -19,8 +19,12 @@ use crate::scalar::Function;
 use crate::source::Span;
 use crate::{Error, Result};
 
-/// Where a term stands in a sum: highest derivatives, then velocities and momenta; few factors before many.
-type Place = (Reverse<i32>, Reverse<i32>, i32, Vec<(Rank, Reverse<i32>)>);
+/// Where a term stands in a sum: highest derivatives, then velocities and momenta; by parameters; few factors before
+/// many.
+type Place = (Reverse<i32>, Reverse<i32>, Factors, i32, Factors);
+
+/// Factors in their order, with their exponents.
+type Factors = Vec<(Rank, Reverse<i32>)>;
 
 /// Where a factor stands in a term.
 type Rank = (u8, u32, u8);
@@ -55,7 +59,8 @@ impl Printer<'_> {
         }
         let shared = self.algebra.shared_exponential(&plain);
         let inner = plain.scaled(&shared.power(-1), Exact::one())?;
-        if !shared.factors().is_empty() && inner.len() > 1 {
+        let bare = |monomial: &Monomial| !monomial.factors().iter().any(|&(atom, _)| self.algebra.is_exponential(atom));
+        if !shared.factors().is_empty() && inner.len() > 1 && inner.terms().all(|(monomial, _)| bare(monomial)) {
             let sum = assemble(self.pieces(&inner)?);
             let expr = self.product(&shared, Exact::one(), vec![sum], Vec::new())?;
             pieces.push(Piece { place: self.place(&inner), sign: Sign::Plus, expr });
@@ -68,27 +73,78 @@ impl Printer<'_> {
     fn quotient(&self, fraction: &Fraction) -> Result<Piece> {
         let (monomial, number) = fraction.top.content();
         let rest = fraction.top.primitive()?;
-        let mut below = Vec::new();
+        let (mut number, mut below) = (number, Vec::new());
         for (factor, &power) in &fraction.under {
-            let factor = assemble(self.pieces(factor)?);
+            let (own, factor) = self.turned(factor)?;
+            if own == Sign::Minus && power % 2 == 1 {
+                number = -number;
+            }
             below.push(if power == 1 { factor } else { raised(factor, power) });
         }
-        let (sign, above) = self.inside(&rest)?;
-        let number = if sign == Sign::Minus { -number } else { number };
+        let (sign, above) = self.inside(&rest, number)?;
         let expr = self.product(&monomial, number.abs(), above, below)?;
-        Ok(Piece { place: self.place(&fraction.top), sign: sign_of(number), expr })
+        Ok(Piece { place: self.place(&fraction.top), sign, expr })
     }
 
-    /// A polynomial without content as a factor, and a sign that was taken out of it; 1 is no factor.
-    fn inside(&self, rest: &Polynomial) -> Result<(Sign, Vec<Expr>)> {
+    /// A polynomial without content as factors, with the sign of the whole; 1 is no factor. Where the whole would be
+    /// negative and a factor can take the sign, it does: −(a b − 2c) is 2c − a b.
+    fn inside(&self, rest: &Polynomial, number: Exact) -> Result<(Sign, Vec<Expr>)> {
+        let mut sign = sign_of(number);
         if rest.as_constant().is_some_and(|value| value.is_one()) {
-            return Ok((Sign::Plus, Vec::new()));
+            return Ok((sign, Vec::new()));
         }
         if let Some(root) = rest.root()? {
-            return Ok((Sign::Plus, vec![raised(self.turned(&root)?.1, 2)]));
+            return Ok((sign, vec![raised(self.turned(&root)?.1, 2)]));
         }
-        let (sign, expr) = self.turned(rest)?;
-        Ok((sign, vec![expr]))
+        let (mut factors, mut turnable) = (Vec::new(), None);
+        for factor in self.factors(rest)? {
+            let (own, expr) = self.turned(&factor)?;
+            sign = if own == Sign::Minus { sign.flipped() } else { sign };
+            let opposite = Polynomial::default().minus(&factor)?;
+            let pieces = self.flat(if own == Sign::Minus { &factor } else { &opposite })?;
+            if pieces.iter().min_by(|a, b| a.place.cmp(&b.place)).is_some_and(|first| first.sign == Sign::Plus) {
+                turnable.get_or_insert((factors.len(), pieces));
+            }
+            factors.push(expr);
+        }
+        if let (Sign::Minus, Some((at, pieces))) = (sign, turnable) {
+            factors[at] = assemble(pieces);
+            sign = Sign::Plus;
+        }
+        Ok((sign, factors))
+    }
+
+    /// Factors of a polynomial that is linear or quadratic in a velocity or a momentum; itself, if none is found.
+    fn factors(&self, whole: &Polynomial) -> Result<Vec<Polynomial>> {
+        let moving = [Class::Velocity, Class::Momentum, Class::Acceleration];
+        let wanted = |atom: &u32| self.class(*atom).is_some_and(|class| moving.contains(&class));
+        let mut atoms: Vec<u32> =
+            whole.terms().flat_map(|(monomial, _)| monomial.factors()).map(|&(atom, _)| atom).filter(wanted).collect();
+        atoms.sort_unstable();
+        atoms.dedup();
+        for atom in atoms {
+            let powers = whole.powers(atom)?;
+            let of = |exponent: i32| powers.get(&exponent).cloned().unwrap_or_default();
+            let candidate = match whole.exponents(atom) {
+                (0, 1) => of(1).primitive()?,
+                (0, 2) => {
+                    // a x² + b x + c, with b² − 4ac the square of d, is 0 where 2 a x + b = d
+                    let (a, b, c) = (of(2), of(1), of(0));
+                    let four = Exact::from_integer(4);
+                    let Some(d) = b.times(&b)?.plus(&a.times(&c)?, -four)?.root()? else { continue };
+                    let x = Monomial::atom(atom, 1);
+                    a.scaled(&x, Exact::from_integer(2))?.plus(&b, Exact::one())?.minus(&d)?.primitive()?
+                }
+                _ => continue,
+            };
+            if candidate.len() > 1
+                && let Some(other) = whole.divided_by(&candidate)?
+                && other.len() > 1
+            {
+                return Ok([self.factors(&candidate)?, self.factors(&other)?].concat());
+            }
+        }
+        Ok(vec![whole.clone()])
     }
 
     /// A sum that begins with a plus, and the sign that this took.
@@ -135,7 +191,8 @@ impl Printer<'_> {
             }
             for (_, part) in over {
                 let (shared, _) = part.content();
-                if parameters.factors().is_empty() && shared.factors().is_empty() && part.primitive()?.root()?.is_none() {
+                if parameters.factors().is_empty() && shared.factors().is_empty() && part.primitive()?.root()?.is_none()
+                {
                     pieces.extend(self.flat(&part)?);
                 } else {
                     pieces.push(self.collected(&part)?);
@@ -151,10 +208,9 @@ impl Printer<'_> {
             return self.piece(monomial, number);
         }
         let (monomial, number) = group.content();
-        let (sign, inside) = self.inside(&group.primitive()?)?;
-        let number = if sign == Sign::Minus { -number } else { number };
+        let (sign, inside) = self.inside(&group.primitive()?, number)?;
         let expr = self.product(&monomial, number.abs(), inside, Vec::new())?;
-        Ok(Piece { place: self.place(group), sign: sign_of(number), expr })
+        Ok(Piece { place: self.place(group), sign, expr })
     }
 
     /// Number times factors: what has a negative exponent stands below, beside `below`.
@@ -201,7 +257,10 @@ impl Printer<'_> {
             Atom::Input(n) => plain(self.letter(*n)?.expr.clone()),
             Atom::Pi => plain(expr(Node::Pi)),
             Atom::Call(Function::Exp, of) => {
-                let scaled = Fraction { top: of.top.scaled(&Monomial::default(), Exact::from_integer(exponent.into()))?, ..of.clone() };
+                let scaled = Fraction {
+                    top: of.top.scaled(&Monomial::default(), Exact::from_integer(exponent.into()))?,
+                    ..of.clone()
+                };
                 let exponent = self.sum(std::slice::from_ref(&scaled))?;
                 match scaled.top.as_constant() {
                     Some(_) => expr(Node::Call(formula::Function::Exp, Box::new(exponent))),
@@ -257,18 +316,24 @@ impl Printer<'_> {
         let places = polynomial.terms().map(|(monomial, _)| {
             let degree = |wanted: &[Class]| -> i32 {
                 let factors = monomial.factors().iter();
-                let wanted = factors.filter(|(atom, e)| *e > 0 && self.class(*atom).is_some_and(|c| wanted.contains(&c)));
+                let wanted =
+                    factors.filter(|(atom, e)| *e > 0 && self.class(*atom).is_some_and(|c| wanted.contains(&c)));
                 wanted.map(|&(_, exponent)| exponent).sum()
             };
-            let mut factors: Vec<(Rank, Reverse<i32>)> =
-                monomial.factors().iter().map(|&(atom, exponent)| (self.rank(atom), Reverse(exponent))).collect();
-            factors.sort();
+            let ranked = |monomial: &Monomial| {
+                let factors = monomial.factors().iter();
+                let mut ranked: Factors = factors.map(|&(atom, e)| (self.rank(atom), Reverse(e))).collect();
+                ranked.sort();
+                ranked
+            };
+            let parameters = ranked(&monomial.part(|atom, _| self.is_parameter(atom)));
+            let factors = ranked(monomial);
             let count = monomial.factors().iter().map(|(_, exponent)| exponent.abs()).sum();
             // a number alone stands first, as in 1 − v²/c²
             let first = if factors.is_empty() { i32::MAX } else { degree(&[Class::Acceleration]) };
-            (Reverse(first), Reverse(degree(&[Class::Velocity, Class::Momentum])), count, factors)
+            (Reverse(first), Reverse(degree(&[Class::Velocity, Class::Momentum])), parameters, count, factors)
         });
-        places.min().unwrap_or((Reverse(0), Reverse(0), 0, Vec::new()))
+        places.min().unwrap_or((Reverse(0), Reverse(0), Vec::new(), 0, Vec::new()))
     }
 }
 
@@ -335,5 +400,9 @@ fn beside(mut factors: Vec<Expr>) -> Expr {
 }
 
 fn over(above: Vec<Expr>, under: Vec<Expr>) -> Expr {
-    if under.is_empty() { beside(above) } else { expr(Node::Quotient(Box::new(beside(above)), Box::new(beside(under)))) }
+    if under.is_empty() {
+        beside(above)
+    } else {
+        expr(Node::Quotient(Box::new(beside(above)), Box::new(beside(under))))
+    }
 }

@@ -411,7 +411,11 @@ impl<'a> Work<'a> {
         let mut equations = Vec::new();
         for (i, velocity) in velocities.iter().enumerate() {
             let name = format!("rate of {}", names.spelled(i));
-            equations.push(self.equation(&name, names.dotted(names.coordinates[i], 1), std::slice::from_ref(velocity))?);
+            equations.push(self.equation(
+                &name,
+                names.dotted(names.coordinates[i], 1),
+                std::slice::from_ref(velocity),
+            )?);
         }
         let forces = self.algebra.normal(&self.of.graph, &self.of.recorded.forces)?;
         let at_rest = self.algebra.normal(&self.of.graph, &self.of.recorded.at_rest.forces)?;

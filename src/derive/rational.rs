@@ -84,8 +84,7 @@ fn convergent(x: f64, fits: impl Fn(f64) -> bool) -> Option<Exact> {
             return None;
         }
         let part = rest.floor() as i128;
-        let next =
-            (part.checked_mul(last.0)?.checked_add(before.0)?, part.checked_mul(last.1)?.checked_add(before.1)?);
+        let next = (part.checked_mul(last.0)?.checked_add(before.0)?, part.checked_mul(last.1)?.checked_add(before.1)?);
         (before, last) = (last, next);
         if fits(f64::from(sign) * (last.0 as f64 / last.1 as f64)) {
             return Some(Ratio::new(i128::from(sign) * last.0, last.1));

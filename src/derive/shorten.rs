@@ -4,6 +4,8 @@
 //! sin β is cos(α − β). It is tried from the form in cosines and from the forms in sines, angle by angle, and the
 //! shortest result is taken. Nothing is decided here: each form is equal to each other.
 
+use std::collections::BTreeSet;
+
 use num_traits::{One, Zero};
 
 use super::algebra::{Algebra, Fraction, Pair};
@@ -18,7 +20,8 @@ impl Algebra {
     /// The same polynomial with as few terms as are found.
     pub fn shortened(&self, polynomial: &Polynomial) -> Result<Polynomial> {
         let (one, pairs) = (Exact::one(), self.used(polynomial));
-        let mut starts = vec![polynomial.clone(), self.canonical(polynomial)?];
+        let canonical = self.canonical(polynomial)?;
+        let mut starts = vec![polynomial.clone(), self.rooted(&canonical)?, canonical];
         for pair in pairs.iter().take(if pairs.len() > ANGLES { 0 } else { ANGLES }) {
             for start in starts.clone() {
                 let square = Polynomial::one().plus(&Polynomial::term(Monomial::atom(pair.sine, 2), one), -one)?;
@@ -52,6 +55,23 @@ impl Algebra {
         Ok(Fraction { top, ..fraction })
     }
 
+    /// What is a multiple of a sum whose root is an atom, with a power of the root instead.
+    fn rooted(&self, polynomial: &Polynomial) -> Result<Polynomial> {
+        let mut result = polynomial.clone();
+        for (atom, degree, value) in self.roots() {
+            let mut sum = Polynomial::default();
+            for (mut exponent, mut coefficient) in result.powers(atom)? {
+                while let Some(quotient) = coefficient.divided_by(value)?.filter(|_| exponent != 0) {
+                    coefficient = quotient;
+                    exponent += degree as i32;
+                }
+                sum = sum.plus(&coefficient.scaled(&Monomial::atom(atom, exponent), Exact::one())?, Exact::one())?;
+            }
+            result = sum;
+        }
+        Ok(result)
+    }
+
     fn used(&self, polynomial: &Polynomial) -> Vec<Pair> {
         let occurs = |atom: u32| polynomial.terms().any(|(monomial, _)| monomial.exponent(atom) != 0);
         self.pairs().iter().filter(|pair| occurs(pair.sine) || occurs(pair.cosine)).cloned().collect()
@@ -73,10 +93,9 @@ impl Algebra {
         let monomials: Vec<Monomial> = polynomial.terms().map(|(monomial, _)| monomial.clone()).collect();
         for monomial in monomials {
             // (what the term has, what its partner has, the two are a sine)
-            for (mine, theirs, is_sine) in [
-                ([a.cosine, b.cosine], [a.sine, b.sine], false),
-                ([a.sine, b.cosine], [a.cosine, b.sine], true),
-            ] {
+            for (mine, theirs, is_sine) in
+                [([a.cosine, b.cosine], [a.sine, b.sine], false), ([a.sine, b.cosine], [a.cosine, b.sine], true)]
+            {
                 if mine.iter().any(|&atom| monomial.exponent(atom) < 1) {
                     continue;
                 }
@@ -100,10 +119,12 @@ impl Algebra {
     }
 }
 
-/// What it takes to write a polynomial: first its terms, then their factors.
-fn weight(polynomial: &Polynomial) -> (usize, u32) {
+/// What it takes to write a polynomial: first its terms, then their denominators, then their factors.
+fn weight(polynomial: &Polynomial) -> (usize, usize, u32) {
     let factors = polynomial.terms().flat_map(|(monomial, _)| monomial.factors());
-    (polynomial.len(), factors.map(|&(_, exponent)| exponent.unsigned_abs()).sum())
+    let below: BTreeSet<Monomial> =
+        polynomial.terms().map(|(monomial, _)| monomial.part(|_, exponent| exponent < 0)).collect();
+    (polynomial.len(), below.len(), factors.map(|&(_, exponent)| exponent.unsigned_abs()).sum())
 }
 
 /// Replaces the square of an atom, wherever it stands in a positive power.
