@@ -33,7 +33,7 @@ fn without_a_quantity_it_is_the_lagrangian_the_momenta_and_the_equations_of_moti
         names,
         ["Lagrangian", "momentum of r", "momentum of φ", "equation of motion of r", "equation of motion of φ"]
     );
-    assert_eq!(json["equations"][1]["text"], "p_r = m·ṙ");
+    assert_eq!(json["equations"][1]["text"], "p_r = m·r\u{307}");
     assert_eq!(json["equations"][1]["latex"], r"p_r = m \, \dot{r}");
 }
 
