@@ -2,7 +2,8 @@
 
 use clap::ValueEnum;
 
-use crate::derive::{Derivation, Quantity};
+use crate::derive::{Derivation, Equation, Quantity};
+use crate::mechanics::World;
 use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
@@ -70,8 +71,8 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     }
 }
 
-fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
-    let name = &arguments.system;
+/// The system of a name.
+fn world(name: &str, registry: &Registry) -> Result<World> {
     let system = registry.get(name).ok_or_else(|| {
         let unknown = Error::new(format!("there is no system \"{name}\""));
         match suggest::nearest(name, registry.names()) {
@@ -79,7 +80,11 @@ fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
             None => unknown.help(format!("there are {}", registry.names().collect::<Vec<_>>().join(", "))),
         }
     })?;
-    let world = system.world()?;
+    system.world()
+}
+
+fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
+    let world = world(&arguments.system, registry)?;
     let derivation = Derivation::new(&world)?;
     let usual = [Quantity::Lagrangian, Quantity::Momenta, Quantity::EulerLagrange];
     let wanted = arguments.quantity.map_or(usual.to_vec(), |wanted| vec![wanted.quantity()]);
@@ -87,14 +92,14 @@ fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
     for quantity in wanted {
         equations.extend(derivation.equations(quantity)?);
     }
-    let lines = |spell: &dyn Fn(&crate::derive::Equation) -> String| {
+    let lines = |spell: &dyn Fn(&Equation) -> String| {
         equations.iter().map(|equation| spell(equation) + "\n").collect::<String>()
     };
     Ok(match arguments.format {
         Form::Text => lines(&|equation| derivation.text(equation)),
         Form::Latex => lines(&|equation| derivation.latex(equation)),
         Form::Json => {
-            let each = |equation: &crate::derive::Equation| {
+            let each = |equation: &Equation| {
                 serde_json::json!({
                     "name": equation.name,
                     "latex": derivation.latex(equation),
@@ -102,7 +107,7 @@ fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
                 })
             };
             let output = serde_json::json!({
-                "system": name,
+                "system": world.name(),
                 "coordinates": world.coordinates(),
                 "parameters": world.parameters(),
                 "equations": equations.iter().map(each).collect::<Vec<_>>(),

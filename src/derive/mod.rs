@@ -1,10 +1,11 @@
 //! What the machine derived, as a formula that people read: L, momenta, equations of motion, H, typeset.
 //!
 //! `mechanics` has what follows from a Lagrangian as a recorded graph, good for numbers and unreadable. Here it becomes
-//! a [`formula::Expr`](crate::formula::Expr) with the system's own names. [`normal`] expands the graph over atoms with exact
-//! rational coefficients ([`rational`], [`polynomial`], [`algebra`]), [`shorten`] finds the shortest way to write it,
-//! [`print`] collects and orders it. [`linear`] solves for accelerations and for the velocities that belong to momenta.
-//! [`quantities`] says what there is to derive, and [`mod@difference`] shows what is left of one side without the other.
+//! a [`formula::Expr`](crate::formula::Expr) with the system's own names. `normal` expands the graph over atoms with exact
+//! rational coefficients (`rational`, `polynomial`, `algebra`), `shorten` finds the shortest way to write it, `print`
+//! collects and orders it. `linear` solves for accelerations and for the velocities that belong to momenta. `names` has
+//! the letters, [`quantities`] says what there is to derive, and [`mod@difference`] shows what is left of one side
+//! without the other.
 //!
 //! A normal form explains, and decides nothing: no verdict is taken from it. What is typeset here reads back to the
 //! numbers that automatic differentiation gives, and that is tested for every system. Where no exact form is found, or
@@ -13,6 +14,7 @@
 mod algebra;
 pub mod difference;
 mod linear;
+mod names;
 mod normal;
 mod polynomial;
 mod print;

@@ -25,7 +25,7 @@ impl Algebra {
         let nodes = graph.nodes();
         let mut needed = vec![false; nodes.len()];
         outputs.iter().for_each(|output| needed[output.place() as usize] = true);
-        for place in (0..nodes.len()).rev().filter(|&place| place < nodes.len()) {
+        for place in (0..nodes.len()).rev() {
             if needed[place] {
                 nodes[place].operands().for_each(|operand| needed[operand as usize] = true);
             }

@@ -8,13 +8,12 @@ use std::collections::BTreeMap;
 use num_traits::{One, Zero};
 
 use super::algebra::{Algebra, Fraction};
-use super::polynomial::Polynomial;
+use super::names::{Inputs, Names, symbol};
+use super::polynomial::{Monomial, Polynomial};
 use super::print::Printer;
 use super::rational::Exact;
-use super::{Class, Letter};
-use crate::formula::symbols::Kind;
-use crate::formula::{Expr, Node, Relation, Statement, SymbolId, Symbols, text};
-use crate::latex::{names, typeset};
+use crate::formula::{Expr, Relation, Statement, Symbols, text};
+use crate::latex::typeset;
 use crate::mechanics::World;
 use crate::scalar::{Graph, Symbol};
 use crate::source::Span;
@@ -73,19 +72,6 @@ pub struct Derivation {
     recorded: Recorded,
 }
 
-/// The names of a system, and of what is derived from it.
-struct Names {
-    symbols: Symbols,
-    coordinates: Vec<SymbolId>,
-    momenta: Vec<SymbolId>,
-    letters: Vec<Letter>,
-    lagrangian: SymbolId,
-    energy: SymbolId,
-    hamiltonian: SymbolId,
-    /// The upper triangle, row by row.
-    masses: Vec<SymbolId>,
-}
-
 /// What the world computes, as symbols.
 struct Recorded {
     lagrangian: Symbol,
@@ -103,33 +89,6 @@ struct AtRest {
     momenta: Vec<Symbol>,
     forces: Vec<Symbol>,
     residuals: Vec<Symbol>,
-}
-
-/// Where things stand among the inputs: time, coordinates, velocities, parameters, accelerations, momenta.
-struct Inputs {
-    n: usize,
-    parameters: usize,
-}
-
-impl Inputs {
-    fn block(&self, first: usize, count: usize) -> Vec<usize> {
-        (first..first + count).collect()
-    }
-    fn coordinates(&self) -> Vec<usize> {
-        self.block(1, self.n)
-    }
-    fn velocities(&self) -> Vec<usize> {
-        self.block(1 + self.n, self.n)
-    }
-    fn parameters(&self) -> Vec<usize> {
-        self.block(1 + 2 * self.n, self.parameters)
-    }
-    fn accelerations(&self) -> Vec<usize> {
-        self.block(1 + 2 * self.n + self.parameters, self.n)
-    }
-    fn momenta(&self) -> Vec<usize> {
-        self.block(1 + 3 * self.n + self.parameters, self.n)
-    }
 }
 
 impl Derivation {
@@ -174,23 +133,23 @@ impl Derivation {
         match quantity {
             Quantity::Lagrangian => {
                 let value = work.present(self.recorded.lagrangian)?;
-                Ok(vec![work.equation("Lagrangian", names.plain(names.lagrangian), &[value])?])
+                Ok(vec![work.equation("Lagrangian", symbol(names.lagrangian, 0), &[value])?])
             }
             Quantity::Energy => {
                 let value = work.present(self.recorded.energy)?;
-                Ok(vec![work.equation("energy", names.plain(names.energy), &[value])?])
+                Ok(vec![work.equation("energy", symbol(names.energy, 0), &[value])?])
             }
             Quantity::Momenta => {
                 let momentum = |i: usize| {
                     let value = work.present(self.recorded.momenta[i])?;
-                    work.equation(&format!("momentum of {}", names.spelled(i)), names.plain(names.momenta[i]), &[value])
+                    work.equation(&format!("momentum of {}", names.spelled(i)), symbol(names.momenta[i], 0), &[value])
                 };
                 names.each().map(momentum).collect()
             }
             Quantity::EulerLagrange => names.each().map(|i| work.euler_lagrange(i)).collect(),
             Quantity::Hamiltonian => {
                 let value = work.hamiltonian()?;
-                Ok(vec![work.equation("Hamiltonian", names.plain(names.hamiltonian), &value)?])
+                Ok(vec![work.equation("Hamiltonian", symbol(names.hamiltonian, 0), &value)?])
             }
             Quantity::Hamilton => work.hamilton(),
             Quantity::Accelerations => {
@@ -202,7 +161,7 @@ impl Derivation {
                 let solution = work.algebra.solve(&mass, &forces)?;
                 let acceleration = |(i, value): (usize, &Fraction)| {
                     let name = format!("acceleration of {}", names.spelled(i));
-                    work.equation(&name, names.dotted(names.coordinates[i], 2), std::slice::from_ref(value))
+                    work.equation(&name, symbol(names.coordinates[i], 2), std::slice::from_ref(value))
                 };
                 solution.iter().enumerate().map(acceleration).collect()
             }
@@ -211,7 +170,7 @@ impl Derivation {
                 let entry = |(at, (i, j)): (usize, (usize, usize))| {
                     let value = work.present(self.recorded.mass[i][j])?;
                     let name = format!("mass of {} and {}", names.spelled(i), names.spelled(j));
-                    work.equation(&name, names.plain(names.masses[at]), &[value])
+                    work.equation(&name, symbol(names.masses[at], 0), &[value])
                 };
                 pairs.enumerate().map(entry).collect()
             }
@@ -222,9 +181,9 @@ impl Derivation {
     fn find_angles(&mut self) -> Result<()> {
         let mut work = Work::new(self);
         work.normal(&[self.recorded.lagrangian])?;
-        let first = 1;
+        let coordinates = work.places(&self.names.inputs().coordinates());
         let angle = |i: &usize| {
-            let own = work.algebra.input_place(first + i);
+            let own = coordinates[*i];
             work.algebra.pairs().iter().any(|pair| pair.angle.exponents(own) != (0, 0))
         };
         let angles: Vec<usize> = self.names.each().filter(angle).collect();
@@ -257,71 +216,6 @@ fn record(world: &World, inputs: &Inputs) -> Recorded {
             residuals: world.euler_lagrange(time, &q, &v, &parameters, &still),
         },
     }
-}
-
-impl Names {
-    fn new(world: &World) -> Result<Self> {
-        let mut symbols = Symbols::new();
-        let mut add = |latex: &str| {
-            let name = names::parse(latex).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
-            let name = name.ok_or_else(|| Error::new(format!("“{latex}” of \"{}\" is no name", world.name())))?;
-            symbols.add(name, Kind::Scalar).ok_or_else(|| {
-                Error::new(format!("\"{}\" has two things of the name {latex}", world.name()))
-                    .help("the time is t, and p_q the momentum of a coordinate q: call nothing else by these names")
-            })
-        };
-        let coordinates: Vec<SymbolId> = world.coordinates().iter().map(|name| add(name)).collect::<Result<_>>()?;
-        let parameters: Vec<SymbolId> = world.parameters().iter().map(|name| add(name)).collect::<Result<_>>()?;
-        let time = add("t")?;
-        let momenta: Vec<SymbolId> =
-            world.coordinates().iter().map(|name| add(&format!("p_{{{name}}}"))).collect::<Result<_>>()?;
-        let mut either = |usual: &str, other: &str| add(usual).or_else(|_| add(other));
-        let lagrangian = either("L", "\\mathcal{L}")?;
-        let energy = either("E", "\\mathcal{E}")?;
-        let hamiltonian = either("H", "\\mathcal{H}")?;
-        let mut masses = Vec::new();
-        for (i, first) in world.coordinates().iter().enumerate() {
-            for second in &world.coordinates()[i..] {
-                masses.push(add(&format!("M_{{{first} {second}}}"))?);
-            }
-        }
-        for &id in coordinates.iter().chain(&momenta).chain([&time]) {
-            symbols.entry_mut(id).varies = true;
-        }
-        let letter = |id: SymbolId, dots: u8, class: Class| Letter { expr: symbol(id, dots), class };
-        let mut letters = vec![letter(time, 0, Class::Time)];
-        letters.extend(coordinates.iter().map(|&id| letter(id, 0, Class::Coordinate)));
-        letters.extend(coordinates.iter().map(|&id| letter(id, 1, Class::Velocity)));
-        letters.extend(parameters.iter().map(|&id| letter(id, 0, Class::Parameter)));
-        letters.extend(coordinates.iter().map(|&id| letter(id, 2, Class::Acceleration)));
-        letters.extend(momenta.iter().map(|&id| letter(id, 0, Class::Momentum)));
-        Ok(Names { symbols, coordinates, momenta, letters, lagrangian, energy, hamiltonian, masses })
-    }
-
-    fn each(&self) -> std::ops::Range<usize> {
-        0..self.coordinates.len()
-    }
-
-    fn spelled(&self, i: usize) -> String {
-        text::plain(&self.symbols.entry(self.coordinates[i]).name.to_string())
-    }
-
-    fn plain(&self, id: SymbolId) -> Expr {
-        symbol(id, 0)
-    }
-
-    fn dotted(&self, id: SymbolId, dots: u8) -> Expr {
-        symbol(id, dots)
-    }
-
-    fn inputs(&self) -> Inputs {
-        let n = self.coordinates.len();
-        Inputs { n, parameters: self.letters.len() - 1 - 4 * n }
-    }
-}
-
-fn symbol(id: SymbolId, dots: u8) -> Expr {
-    Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default())
 }
 
 /// One derivation under way, with atoms of its own.
@@ -359,7 +253,7 @@ impl<'a> Work<'a> {
         let shared = self.algebra.shared_exponential(&residual.top);
         residual.top = residual.top.scaled(&shared.power(-1), Exact::one())?;
         let accelerations = self.places(&self.of.names.inputs().accelerations());
-        let moves = |monomial: &super::polynomial::Monomial| accelerations.iter().any(|&a| monomial.exponent(a) != 0);
+        let moves = |monomial: &Monomial| accelerations.iter().any(|&a| monomial.exponent(a) != 0);
         let side = |top: Polynomial| Fraction { top, under: residual.under.clone() };
         let left = self.algebra.presented(&side(residual.top.part(moves)))?;
         let rest = Polynomial::default().minus(&residual.top.part(|monomial| !moves(monomial)))?;
@@ -411,11 +305,7 @@ impl<'a> Work<'a> {
         let mut equations = Vec::new();
         for (i, velocity) in velocities.iter().enumerate() {
             let name = format!("rate of {}", names.spelled(i));
-            equations.push(self.equation(
-                &name,
-                names.dotted(names.coordinates[i], 1),
-                std::slice::from_ref(velocity),
-            )?);
+            equations.push(self.equation(&name, symbol(names.coordinates[i], 1), std::slice::from_ref(velocity))?);
         }
         let forces = self.algebra.normal(&self.of.graph, &self.of.recorded.forces)?;
         let at_rest = self.algebra.normal(&self.of.graph, &self.of.recorded.at_rest.forces)?;
@@ -425,7 +315,7 @@ impl<'a> Work<'a> {
             let moving = self.algebra.substitute(&moving, &values)?;
             let parts = [self.algebra.presented(&moving)?, self.algebra.presented(still)?];
             let name = format!("rate of the momentum of {}", names.spelled(i));
-            equations.push(self.equation(&name, names.dotted(names.momenta[i], 1), &parts)?);
+            equations.push(self.equation(&name, symbol(names.momenta[i], 1), &parts)?);
         }
         Ok(equations)
     }

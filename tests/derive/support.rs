@@ -70,7 +70,7 @@ impl Lagrangian<1, 3> for Shaken {
 /// The systems of the crate, and some more.
 pub fn registry() -> Registry {
     let mut registry = Registry::standard();
-    registry.add(Bead).add(Charge).add(Shaken);
+    registry.add(Bead).add(Charge).add(Shaken).add(onshell::systems::Pendulum::<3>::new());
     registry
 }
 
