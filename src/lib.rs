@@ -105,6 +105,7 @@
 //! | [`cli`], [`testing`] | the command; the same checks as assertions in a test |
 //! | [`report`] | verdicts as text, as JSON, as diagnostics |
 //! | [`check`] | the printed against the derived |
+//! | [`mod@derive`] | the derived as formulas that people read |
 //! | [`notes`], [`latex`], [`systems`] | documents and claims; LaTeX to formulas and back; named Lagrangians |
 //! | [`formula`], [`mechanics`] | what an equation says; what is true |
 //! | [`scalar`] | the numbers that formulas and Lagrangians are evaluated on |
@@ -116,6 +117,7 @@
 
 pub mod check;
 pub mod cli;
+pub mod derive;
 pub mod error;
 pub mod formula;
 pub mod latex;

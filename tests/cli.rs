@@ -11,6 +11,8 @@ mod bad_input;
 mod contract;
 #[path = "cli/damage.rs"]
 mod damage;
+#[path = "cli/derive.rs"]
+mod derive;
 #[path = "cli/formulas.rs"]
 mod formulas;
 #[path = "cli/reprint.rs"]
@@ -148,7 +150,7 @@ fn help_is_no_failure_and_a_wrong_flag_is() {
     let desk = Desk::new("flags");
     let help = desk.onshell(&["--help"]);
     assert_eq!(help.code, 0);
-    for command in ["check", "equal", "eval", "read"] {
+    for command in ["check", "derive", "equal", "eval", "read"] {
         assert!(help.out.contains(command), "{}", help.out);
         assert_eq!(desk.onshell(&[command, "--frobnicate"]).code, 2);
     }

@@ -4,6 +4,7 @@
 //! checked or read.
 
 mod check;
+mod derive;
 mod equal;
 mod eval;
 mod progress;
@@ -27,6 +28,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     Check(check::Arguments),
+    Derive(derive::Arguments),
     Equal(equal::Arguments),
     Eval(eval::Arguments),
     Read(read::Arguments),
@@ -54,6 +56,7 @@ pub fn run(registry: &Registry) -> ExitCode {
     };
     let outcome = match arguments.command {
         Command::Check(arguments) => check::run(&arguments, registry),
+        Command::Derive(arguments) => derive::run(&arguments, registry),
         Command::Equal(arguments) => equal::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Read(arguments) => read::run(&arguments),

@@ -1,7 +1,7 @@
 //! A formula back to LaTeX, so that it reads back as the same formula.
 //!
-//! Arguments of functions are always enclosed, factors are set apart by a thin space where they could run together, and
-//! a product within a product keeps its parentheses: the text is unambiguous before it is pretty.
+//! Arguments of functions are enclosed, but for a lone angle; factors are set apart by a thin space where they could run
+//! together, and a product within a product keeps its parentheses: the text is unambiguous before it is pretty.
 
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Expr, Index, LeftOut, Node, Sign};
@@ -80,13 +80,13 @@ impl Typesetter<'_> {
             Node::Quotient(a, b) => format!("\\frac{{{}}}{{{}}}", self.bare(a), self.bare(b)),
             Node::Power(base, exponent) => match &base.node {
                 Node::Call(function, argument) if exponent.as_digits().is_some() => {
-                    format!("\\{}^{{{}}}\\left({}\\right)", function.name(), self.bare(exponent), self.bare(argument))
+                    format!("\\{}^{{{}}}{}", function.name(), self.bare(exponent), self.argument(argument))
                 }
                 _ => format!("{}^{{{}}}", self.factor(base, true), self.bare(exponent)),
             },
             Node::Root(2, a) => format!("\\sqrt{{{}}}", self.bare(a)),
             Node::Root(n, a) => format!("\\sqrt[{n}]{{{}}}", self.bare(a)),
-            Node::Call(function, a) => format!("\\{}\\left({}\\right)", function.name(), self.bare(a)),
+            Node::Call(function, a) => format!("\\{}{}", function.name(), self.argument(a)),
             Node::Apply(id, arguments) => {
                 let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
                 format!("{}({})", self.symbols.entry(*id).name, arguments.join(", "))
@@ -158,6 +158,17 @@ impl Typesetter<'_> {
                 format!("\\lim_{{{} \\to 0}} {}", self.region(*region), self.body(a))
             }
             Node::Component(a, index) => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.index(*index)),
+        }
+    }
+
+    /// The argument of a function: enclosed, unless it is a symbol known to be an angle, which ends it anyway.
+    fn argument(&self, argument: &Expr) -> String {
+        let text = self.bare(argument);
+        let entry = argument.as_plain_symbol().map(|id| self.symbols.entry(id));
+        match entry.filter(|entry| entry.angle && entry.slots.is_empty() && !entry.squared && entry.name.primes == 0) {
+            Some(_) if text.starts_with('\\') => text,
+            Some(_) => format!(" {text}"),
+            None => format!("\\left({text}\\right)"),
         }
     }
 

@@ -12,6 +12,9 @@ use proptest::sample::select;
 const SCALARS: [&str; 10] =
     ["x", "m", "M", r"\theta", r"\lambda_1", "p_\\psi", r"\omega_0", "x'", r"T_{\mathrm{rot}}", r"\Omega_{+}"];
 
+/// Those that are known to be angles.
+const ANGLES: [&str; 2] = ["x", r"\theta"];
+
 /// A table of names; a closed one has indices, vectors and matrices as well.
 pub fn table(open: bool) -> Symbols {
     let mut symbols = if open { Symbols::open() } else { Symbols::new() };
@@ -27,6 +30,7 @@ pub fn table(open: bool) -> Symbols {
         let (name, _) = names::parse(latex).expect("it is a name");
         let id = symbols.add(name, kind).expect("it is new");
         symbols.entry_mut(id).varies = true;
+        symbols.entry_mut(id).angle = ANGLES.contains(&latex);
     };
     SCALARS.iter().for_each(|name| add(name, Kind::Scalar));
     if !open {

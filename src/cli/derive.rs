@@ -1,0 +1,118 @@
+//! `onshell derive`: what follows from a Lagrangian, typeset.
+
+use clap::ValueEnum;
+
+use crate::derive::{Derivation, Equation, Quantity};
+use crate::mechanics::World;
+use crate::report;
+use crate::systems::Registry;
+use crate::{Error, Result, suggest};
+
+use super::{Outcome, colours};
+
+/// Prints what follows from the Lagrangian of a system
+///
+/// Without --as: the Lagrangian, the momenta and the Euler–Lagrange equations.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The system, e.g. heavy_top
+    system: String,
+    /// What to derive
+    #[arg(long = "as", value_enum, value_name = "QUANTITY")]
+    quantity: Option<Wanted>,
+    /// The form of the output
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    format: Form,
+}
+
+/// A [`Quantity`] by the name that it has on the command line.
+#[derive(Clone, Copy, ValueEnum)]
+enum Wanted {
+    Lagrangian,
+    Momenta,
+    EulerLagrange,
+    Energy,
+    Hamiltonian,
+    Hamilton,
+    Accelerations,
+    MassMatrix,
+}
+
+/// How the equations are written.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// In plain words.
+    Text,
+    /// As LaTeX that onshell reads, a line an equation.
+    Latex,
+    /// For machines: name, LaTeX and text of each.
+    Json,
+}
+
+impl Wanted {
+    fn quantity(self) -> Quantity {
+        match self {
+            Wanted::Lagrangian => Quantity::Lagrangian,
+            Wanted::Momenta => Quantity::Momenta,
+            Wanted::EulerLagrange => Quantity::EulerLagrange,
+            Wanted::Energy => Quantity::Energy,
+            Wanted::Hamiltonian => Quantity::Hamiltonian,
+            Wanted::Hamilton => Quantity::Hamilton,
+            Wanted::Accelerations => Quantity::Accelerations,
+            Wanted::MassMatrix => Quantity::MassMatrix,
+        }
+    }
+}
+
+pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
+    match derived(arguments, registry) {
+        Ok(output) => Outcome { output, ..Outcome::default() },
+        Err(error) => Outcome::failed(report::diagnostic::error(&error, colours(&std::io::stderr()))),
+    }
+}
+
+/// The system of a name.
+fn world(name: &str, registry: &Registry) -> Result<World> {
+    let system = registry.get(name).ok_or_else(|| {
+        let unknown = Error::new(format!("there is no system \"{name}\""));
+        match suggest::nearest(name, registry.names()) {
+            Some(near) => unknown.help(format!("did you mean {near}?")),
+            None => unknown.help(format!("there are {}", registry.names().collect::<Vec<_>>().join(", "))),
+        }
+    })?;
+    system.world()
+}
+
+fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
+    let world = world(&arguments.system, registry)?;
+    let derivation = Derivation::new(&world)?;
+    let usual = [Quantity::Lagrangian, Quantity::Momenta, Quantity::EulerLagrange];
+    let wanted = arguments.quantity.map_or(usual.to_vec(), |wanted| vec![wanted.quantity()]);
+    let mut equations = Vec::new();
+    for quantity in wanted {
+        equations.extend(derivation.equations(quantity)?);
+    }
+    let lines = |spell: &dyn Fn(&Equation) -> String| {
+        equations.iter().map(|equation| spell(equation) + "\n").collect::<String>()
+    };
+    Ok(match arguments.format {
+        Form::Text => lines(&|equation| derivation.text(equation)),
+        Form::Latex => lines(&|equation| derivation.latex(equation)),
+        Form::Json => {
+            let each = |equation: &Equation| {
+                serde_json::json!({
+                    "name": equation.name,
+                    "latex": derivation.latex(equation),
+                    "text": derivation.text(equation),
+                })
+            };
+            let output = serde_json::json!({
+                "system": world.name(),
+                "coordinates": world.coordinates(),
+                "parameters": world.parameters(),
+                "equations": equations.iter().map(each).collect::<Vec<_>>(),
+            });
+            format!("{output:#}\n")
+        }
+    })
+}

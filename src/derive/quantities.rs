@@ -1,0 +1,326 @@
+//! What can be derived of a system and typeset: the Lagrangian, momenta, energy, equations of motion, H.
+//!
+//! The [`World`] is run over symbols; what it computes is what it computes for numbers. Of the solving there is no
+//! recording: accelerations and the velocities that belong to momenta come from the mass matrix in normal form.
+
+use std::collections::BTreeMap;
+
+use num_traits::{One, Zero};
+
+use super::algebra::{Algebra, Fraction};
+use super::names::{Inputs, Names, symbol};
+use super::polynomial::{Monomial, Polynomial};
+use super::print::Printer;
+use super::rational::Exact;
+use crate::formula::{Expr, Relation, Statement, Symbols, text};
+use crate::latex::typeset;
+use crate::mechanics::World;
+use crate::scalar::{Graph, Symbol};
+use crate::source::Span;
+use crate::{Error, Result};
+
+/// What to derive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// L(q, q̇, t).
+    Lagrangian,
+    /// pᵢ = ∂L/∂q̇ᵢ.
+    Momenta,
+    /// d/dt ∂L/∂q̇ᵢ = ∂L/∂qᵢ, the accelerations on the left.
+    EulerLagrange,
+    /// E = Σ pᵢ q̇ᵢ − L, in velocities.
+    Energy,
+    /// H(q, p, t).
+    Hamiltonian,
+    /// q̇ᵢ = ∂H/∂pᵢ and ṗᵢ = −∂H/∂qᵢ.
+    Hamilton,
+    /// The Euler–Lagrange equations solved for q̈ᵢ.
+    Accelerations,
+    /// M_ij = ∂²L/∂q̇ᵢ∂q̇ⱼ for i ≤ j.
+    MassMatrix,
+}
+
+impl Quantity {
+    /// Each of them.
+    pub const ALL: [Quantity; 8] = [
+        Quantity::Lagrangian,
+        Quantity::Momenta,
+        Quantity::EulerLagrange,
+        Quantity::Energy,
+        Quantity::Hamiltonian,
+        Quantity::Hamilton,
+        Quantity::Accelerations,
+        Quantity::MassMatrix,
+    ];
+}
+
+/// An equation that was derived.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// What it is, in words.
+    pub name: String,
+    /// The left side.
+    pub left: Expr,
+    /// The right side.
+    pub right: Expr,
+}
+
+/// A system whose equations are to be typeset.
+pub struct Derivation {
+    names: Names,
+    graph: Graph,
+    recorded: Recorded,
+}
+
+/// What the world computes, as symbols.
+struct Recorded {
+    lagrangian: Symbol,
+    momenta: Vec<Symbol>,
+    energy: Symbol,
+    forces: Vec<Symbol>,
+    residuals: Vec<Symbol>,
+    mass: Vec<Vec<Symbol>>,
+    at_rest: AtRest,
+}
+
+/// The same with all velocities, or accelerations, 0.
+struct AtRest {
+    lagrangian: Symbol,
+    momenta: Vec<Symbol>,
+    forces: Vec<Symbol>,
+    residuals: Vec<Symbol>,
+}
+
+impl Derivation {
+    /// Prepares a system.
+    ///
+    /// # Errors
+    /// When two of its names are one, or a name cannot be read.
+    pub fn new(world: &World) -> Result<Self> {
+        let names = Names::new(world)?;
+        let inputs = Inputs { n: world.coordinates().len(), parameters: world.parameters().len() };
+        let (graph, recorded) = Graph::record(|| record(world, &inputs))?;
+        let mut derivation = Derivation { names, graph, recorded };
+        derivation.find_angles()?;
+        Ok(derivation)
+    }
+
+    /// The names that occur in the equations.
+    pub fn symbols(&self) -> &Symbols {
+        &self.names.symbols
+    }
+
+    /// An equation as LaTeX that onshell reads.
+    pub fn latex(&self, equation: &Equation) -> String {
+        format!("{} = {}", typeset(&equation.left, self.symbols()), typeset(&equation.right, self.symbols()))
+    }
+
+    /// An equation in plain words.
+    pub fn text(&self, equation: &Equation) -> String {
+        let span = Span::default();
+        let members = vec![equation.left.clone(), equation.right.clone()];
+        let relations = vec![(Relation::Equal, span)];
+        text::statement(&Statement { members, relations, constant: None, branch: None, row: 1, span }, self.symbols())
+    }
+
+    /// The equations for one quantity, in the order of the coordinates.
+    ///
+    /// # Errors
+    /// When there is none (H where L is not quadratic in the velocities), or none that can be typeset.
+    pub fn equations(&self, quantity: Quantity) -> Result<Vec<Equation>> {
+        let names = &self.names;
+        let mut work = Work::new(self);
+        match quantity {
+            Quantity::Lagrangian => {
+                let value = work.present(self.recorded.lagrangian)?;
+                Ok(vec![work.equation("Lagrangian", symbol(names.lagrangian, 0), &[value])?])
+            }
+            Quantity::Energy => {
+                let value = work.present(self.recorded.energy)?;
+                Ok(vec![work.equation("energy", symbol(names.energy, 0), &[value])?])
+            }
+            Quantity::Momenta => {
+                let momentum = |i: usize| {
+                    let value = work.present(self.recorded.momenta[i])?;
+                    work.equation(&format!("momentum of {}", names.spelled(i)), symbol(names.momenta[i], 0), &[value])
+                };
+                names.each().map(momentum).collect()
+            }
+            Quantity::EulerLagrange => names.each().map(|i| work.euler_lagrange(i)).collect(),
+            Quantity::Hamiltonian => {
+                let value = work.hamiltonian()?;
+                Ok(vec![work.equation("Hamiltonian", symbol(names.hamiltonian, 0), &value)?])
+            }
+            Quantity::Hamilton => work.hamilton(),
+            Quantity::Accelerations => {
+                let mass = work.mass()?;
+                let residuals = work.normal(&self.recorded.at_rest.residuals)?;
+                let zero = Fraction::default();
+                let forces: Vec<Fraction> =
+                    residuals.iter().map(|h| work.algebra.plus(&zero, h, -Exact::one())).collect::<Result<_>>()?;
+                let solution = work.algebra.solve(&mass, &forces)?;
+                let acceleration = |(i, value): (usize, &Fraction)| {
+                    let name = format!("acceleration of {}", names.spelled(i));
+                    work.equation(&name, symbol(names.coordinates[i], 2), std::slice::from_ref(value))
+                };
+                solution.iter().enumerate().map(acceleration).collect()
+            }
+            Quantity::MassMatrix => {
+                let pairs = names.each().flat_map(|i| (i..names.coordinates.len()).map(move |j| (i, j)));
+                let entry = |(at, (i, j)): (usize, (usize, usize))| {
+                    let value = work.present(self.recorded.mass[i][j])?;
+                    let name = format!("mass of {} and {}", names.spelled(i), names.spelled(j));
+                    work.equation(&name, symbol(names.masses[at], 0), &[value])
+                };
+                pairs.enumerate().map(entry).collect()
+            }
+        }
+    }
+
+    /// A coordinate whose sine or cosine is taken is an angle, and is typeset as one.
+    fn find_angles(&mut self) -> Result<()> {
+        let mut work = Work::new(self);
+        work.normal(&[self.recorded.lagrangian])?;
+        let coordinates = work.places(&self.names.inputs().coordinates());
+        let angle = |i: &usize| {
+            let own = coordinates[*i];
+            work.algebra.pairs().iter().any(|pair| pair.angle.exponents(own) != (0, 0))
+        };
+        let angles: Vec<usize> = self.names.each().filter(angle).collect();
+        for i in angles {
+            self.names.symbols.entry_mut(self.names.coordinates[i]).angle = true;
+        }
+        Ok(())
+    }
+}
+
+fn record(world: &World, inputs: &Inputs) -> Recorded {
+    let symbols = |block: Vec<usize>| block.into_iter().map(Symbol::input).collect::<Vec<_>>();
+    let (q, v, parameters) =
+        (symbols(inputs.coordinates()), symbols(inputs.velocities()), symbols(inputs.parameters()));
+    let (time, a, still) = (Symbol::input(0), symbols(inputs.accelerations()), vec![Symbol::zero(); inputs.n]);
+    let moving = world.quantities(time, &q, &v, &parameters);
+    let resting = world.quantities(time, &q, &still, &parameters);
+    let mass = world.mass_matrix(time, &q, &v, &parameters);
+    Recorded {
+        lagrangian: moving.lagrangian,
+        momenta: moving.momenta,
+        energy: moving.energy,
+        forces: moving.forces,
+        residuals: world.euler_lagrange(time, &q, &v, &parameters, &a),
+        mass: mass.row_iter().map(|row| row.iter().copied().collect()).collect(),
+        at_rest: AtRest {
+            lagrangian: resting.lagrangian,
+            momenta: resting.momenta,
+            forces: resting.forces,
+            residuals: world.euler_lagrange(time, &q, &v, &parameters, &still),
+        },
+    }
+}
+
+/// One derivation under way, with atoms of its own.
+struct Work<'a> {
+    of: &'a Derivation,
+    algebra: Algebra,
+}
+
+impl<'a> Work<'a> {
+    fn new(of: &'a Derivation) -> Self {
+        Work { of, algebra: Algebra::of_inputs(of.names.letters.len()) }
+    }
+
+    fn normal(&mut self, outputs: &[Symbol]) -> Result<Vec<Fraction>> {
+        let normal = self.algebra.normal(&self.of.graph, outputs)?;
+        normal.iter().map(|fraction| self.algebra.presented(fraction)).collect()
+    }
+
+    fn present(&mut self, output: Symbol) -> Result<Fraction> {
+        Ok(self.normal(&[output])?.remove(0))
+    }
+
+    fn printed(&self, value: &[Fraction]) -> Result<Expr> {
+        Printer { algebra: &self.algebra, letters: &self.of.names.letters }.sum(value)
+    }
+
+    fn equation(&self, name: &str, left: Expr, right: &[Fraction]) -> Result<Equation> {
+        Ok(Equation { name: name.to_owned(), left, right: self.printed(right)? })
+    }
+
+    /// The accelerations on the left, all else on the right. An exponential that all terms share is divided out, since
+    /// it is never 0.
+    fn euler_lagrange(&mut self, i: usize) -> Result<Equation> {
+        let mut residual = self.present(self.of.recorded.residuals[i])?;
+        let shared = self.algebra.shared_exponential(&residual.top);
+        residual.top = residual.top.scaled(&shared.power(-1), Exact::one())?;
+        let accelerations = self.places(&self.of.names.inputs().accelerations());
+        let moves = |monomial: &Monomial| accelerations.iter().any(|&a| monomial.exponent(a) != 0);
+        let side = |top: Polynomial| Fraction { top, under: residual.under.clone() };
+        let left = self.algebra.presented(&side(residual.top.part(moves)))?;
+        let rest = Polynomial::default().minus(&residual.top.part(|monomial| !moves(monomial)))?;
+        let right = self.algebra.presented(&side(rest))?;
+        let name = format!("equation of motion of {}", self.of.names.spelled(i));
+        let left = self.printed(&[left])?;
+        self.equation(&name, left, &[right])
+    }
+
+    fn mass(&mut self) -> Result<Vec<Vec<Fraction>>> {
+        self.of.recorded.mass.iter().map(|row| self.normal(row)).collect()
+    }
+
+    /// The velocities as functions of coordinates and momenta, and the momenta less those at rest.
+    fn velocities(&mut self) -> Result<(Vec<Fraction>, Vec<Fraction>)> {
+        let mass = self.mass()?;
+        let velocities = self.places(&self.of.names.inputs().velocities());
+        if mass.iter().flatten().any(|entry| self.algebra.reads(entry, &velocities)) {
+            return Err(Error::new("this Lagrangian is not quadratic in the velocities")
+                .help("H is typeset where p = M q̇ + b with M and b free of velocities; ask for the energy instead"));
+        }
+        let at_rest = self.normal(&self.of.recorded.at_rest.momenta)?;
+        let mut momenta = Vec::new();
+        for (place, b) in self.places(&self.of.names.inputs().momenta()).into_iter().zip(&at_rest) {
+            momenta.push(self.algebra.plus(&Polynomial::atom(place).into(), b, -Exact::one())?);
+        }
+        Ok((self.algebra.solve(&mass, &momenta)?, momenta))
+    }
+
+    /// H = ½ Σ (pᵢ − bᵢ) q̇ᵢ − L at rest, where L = ½ Σ Mᵢⱼ q̇ᵢ q̇ⱼ + Σ bᵢ q̇ᵢ + L at rest.
+    fn hamiltonian(&mut self) -> Result<Vec<Fraction>> {
+        let (velocities, momenta) = self.velocities()?;
+        let mut kinetic = Fraction::default();
+        for (velocity, momentum) in velocities.iter().zip(&momenta) {
+            let product = self.algebra.times(velocity, momentum)?;
+            kinetic = self.algebra.plus(&kinetic, &product, Exact::new(1, 2))?;
+        }
+        let rest = self.present(self.of.recorded.at_rest.lagrangian)?;
+        let rest = self.algebra.plus(&Fraction::default(), &rest, -Exact::one())?;
+        Ok(vec![self.algebra.presented(&kinetic)?, self.algebra.presented(&rest)?])
+    }
+
+    /// ∂H/∂p is q̇, and −∂H/∂q at fixed p is ∂L/∂q at fixed q̇.
+    fn hamilton(&mut self) -> Result<Vec<Equation>> {
+        let names = &self.of.names;
+        let (velocities, _) = self.velocities()?;
+        let places = self.places(&names.inputs().velocities());
+        let values: BTreeMap<u32, Fraction> = places.into_iter().zip(velocities.iter().cloned()).collect();
+        let mut equations = Vec::new();
+        for (i, velocity) in velocities.iter().enumerate() {
+            let name = format!("rate of {}", names.spelled(i));
+            equations.push(self.equation(&name, symbol(names.coordinates[i], 1), std::slice::from_ref(velocity))?);
+        }
+        let forces = self.algebra.normal(&self.of.graph, &self.of.recorded.forces)?;
+        let at_rest = self.algebra.normal(&self.of.graph, &self.of.recorded.at_rest.forces)?;
+        for (i, (force, still)) in forces.iter().zip(&at_rest).enumerate() {
+            let moving = self.algebra.plus(force, still, -Exact::one())?;
+            let moving = self.algebra.presented(&moving)?;
+            let moving = self.algebra.substitute(&moving, &values)?;
+            let parts = [self.algebra.presented(&moving)?, self.algebra.presented(still)?];
+            let name = format!("rate of the momentum of {}", names.spelled(i));
+            equations.push(self.equation(&name, symbol(names.momenta[i], 1), &parts)?);
+        }
+        Ok(equations)
+    }
+
+    fn places(&self, inputs: &[usize]) -> Vec<u32> {
+        inputs.iter().map(|&n| self.algebra.input_place(n)).collect()
+    }
+}

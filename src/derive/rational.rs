@@ -1,0 +1,137 @@
+//! Exact coefficients: rational numbers whose arithmetic is checked.
+//!
+//! A coefficient that outgrows 128 bits is an error, never a wrong number.
+
+use num_rational::Ratio;
+use num_traits::{CheckedAdd, CheckedMul, One, Signed, Zero};
+
+use crate::{Error, Result};
+
+/// A rational number in lowest terms.
+pub(super) type Exact = Ratio<i128>;
+
+/// Above this a numerator or a denominator is not what anybody wrote, but the expansion of a decimal.
+const SIMPLE: i128 = 1_000_000;
+
+fn too_large() -> Error {
+    Error::new("the coefficients are too large for exact arithmetic").help("write constants with fewer digits")
+}
+
+/// a + b.
+pub(super) fn plus(a: Exact, b: Exact) -> Result<Exact> {
+    a.checked_add(&b).ok_or_else(too_large)
+}
+
+/// a · b.
+pub(super) fn times(a: Exact, b: Exact) -> Result<Exact> {
+    a.checked_mul(&b).ok_or_else(too_large)
+}
+
+/// The number whose square it is, if that is rational.
+pub(super) fn root(a: Exact) -> Option<Exact> {
+    let whole = |n: i128| {
+        let near = (n as f64).sqrt() as i128;
+        (near.saturating_sub(1)..=near.saturating_add(1)).find(|r| i128::checked_mul(*r, *r) == Some(n))
+    };
+    (!a.is_negative()).then_some(())?;
+    Some(Ratio::new(whole(*a.numer())?, whole(*a.denom())?))
+}
+
+/// The largest number of which both are whole multiples.
+pub(super) fn common(a: Exact, b: Exact) -> Exact {
+    fn gcd(a: i128, b: i128) -> i128 {
+        if b == 0 { a } else { gcd(b, a % b) }
+    }
+    let least = |a: i128, b: i128| (a / gcd(a, b)).checked_mul(b);
+    match least(*a.denom(), *b.denom()) {
+        Some(denominator) => Ratio::new(gcd(a.numer().abs(), b.numer().abs()), denominator),
+        None => Exact::one(),
+    }
+}
+
+/// Whether somebody could have written it as a fraction.
+pub(super) fn is_simple(a: Exact) -> bool {
+    a.numer().abs() <= SIMPLE && *a.denom() <= SIMPLE
+}
+
+/// What a constant of the machine stands for: a rational number, and whether it is to be multiplied by π.
+///
+/// The rational number is the first convergent of the continued fraction that rounds to the constant: 0.1 is 1/10 and
+/// 1.0/3.0 is ⅓. A constant without a simple one that is a simple multiple of π is taken for that.
+pub(super) fn read(x: f64) -> Result<(Exact, bool)> {
+    let plain = convergent(x, |value| value == x);
+    if let Some(value) = plain.filter(|value| is_simple(*value)) {
+        return Ok((value, false));
+    }
+    let pi = std::f64::consts::PI;
+    let multiple = convergent(x / pi, |value| (value * pi - x).abs() <= 2.0 * f64::EPSILON * x.abs());
+    match (multiple.filter(|value| value.numer().abs() <= 1000 && *value.denom() <= 1000), plain) {
+        (Some(multiple), _) => Ok((multiple, true)),
+        (None, Some(value)) => Ok((value, false)),
+        (None, None) => Err(Error::new(format!("the constant {x} is no number that can be typeset exactly"))),
+    }
+}
+
+fn convergent(x: f64, fits: impl Fn(f64) -> bool) -> Option<Exact> {
+    if x == 0.0 {
+        return Some(Exact::zero());
+    }
+    let sign = if x < 0.0 { -1 } else { 1 };
+    let (mut before, mut last) = ((0_i128, 1_i128), (1_i128, 0_i128));
+    let mut rest = x.abs();
+    for _ in 0..64 {
+        if rest.is_nan() || rest >= 1e30 {
+            return None;
+        }
+        let part = rest.floor() as i128;
+        let next = (part.checked_mul(last.0)?.checked_add(before.0)?, part.checked_mul(last.1)?.checked_add(before.1)?);
+        (before, last) = (last, next);
+        if fits(f64::from(sign) * (last.0 as f64 / last.1 as f64)) {
+            return Some(Ratio::new(i128::from(sign) * last.0, last.1));
+        }
+        rest = 1.0 / (rest - rest.floor());
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_are_read_as_what_was_written() {
+        let read = |x| read(x).map(|(value, pi)| (*value.numer(), *value.denom(), pi)).unwrap();
+        assert_eq!(read(0.5), (1, 2, false));
+        assert_eq!(read(-1.0 / 3.0), (-1, 3, false));
+        assert_eq!(read(9.81), (981, 100, false));
+        assert_eq!(read(0.1), (1, 10, false));
+        assert_eq!(read(0.0), (0, 1, false));
+        assert_eq!(read(std::f64::consts::PI), (1, 1, true));
+        assert_eq!(read(-std::f64::consts::FRAC_PI_2), (-1, 2, true));
+        // the twins: near is not equal, and the root of 2 is no multiple of π
+        assert_ne!(read(0.333_333), (1, 3, false));
+        assert_ne!(read(3.125), (1, 1, true));
+        assert!(!read(std::f64::consts::SQRT_2).2);
+        for x in [std::f64::consts::SQRT_2, 0.1 + 0.2, 6.674e-11, 299_792_458.0] {
+            let (numerator, denominator, _) = read(x);
+            assert_eq!(numerator as f64 / denominator as f64, x);
+        }
+    }
+
+    #[test]
+    fn what_has_no_exact_value_is_refused() {
+        for x in [f64::NAN, f64::INFINITY, 1e300] {
+            assert!(read(x).is_err(), "{x}");
+        }
+        assert!(times(Ratio::from_integer(i128::MAX), Ratio::from_integer(2)).is_err());
+        assert!(plus(Ratio::from_integer(i128::MAX), Exact::one()).is_err());
+    }
+
+    #[test]
+    fn roots_and_common_divisors() {
+        assert_eq!(root(Ratio::new(9, 4)), Some(Ratio::new(3, 2)));
+        assert_eq!((root(Ratio::new(1, 2)), root(Ratio::new(-4, 1))), (None, None));
+        assert_eq!(common(Ratio::new(1, 2), Ratio::new(3, 4)), Ratio::new(1, 4));
+        assert_eq!(common(Ratio::new(-6, 1), Ratio::new(4, 1)), Ratio::new(2, 1));
+    }
+}

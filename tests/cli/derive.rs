@@ -1,0 +1,54 @@
+//! `derive`: what follows from a Lagrangian, typeset.
+
+use crate::support::Desk;
+
+#[test]
+fn what_is_derived_can_be_read_again() {
+    let desk = Desk::new("derive");
+    let run = desk.onshell(&["derive", "heavy_top", "--as", "hamiltonian", "--format", "latex"]);
+    assert_eq!((run.code, run.err.as_str(), run.out.lines().count()), (0, "", 1), "{}", run.out);
+    let read = desk.onshell(&["read", run.out.trim()]);
+    let text = desk.onshell(&["derive", "heavy_top", "--as", "hamiltonian"]);
+    assert_eq!(read.out.lines().next(), text.out.lines().next());
+    // (6.77) of the notes is equal to it, and with a flipped sign is not
+    let derived = run.out.trim().split_once(" = ").expect("an equation").1.to_owned();
+    let notes = |sign: &str| {
+        format!(
+            r"\frac{{p_\theta^2}}{{2\lambda_1}} + \frac{{p_\psi^2}}{{2\lambda_3}} + \frac{{(p_\phi {sign} p_\psi \cos\theta)^2}}{{2\lambda_1 \sin^2\theta}} + MgR \cos(\theta)"
+        )
+    };
+    assert_eq!(desk.onshell(&["equal", &derived, &notes("-")]).code, 0);
+    assert_eq!(desk.onshell(&["equal", &derived, &notes("+")]).code, 1);
+}
+
+#[test]
+fn without_a_quantity_it_is_the_lagrangian_the_momenta_and_the_equations_of_motion() {
+    let desk = Desk::new("derive-json");
+    let json = desk.onshell(&["derive", "kepler", "--format", "json"]).json();
+    assert_eq!(json["system"], "kepler");
+    assert_eq!(json["coordinates"], serde_json::json!(["r", "\\phi"]));
+    assert_eq!(json["parameters"], serde_json::json!(["m", "M", "G"]));
+    let names: Vec<&str> = json["equations"].as_array().unwrap().iter().filter_map(|e| e["name"].as_str()).collect();
+    assert_eq!(
+        names,
+        ["Lagrangian", "momentum of r", "momentum of φ", "equation of motion of r", "equation of motion of φ"]
+    );
+    assert_eq!(json["equations"][1]["text"], "p_r = m·r\u{307}");
+    assert_eq!(json["equations"][1]["latex"], r"p_r = m \, \dot{r}");
+}
+
+#[test]
+fn what_cannot_be_derived_is_said_with_what_to_do() {
+    let desk = Desk::new("derive-refused");
+    for (arguments, words) in [
+        (vec!["derive", "heavy_tpo"], ["heavy_tpo", "did you mean heavy_top?"]),
+        (vec!["derive", "quark"], ["quark", "kepler"]),
+        (vec!["derive", "relativistic_particle", "--as", "hamiltonian"], ["not quadratic", "energy"]),
+        (vec!["derive", "kepler", "--as", "hamiltonain"], ["hamiltonain", "hamiltonian"]),
+        (vec!["derive"], ["SYSTEM", "Usage"]),
+    ] {
+        let run = desk.onshell(&arguments);
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}: {}", run.err);
+        assert!(words.iter().all(|word| run.err.contains(word)), "{arguments:?}: {}", run.err);
+    }
+}
