@@ -15,9 +15,9 @@ fn the_operations_grow_as_the_entries_of_the_mass_matrix() {
     let [eight, sixteen, thirty_two] =
         [chain::<8>(), chain::<16>(), chain::<32>()].map(|chain| chain.operations_before_solving() as f64);
     assert!(sixteen / eight < 4.6 && thirty_two / sixteen < 4.6, "{eight} {sixteen} {thirty_two}");
-    // the twin: with the elimination they grow faster
+    // the twin: with the elimination they grow faster, beyond the same bound
     let with_solving = [chain::<16>(), chain::<32>()].map(|chain| chain.operations() as f64);
-    assert!(with_solving[1] / with_solving[0] > 5.5, "{with_solving:?}");
+    assert!(with_solving[1] / with_solving[0] > 4.6, "{with_solving:?}");
 }
 
 proptest! {
