@@ -173,8 +173,9 @@ fn eliminate<D: Number>(n: usize, mass: &[D], bias: &[D]) -> Vec<D> {
     let mut pivot: Vec<D> = Vec::with_capacity(n);
     let mut inverse: Vec<D> = Vec::with_capacity(n);
     for k in 0..n {
-        for i in k..n {
-            scaled[i][k] = (0..k).fold(m(i, k), |left, j| left - scaled[i][j] * factor[k][j]);
+        for (i, row) in scaled.iter_mut().enumerate().skip(k) {
+            let known = row.iter().zip(&factor[k]).take(k);
+            row[k] = known.fold(m(i, k), |left, (&scaled, &factor)| left - scaled * factor);
         }
         pivot.push(scaled[k][k]);
         inverse.push(pivot[k].recip());

@@ -19,6 +19,7 @@ pub type Block = [f64; LANES];
 /// What a program works on.
 pub struct Registers {
     level: Level,
+    #[allow(clippy::vec_box)] // blocks change places, and are not copied for it
     blocks: Vec<Box<Block>>,
     spare: Box<Block>,
     second_spare: Box<Block>,

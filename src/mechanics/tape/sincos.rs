@@ -72,9 +72,8 @@ pub(super) fn sin_cos<S: Simd>(simd: S, x: S::f64s) -> (S::f64s, S::f64s) {
     let most = all(simd, 1.0) - half;
     let lost = (all(simd, 1.0) - most) - half;
     let cosine = most + (square * square).mul_add(series(simd, square, COSINE), lost);
-    // an odd quadrant exchanges the two; the second bit is the sign
-    let one = quadrant & 1;
-    let odd = (one ^ one) - one;
+    // an odd quadrant (all bits set by −1) exchanges the two; the second bit is the sign
+    let odd = !(quadrant & 1) + 1;
     let exchange = (sine.to_bits() ^ cosine.to_bits()) & odd;
     let of_sine = sine.to_bits() ^ exchange ^ ((quadrant << 62) & (1 << 63));
     let of_cosine = cosine.to_bits() ^ exchange ^ (((quadrant + 1) << 62) & (1 << 63));
