@@ -199,7 +199,7 @@ impl World {
                     Values::All(value) => column[start..start + block].fill(value),
                 }
             }
-            if !(0..n).all(|k| all_sound(output(n + 2 * k), output(n + 2 * k + 1))) {
+            if !(0..n).all(|k| output(n + 2 * k).exceed(SMALL_PIVOT, output(n + 2 * k + 1), &registers)) {
                 self.redo(columns, start..start + block, result)?;
             }
         }
@@ -219,16 +219,6 @@ impl World {
             }
         }
         Ok(())
-    }
-}
-
-/// Whether all pivots of a block kept their digits; without a branch a lane.
-fn all_sound(pivots: Values, diagonals: Values) -> bool {
-    match (pivots, diagonals) {
-        (Values::All(d), Values::All(m)) => is_sound(d, m),
-        (Values::Each(d), Values::All(m)) => d.iter().fold(true, |sound, &d| sound & is_sound(d, m)),
-        (Values::All(d), Values::Each(m)) => m.iter().fold(true, |sound, &m| sound & is_sound(d, m)),
-        (Values::Each(d), Values::Each(m)) => d.iter().zip(m).fold(true, |sound, (&d, &m)| sound & is_sound(d, m)),
     }
 }
 

@@ -4,7 +4,7 @@
 //! code; where there are none the same code runs on plain numbers. A step writes a block that nobody reads, which then
 //! changes places with its register: so a register may be read and written in one step.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdMask, dispatch};
 
 use super::program::{Action, Program};
 use super::sincos::sin_cos_of_all;
@@ -81,6 +81,35 @@ impl Program {
         uniform: &'a [f64],
     ) -> Values<'a> {
         Places { inputs, blocks: &registers.blocks, uniform }.at(self.outputs[n])
+    }
+}
+
+impl Values<'_> {
+    /// Whether |a| > share·|b| for all states of a block; where one is NaN it is not.
+    pub fn exceed(self, share: f64, other: Values, registers: &Registers) -> bool {
+        dispatch!(registers.level, simd => exceed(simd, self, share, other))
+    }
+}
+
+#[inline(always)]
+fn exceed<S: Simd>(simd: S, a: Values, share: f64, b: Values) -> bool {
+    let share = S::f64s::splat(simd, share);
+    for vector in 0..LANES / S::f64s::LEN {
+        let lane = vector * S::f64s::LEN;
+        let (a, b) = (vector_of(simd, a, lane), vector_of(simd, b, lane));
+        if !a.abs().simd_gt(b.abs() * share).all_true() {
+            return false;
+        }
+    }
+    true
+}
+
+/// The vector of the values from `lane` on.
+#[inline(always)]
+fn vector_of<S: Simd>(simd: S, values: Values, lane: usize) -> S::f64s {
+    match values {
+        Values::Each(block) => load(simd, block, lane),
+        Values::All(value) => S::f64s::splat(simd, value),
     }
 }
 
