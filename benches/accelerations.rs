@@ -13,7 +13,10 @@ use num_dual::{Dual2SVec64, hessian};
 use onshell::mechanics::{Lagrangian, State, World, euler_lagrange};
 use onshell::systems::HeavyTop;
 
-const STATES: usize = 4096;
+/// A batch.
+const STATES: usize = 100_000;
+/// Few enough for a round to end before another program gets the processor.
+const FEW: usize = 2048;
 const PARAMETERS: [f64; 5] = [1.2, 0.7, 0.9, 9.8, 0.4];
 
 type Accelerations = [f64; 3];
@@ -22,12 +25,12 @@ type Accelerations = [f64; 3];
 struct States([Vec<f64>; 6]);
 
 impl States {
-    fn new() -> Self {
+    fn new(count: usize) -> Self {
         // golden-ratio steps: spread evenly, the same in every run
         let column = |k: usize, low: f64, high: f64| {
             let start = 0.137 * (k + 1) as f64;
             let share = move |i: usize| (start + i as f64 * 0.618_033_988_749_895 * (k + 1) as f64).fract();
-            (0..STATES).map(move |i| low + (high - low) * share(i)).collect()
+            (0..count).map(move |i| low + (high - low) * share(i)).collect()
         };
         States([
             column(0, -3.0, 3.0),
@@ -37,6 +40,10 @@ impl States {
             column(4, -2.0, 2.0),
             column(5, -9.0, 9.0),
         ])
+    }
+
+    fn len(&self) -> usize {
+        self.0[0].len()
     }
 
     fn at(&self, i: usize) -> State<f64, 3, 5> {
@@ -61,8 +68,20 @@ fn by_hand(theta: f64, phi_rate: f64, theta_rate: f64, psi_rate: f64) -> Acceler
 
 fn closed_form(states: &States, out: &mut [Accelerations]) {
     let [_, theta, _, phi_rate, theta_rate, psi_rate] = &states.0;
-    for i in 0..STATES {
+    for i in 0..states.len() {
         out[i] = by_hand(theta[i], phi_rate[i], theta_rate[i], psi_rate[i]);
+    }
+}
+
+/// What `World::rust_source` writes; the tests hold the file against it.
+mod emitted {
+    include!("emitted/heavy_top.rs");
+}
+
+fn emitted_source(states: &States, out: &mut [Accelerations]) {
+    for (i, out) in out.iter_mut().enumerate() {
+        let at = states.at(i);
+        *out = emitted::accelerations(at.time, &at.q, &at.v, &at.parameters);
     }
 }
 
@@ -94,10 +113,10 @@ fn pairs(states: &States, out: &mut [Accelerations]) {
 }
 
 fn tape_one_by_one(world: &World, states: &States, out: &mut [Accelerations]) {
+    let mut accelerator = world.accelerator(&PARAMETERS);
     for (i, out) in out.iter_mut().enumerate() {
         let at = states.at(i);
-        let a = world.accelerations(at.time, &at.q, &at.v, &at.parameters).unwrap();
-        *out = [a[0], a[1], a[2]];
+        out.copy_from_slice(accelerator.accelerations(at.time, &at.q, &at.v).unwrap());
     }
 }
 
@@ -106,45 +125,50 @@ fn columns(states: &States) -> Vec<&[f64]> {
     std::iter::once(&[0.0][..]).chain(state).chain(PARAMETERS.chunks(1)).collect()
 }
 
-fn tape_in_blocks(world: &World, states: &States) -> Vec<Vec<f64>> {
-    world.accelerations_of_many(&columns(states)).unwrap()
+fn tape_in_blocks(world: &World, states: &States, out: &mut [Vec<f64>]) {
+    let mut out: Vec<&mut [f64]> = out.iter_mut().map(Vec::as_mut_slice).collect();
+    world.write_accelerations_of_many(&columns(states), &mut out).unwrap();
 }
 
 /// The best time of a state in ns; the best, because everything else is other programs' noise.
-fn best(mut round: impl FnMut()) -> f64 {
+fn best(states: usize, mut round: impl FnMut()) -> f64 {
     let time = |round: &mut dyn FnMut()| {
         let start = Instant::now();
         round();
-        start.elapsed().as_secs_f64() * 1e9 / STATES as f64
+        start.elapsed().as_secs_f64() * 1e9 / states as f64
     };
     let first = time(&mut round);
-    let rounds = (3e8 / (first * STATES as f64)).clamp(5.0, 400.0) as usize;
+    let rounds = (1e9 / (first * states as f64)).clamp(20.0, 1000.0) as usize;
     (0..rounds).map(|_| time(&mut round)).fold(first, f64::min)
 }
 
 fn main() {
-    let (states, world) = (States::new(), World::new(&HeavyTop).unwrap());
+    let (states, world) = (States::new(STATES), World::new(&HeavyTop).unwrap());
     let mut out = vec![[0.0; 3]; STATES];
     closed_form(&states, &mut out);
-    for (column, derived) in tape_in_blocks(&world, &states).iter().enumerate() {
+    let mut in_columns = vec![vec![0.0; STATES]; 3];
+    tape_in_blocks(&world, &states, &mut in_columns);
+    for (column, derived) in in_columns.iter().enumerate() {
         for (by_hand, derived) in out.iter().zip(derived) {
             assert!((by_hand[column] - derived).abs() < 1e-10 * (1.0 + derived.abs()), "they compute different things");
         }
     }
-    let closed = best(|| closed_form(black_box(&states), &mut out));
-    println!("heavy top, accelerations: {} operations on the tape", world.operations());
+    let closed = best(STATES, || closed_form(black_box(&states), &mut out));
+    println!("heavy top, accelerations: {} operations on the tape, {} steps", world.operations(), world.steps());
     println!("{:<24}{closed:>9.1} ns a state", "closed form by hand");
     let line = |name: &str, time: f64| println!("{name:<24}{time:>9.1} ns a state, {:>6.2} times", time / closed);
-    line("tape in blocks", best(|| drop(black_box(tape_in_blocks(&world, black_box(&states))))));
-    line("tape, state by state", best(|| tape_one_by_one(&world, black_box(&states), &mut out)));
-    line("pairs of hyper-duals", best(|| pairs(black_box(&states), &mut out)));
-    line("plain Hessian", best(|| plain_hessian(black_box(&states), &mut out)));
+    line("tape in blocks", best(STATES, || tape_in_blocks(&world, black_box(&states), &mut in_columns)));
+    line("emitted as Rust", best(STATES, || emitted_source(black_box(&states), &mut out)));
+    let few = States::new(FEW);
+    line("tape, state by state", best(FEW, || tape_one_by_one(&world, black_box(&few), &mut out[..FEW])));
+    line("pairs of hyper-duals", best(FEW, || pairs(black_box(&few), &mut out[..FEW])));
+    line("plain Hessian", best(FEW, || plain_hessian(black_box(&few), &mut out[..FEW])));
     divan::main();
 }
 
-fn bench(bencher: Bencher, way: impl Fn(&States, &mut [Accelerations]) + Sync) {
-    let states = States::new();
-    bencher.counter(ItemsCount::new(STATES)).with_inputs(|| vec![[0.0; 3]; STATES]).bench_local_values(|mut out| {
+fn bench(bencher: Bencher, count: usize, way: impl Fn(&States, &mut [Accelerations]) + Sync) {
+    let states = States::new(count);
+    bencher.counter(ItemsCount::new(count)).with_inputs(|| vec![[0.0; 3]; count]).bench_local_values(|mut out| {
         way(black_box(&states), &mut out);
         out
     });
@@ -152,29 +176,35 @@ fn bench(bencher: Bencher, way: impl Fn(&States, &mut [Accelerations]) + Sync) {
 
 #[divan::bench(name = "closed form by hand")]
 fn divan_closed_form(bencher: Bencher) {
-    bench(bencher, closed_form);
+    bench(bencher, STATES, closed_form);
 }
 
 #[divan::bench(name = "tape in blocks")]
 fn divan_tape_in_blocks(bencher: Bencher) {
-    let (states, world) = (States::new(), World::new(&HeavyTop).unwrap());
-    bencher.counter(ItemsCount::new(STATES)).bench_local(|| tape_in_blocks(&world, black_box(&states)));
+    let (states, world) = (States::new(STATES), World::new(&HeavyTop).unwrap());
+    let mut out = vec![vec![0.0; STATES]; 3];
+    bencher.counter(ItemsCount::new(STATES)).bench_local(|| tape_in_blocks(&world, black_box(&states), &mut out));
+}
+
+#[divan::bench(name = "emitted as Rust")]
+fn divan_emitted_source(bencher: Bencher) {
+    bench(bencher, STATES, emitted_source);
 }
 
 #[divan::bench(name = "tape, state by state")]
 fn divan_tape_one_by_one(bencher: Bencher) {
     let world = World::new(&HeavyTop).unwrap();
-    bench(bencher, |states, out| tape_one_by_one(&world, states, out));
+    bench(bencher, FEW, |states, out| tape_one_by_one(&world, states, out));
 }
 
 #[divan::bench(name = "pairs of hyper-duals")]
 fn divan_pairs(bencher: Bencher) {
-    bench(bencher, pairs);
+    bench(bencher, FEW, pairs);
 }
 
 #[divan::bench(name = "plain Hessian", sample_count = 10)]
 fn divan_plain_hessian(bencher: Bencher) {
-    bench(bencher, plain_hessian);
+    bench(bencher, FEW, plain_hessian);
 }
 
 #[divan::bench(name = "tracing the top")]

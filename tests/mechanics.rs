@@ -5,6 +5,8 @@ mod support;
 
 #[path = "mechanics/bodies.rs"]
 mod bodies;
+#[path = "mechanics/chain.rs"]
+mod chain;
 #[path = "mechanics/conservation.rs"]
 mod conservation;
 #[path = "mechanics/cubature.rs"]
@@ -23,3 +25,5 @@ mod motion;
 mod refusals;
 #[path = "mechanics/rotations.rs"]
 mod rotations;
+#[path = "mechanics/source.rs"]
+mod source;

@@ -47,6 +47,8 @@ enum Form {
     Latex,
     /// For machines: name, LaTeX and text of each.
     Json,
+    /// As the source of a Rust function of the accelerations; with --as accelerations, or without --as.
+    Rust,
 }
 
 impl Wanted {
@@ -85,6 +87,12 @@ fn world(name: &str, registry: &Registry) -> Result<World> {
 
 fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
     let world = world(&arguments.system, registry)?;
+    if arguments.format == Form::Rust {
+        return match arguments.quantity {
+            None | Some(Wanted::Accelerations) => Ok(world.rust_source()),
+            Some(_) => Err(Error::new("as Rust there are the accelerations only").help("leave out --as")),
+        };
+    }
     let derivation = Derivation::new(&world)?;
     let usual = [Quantity::Lagrangian, Quantity::Momenta, Quantity::EulerLagrange];
     let wanted = arguments.quantity.map_or(usual.to_vec(), |wanted| vec![wanted.quantity()]);
@@ -114,5 +122,6 @@ fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
             });
             format!("{output:#}\n")
         }
+        Form::Rust => world.rust_source(),
     })
 }

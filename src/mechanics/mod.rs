@@ -12,9 +12,11 @@
 //! This floor knows numbers ([`crate::scalar`]) and nothing of formulas or notes: no closed form that is printed
 //! somewhere may enter here.
 
+mod accelerator;
 pub mod bodies;
 mod cubature;
 mod cyclic;
+mod emit;
 pub mod euler_lagrange;
 pub mod frames;
 pub mod inertia;
@@ -23,15 +25,17 @@ pub mod legendre;
 mod linear;
 pub mod momenta;
 pub mod motion;
+mod reverse;
 pub mod rotations;
 mod routh;
 mod tape;
 mod trace;
 mod world;
 
+pub use accelerator::Accelerator;
 pub use bodies::{Body, Nodes};
 pub use frames::Frame;
 pub use lagrangian::{Lagrangian, State};
 pub use linear::{Elimination, MAX_CONDITION, condition_number};
-pub use tape::{LANES, Op, Tape};
+pub use tape::{Op, Tape};
 pub use world::{Quantities, System, World, of};

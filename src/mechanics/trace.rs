@@ -1,9 +1,14 @@
-//! From a Lagrangian to tapes: it is run once over symbols, then differentiated by running what was recorded over
-//! num-dual's numbers whose parts are symbols.
+//! From a Lagrangian to tapes: it is run once over symbols, then differentiated by running what was recorded over symbols
+//! again.
+//!
+//! One sweep backwards gives ∂L/∂q and ∂L/∂q̇. The gradient, itself recorded, is run forwards over num-dual's dual
+//! numbers: along the motion for d/dt ∂L/∂q̇, along each velocity for a column of the mass matrix. So n coordinates take n
+//! runs of a program that is no longer than a few times L. The graph takes equal expressions for one.
 
-use num_dual::{Dual, HyperDual};
+use num_dual::Dual;
 use num_traits::One;
 
+use super::reverse::gradient;
 use super::rotations::Turning;
 use super::tape::Tape;
 use super::{Lagrangian, State};
@@ -75,9 +80,16 @@ pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) 
     let potential = potential.map(|outputs| tape(&graph, &outputs));
     let turning = turning.map(|outputs| tape(&graph, &outputs));
 
+    let (graph, (value, slopes)) = Graph::record(|| {
+        let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
+        gradient(&lagrangian, &inputs)
+    })?;
+    let momenta = tape(&graph, &slopes[layout.v(0)..layout.v(N)]);
+    let first = tape(&graph, &[&[value], &slopes[layout.q(0)..layout.v(N)]].concat());
+
     let (graph, derived) = Graph::record(|| {
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
-        let derived = Derived::new(layout, &lagrangian, &inputs);
+        let derived = Derived::new(layout, &first, &momenta, &inputs);
         let mut quantities = vec![derived.value];
         quantities.extend(&derived.momenta);
         quantities.push(derived.energy);
@@ -120,38 +132,22 @@ struct Derived {
 }
 
 impl Derived {
-    fn new(layout: Layout, lagrangian: &Tape, inputs: &[Symbol]) -> Self {
+    /// From the tape of L, ∂L/∂q and ∂L/∂q̇, and that of ∂L/∂q̇ alone.
+    fn new(layout: Layout, first: &Tape, momenta: &Tape, inputs: &[Symbol]) -> Self {
         let n = layout.coordinates;
-        let value = lagrangian.evaluate(inputs)[0];
-        let forces: Vec<Symbol> = (0..n)
-            .map(|i| {
-                let mut along: Vec<_> = inputs.iter().copied().map(Dual::from_re).collect();
-                along[layout.q(i)].eps = Symbol::one();
-                lagrangian.evaluate(&along)[0].eps
-            })
-            .collect();
-        let (mut momenta, mut bias) = (Vec::new(), Vec::new());
-        for (i, &force) in forces.iter().enumerate() {
-            // the second direction is that of the motion without acceleration
-            let mut along: Vec<_> = inputs.iter().copied().map(HyperDual::from_re).collect();
-            along[layout.v(i)].eps1 = Symbol::one();
-            along[0].eps2 = Symbol::one();
-            for j in 0..n {
-                along[layout.q(j)].eps2 = inputs[layout.v(j)];
-            }
-            let l = lagrangian.evaluate(&along)[0];
-            momenta.push(l.eps1);
-            bias.push(l.eps1eps2 - force);
-        }
-        let mut mass = Vec::new();
-        for i in 0..n {
-            for j in i..n {
-                let mut along: Vec<_> = inputs.iter().copied().map(HyperDual::from_re).collect();
-                along[layout.v(i)].eps1 = Symbol::one();
-                along[layout.v(j)].eps2 = Symbol::one();
-                mass.push(lagrangian.evaluate(&along)[0].eps1eps2);
-            }
-        }
+        let along = |direction: &[(usize, Symbol)]| {
+            let mut at: Vec<_> = inputs.iter().copied().map(Dual::from_re).collect();
+            direction.iter().for_each(|&(input, component)| at[input].eps = component);
+            momenta.evaluate(&at).into_iter().map(|p| p.eps).collect::<Vec<_>>()
+        };
+        let values = first.evaluate(inputs);
+        let (value, forces, momenta) = (values[0], values[1..=n].to_vec(), values[1 + n..].to_vec());
+        // the motion without acceleration
+        let mut motion = vec![(0, Symbol::one())];
+        motion.extend((0..n).map(|i| (layout.q(i), inputs[layout.v(i)])));
+        let bias: Vec<Symbol> = along(&motion).into_iter().zip(&forces).map(|(rate, &force)| rate - force).collect();
+        let columns: Vec<_> = (0..n).map(|j| along(&[(layout.v(j), Symbol::one())])).collect();
+        let mass: Vec<Symbol> = (0..n).flat_map(|i| columns[i..].iter().map(move |column| column[i])).collect();
         let pv = momenta.iter().enumerate().map(|(i, &p)| p * inputs[layout.v(i)]).sum::<Symbol>();
         let energy = simplify_all(&[pv - value])[0];
         let (momenta, forces, dynamics) =
@@ -171,17 +167,20 @@ pub(super) fn upper(n: usize, i: usize, j: usize) -> usize {
 /// and whoever uses the result looks at the pivots first. Outputs a, then the pairs (pivot, its diagonal entry).
 fn eliminate<D: Number>(n: usize, mass: &[D], bias: &[D]) -> Vec<D> {
     let m = |i, j| mass[upper(n, i, j)];
+    // L below the diagonal, and L D, which needs no reciprocal
     let mut factor = vec![vec![D::zero(); n]; n];
+    let mut scaled = vec![vec![D::zero(); n]; n];
     let mut pivot: Vec<D> = Vec::with_capacity(n);
     let mut inverse: Vec<D> = Vec::with_capacity(n);
     for k in 0..n {
-        let taken = |i: usize, k: usize, factor: &[Vec<D>], pivot: &[D]| {
-            (0..k).map(|j| factor[i][j] * factor[k][j] * pivot[j]).fold(D::zero(), |sum, term| sum + term)
-        };
-        pivot.push(m(k, k) - taken(k, k, &factor, &pivot));
+        for (i, row) in scaled.iter_mut().enumerate().skip(k) {
+            let known = row.iter().zip(&factor[k]).take(k);
+            row[k] = known.fold(m(i, k), |left, (&scaled, &factor)| left - scaled * factor);
+        }
+        pivot.push(scaled[k][k]);
         inverse.push(pivot[k].recip());
         for i in k + 1..n {
-            factor[i][k] = (m(i, k) - taken(i, k, &factor, &pivot)) * inverse[k];
+            factor[i][k] = scaled[i][k] * inverse[k];
         }
     }
     let mut a: Vec<D> = bias.iter().map(|&h| -h).collect();

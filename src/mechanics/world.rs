@@ -2,9 +2,10 @@
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
+use super::accelerator::Programs;
 use super::linear::Elimination;
-use super::trace::{Layout, Traced, trace, upper};
-use super::{LANES, Lagrangian, linear, motion};
+use super::trace::{Traced, trace, upper};
+use super::{Lagrangian, linear, motion};
 use crate::scalar::{Number, Series};
 use crate::{Error, Result};
 
@@ -78,6 +79,7 @@ pub struct World {
     parameters: Vec<String>,
     pub(super) cyclic: Vec<bool>,
     pub(super) traced: Traced,
+    pub(super) programs: Programs,
 }
 
 impl World {
@@ -95,6 +97,7 @@ impl World {
             coordinates: l.coordinates().map(str::to_owned).into(),
             parameters: l.parameters().map(str::to_owned).into(),
             cyclic: traced.certainly_cyclic.clone(),
+            programs: Programs::default(),
             traced,
         };
         world.cyclic = (0..N).map(|i| world.cyclic[i] || world.force_vanishes(i)).collect();
@@ -129,11 +132,6 @@ impl World {
     /// Whether L depends on the time explicitly.
     pub fn depends_on_time(&self) -> bool {
         self.traced.lagrangian.reads(0)
-    }
-
-    /// How many operations the accelerations take: the length of the tape behind [`World::accelerations_of_many`].
-    pub fn operations(&self) -> usize {
-        self.traced.accelerations.ops().len()
     }
 
     /// One entry a coordinate.
@@ -188,7 +186,7 @@ impl World {
         self.dynamics(&self.inputs(time, q, v, parameters)).0
     }
 
-    fn dynamics<D: Number>(&self, inputs: &[D]) -> (DMatrix<D>, Vec<D>) {
+    pub(super) fn dynamics<D: Number>(&self, inputs: &[D]) -> (DMatrix<D>, Vec<D>) {
         let n = self.coordinates.len();
         let mut values = self.traced.dynamics.evaluate(inputs);
         let bias = values.split_off(n * (n + 1) / 2);
@@ -251,66 +249,6 @@ impl World {
             let (mass, bias) = self.dynamics(&self.inputs(time, q, v, &parameters));
             linear::solve_by(elimination, "mass matrix", mass, bias.iter().map(|&h| -h).collect())
         })
-    }
-
-    /// The accelerations of many states, in blocks.
-    ///
-    /// `columns` are the inputs in the order time, coordinates, velocities, parameters: each with one entry a state, or
-    /// with a single one for all. The result has one column a coordinate.
-    ///
-    /// # Errors
-    /// When a column is missing or has another length, or a mass matrix is singular: the message says which state's.
-    pub fn accelerations_of_many(&self, columns: &[&[f64]]) -> Result<Vec<Vec<f64>>> {
-        let n = self.coordinates.len();
-        let inputs = Layout { coordinates: n, parameters: self.parameters.len() }.inputs();
-        let states = columns.iter().map(|column| column.len()).find(|&len| len != 1).unwrap_or(1);
-        if columns.len() != inputs || columns.iter().any(|column| column.len() != 1 && column.len() != states) {
-            return Err(Error::new(format!(
-                "the states of \"{}\" need {inputs} columns of one length: time, coordinates, velocities, parameters",
-                self.name
-            )));
-        }
-        let tape = &self.traced.accelerations;
-        let mut registers = tape.registers();
-        for (register, column) in registers.iter_mut().zip(columns).filter(|(_, column)| column.len() == 1) {
-            *register = [column[0]; LANES];
-        }
-        let mut result = vec![vec![0.0; states]; n];
-        for first in (0..states).step_by(LANES) {
-            let block = LANES.min(states - first);
-            for (register, column) in registers.iter_mut().zip(columns).filter(|(_, column)| column.len() > 1) {
-                register[..block].copy_from_slice(&column[first..first + block]);
-            }
-            tape.evaluate_block(&mut registers);
-            for (i, column) in result.iter_mut().enumerate() {
-                column[first..first + block].copy_from_slice(&registers[tape.output_register(i)][..block]);
-            }
-            let doubtful = (0..n).any(|k| {
-                let pivot = &registers[tape.output_register(n + 2 * k)];
-                let diagonal = &registers[tape.output_register(n + 2 * k + 1)];
-                // without a branch a lane; a NaN is doubtful too
-                !pivot.iter().zip(diagonal).fold(true, |good, (d, m)| good & (d.abs() > 1e-9 * m.abs()))
-            });
-            if doubtful {
-                self.redo(columns, first..first + block, &mut result)?;
-            }
-        }
-        Ok(result)
-    }
-
-    /// States whose elimination met a small pivot, once more with exchange of rows and a look at the condition number.
-    fn redo(&self, columns: &[&[f64]], states: std::ops::Range<usize>, result: &mut [Vec<f64>]) -> Result<()> {
-        for state in states {
-            let inputs: Vec<f64> =
-                columns.iter().map(|column| column[if column.len() == 1 { 0 } else { state }]).collect();
-            let (mass, bias) = self.dynamics(&inputs);
-            let a = linear::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect())
-                .map_err(|error| Error::new(format!("state {state}: {}", error.message())))?;
-            for (column, a) in result.iter_mut().zip(a) {
-                column[state] = a;
-            }
-        }
-        Ok(())
     }
 }
 

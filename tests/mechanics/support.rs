@@ -1,6 +1,8 @@
 //! States to evaluate at, and what it means to agree.
 
-use onshell::mechanics::State;
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use num_dual::{Dual2SVec64, hessian};
+use onshell::mechanics::{Lagrangian, State};
 use proptest::prelude::*;
 
 pub fn config(cases: u32) -> ProptestConfig {
@@ -42,4 +44,27 @@ pub fn largest(x: &[f64]) -> f64 {
 pub fn agree(a: &[f64], b: &[f64], tolerance: f64) -> bool {
     let scale = largest(a).max(largest(b)).max(1e-3);
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance * scale)
+}
+
+/// Accelerations from num-dual's Hessian of L in the X = 1 + 2N variables time, coordinates and velocities.
+pub fn by_hessian<L: Lagrangian<N, P>, const N: usize, const P: usize, const X: usize>(
+    l: &L,
+    at: &State<f64, N, P>,
+) -> Vec<f64> {
+    let x = SVector::<f64, X>::from_iterator([at.time].into_iter().chain(at.q).chain(at.v));
+    let lagrangian = |x: SVector<Dual2SVec64<X>, X>| {
+        l.lagrangian(&State {
+            time: x[0],
+            q: std::array::from_fn(|i| x[1 + i]),
+            v: std::array::from_fn(|i| x[1 + N + i]),
+            parameters: at.parameters.map(Into::into),
+        })
+    };
+    let (_, gradient, second) = hessian(lagrangian, &x);
+    let mass: SMatrix<f64, N, N> = second.fixed_view::<N, N>(1 + N, 1 + N).into();
+    let mixed: SMatrix<f64, N, N> = second.fixed_view::<N, N>(1 + N, 1).into();
+    let explicit: SVector<f64, N> = second.fixed_view::<N, 1>(1 + N, 0).into();
+    let right: SVector<f64, N> = gradient.fixed_rows::<N>(1) - mixed * SVector::from(at.v) - explicit;
+    let mass = DMatrix::from_fn(N, N, |i, j| mass[(i, j)]);
+    mass.lu().solve(&DVector::from_fn(N, |i, _| right[i])).unwrap().as_slice().to_vec()
 }

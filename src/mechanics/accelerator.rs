@@ -1,0 +1,285 @@
+//! Accelerations fast: of one state after another without allocation, and of many states in blocks.
+//!
+//! Both run a [`Program`] made from the tape of the accelerations, which inverts the mass matrix without exchanging rows.
+//! Whether that was good enough is seen from the pivots; where it was not, the state is done again with exchange of rows
+//! and a look at the condition number.
+
+use std::sync::OnceLock;
+
+use fearless_simd::Level;
+
+use super::tape::blocks::{Block, LANES, Registers, Values};
+use super::tape::program::Program;
+use super::trace::Layout;
+use super::{World, linear};
+use crate::{Error, Result};
+
+/// A pivot that is smaller than this share of the diagonal entry it came from may have lost its digits.
+const SMALL_PIVOT: f64 = 1e-9;
+
+/// The programs of a world's accelerations, made when they are first needed.
+#[derive(Default)]
+pub(super) struct Programs {
+    /// With the same parameters for all states.
+    uniform: OnceLock<Program>,
+    /// With parameters that vary.
+    varying: OnceLock<Program>,
+}
+
+/// The accelerations of one state after another, for given parameters; made by [`World::accelerator`].
+pub struct Accelerator<'a> {
+    world: &'a World,
+    program: &'a Program,
+    parameters: Vec<f64>,
+    /// What the program works on.
+    list: Vec<f64>,
+    accelerations: Vec<f64>,
+}
+
+impl Accelerator<'_> {
+    /// The accelerations on shell, one a coordinate; overwritten by the next call.
+    ///
+    /// # Errors
+    /// As [`World::accelerations`]: when the mass matrix is singular or ill-conditioned.
+    pub fn accelerations(&mut self, time: f64, q: &[f64], v: &[f64]) -> Result<&[f64]> {
+        let n = self.accelerations.len();
+        self.list[0] = time;
+        put(&mut self.list[1..1 + n], q);
+        put(&mut self.list[1 + n..1 + 2 * n], v);
+        self.program.run(&mut self.list);
+        let at = |output: usize| self.list[self.program.output(output)];
+        for (i, a) in self.accelerations.iter_mut().enumerate() {
+            *a = at(i);
+        }
+        if (0..n).all(|k| is_sound(at(n + 2 * k), at(n + 2 * k + 1))) {
+            return Ok(&self.accelerations);
+        }
+        let with_exchange = self.world.accelerations(time, q, v, &self.parameters)?;
+        self.accelerations.copy_from_slice(&with_exchange);
+        Ok(&self.accelerations)
+    }
+}
+
+/// What is missing is NaN.
+fn put(to: &mut [f64], from: &[f64]) {
+    for (i, to) in to.iter_mut().enumerate() {
+        *to = from.get(i).copied().unwrap_or(f64::NAN);
+    }
+}
+
+/// Whether a pivot kept its digits; one that is NaN did not.
+fn is_sound(pivot: f64, diagonal: f64) -> bool {
+    pivot.abs() > SMALL_PIVOT * diagonal.abs()
+}
+
+impl World {
+    fn layout(&self) -> Layout {
+        Layout { coordinates: self.coordinates().len(), parameters: self.parameters().len() }
+    }
+
+    fn program(&self, uniform_parameters: bool) -> &Program {
+        let first = self.layout().v(self.coordinates().len());
+        let (programs, tape) = (&self.programs, &self.traced.accelerations);
+        if uniform_parameters {
+            programs.uniform.get_or_init(|| Program::new(tape, |input| input >= first))
+        } else {
+            programs.varying.get_or_init(|| Program::new(tape, |_| false))
+        }
+    }
+
+    /// How many operations the accelerations take: the length of the tape behind [`World::accelerations_of_many`].
+    pub fn operations(&self) -> usize {
+        self.traced.accelerations.ops().len()
+    }
+
+    /// How many operations the mass matrix M and the residuals h at zero acceleration take, before M a = −h is solved. For
+    /// n coordinates solving takes n³/6 products and as many sums; what comes before grows no faster than L and the n²
+    /// entries of M.
+    pub fn operations_before_solving(&self) -> usize {
+        self.traced.dynamics.ops().len()
+    }
+
+    /// How many steps a state takes on the fast path, with the same parameters for all states. A step may be a product
+    /// and a sum.
+    pub fn steps(&self) -> usize {
+        self.program(true).steps()
+    }
+
+    /// The accelerations of one state after another with the same parameters, as an integrator needs them: what depends
+    /// on the parameters alone is computed here, and nothing is allocated afterwards.
+    ///
+    /// ```
+    /// use onshell::mechanics::World;
+    /// use onshell::systems::Pendulum;
+    ///
+    /// let world = World::new(&Pendulum::<1>::new())?;
+    /// let (mass, length, gravity) = (1.0, 2.0, 9.8);
+    /// let mut accelerator = world.accelerator(&[mass, length, gravity]);
+    /// let a = accelerator.accelerations(0.0, &[0.1], &[0.0])?[0];
+    /// assert!((a + gravity / length * 0.1_f64.sin()).abs() < 1e-14);
+    /// # Ok::<(), onshell::Error>(())
+    /// ```
+    pub fn accelerator(&self, parameters: &[f64]) -> Accelerator<'_> {
+        let (layout, program) = (self.layout(), self.program(true));
+        let mut inputs = vec![f64::NAN; layout.inputs()];
+        put(&mut inputs[layout.v(layout.coordinates)..], parameters);
+        Accelerator {
+            world: self,
+            program,
+            parameters: parameters.to_vec(),
+            list: program.list(&inputs),
+            accelerations: vec![f64::NAN; layout.coordinates],
+        }
+    }
+
+    /// The accelerations of many states, in blocks.
+    ///
+    /// `columns` are the inputs in the order time, coordinates, velocities, parameters: each with one entry a state, or
+    /// with a single one for all. The result has one column a coordinate.
+    ///
+    /// # Errors
+    /// When a column is missing or has another length, or a mass matrix is singular: the message says which state's.
+    pub fn accelerations_of_many(&self, columns: &[&[f64]]) -> Result<Vec<Vec<f64>>> {
+        let states = columns.iter().map(|column| column.len()).find(|&len| len != 1).unwrap_or(1);
+        let mut result = vec![vec![0.0; states]; self.coordinates().len()];
+        let mut places: Vec<&mut [f64]> = result.iter_mut().map(Vec::as_mut_slice).collect();
+        self.write_accelerations_of_many(columns, &mut places)?;
+        Ok(result)
+    }
+
+    /// [`World::accelerations_of_many`], written to columns that are there already: one a coordinate, with one entry a
+    /// state.
+    ///
+    /// # Errors
+    /// As there, and when the columns of the result are not as many or as long as they must be.
+    pub fn write_accelerations_of_many(&self, columns: &[&[f64]], result: &mut [&mut [f64]]) -> Result<()> {
+        self.write_with(Level::new(), columns, result)
+    }
+
+    /// With these vector instructions.
+    fn write_with<'a>(&self, level: Level, columns: &[&'a [f64]], result: &mut [&mut [f64]]) -> Result<()> {
+        let (layout, n) = (self.layout(), self.coordinates().len());
+        let states = columns.iter().map(|column| column.len()).find(|&len| len != 1).unwrap_or(1);
+        if columns.len() != layout.inputs() || columns.iter().any(|column| column.len() != 1 && column.len() != states)
+        {
+            return Err(Error::new(format!(
+                "the states of \"{}\" need {} columns of one length: time, coordinates, velocities, parameters",
+                self.name(),
+                layout.inputs()
+            )));
+        }
+        if result.len() != n || result.iter().any(|column| column.len() != states) {
+            return Err(Error::new(format!(
+                "the accelerations of {states} states of \"{}\" need {n} columns of as many entries",
+                self.name()
+            )));
+        }
+        let parameters = &columns[layout.v(n)..];
+        let program = self.program(parameters.iter().all(|column| column.len() == 1));
+        let first: Vec<f64> = columns.iter().map(|column| column.first().copied().unwrap_or(f64::NAN)).collect();
+        let uniform = program.uniform(&first);
+        let mut registers = Registers::new(program, level);
+        // what is the same for all states, and room for the last states, which do not fill a block
+        let mut rooms: Vec<Box<Block>> = first.iter().map(|&value| Box::new([value; LANES])).collect();
+        for start in (0..states).step_by(LANES) {
+            let block = LANES.min(states - start);
+            if block < LANES {
+                for (room, column) in rooms.iter_mut().zip(columns).filter(|(_, column)| column.len() > 1) {
+                    room[..block].copy_from_slice(&column[start..start + block]);
+                }
+            }
+            let whole = |column: &&'a [f64]| -> Option<&'a Block> { column.get(start..start + LANES)?.try_into().ok() };
+            let block_of = |(room, column)| whole(column).unwrap_or(room);
+            let inputs: Vec<&Block> = rooms.iter().map(Box::as_ref).zip(columns).map(block_of).collect();
+            program.run_block(&mut registers, &inputs, &uniform);
+            let output = |n: usize| program.output_of_block(n, &registers, &inputs, &uniform);
+            for (i, column) in result.iter_mut().enumerate() {
+                match output(i) {
+                    Values::Each(values) => column[start..start + block].copy_from_slice(&values[..block]),
+                    Values::All(value) => column[start..start + block].fill(value),
+                }
+            }
+            if !(0..n).all(|k| output(n + 2 * k).exceed(SMALL_PIVOT, output(n + 2 * k + 1), &registers)) {
+                self.redo(columns, start..start + block, result)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// States whose elimination met a small pivot, once more with exchange of rows and a look at the condition number.
+    fn redo(&self, columns: &[&[f64]], states: std::ops::Range<usize>, result: &mut [&mut [f64]]) -> Result<()> {
+        for state in states {
+            let inputs: Vec<f64> =
+                columns.iter().map(|column| column[if column.len() == 1 { 0 } else { state }]).collect();
+            let (mass, bias) = self.dynamics(&inputs);
+            let a = linear::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect())
+                .map_err(|error| Error::new(format!("state {state}: {}", error.message())))?;
+            for (column, a) in result.iter_mut().zip(a) {
+                column[state] = a;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::tape::blocks::tests::levels;
+    use crate::systems::Registry;
+
+    /// One whole block, and another that is not full.
+    const STATES: usize = LANES + 44;
+
+    /// Columns of states away from 0 and π; the parameters are the same for all, or not.
+    fn columns(world: &World, uniform: bool) -> Vec<Vec<f64>> {
+        let layout = world.layout();
+        let share = |i: usize, k: usize| (0.137 + 0.618_033_988_749_895 * (i * (k + 1)) as f64).fract();
+        let entry = |k: usize, i: usize| match k {
+            0 => share(i, k),
+            k if k < layout.v(0) => 0.3 + 2.5 * share(i, k),
+            k if k < layout.v(layout.coordinates) => 0.4 * share(i, k) - 0.2,
+            k => 1.0 + if uniform { 0.1 * k as f64 } else { share(i, k) },
+        };
+        let states = |k: usize| if uniform && k >= layout.v(layout.coordinates) { 1 } else { STATES };
+        (0..layout.inputs()).map(|k| (0..states(k)).map(|i| entry(k, i)).collect()).collect()
+    }
+
+    fn agree(a: &[f64], b: &[f64]) -> bool {
+        let scale = b.iter().fold(1e-3, |scale: f64, b| scale.max(b.abs()));
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-12 * scale)
+    }
+
+    #[test]
+    fn every_way_gives_what_elimination_with_exchange_gives() {
+        let registry = Registry::standard();
+        for (name, uniform) in registry.names().flat_map(|name| [(name, false), (name, true)]) {
+            let world = registry.get(name).unwrap().world().unwrap();
+            let (columns, n) = (columns(&world, uniform), world.coordinates().len());
+            let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+            let state = |i: usize| -> Vec<f64> { columns.iter().map(|column| column[i % column.len()]).collect() };
+            let (q, v, p) = (1..1 + n, 1 + n..1 + 2 * n, 1 + 2 * n..columns.len());
+            let expected: Vec<Vec<f64>> = (0..STATES)
+                .map(state)
+                .map(|x| world.accelerations(x[0], &x[q.clone()], &x[v.clone()], &x[p.clone()]).unwrap())
+                .collect();
+            for level in levels() {
+                let mut result = vec![vec![0.0; STATES]; n];
+                let mut places: Vec<&mut [f64]> = result.iter_mut().map(Vec::as_mut_slice).collect();
+                world.write_with(level, &columns, &mut places).unwrap();
+                let of = |i: usize| result.iter().map(|column| column[i]).collect::<Vec<_>>();
+                assert!((0..STATES).all(|i| agree(&of(i), &expected[i])), "{name}, {level:?}");
+                // the twin: one lane too far
+                assert!(!(0..STATES).all(|i| agree(&of((i + 1) % STATES), &expected[i])), "{name}");
+            }
+            for (i, expected) in expected.iter().enumerate() {
+                let x = state(i);
+                let mut accelerator = world.accelerator(&x[p.clone()]);
+                assert!(
+                    agree(accelerator.accelerations(x[0], &x[q.clone()], &x[v.clone()]).unwrap(), expected),
+                    "{name}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,324 @@
+//! A tape made ready for speed over `f64`.
+//!
+//! What depends on nothing but the inputs that are the same for all states, the *uniform* values, is computed once. The
+//! rest becomes *steps*: a product and the sum that it goes into are one, a reciprocal and the product that it goes into
+//! are a division, and a register is used again as soon as its value is no longer needed, so that the registers of many
+//! states fit into the cache. Results differ from those of the tape by rounding.
+
+use std::collections::HashMap;
+
+use super::{Op, Tape};
+use crate::scalar::Function;
+
+/// What a step does with its operands: places in the order inputs, temporary registers, uniform values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Action {
+    /// a + b
+    Add(u32, u32),
+    /// a − b
+    Sub(u32, u32),
+    /// a b
+    Mul(u32, u32),
+    /// a / b
+    Div(u32, u32),
+    /// a b + c; a varies
+    MulAdd(u32, u32, u32),
+    /// a b − c; a varies
+    MulSub(u32, u32, u32),
+    /// c − a b; a varies
+    SubMul(u32, u32, u32),
+    Neg(u32),
+    Powi(u32, i32),
+    Powf(u32, f64),
+    Apply(Function, u32),
+    /// Sine of the first to the step's register, cosine to the second.
+    SinCos(u32, u32),
+    Atan2(u32, u32),
+}
+
+impl Action {
+    /// The same with every operand, and the register of the cosine, put elsewhere.
+    fn map(self, place: impl Fn(u32) -> u32) -> Action {
+        match self {
+            Action::Add(a, b) => Action::Add(place(a), place(b)),
+            Action::Sub(a, b) => Action::Sub(place(a), place(b)),
+            Action::Mul(a, b) => Action::Mul(place(a), place(b)),
+            Action::Div(a, b) => Action::Div(place(a), place(b)),
+            Action::MulAdd(a, b, c) => Action::MulAdd(place(a), place(b), place(c)),
+            Action::MulSub(a, b, c) => Action::MulSub(place(a), place(b), place(c)),
+            Action::SubMul(a, b, c) => Action::SubMul(place(a), place(b), place(c)),
+            Action::Neg(a) => Action::Neg(place(a)),
+            Action::Powi(a, n) => Action::Powi(place(a), n),
+            Action::Powf(a, n) => Action::Powf(place(a), n),
+            Action::Apply(function, a) => Action::Apply(function, place(a)),
+            Action::SinCos(a, cosine) => Action::SinCos(place(a), place(cosine)),
+            Action::Atan2(a, b) => Action::Atan2(place(a), place(b)),
+        }
+    }
+
+    fn operands(self) -> impl Iterator<Item = u32> {
+        let (a, b, c) = match self {
+            Action::Add(a, b) | Action::Sub(a, b) | Action::Mul(a, b) | Action::Div(a, b) | Action::Atan2(a, b) => {
+                (a, Some(b), None)
+            }
+            Action::MulAdd(a, b, c) | Action::MulSub(a, b, c) | Action::SubMul(a, b, c) => (a, Some(b), Some(c)),
+            Action::Neg(a) | Action::Powi(a, _) | Action::Powf(a, _) => (a, None, None),
+            Action::Apply(_, a) | Action::SinCos(a, _) => (a, None, None),
+        };
+        std::iter::once(a).chain(b).chain(c)
+    }
+}
+
+/// One step: what it does, and where its result goes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    pub action: Action,
+    pub to: u32,
+}
+
+/// A tape ready to run.
+#[derive(Clone, Debug)]
+pub struct Program {
+    pub(super) inputs: usize,
+    /// How many registers there are besides the inputs.
+    pub(super) registers: usize,
+    /// From the inputs to the uniform values.
+    uniform: Tape,
+    pub(super) steps: Vec<Step>,
+    /// Where the outputs stand at the end.
+    pub(super) outputs: Vec<u32>,
+}
+
+impl Program {
+    /// The program of a tape, of whose inputs those with `uniform(input)` are the same for all states.
+    pub fn new(tape: &Tape, uniform: impl Fn(usize) -> bool) -> Self {
+        let mut writer = Writer::new(tape, uniform);
+        for (&op, to) in tape.ops.iter().zip(tape.inputs as u32..) {
+            if !writer.is_uniform[to as usize] {
+                writer.write(op, to);
+            }
+        }
+        writer.finish()
+    }
+
+    /// The values that are the same for all states. Inputs that are not uniform are not looked at.
+    pub fn uniform(&self, inputs: &[f64]) -> Vec<f64> {
+        self.uniform.evaluate(inputs)
+    }
+
+    /// How many steps a state takes.
+    pub fn steps(&self) -> usize {
+        self.steps.len()
+    }
+}
+
+/// The first uniform value; before the temporary registers are counted, uniform values are told by their numbers.
+const UNIFORM: u32 = 1 << 31;
+
+struct Writer<'a> {
+    tape: &'a Tape,
+    is_uniform: Vec<bool>,
+    /// How often each register of the tape is read by what varies.
+    uses: Vec<u32>,
+    /// Steps on the tape's registers, each result once.
+    steps: Vec<Step>,
+    /// The step that wrote a register.
+    written: HashMap<u32, usize>,
+    /// The operations of the tape of uniform values: those of the tape, then what they need besides.
+    uniform: Vec<Op>,
+    /// Where a register of the tape stands in the tape of uniform values.
+    kept: HashMap<u32, u32>,
+    constants: HashMap<u64, u32>,
+    /// The uniform values that are used: registers of that tape.
+    uniform_outputs: Vec<u32>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(tape: &'a Tape, uniform: impl Fn(usize) -> bool) -> Self {
+        let mut is_uniform: Vec<bool> = (0..tape.inputs).map(uniform).collect();
+        for (op, to) in tape.ops.iter().zip(tape.inputs..) {
+            let same = match op {
+                Op::CosOfSinCos => is_uniform[to - 1],
+                op => op.operands().all(|operand| is_uniform[operand as usize]),
+            };
+            is_uniform.push(same);
+        }
+        let mut uses = vec![0; is_uniform.len()];
+        let varying = tape.ops.iter().zip(tape.inputs..).filter(|&(_, to)| !is_uniform[to]);
+        let read = varying.flat_map(|(op, _)| op.operands()).chain(tape.outputs.iter().copied());
+        read.for_each(|register| uses[register as usize] += 1);
+        let mut kept: HashMap<u32, u32> = (0..tape.inputs as u32).map(|input| (input, input)).collect();
+        let mut ops = Vec::new();
+        for (op, to) in tape.ops.iter().zip(tape.inputs..).filter(|&(_, to)| is_uniform[to]) {
+            kept.insert(to as u32, (tape.inputs + ops.len()) as u32);
+            ops.push(op.with_operands(|operand| kept[&operand]));
+        }
+        Writer {
+            tape,
+            is_uniform,
+            uses,
+            steps: Vec::new(),
+            written: HashMap::new(),
+            uniform: ops,
+            kept,
+            constants: HashMap::new(),
+            uniform_outputs: Vec::new(),
+        }
+    }
+
+    /// The operand for a register of the tape.
+    fn place(&mut self, register: u32) -> u32 {
+        if self.is_uniform[register as usize] { self.uniform_place(self.kept[&register]) } else { register }
+    }
+
+    /// The operand for a register of the tape of uniform values.
+    fn uniform_place(&mut self, register: u32) -> u32 {
+        let known = self.uniform_outputs.iter().position(|&output| output == register);
+        let place = known.unwrap_or_else(|| {
+            self.uniform_outputs.push(register);
+            self.uniform_outputs.len() - 1
+        });
+        UNIFORM + place as u32
+    }
+
+    fn also(&mut self, op: Op) -> u32 {
+        self.uniform.push(op);
+        (self.tape.inputs + self.uniform.len() - 1) as u32
+    }
+
+    fn constant(&mut self, c: f64) -> u32 {
+        let register = match self.constants.get(&c.to_bits()) {
+            Some(&register) => register,
+            None => {
+                let register = self.also(Op::Constant(c));
+                self.constants.insert(c.to_bits(), register);
+                register
+            }
+        };
+        self.uniform_place(register)
+    }
+
+    fn write(&mut self, op: Op, to: u32) {
+        let action = match op {
+            Op::Add(a, b) => self.sum(a, b),
+            Op::Sub(a, b) => self.difference(a, b),
+            Op::Mul(a, b) => self.product(a, b),
+            Op::Scale(a, c) => Action::Mul(a, self.constant(c)),
+            Op::Offset(a, c) => {
+                let c = self.constant(c);
+                match self.fused(a) {
+                    Some((x, y)) => Action::MulAdd(x, y, c),
+                    None => Action::Add(a, c),
+                }
+            }
+            Op::Neg(a) => Action::Neg(a),
+            Op::Recip(a) => Action::Div(self.constant(1.0), a),
+            Op::Powi(a, n) => Action::Powi(a, n),
+            Op::Powf(a, n) => Action::Powf(a, n),
+            Op::Apply(function, a) => Action::Apply(function, a),
+            Op::SinCos(a) => Action::SinCos(a, to + 1),
+            Op::Atan2(a, b) => Action::Atan2(self.place(a), self.place(b)),
+            Op::Constant(_) | Op::CosOfSinCos => return, // uniform; came with its sine
+        };
+        self.written.insert(to, self.steps.len());
+        self.steps.push(Step { action, to });
+    }
+
+    /// The last step that wrote a register, if nobody else will read it.
+    fn only_for_this(&self, register: u32) -> Option<Action> {
+        let step = self.written.get(&register).filter(|_| self.uses[register as usize] == 1)?;
+        Some(self.steps[*step].action)
+    }
+
+    /// The factors of a product that nobody else reads, the first of them one that varies; its own step is void then.
+    fn fused(&mut self, register: u32) -> Option<(u32, u32)> {
+        let Action::Mul(a, b) = self.only_for_this(register)? else { return None };
+        self.written.remove(&register);
+        Some((a, b))
+    }
+
+    fn sum(&mut self, a: u32, b: u32) -> Action {
+        if let Some((x, y)) = self.fused(b) {
+            return Action::MulAdd(x, y, self.place(a));
+        }
+        if let Some((x, y)) = self.fused(a) {
+            return Action::MulAdd(x, y, self.place(b));
+        }
+        let (a, b) = if self.is_uniform[a as usize] { (b, a) } else { (a, b) };
+        Action::Add(a, self.place(b))
+    }
+
+    fn difference(&mut self, a: u32, b: u32) -> Action {
+        if let Some((x, y)) = self.fused(b) {
+            return Action::SubMul(x, y, self.place(a));
+        }
+        if let Some((x, y)) = self.fused(a) {
+            return Action::MulSub(x, y, self.place(b));
+        }
+        Action::Sub(self.place(a), self.place(b))
+    }
+
+    fn product(&mut self, a: u32, b: u32) -> Action {
+        for (factor, reciprocal) in [(a, b), (b, a)] {
+            if let Some(Action::Div(one, divisor)) = self.only_for_this(reciprocal)
+                && self.is_one(one)
+                && factor != reciprocal
+            {
+                self.written.remove(&reciprocal);
+                return Action::Div(self.place(factor), divisor);
+            }
+        }
+        let (a, b) = if self.is_uniform[a as usize] { (b, a) } else { (a, b) };
+        Action::Mul(a, self.place(b))
+    }
+
+    fn is_one(&self, place: u32) -> bool {
+        let register = place.checked_sub(UNIFORM).map(|place| self.uniform_outputs[place as usize]);
+        register.is_some() && register == self.constants.get(&1_f64.to_bits()).copied()
+    }
+
+    /// Leaves void steps out, and gives every result a register that is free.
+    fn finish(mut self) -> Program {
+        let outputs: Vec<u32> = self.tape.outputs.clone().into_iter().map(|output| self.place(output)).collect();
+        let steps: Vec<Step> = (self.steps.iter().enumerate())
+            .filter(|(i, step)| self.written.get(&step.to) == Some(i))
+            .map(|(_, &step)| step)
+            .collect();
+        let inputs = self.tape.inputs as u32;
+        let mut last_read: HashMap<u32, usize> = HashMap::new();
+        for (i, step) in steps.iter().enumerate() {
+            last_read.extend(step.action.operands().map(|operand| (operand, i)));
+        }
+        last_read.extend(outputs.iter().map(|&output| (output, usize::MAX)));
+        let mut register: HashMap<u32, u32> = HashMap::new();
+        let (mut free, mut count) = (Vec::new(), 0);
+        let mut packed = Vec::with_capacity(steps.len());
+        for (i, step) in steps.iter().enumerate() {
+            let mut action = step.action.map(|place| register.get(&place).copied().unwrap_or(place));
+            for operand in step.action.operands().filter(|operand| last_read[operand] == i) {
+                free.extend(register.remove(&operand));
+            }
+            let mut give = |result: u32| {
+                let given = free.pop().unwrap_or_else(|| {
+                    count += 1;
+                    inputs + count - 1
+                });
+                register.insert(result, given);
+                given
+            };
+            let to = give(step.to);
+            if let Action::SinCos(_, cosine) = &mut action {
+                *cosine = give(*cosine);
+            }
+            packed.push(Step { action, to });
+        }
+        let last = inputs + count;
+        let settle = |place: u32| if place >= UNIFORM { place - UNIFORM + last } else { place };
+        for step in &mut packed {
+            step.action = step.action.map(settle);
+        }
+        let outputs = outputs.iter().map(|output| settle(register.get(output).copied().unwrap_or(*output))).collect();
+        let uniform = Tape { inputs: self.tape.inputs, ops: self.uniform, outputs: self.uniform_outputs };
+        Program { inputs: inputs as usize, registers: count as usize, uniform, steps: packed, outputs }
+    }
+}
