@@ -115,7 +115,9 @@ pub(super) fn with_desk<T>(
         Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units: None };
     model.laws = plain.laws()?;
     let units = units::of_document(claims, &model, &readings, &assigned)?;
-    work(Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units })
+    let desk = Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units };
+    desk.granted_conflicts()?;
+    work(desk)
 }
 
 /// Adds the commands that notes define.

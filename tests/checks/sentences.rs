@@ -37,6 +37,8 @@ fn the_sign_of_something() {
     assert_eq!(sign(r"\frac{x}{a}", "positive"), Refuted);
     // Only special states show it.
     assert_eq!(sign("x^2 - 2bx + c", "positive"), Refuted);
+    assert_eq!(sign("x^2 + a - 10^{-3}", "positive"), Refuted);
+    assert_eq!(sign("10^{-3} - x^2 - a", "negative"), Refuted);
 }
 
 #[test]
