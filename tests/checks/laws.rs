@@ -110,9 +110,9 @@ fn hypotheses_that_together_fix_a_number_test_its_value_and_nothing_else() {
 fn a_value_that_a_hypothesis_says_outright_is_the_authors_wish() {
     let angle = json!({ "constants": { r"\alpha": "(0, \\pi)", "a, b": "> 0" } });
     let at = |latex: &str, assume: &str| verdict(&angle, &[latex], assuming(&[assume]));
-    for upright in [r"\alpha = \frac{\pi}{2}", r"\cos\alpha = 0", r"\alpha = \pi - \alpha"] {
-        assert_eq!(at(r"a \sin\alpha + b \cos\alpha = a", upright), Verified, "{upright}");
-        assert_eq!(at(r"a \sin\alpha + b \cos\alpha = b", upright), Refuted, "{upright}");
+    for upright in [r"\alpha = \frac{\pi}{2}", r"\alpha = \pi - \alpha"] {
+        assert_eq!(at(r"a \sin\alpha = a", upright), Verified, "{upright}");
+        assert_eq!(at(r"a \sin\alpha = b", upright), Refuted, "{upright}");
     }
 }
 
@@ -142,7 +142,7 @@ fn a_hypothesis_is_met_in_every_way_in_which_it_can_be() {
     }
     assert_eq!(given("y^2 z = a y z", "y = a"), Verified);
     assert_eq!(given("y^2 z = x^2 z", "x^2 = y^2"), Verified);
-    assert_eq!(given("x y z + b z = a z y + b z x - a b z + b z", "(x - a)(y - b) = 0"), Refuted);
+    assert_eq!(given("x y z = b z x + a z y + a b z", "(x - a)(y - b) = 0"), Refuted);
     assert_eq!(given("x y z = b z x + a z y - a b z", "(x - a)(y - b) = 0"), Verified);
 }
 
