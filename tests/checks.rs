@@ -7,10 +7,14 @@ mod support;
 mod claims;
 #[path = "checks/continua.rs"]
 mod continua;
+#[path = "checks/edges.rs"]
+mod edges;
 #[path = "checks/evidence.rs"]
 mod evidence;
 #[path = "checks/families.rs"]
 mod families;
+#[path = "checks/laws.rs"]
+mod laws;
 #[path = "checks/names.rs"]
 mod names;
 #[path = "checks/own_system.rs"]

@@ -191,7 +191,10 @@ impl Desk<'_> {
                 conditions.push(Condition::of(link, true));
             }
         }
-        Ok(Law { name: name.value.clone(), printed: printed.unwrap_or_default(), conditions })
+        let printed = printed.unwrap_or_default();
+        let units_off = !self.claims.units.is_empty()
+            && printed.iter().any(|(display, _)| self.assigned[*display].is_some_and(|c| c.units_off.is_some()));
+        Ok(Law { name: name.value.clone(), printed, conditions, units_off })
     }
 
     /// The statements that an address names: of each, its display and its place in it. None, if the text is no address.
@@ -212,6 +215,11 @@ impl Desk<'_> {
             places.extend(all.filter(|at| point.part.is_none_or(|part| part == at + 1)).map(|at| (display, at)));
         }
         Ok(Some(places))
+    }
+
+    /// Whether a text addresses a statement of the notes.
+    pub fn is_printed(&self, what: &Spanned<String>) -> bool {
+        matches!(self.printed(what), Ok(Some(_)))
     }
 
     fn read_statement(&self, display: usize, at: usize, what: &Spanned<String>) -> Result<Statement> {

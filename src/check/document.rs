@@ -126,7 +126,9 @@ pub(super) fn with_desk<T>(
     let known = units::declared(claims, &model, &lacks_a_name)?;
     (model.laws, model.lost_laws) = (laws, lost_laws);
     let units = units::of_document(claims, &model, &known, &readings, &assigned)?;
-    work(Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units })
+    let desk = Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units };
+    desk.granted_conflicts()?;
+    work(desk)
 }
 
 /// Adds the commands that notes define.

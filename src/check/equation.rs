@@ -12,11 +12,11 @@ use super::document::shown;
 use super::draw::Reach;
 use super::ensemble::Condition;
 use super::identity::{self, Context, is_equality};
-use super::model::Law;
+use super::judge::Link;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, exactly, generates, judge, limit, solves};
+use super::{definitions, exactly, generates, limit, restated, solves};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -190,6 +190,10 @@ impl Desk<'_> {
                 reach: Reach::Declared,
                 local: &local,
             };
+            if let Some(finding) = context.joined(&statement.members.iter().collect::<Vec<_>>()) {
+                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+                continue;
+            }
             if let Some(finding) = self.law(display, statement, &context)? {
                 parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
                 continue;
@@ -205,39 +209,6 @@ impl Desk<'_> {
             parts.push(self.part(finding, String::new()));
         }
         Ok(parts)
-    }
-
-    /// The verdict on a statement that the claims file calls a law: it is not checked, unless it can be.
-    fn law(&self, display: usize, statement: &Statement, context: &Context<'_>) -> Result<Option<Finding>> {
-        // What another print has in the place of a law is no law, unless it says the same.
-        let is_law = |place: &(usize, usize)| {
-            let law = self.readings[place.0].statements.get(place.1);
-            place.0 == display && law.is_some_and(|law| law.as_ref().is_ok_and(|law| says_the_same(law, statement)))
-        };
-        // A law that the claims file writes out is one wherever the notes print it.
-        let mut links = Vec::new();
-        for (at, (relation, _)) in statement.relations.iter().enumerate() {
-            links.push(self.link(&statement.members[at], *relation, &statement.members[at + 1])?);
-        }
-        let written = |law: &Law| {
-            let same = |link: &judge::Link| law.conditions.iter().any(|c| c.lhs == link.lhs && c.rhs == link.rhs);
-            law.printed.is_empty() && !links.is_empty() && links.iter().all(same)
-        };
-        let is_here = |law: &&Law| law.printed.iter().any(is_law) || written(law);
-        let Some(law) = self.model.laws.iter().find(is_here) else { return Ok(None) };
-        for link in &links {
-            let always = Context { on_shell: Some(false), conditions: &[], local: &[], ..*context };
-            let finding = identity::check(link, &always)?;
-            if finding.verdict.passes() {
-                let message = format!("this is no law, it can be checked: {}", finding.message);
-                return Ok(Some(context.finding(Verdict::Undecided, message)));
-            }
-            if self.model.world.is_some() {
-                let message = "where a system says how things move there are no further laws: let it be checked";
-                return Ok(Some(context.finding(Verdict::Undecided, message)));
-            }
-        }
-        Ok(Some(context.finding(Verdict::Law, format!("taken for granted: {}", law.name))))
     }
 
     pub(super) fn part(&self, finding: Finding, reading: String) -> Part {
@@ -282,6 +253,11 @@ impl Desk<'_> {
             let mut link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
             if let (true, Some(dropped), None) = (last, &claim.dropping, &claim.also_equals) {
                 let dropped = self.formula(dropped)?;
+                if is_made_of(&dropped, &link.lhs) {
+                    let message = "what is dropped is made of the left side, so nothing is checked";
+                    findings.push(context.finding(Verdict::Undecided, message));
+                    continue;
+                }
                 link.rhs = identity::with_dropped(&link.rhs, &dropped);
             }
             let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
@@ -340,6 +316,9 @@ impl Desk<'_> {
     fn definition(&self, introduced: &Introduced, context: &Context<'_>) -> Result<Finding> {
         let symbol = introduced.symbol;
         let uses = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
+        // What says the definition in other words holds whatever the definition says.
+        let restates = |link: &Link| restated::restates(link, symbol, &introduced.formula, self.model);
+        let mut restated = Vec::new();
         let mut claims = Vec::new();
         for (at, reading) in self.readings.iter().enumerate() {
             let none = Claim::default();
@@ -356,7 +335,12 @@ impl Desk<'_> {
                         let link = self.link(&other.members[k], *relation, &other.members[k + 1])?;
                         let display = &self.notes.equations[at];
                         let name = shown(display);
-                        claims.push((format!("({name})"), link, self.conditions(claim)?, self.local(claim)?));
+                        match restates(&link) {
+                            true => restated.push(format!("({name})")),
+                            false => {
+                                claims.push((format!("({name})"), link, self.conditions(claim)?, self.local(claim)?))
+                            }
+                        }
                     }
                 }
             }
@@ -369,10 +353,20 @@ impl Desk<'_> {
                         let link = self.link(&statement.members[k], *relation, &statement.members[k + 1])?;
                         let name = sentence.name.as_ref().map_or("a sentence", |name| name.value.as_str());
                         let claim = &sentence.claim;
-                        claims.push((format!("“{name}”"), link, self.conditions(claim)?, self.local(claim)?));
+                        match restates(&link) {
+                            true => restated.push(format!("“{name}”")),
+                            false => {
+                                claims.push((format!("“{name}”"), link, self.conditions(claim)?, self.local(claim)?))
+                            }
+                        }
                     }
                 }
             }
+        }
+        if claims.is_empty() && !restated.is_empty() {
+            let name = text::plain(&self.model.name(symbol));
+            let message = format!("introduces {name}, and {} says the same in other words", restated.join(", "));
+            return Ok(context.finding(Verdict::Undecided, message));
         }
         let mut users: Vec<definitions::User<'_>> = claims
             .iter()
@@ -464,6 +458,13 @@ impl Desk<'_> {
         }
         Ok(())
     }
+}
+
+/// Whether a formula stands in another.
+fn is_made_of(whole: &Expr, part: &Expr) -> bool {
+    let mut found = false;
+    whole.walk(&mut |inner| found |= inner == part);
+    found
 }
 
 /// Whether two statements are one, wherever they stand.

@@ -8,6 +8,7 @@ use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{self, Link, Point};
 use super::scene::Scene;
 use super::verdict::{Finding, Verdict};
+use super::{edges, forced};
 use crate::scalar::Measured;
 
 /// Checks that `link` holds where one of the alternatives does, all conditions of it, and nowhere else.
@@ -22,9 +23,23 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
     }
     let formulas = [&link.lhs, &link.rhs].into_iter().chain(conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]));
     let formulas: Vec<_> = formulas.collect();
+    if let Some(finding) = context.joined(&formulas) {
+        return Ok(finding);
+    }
     let mode = context.mode(context.on_shell.unwrap_or(context.model.has_motion()), &formulas);
-    let mut scenes = context.ensemble(mode, false, 2 * context.options.points)?.scenes;
-    scenes.extend(context.special(mode)?.scenes);
+    let ensemble = context.ensemble(mode, false, 2 * context.options.points)?;
+    let stated = edges::of_link(link).into_iter().chain(conditions.iter().filter_map(|c| edges::of_condition(c)));
+    let stated: Vec<_> = stated.collect();
+    let own = stated.len();
+    let hypotheses = context.conditions.iter().filter_map(edges::of_hypothesis);
+    let comparisons: Vec<_> = stated.into_iter().chain(hypotheses).collect();
+    let special = context.special(mode)?;
+    let at_edges = edges::states((&comparisons, own), context, &ensemble, &special)?;
+    let forced = forced::of_formulas(&formulas, context, &ensemble);
+    let mut scenes = ensemble.scenes;
+    scenes.extend(special.scenes);
+    let elsewhere = scenes.len();
+    scenes.extend(at_edges);
     let holds = |link: &Link, scene: &Scene<'_, Measured>| match judge::test(link, scene) {
         Ok(Point::Holds(_)) => Some(true),
         Ok(Point::Fails(_)) => Some(false),
@@ -32,7 +47,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
     };
     let (mut both, mut neither, mut other) = (0, 0, 0);
     let mut met_at = vec![0; alternatives.len()];
-    for scene in &scenes {
+    for (at, scene) in scenes.iter().enumerate() {
         let met = |condition: &Condition| {
             let Condition { lhs, relation, rhs, free, .. } = condition.clone();
             holds(&Link { lhs, relation, rhs, free }, scene)
@@ -65,12 +80,15 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
                     ..context.finding(Verdict::Refuted, message)
                 });
             }
-            _ => other += 1,
+            _ => other += usize::from(at < elsewhere),
         }
     }
     if both < FEWEST / 2 || neither < FEWEST / 2 || both + neither < other {
         let message = format!("{both} states where it holds and {neither} where it does not are too few");
         return Ok(context.finding(Verdict::Undecided, message));
+    }
+    if let Some(symbol) = forced {
+        return Ok(context.finding(Verdict::Undecided, forced::message(symbol, context)));
     }
     if let Some(at) = met_at.iter().position(|count| *count == 0) {
         let message = format!("its alternative {} is met at no state, so it says nothing", at + 1);

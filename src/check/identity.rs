@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use crate::Result;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::tree::Sign;
-use crate::formula::{Expr, Index, IndexId, Node, Relation, text};
+use crate::formula::{Expr, Index, IndexId, Node, Relation, SymbolId, text};
 use crate::latex::typeset;
 use crate::scalar::{Measured, TERMS};
 use crate::source::Span;
@@ -15,11 +15,12 @@ use super::draw::{Draw, Reach};
 use super::ensemble::{Condition, Ensemble, Setting};
 use super::evidence::{self, Emptiness};
 use super::judge::{self, Failure, Link, Point, Sides};
-use super::model::{FrameQuantity, Meaning, Model, Quantity};
+use super::model::{FrameQuantity, Law, Meaning, Model, Quantity};
 use super::rules::{Action, Rule};
 use super::scene::{Mode, Scene};
 use super::twins::{Twin, twins};
 use super::verdict::{Counterexample, Finding, Verdict};
+use super::{branches, edges, forced};
 
 /// How many states a pass needs.
 pub const FEWEST: usize = 8;
@@ -101,6 +102,19 @@ impl<'a> Context<'a> {
     /// A finding about this claim.
     pub fn finding(&self, verdict: Verdict, message: impl Into<String>) -> Finding {
         Finding::new(verdict, self.span, message)
+    }
+
+    /// The finding that a formula, or a hypothesis, names a family that is joined of several in this claim: which of them
+    /// is meant is not clear. What is defined by sums over it is.
+    pub fn joined(&self, formulas: &[&Expr]) -> Option<Finding> {
+        let hypotheses = self.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
+        let all: Vec<&Expr> = formulas.iter().copied().chain(hypotheses).collect();
+        let is_named = |id: SymbolId| all.iter().any(|side| side.symbols().iter().any(|(known, _)| *known == id));
+        let unions = self.local.iter().filter(|rule| matches!(rule.action, Action::Union(_)));
+        let rule = unions.into_iter().find(|rule| is_named(rule.symbol))?;
+        let name = text::plain(&self.model.name(rule.symbol));
+        let message = format!("{name} is joined of several families here, so which of them is printed is not clear");
+        Some(self.finding(Verdict::Unreadable, message))
     }
 
     /// The finding that no state obeys the hypotheses.
@@ -265,11 +279,25 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     if ensemble.scenes.is_empty() {
         return Ok((context.no_room(&ensemble), Next::Settled));
     }
+    let forced = forced::of_claim(link, context, &ensemble);
     if !is_equality(link.relation) {
         let special = context.special(mode)?;
         ensemble.tried += special.tried;
+        // What nothing but drawn numbers is made of has its edges off shell, where it was tried.
+        let plain = |expr: &Expr| context.model.is_plain(expr) && derivatives(expr, context.model) == 0;
+        if !on_shell || !plain(&link.lhs) || !plain(&link.rhs) {
+            let own: Vec<_> = edges::of_link(link).into_iter().collect();
+            let of_claim = own.len();
+            let all: Vec<_> =
+                own.into_iter().chain(context.conditions.iter().filter_map(edges::of_hypothesis)).collect();
+            let edges = edges::states((&all, of_claim), context, &ensemble, &special)?;
+            ensemble.tried += edges.len();
+            ensemble.scenes.extend(edges);
+        }
         ensemble.scenes.extend(special.scenes);
     }
+    let fails = |scene: &Scene<'_, Measured>| matches!(judge::test(link, scene), Ok(Point::Fails(_)));
+    ensemble.scenes.extend(branches::states(context, &ensemble)?.into_iter().filter(fails));
     let states = AtStates::new(link, &ensemble.scenes);
     let outcome = match states.run() {
         Ok(outcome) => outcome,
@@ -279,6 +307,10 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     // What is claimed of all states is claimed of the motions: an inequality may fail on them alone.
     let open = outcome.failure.is_some() || outcome.doubtful > 0 || !is_equality(link.relation);
     let next = if open { Next::OnShell } else { Next::Settled };
+    if let (Verdict::Verified, Some(symbol)) = (finding.verdict, forced) {
+        let message = forced::message(symbol, context);
+        return Ok((Finding { verdict: Verdict::Undecided, message, ..finding }, next));
+    }
     // Near misses of an inequality are inequalities too: only an equality is held against its twins.
     if finding.verdict != Verdict::Verified || !is_equality(link.relation) {
         return Ok((finding, next));
@@ -288,8 +320,10 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     if let Some(term) = evidence::unseen(link, &ensemble.scenes) {
         return withheld(format!("“{term}” is too small beside the other terms to be seen"));
     }
-    if on_shell && evidence::vanishes_throughout(link, &ensemble.scenes) {
-        return withheld("both sides vanish on shell, so nothing tells one factor from another".to_owned());
+    let special = on_shell || !context.conditions.is_empty();
+    if special && evidence::vanishes_throughout(link, &ensemble.scenes) {
+        let place = if on_shell { "on shell" } else { "under its hypotheses" };
+        return withheld(format!("both sides vanish {place}, so nothing tells one factor from another"));
     }
     let emptiness = evidence::emptiness(link, context, on_shell)?;
     if let Emptiness::Empty(reason) = emptiness {
@@ -325,16 +359,13 @@ fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     if is_equality(link.relation) && opened(&link.lhs) == opened(&link.rhs) {
         return Some(context.finding(Verdict::Definition, "true by definition: the claims file defines it so"));
     }
+    if let Some(finding) = context.joined(&[&link.lhs, &link.rhs]) {
+        return Some(finding);
+    }
     for rule in context.local {
         let bare =
             [&link.lhs, &link.rhs].into_iter().any(|side| side.symbols().iter().any(|(id, _)| *id == rule.symbol));
         match &rule.action {
-            Action::Union(_) if bare => {
-                let name = text::plain(&context.model.name(rule.symbol));
-                let message =
-                    format!("{name} is joined of several families here, so which of them is printed is not clear");
-                return Some(context.finding(Verdict::Unreadable, message));
-            }
             Action::Equals(formula)
                 if bare && [&link.lhs, &link.rhs].into_iter().any(|side| opened(side) == *formula) =>
             {
@@ -349,7 +380,7 @@ fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     };
     if let Some(law) = context.model.laws.iter().find(|law| law.conditions.iter().any(is_hypothesis)) {
         return (context.on_shell != Some(false))
-            .then(|| context.finding(Verdict::Law, format!("taken for granted: {}", law.name)));
+            .then(|| context.finding(Verdict::Law, format!("taken for granted: {}", law.title())));
     }
     context
         .conditions
@@ -376,7 +407,7 @@ fn conclude(states: &AtStates<'_, '_>, context: &Context<'_>, ensemble: &Ensembl
     let whence = &match (ensemble.mode.on_shell, context.model.laws.as_slice()) {
         (false, _) | (_, []) => whence.to_owned(),
         (true, laws) => {
-            let names: Vec<&str> = laws.iter().map(|law| law.name.as_str()).collect();
+            let names: Vec<String> = laws.iter().map(Law::title).collect();
             format!("{}, given {}", whence.replace("on shell", "by law"), names.join(", "))
         }
     };
@@ -529,7 +560,8 @@ pub fn values(formulas: &[&Expr], scene: &Scene<'_, Measured>) -> Vec<(String, f
     found
 }
 
-/// Checks that a formula does not change along the motion, and that this says something.
+/// Checks that a formula does not change along the motion, and that this says something. What is assumed is assumed at all
+/// times.
 ///
 /// # Errors
 /// When the world's mass matrix is singular.
@@ -537,6 +569,13 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if !context.model.has_motion() {
         return Ok(context.finding(Verdict::Undecided, "nothing says how it moves: name a \"system\" or \"laws\""));
     }
+    if let Some(finding) = context.joined(&[expr]) {
+        return Ok(finding);
+    }
+    // Constant is said of all times; a hypothesis about an instant would make of any turning point a constant.
+    let at_all_times = |condition: &Condition| Condition { throughout: true, ..condition.clone() };
+    let conditions: Vec<Condition> = context.conditions.iter().map(at_all_times).collect();
+    let context = &Context { conditions: &conditions, ..*context };
     let rate = Expr::new(Node::TimeDerivative(1, Box::new(expr.clone())), expr.span);
     let zero = Expr::integer(0, expr.span);
     let free = crate::formula::shape::bind(expr.clone(), &context.model.symbols).map(|(_, found)| found.free);
@@ -561,6 +600,9 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         Err(reason) => return Ok(context.unavailable(&reason)),
     };
     let mut finding = conclude(&states, &on_shell, &ensemble, &outcome);
+    if let (Verdict::Verified, Some(symbol)) = (finding.verdict, forced::of_formulas(&[expr], &on_shell, &ensemble)) {
+        return Ok(context.finding(Verdict::Undecided, forced::message(symbol, context)));
+    }
     finding.message = match finding.verdict {
         Verdict::Verified => {
             finding = certify::certify(&link, &on_shell, &ensemble).stamp(finding);

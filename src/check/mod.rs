@@ -7,6 +7,7 @@
 //! pass is held against its [`twins`]. Where units are declared, [`units`] comes before all of these.
 
 mod base;
+mod branches;
 mod builder;
 mod certify;
 mod continuum;
@@ -16,14 +17,17 @@ pub mod definitions;
 mod desk;
 pub mod document;
 pub mod draw;
+mod edges;
 pub mod ensemble;
 mod equation;
 pub mod evidence;
 mod exactly;
+mod forced;
 pub mod functions;
 pub mod generates;
 pub mod identity;
 pub mod judge;
+mod laws;
 pub mod limit;
 pub mod model;
 mod motion;
@@ -32,6 +36,7 @@ pub mod plain;
 mod progress;
 mod reading;
 pub mod reprint;
+mod restated;
 mod rules;
 pub mod scene;
 mod sentences;

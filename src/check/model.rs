@@ -128,6 +128,15 @@ pub struct Law {
     pub printed: Vec<(usize, usize)>,
     /// What it says.
     pub conditions: Vec<Condition>,
+    /// Whether its claim switches the units off, so that its terms may be of any dimension.
+    pub units_off: bool,
+}
+
+impl Law {
+    /// Its name, with what the reader of a report must know beside it.
+    pub fn title(&self) -> String {
+        if self.units_off { format!("{}, whose units are not checked", self.name) } else { self.name.clone() }
+    }
 }
 
 /// A name or a law that is lost with a display that cannot be read, and that display in words.

@@ -16,6 +16,7 @@ use super::equation::{expected, merged};
 use super::exactly;
 use super::functions::{self, Shape, Target};
 use super::identity::{self, Context, is_equality};
+use super::judge::Link;
 use super::limit::{self, Towards};
 use super::verdict::{Equation, Finding, Verdict};
 
@@ -179,7 +180,11 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
         Test::Of(of, property) => {
             let function = function(desk, of)?;
             let words = text::formula(&function, symbols);
+            if let Some(finding) = context.joined(&[&function]) {
+                return Ok((finding, words));
+            }
             let mut findings = Vec::new();
+            findings.extend(of_one_sign(&function, property, context)?);
             for (variable, shape) in shapes(desk, sentence, property)? {
                 findings.push(functions::check(&function, variable, &shape, context));
             }
@@ -209,6 +214,22 @@ impl Desk<'_> {
     }
 }
 
+/// Where a function of numbers has another sign than it is said to have: its zeros are looked for there, as the edges of
+/// an inequality.
+fn of_one_sign(function: &Expr, property: &Property, context: &Context<'_>) -> Result<Option<Finding>> {
+    let relation = match property {
+        Property::Sign(sign) if sign.value == Sign::Positive => Relation::Greater,
+        Property::Sign(sign) if sign.value == Sign::Negative => Relation::Less,
+        _ => return Ok(None),
+    };
+    if !context.model.is_plain(function) || identity::derivatives(function, context.model) > 0 {
+        return Ok(None);
+    }
+    let link = Link { lhs: function.clone(), relation, rhs: Expr::integer(0, function.span), free: Vec::new() };
+    let found = identity::check(&link, &Context { on_shell: Some(false), ..*context })?;
+    Ok((found.verdict == Verdict::Refuted).then_some(found))
+}
+
 /// The formulas that a sentence quotes.
 fn quoted(sentence: &Sentence) -> String {
     sentence.quote.value.split('$').skip(1).step_by(2).collect::<Vec<_>>().join(", ")
@@ -218,6 +239,15 @@ fn quoted(sentence: &Sentence) -> String {
 fn claim(desk: &Desk<'_>, sentence: &Sentence, statements: &[Statement], context: &Context<'_>) -> Result<Finding> {
     if let Some(message) = desk.lacks_a_relation(&sentence.claim, statements.iter()) {
         return Ok(context.finding(Verdict::Unreadable, message));
+    }
+    if sentence.claim.units_off.is_none()
+        && let Some(message) = statements.iter().find_map(|statement| desk.claimed_conflict(statement))
+    {
+        return Ok(context.finding(Verdict::Unreadable, message));
+    }
+    let members: Vec<&Expr> = statements.iter().flat_map(|statement| &statement.members).collect();
+    if let Some(finding) = context.joined(&members) {
+        return Ok(finding);
     }
     let mut findings = Vec::new();
     for statement in statements {

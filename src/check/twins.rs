@@ -64,14 +64,19 @@ pub fn twins(link: &Link, model: &Model) -> Vec<Twin> {
     let nodes = count(&link.lhs) + count(&link.rhs);
     let stride = (4 * nodes / MOST.min(LARGEST / nodes.max(1)).max(1)).max(1);
     let slips = Slips { model, present, stride, met: Cell::new(0) };
-    let negated = (!link.rhs.is_zero()).then(|| {
-        let words = text::formula(&link.rhs, &model.symbols);
-        let rhs = link.rhs.clone().negated();
-        Twin { link: Link { rhs, ..link.clone() }, slip: Slip::Sign, change: format!("“−({words})”") }
-    });
+    // The whole of a side with another sign, and twice as large.
+    let whole =
+        [(Slip::Sign, "−"), (Slip::Number, "2 ")].into_iter().filter(|_| !link.rhs.is_null()).map(|(slip, sign)| {
+            let words = text::formula(&link.rhs, &model.symbols);
+            let rhs = match slip {
+                Slip::Sign => link.rhs.clone().negated(),
+                _ => Expr::new(Node::Product(vec![Expr::integer(2, link.rhs.span), link.rhs.clone()]), link.rhs.span),
+            };
+            Twin { link: Link { rhs, ..link.clone() }, slip, change: format!("“{sign}({words})”") }
+        });
     let left = slips.of(&link.lhs).into_iter().map(|(lhs, slip, change)| (Link { lhs, ..link.clone() }, slip, change));
     let right = slips.of(&link.rhs).into_iter().map(|(rhs, slip, change)| (Link { rhs, ..link.clone() }, slip, change));
-    left.chain(right).map(|(link, slip, change)| Twin { link, slip, change }).chain(negated).collect()
+    left.chain(right).map(|(link, slip, change)| Twin { link, slip, change }).chain(whole).collect()
 }
 
 /// About as many twins of one claim are tried.

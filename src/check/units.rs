@@ -203,6 +203,36 @@ impl Desk<'_> {
     }
 }
 
+impl Desk<'_> {
+    /// The term of a statement of the claims file that does not fit.
+    pub(super) fn claimed_conflict(&self, statement: &Statement) -> Option<String> {
+        Some(self.units.as_ref()?.mismatch(statement)?.message)
+    }
+
+    /// Holds what the claims file takes for granted against the units: its hypotheses, and the laws that it writes out.
+    /// The hypotheses of a claim whose units are off are left alone.
+    ///
+    /// # Errors
+    /// For a term that does not fit, at the place of its LaTeX.
+    pub(super) fn granted_conflicts(&self) -> Result<()> {
+        let claims = self.claims;
+        let all = claims.equations.iter().map(|(_, claim)| claim).chain(claims.sentences.iter().map(|s| &s.claim));
+        let checked = all.filter(|claim| claim.units_off.is_none());
+        let of_claims = checked
+            .flat_map(|claim| claim.assume.iter().chain(&claim.throughout).chain(claim.exactly_when.iter().flatten()));
+        let named = claims.conditions.iter().flat_map(|(_, all)| all);
+        let laws = claims.laws.iter().map(|(_, what)| what).filter(|what| !self.is_printed(what));
+        for latex in claims.assume.iter().chain(named).chain(of_claims).chain(laws) {
+            // The name of a condition or the number of an equation is no LaTeX of its own.
+            let Ok(statements) = self.statements(latex) else { continue };
+            if let Some(message) = statements.iter().find_map(|statement| self.claimed_conflict(statement)) {
+                return Err(Error::at(&claims.source, latex.span, format!("in “{}”: {message}", latex.value)));
+            }
+        }
+        Ok(())
+    }
+}
+
 /// The units of a document under its claims; `None` where it declares none, and nothing is checked.
 ///
 /// # Errors

@@ -164,6 +164,9 @@ fn what_is_dropped_is_dropped_exactly() {
     assert_eq!(verdict(&pendulum(), &[kinetic], json!({ "dropping": r"mgl\cos\theta" })), Refuted);
     assert_eq!(verdict(&pendulum(), &[kinetic], json!({ "dropping": r"-mg\cos\theta" })), Refuted);
     assert_eq!(verdict(&pendulum(), &[kinetic], json!({})), Refuted);
+    // What is made of the left side would make anything of the right.
+    let wrong = r"E = m l^2 \dot\theta^2";
+    assert_eq!(verdict(&pendulum(), &[wrong], json!({ "dropping": r"E - m l^2 \dot\theta^2" })), Undecided);
 }
 
 #[test]

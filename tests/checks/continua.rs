@@ -1,6 +1,6 @@
 //! Bodies whose mass is spread: integrals over them, densities as limits, sums that become integrals.
 
-use onshell::check::Verdict::{self, Refuted, Unreadable, Verified};
+use onshell::check::Verdict::{self, Refuted, Undecided, Unreadable, Verified};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
@@ -160,6 +160,19 @@ fn a_limit_of_something_else_is_refuted() {
     assert_eq!(claims("1", r"M = \int_V \rho(\vec r) \, d^3r"), Verified);
     assert_eq!(claims("1", r"M = \int_V \rho(\vec r) |\vec r|^2 \, d^3r"), Refuted);
     assert_eq!(claims("2", r"Q = \int_V \rho(\vec r) |\vec r|^2 \, d^3r"), Verified);
+    // The address must be that of the sum which the name stands for.
+    assert_eq!(claims("2", r"M = \int_V \rho(\vec r) \, d^3r"), Undecided);
+    assert_eq!(claims("1", r"Q = \int_V \rho(\vec r) |\vec r|^2 \, d^3r"), Undecided);
+}
+
+#[test]
+fn an_integral_that_the_rule_is_not_exact_for_is_refused() {
+    let ball = solid(json!([{ "ball": "R" }]));
+    assert_eq!(of(&ball, &mean(r"|\vec r|^4"), r"\frac37 R^4"), Verified);
+    assert_eq!(of(&ball, &mean(r"|\vec r|^4"), r"\frac35 R^4"), Refuted);
+    // No polynomial: whatever it is said to be.
+    assert_eq!(of(&ball, &mean(r"\sqrt{R^2 + |\vec r \times \hat z|^2}"), r"\frac34 R"), Unreadable);
+    assert_eq!(of(&ball, &mean(r"\frac{1}{R + |\vec r|}"), r"\frac{3}{R}(\frac12 - 1 + \ln 2)"), Unreadable);
 }
 
 #[test]

@@ -209,6 +209,29 @@ fn sums_over_pairs_and_over_some_of_the_values() {
     }
 }
 
+/// Particles at rest, and two vectors beside them.
+fn crowd(latex: &str) -> Verdict {
+    let claims = json!({
+        "indices": { "i, j": "1..n" },
+        "constants": { "m_i": "> 0", "q_i": "any", r"\vec r_i, \vec u, \vec w": "any" },
+    });
+    verdict(&claims, &[latex], json!({}))
+}
+
+#[test]
+fn an_inequality_of_vectors_is_tried_where_they_are_special() {
+    for (only_in_general, always) in [
+        // A vector that is zero, equal or opposite to another, or parallel to it.
+        (r"|\vec u| > 0", r"|\vec u| \geq 0"),
+        (r"|\vec u - \vec w| > 0", r"|\vec u - \vec w| \geq 0"),
+        (r"|\vec u + \vec w| > 0", r"|\vec u + \vec w| \geq 0"),
+        (r"|\vec u| + |\vec w| > |\vec u + \vec w|", r"|\vec u| + |\vec w| \geq |\vec u + \vec w|"),
+        (r"|\vec u \times \vec w| > 0", r"|\vec u \times \vec w| \geq 0"),
+    ] {
+        assert_eq!((crowd(only_in_general), crowd(always)), (Refuted, Verified), "{only_in_general}");
+    }
+}
+
 #[test]
 fn vectors_differ_where_one_component_does() {
     let claims = json!({
@@ -219,4 +242,20 @@ fn vectors_differ_where_one_component_does() {
     assert_eq!(verdict(r"\hat x \neq \hat y", json!({})), Verified, "they share their third component");
     assert_eq!(verdict(r"\vec r \neq \vec v", json!({ "assume": r"\vec r = \vec v" })), Refuted);
     assert_eq!(verdict(r"\vec r \times \vec v \neq 0", json!({ "assume": r"\vec r = 2\vec v" })), Refuted);
+}
+
+fn an_inequality_of_families_is_tried_where_members_are_special() {
+    for (only_in_general, always) in [
+        // All members zero, all alike, all on one line, all in one plane.
+        (r"\sum_i q_i^2 > 0", r"\sum_i q_i^2 \geq 0"),
+        (r"\sum_i (m_i - m_1)^2 > 0", r"\sum_i (m_i - m_1)^2 \geq 0"),
+        (r"\sum_i |\vec r_i - \vec r_1|^2 > 0", r"\sum_i |\vec r_i - \vec r_1|^2 \geq 0"),
+        (r"\sum_i |\vec r_1 \times \vec r_i|^2 > 0", r"\sum_i |\vec r_1 \times \vec r_i|^2 \geq 0"),
+        (
+            r"((\vec r_2 - \vec r_1) \cdot ((\vec r_3 - \vec r_1) \times \vec r_1))^2 > 0",
+            r"((\vec r_2 - \vec r_1) \cdot ((\vec r_3 - \vec r_1) \times \vec r_1))^2 \geq 0",
+        ),
+    ] {
+        assert_eq!((crowd(only_in_general), crowd(always)), (Refuted, Verified), "{only_in_general}");
+    }
 }

@@ -60,7 +60,7 @@ fn a_correction_may_introduce_a_name() {
 #[test]
 fn an_erratum_is_wrong_as_printed() {
     // a = b c is false, and p = b c names it; b = b is not.
-    assert!(corrected("a = b c", "p =", r"\frac{p}{b} = c").equations[0].ok);
+    assert!(corrected("a = b c", "p =", r"\frac{p}{b} + p = c + bc").equations[0].ok);
     let erratum = json!({ "2": { "erratum": { "for": "p", "read": "q" } } });
     let right = check(&with(&numbers(), "equations", erratum), &["p = a + b", "p = a + b"]);
     assert!(!right.equations[1].ok, "{:?}", right.equations[1]);
@@ -115,4 +115,80 @@ fn units_of_families_and_of_what_stands_on_them() {
 #[test]
 fn a_definition_that_nothing_uses_is_no_pass() {
     assert_eq!(verdicts(&numbers(), &["p = a + b"]), [Undecided]);
+}
+
+#[test]
+fn a_definition_in_other_words_pins_nothing() {
+    let claims = with(&numbers(), "constants", json!({ "a, b, c, d": "> 0", r"\vec u": "any" }));
+    let first = |displays: &[&str]| verdicts(&claims, displays)[0];
+    for (definition, again) in [
+        (r"v = \frac{a}{b}", "a = v b"),
+        (r"v = \frac{a - c}{b}", "a = c + v b"),
+        (r"v = \sqrt{\frac{a}{b}}", "b v^2 = a"),
+        (r"v = \frac12 a b^2", r"b = \sqrt{\frac{2v}{a}}"),
+        ("v = a + b - c", "2a - 2v = 2c - 2b"),
+        (r"v = \frac{a}{b + c}", "v b + v c = a"),
+        (r"\vec v = a \vec u", r"\vec u = \frac{\vec v}{a}"),
+    ] {
+        let found = check(&claims, &[definition, again]);
+        let finding = &found.equations[0].finding;
+        assert_eq!(finding.verdict, Undecided, "{definition}, {again}: {}", finding.message);
+        assert!(finding.message.contains("(2) says the same in other words"), "{}", finding.message);
+        assert_eq!(found.equations[1].finding.verdict, Verified, "{again}");
+    }
+    // Beside an equation that takes a step it does no harm; and what takes a step pins.
+    assert_eq!(first(&["v = a + b", "a = v - b", "v(a - b) = a^2 - b^2"]), Definition);
+    assert_eq!(first(&["v = a + b", "c v = ca + cb"]), Definition);
+    assert_eq!(first(&["v = a - b", "v(a - b) = a^2 - b^2"]), Undecided);
+}
+
+#[test]
+fn a_sentence_that_says_a_definition_again_pins_nothing() {
+    let pinned = |claim: &str| {
+        let sentences = json!([{ "quote": "So it is.", "claim": claim }]);
+        let notes = format!("{}So it is.\n", numbered(&[r"v = \frac{a}{b}"]));
+        let claims = with(&numbers(), "sentences", sentences);
+        let found = document(&claims, &notes, &Registry::standard(), None).unwrap_or_else(|error| panic!("{error}"));
+        found.equations[0].finding.verdict
+    };
+    assert_eq!(pinned("a = v b"), Undecided);
+    assert_eq!(pinned("v^2 + v = \\frac{a^2 + a b}{b^2}"), Definition);
+}
+
+#[test]
+fn members_of_a_family_are_defined_again_by_other_letters() {
+    let claims = json!({ "indices": { "i, j": "1..n" }, "constants": { "m_i": "> 0", r"\vec v_i": "any" } });
+    let first = |again: &str| verdicts(&claims, &[r"\vec p_i = m_i \vec v_i", again])[0];
+    assert_eq!(first(r"\vec v_j = \frac{\vec p_j}{m_j}"), Undecided);
+    assert_eq!(first(r"\sum_i \vec p_i = \sum_i m_i \vec v_i"), Definition);
+}
+
+#[test]
+fn what_does_not_hold_pins_no_definition() {
+    let found = check(&numbers(), &["s = a + b", "s(a - b) = a^2 + b^2"]);
+    assert_eq!(found.equations[0].finding.verdict, Undecided);
+    assert!(found.equations[0].finding.message.contains("nothing that holds uses it"), "{:?}", found.equations[0]);
+    assert_eq!(verdicts(&numbers(), &["s = a + b", "s(a - b) = a^2 - b^2"]), [Definition, Verified]);
+}
+
+#[test]
+fn a_factor_that_nothing_would_notice_leaves_a_definition_loose() {
+    let claims = json!({ "varies with time": { "x": "any" } });
+    let first = |user: &str| check(&claims, &[r"q = x + \dot x", user]).equations.remove(0).finding;
+    let ratio = first(r"\frac{\dot q}{q} = \frac{\dot x + \ddot x}{x + \dot x}");
+    assert_eq!(ratio.verdict, Undecided, "{}", ratio.message);
+    assert!(ratio.message.contains("with “2 (x + "), "{}", ratio.message);
+    assert_eq!(first(r"q^2 = x^2 + 2x \dot x + \dot x^2").verdict, Definition);
+}
+
+#[test]
+fn what_is_undecided_as_printed_is_no_misprint() {
+    let erratum = |printed: &str, wrong: &str, read: &str| {
+        let erratum = json!({ "1": { "erratum": { "for": wrong, "read": read } } });
+        let equation = check(&with(&numbers(), "equations", erratum), &[printed]).equations.remove(0);
+        (equation.finding.verdict, equation.ok)
+    };
+    // Both sides are one formula, which is not wrong.
+    assert_eq!(erratum("ab = ab", "ab =", "ba ="), (Undecided, false));
+    assert_eq!(erratum("2ab = ab", "2ab =", "ba ="), (Refuted, true));
 }

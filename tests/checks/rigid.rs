@@ -158,6 +158,23 @@ fn principal_axes_are_axes_of_the_body() {
 }
 
 #[test]
+fn no_order_of_the_principal_moments_is_taken_for_granted() {
+    for (larger, smaller) in [(1, 2), (2, 1), (1, 3), (3, 1), (2, 3), (3, 2)] {
+        let claim = format!(r"\lambda_{larger} \geq \lambda_{smaller}");
+        assert_eq!(of_the_top(&claim), Refuted, "{claim}");
+    }
+    // What does not depend on the order.
+    assert_eq!(
+        of_the_top(r"\lambda_1 + \lambda_2 + \lambda_3 = \mathbb{I}_{11} + \mathbb{I}_{22} + \mathbb{I}_{33}"),
+        Verified
+    );
+    assert_eq!(
+        of_the_top(r"\lambda_1 + \lambda_2 - \lambda_3 = \mathbb{I}_{11} + \mathbb{I}_{22} - \mathbb{I}_{33}"),
+        Refuted
+    );
+}
+
+#[test]
 fn a_body_that_turns_changes_its_tensor_along_fixed_axes() {
     assert_eq!(of_the_top(r"\frac{d}{dt} \mathbb{I}_{11} = 0"), Refuted);
     assert_eq!(of_the_top(r"\frac{d}{dt} (\mathbb{I}_{11} + \mathbb{I}_{22} + \mathbb{I}_{33}) = 0"), Verified);

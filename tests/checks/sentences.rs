@@ -37,6 +37,8 @@ fn the_sign_of_something() {
     assert_eq!(sign(r"\frac{x}{a}", "positive"), Refuted);
     // Only special states show it.
     assert_eq!(sign("x^2 - 2bx + c", "positive"), Refuted);
+    assert_eq!(sign("(x - a)^2 - 10^{-6} a^2", "positive"), Refuted);
+    assert_eq!(sign("10^{-6} a^2 - (x - a)^2", "negative"), Refuted);
 }
 
 #[test]

@@ -186,3 +186,41 @@ fn what_is_meant_cannot_go_in_a_circle() {
     assert_eq!(verdict(&claims, &[r"\vec u = \vec s"], both.clone()), Refuted);
     assert_eq!(verdict(&claims, &[r"\vec u \times \vec s = 0"], both), Verified);
 }
+
+#[test]
+fn families_are_joined_where_a_name_gets_its_meaning_and_nowhere_else() {
+    let joined = r"m_{1i} \cup m_{2i}";
+    assert_eq!(verdict(&two_bodies(), &[&format!("m_i = {joined}")], json!({})), Unreadable);
+    for claim in [
+        json!({ "assume": format!("m_i = {joined}") }),
+        json!({ "throughout": format!("m_i = {joined}") }),
+        json!({ "also equals": joined }),
+        json!({ "dropping": joined }),
+        json!({ "conserved": joined }),
+        json!({ "true exactly when": format!("m_i > {joined}") }),
+        json!({ "where": { "M": joined } }),
+    ] {
+        let message = error(&two_bodies(), &["M > 0"], claim.clone());
+        assert!(message.starts_with("claims.json:"), "{claim}: {message}");
+    }
+    let defined = with(&two_bodies(), "define", json!({ "q_i": joined }));
+    assert!(error(&defined, &["m_1 > 0"], json!({})).contains("joins families"));
+    let law = with(&two_bodies(), "laws", json!({ "one": format!("m_i = {joined}") }));
+    assert!(error(&law, &["m_1 > 0"], json!({})).contains("joins families"));
+}
+
+#[test]
+fn a_joined_family_is_not_named_bare() {
+    let both = json!({ "m_i": r"m_{1i} \cup m_{2i}" });
+    let claim = |latex: &str, key: &str, value: &str| {
+        verdict(&two_bodies(), &[latex], json!({ "where": both.clone(), key: value }))
+    };
+    assert_eq!(together("M > 0", both.clone()), Verified);
+    for bare in ["m_1 > 0", r"\sum_i m_i = \sum_i m_{1i} + \sum_i m_{2i}", r"m_1 \approx m_1 + M"] {
+        assert_eq!(together(bare, both.clone()), Unreadable, "{bare}");
+    }
+    // Nor by a hypothesis or a condition.
+    assert_eq!(claim("M > 0", "assume", "m_1 > m_{21}"), Unreadable);
+    assert_eq!(claim("M > 0", "assume", "m_{11} > m_{21}"), Verified);
+    assert_eq!(claim("M > m_{11}", "true exactly when", "m_1 > m_{21}"), Unreadable);
+}

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use onshell::check::Verdict::{Unreadable, Verified};
+use onshell::check::Verdict::{Law, Unreadable, Verified};
 use onshell::check::model::Model;
 use onshell::check::units::conflicts;
 use onshell::formula::symbols::{Kind, Name, Symbols};
@@ -341,4 +341,71 @@ fn units_that_cannot_be_are_errors_at_their_place() {
     let sound =
         with(&with(&pendulum(), "define", json!({ r"\Omega": r"\dot\theta" })), "units", json!({ r"\Omega": "Hz" }));
     assert!(document(&sound, &numbered(&[r"T = T"]), &Registry::standard(), None).is_ok());
+}
+
+/// A mass on a spring that obeys a law, with units.
+fn spring(law: &str) -> Json {
+    json!({
+        "varies with time": { "x": "any" },
+        "constants": { "m, k, b": "> 0" },
+        "laws": { "the force": law },
+        "units": { "x": "m", "m": "kg", "k": "kg/s^2", "b": "kg" },
+    })
+}
+
+#[test]
+fn a_law_whose_units_are_off_is_named_as_such_wherever_it_is_given() {
+    let report = |claim: Json| {
+        let claims = with(&spring("1"), "equations", json!({ "1": claim }));
+        let notes = numbered(&[r"m \ddot x = -k x - b x", r"\ddot x = -\frac{k x + b x}{m}"]);
+        let found = document(&claims, &notes, &Registry::standard(), None).unwrap();
+        found
+            .equations
+            .into_iter()
+            .map(|equation| (equation.finding.verdict, equation.finding.message))
+            .collect::<Vec<_>>()
+    };
+    let off = report(json!({ "units": "off" }));
+    assert_eq!(off[0], (Law, "taken for granted: the force, whose units are not checked".to_owned()));
+    let checked = report(json!({}));
+    assert_eq!(checked[0].0, Unreadable, "{checked:?}");
+    assert!(checked[0].1.contains("“b·x”"), "{checked:?}");
+    // What stands on it, its own units off, says on what.
+    let claims = with(&spring("1"), "equations", json!({ "1": { "units": "off" }, "2": { "units": "off" } }));
+    let notes = numbered(&[r"m \ddot x = -k x - b x", r"\ddot x = -\frac{k x + b x}{m}"]);
+    let found = document(&claims, &notes, &Registry::standard(), None).unwrap();
+    let message = &found.equations[1].finding.message;
+    assert!(message.contains("given the force, whose units are not checked"), "{message}");
+}
+
+#[test]
+fn what_the_claims_file_takes_for_granted_has_units_too() {
+    let check =
+        |claims: &Json| document(claims, &numbered(&[r"\ddot x = -\frac{k}{m} x"]), &Registry::standard(), None);
+    let refused = |claims: &Json, place: &str| {
+        let error = check(claims).map(|_| ()).unwrap_err();
+        let (source, span) = error.place().unwrap();
+        assert_eq!(source.slice(span), place, "{error}");
+        assert!(error.to_string().contains("“b·x”"), "{error}");
+    };
+    assert_eq!(check(&spring(r"m \ddot x = -k x")).unwrap().equations[0].finding.verdict, Verified);
+    refused(&spring(r"m \ddot x = -k x - b x"), r#""m \\ddot x = -k x - b x""#);
+    let sound = spring(r"m \ddot x = -k x");
+    refused(&with(&sound, "assume", json!(["k x = b x"])), r#""k x = b x""#);
+    refused(&with(&sound, "conditions", json!({ "odd": "k x = b x" })), r#""k x = b x""#);
+    refused(&with(&sound, "equations", json!({ "1": { "throughout": "k x = b x" } })), r#""k x = b x""#);
+    let off = with(&sound, "equations", json!({ "1": { "assume": "x = 1", "units": "off" } }));
+    assert!(check(&off).is_ok());
+}
+
+#[test]
+fn a_sentence_has_units_too() {
+    let claims = with(&pendulum(), "units", json!({ "l": "m", "g": "m/s^2", "m": "kg" }));
+    let says = |latex: &str| {
+        let claims = with(&claims, "sentences", json!([{ "quote": "So it is.", "not always": latex }]));
+        let found = document(&claims, "So it is.\n\n$$ T = T $$\n", &Registry::standard(), None);
+        found.unwrap_or_else(|error| panic!("{error}")).sentences[0].finding.verdict
+    };
+    assert_eq!(says(r"g l = g \cos\theta"), Unreadable);
+    assert_eq!(says(r"g l = g l \cos\theta"), Verified);
 }

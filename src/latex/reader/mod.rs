@@ -383,6 +383,8 @@ fn unknown_command(name: &str, span: Span) -> Fault {
         "\\pm" | "\\mp" => Fault::new(span, "± stands where no sign can"),
         "\\partial" | "\\nabla" => Fault::new(span, format!("{name} is not read yet")),
         "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::new(span, format!("{name} is not read yet")),
+        "\\cup" => Fault::new(span, "\\cup joins families, and is read under \"where\" alone")
+            .help("say there what the name of the family means in this equation"),
         _ => Fault::new(span, format!("the command {name} is not known"))
             .help("if it is a macro of yours, define it under \"macros\" in the claims file"),
     }

@@ -1,0 +1,125 @@
+//! What the hypotheses leave no choice of.
+//!
+//! Two laws such as x + y = 0 and x − y = 0 are obeyed by one state alone, in which every formula that is 0 there seems
+//! to hold. So where a symbol that was declared to vary has one value at all states, and no hypothesis says so outright,
+//! a claim about it is not tested. A hypothesis says it outright if it speaks of nothing else: θ = π/2, \cos θ = 0.
+
+use crate::formula::evaluate::evaluate;
+use crate::formula::{Expr, Index, Node, Relation, SymbolId, text};
+
+use super::ensemble::{Condition, Ensemble};
+use super::identity::{Context, FEWEST, is_equality};
+use super::judge::{self, Link};
+use super::model::{Meaning, Model};
+use super::motion::order;
+
+/// Values nearer to one another than this, relative to their size, are one value: far above what solving leaves.
+const ONE_VALUE: f64 = 1e-9;
+
+/// A symbol of a claim that has one value at all states because of its hypotheses together; none, if the claim is that
+/// it has this value.
+pub(super) fn of_claim(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>) -> Option<SymbolId> {
+    let symbol = of_formulas(&[&link.lhs, &link.rhs], context, ensemble)?;
+    let laws = ensemble.mode.on_shell && !context.model.laws.is_empty();
+    let is_value = |a: &Expr, b: &Expr| a.as_plain_symbol() == Some(symbol) && drawn(&[b], context.model).is_empty();
+    let says_it = is_equality(link.relation) && (is_value(&link.lhs, &link.rhs) || is_value(&link.rhs, &link.lhs));
+    (laws || !says_it).then_some(symbol)
+}
+
+/// A symbol that some formulas depend on and that has one value at all states because of the hypotheses together.
+pub(super) fn of_formulas(formulas: &[&Expr], context: &Context<'_>, ensemble: &Ensemble<'_>) -> Option<SymbolId> {
+    let model = context.model;
+    let laws = model.laws.iter().flat_map(|law| &law.conditions).filter(|_| ensemble.mode.on_shell);
+    let conditions: Vec<&Condition> = context.conditions.iter().chain(laws).collect();
+    let binds = |condition: &&Condition| !matches!(condition.relation, Relation::NotEqual);
+    if ensemble.scenes.len() < FEWEST.min(context.options.points) || !conditions.iter().any(binds) {
+        return None;
+    }
+    let outright = outright(&conditions, model);
+    let is_free =
+        |symbol: &SymbolId| !outright.contains(symbol) && !context.local.iter().any(|rule| rule.symbol == *symbol);
+    drawn(formulas, model).into_iter().filter(is_free).find(|symbol| {
+        let values: Option<Vec<Vec<f64>>> = ensemble.scenes.iter().map(|scene| values(*symbol, scene)).collect();
+        let Some((first, others)) = values.as_deref().and_then(<[_]>::split_first) else { return false };
+        let one = |(a, b): (&f64, &f64)| (a - b).abs() <= ONE_VALUE * (1.0 + a.abs());
+        !first.is_empty() && others.iter().all(|other| first.iter().zip(other).all(one)) && !is_narrow(*symbol, model)
+    })
+}
+
+/// What is said of a claim about such a symbol.
+pub(super) fn message(symbol: SymbolId, context: &Context<'_>) -> String {
+    let name = text::plain(&context.model.name(symbol));
+    format!("its hypotheses together leave {name} one value alone, at which more would hold than is meant")
+}
+
+/// The drawn symbols that formulas depend on, through definitions.
+pub(super) fn drawn(formulas: &[&Expr], model: &Model) -> Vec<SymbolId> {
+    fn collect(symbol: SymbolId, model: &Model, into: &mut Vec<SymbolId>) {
+        match model.meaning(symbol) {
+            Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Coordinate(_)) if !into.contains(&symbol) => {
+                into.push(symbol);
+            }
+            Some(Meaning::Defined(formula)) => {
+                formula.symbols().into_iter().for_each(|(symbol, _)| collect(symbol, model, into));
+            }
+            _ => model.symbols.entry(symbol).members.iter().for_each(|member| collect(*member, model, into)),
+        }
+    }
+    let mut found = Vec::new();
+    for (symbol, _) in formulas.iter().flat_map(|formula| formula.symbols()) {
+        collect(symbol, model, &mut found);
+    }
+    found
+}
+
+/// The symbols whose value a hypothesis gives by itself: it speaks of no other, or equates it to one of these.
+fn outright(conditions: &[&Condition], model: &Model) -> Vec<SymbolId> {
+    let equalities: Vec<&&Condition> = conditions.iter().filter(|c| is_equality(c.relation)).collect();
+    let mut found: Vec<SymbolId> = Vec::new();
+    for condition in &equalities {
+        let sides = [&condition.lhs, &condition.rhs];
+        if let [only] = drawn(&sides, model).as_slice()
+            && sides.iter().filter_map(|side| order(model, side, *only)).max() == Some(0)
+        {
+            found.push(*only);
+        }
+    }
+    // A chain, a = b = 0.
+    for _ in 0..equalities.len() {
+        for condition in &equalities {
+            let pair = (condition.lhs.as_plain_symbol(), condition.rhs.as_plain_symbol());
+            if let (Some(a), Some(b)) = pair
+                && found.contains(&a) != found.contains(&b)
+            {
+                found.extend([a, b]);
+            }
+        }
+    }
+    found
+}
+
+/// All numbers of a symbol at a state, of all members of a family.
+fn values(symbol: SymbolId, scene: &super::scene::Scene<'_, crate::scalar::Measured>) -> Option<Vec<f64>> {
+    let letters: Vec<_> = scene.model().symbols.entry(symbol).slots.iter().map(|(_, letter)| *letter).collect();
+    let indices = letters.iter().map(|letter| Index::Letter(*letter)).collect();
+    let itself = Expr::new(Node::Symbol { id: symbol, indices, dots: 0 }, crate::source::Span::default());
+    let mut at: Vec<_> = letters.iter().map(|letter| (*letter, 1)).collect();
+    let mut numbers = Vec::new();
+    loop {
+        let value = evaluate(&itself, scene, &at).ok()?;
+        numbers.extend(value.entries().iter().map(|entry| entry.value().value));
+        if !judge::advance(&mut at, scene).ok()? {
+            return Some(numbers);
+        }
+    }
+}
+
+/// Whether a symbol was declared with hardly a choice of values.
+fn is_narrow(symbol: SymbolId, model: &Model) -> bool {
+    use crate::notes::claims::Range;
+    match model.range(symbol) {
+        Range::Interval { low, high, .. } => high - low <= 1e3 * ONE_VALUE * (1.0 + low.abs()),
+        Range::Integer { .. } => true,
+        _ => false,
+    }
+}
