@@ -34,6 +34,9 @@ const POINTS: std::ops::RangeInclusive<usize> = 2..=6;
 /// So many points are tried for one at which no denominator vanishes and every root exists.
 const ATTEMPTS: u32 = 64;
 
+/// So many numbers are tried to solve a hypothesis for.
+const CANDIDATES: usize = 40;
+
 /// With more square roots than this the choices of their signs are too many.
 const MOST_ROOTS: u32 = 4;
 
@@ -164,8 +167,10 @@ fn decide(
     }
     let mut draw = Draw::new(context.options.seed, &format!("{}/{}/field", context.topic, ensemble.mode.on_shell));
     let mut exactly = Exactly { solver, plan: Vec::new(), finest: 1 };
-    if solver.equalities().next().is_some() {
-        exactly.rehearse(draw.seed(), &ensemble.bases[0]);
+    if solver.equalities().next().is_some()
+        && let Err(reason) = exactly.rehearse(draw.seed(), &ensemble.bases[0])
+    {
+        return Certificate::Open(reason);
     }
     let mut log2 = 0.0;
     for points in 1..=*POINTS.end() {
@@ -304,22 +309,25 @@ impl<'m> Exactly<'_, 'm> {
     }
 
     /// Finds what the hypotheses are solved for, at a point of which nothing else is used.
-    fn rehearse(&mut self, seed: u64, base: &[f64]) {
+    fn rehearse(&mut self, seed: u64, base: &[f64]) -> Result<(), String> {
         for attempt in 0..ATTEMPTS {
-            let (_, account) = at_a_point::<Large, _>(seed.wrapping_add(attempt.into()), 0, 1, || {
+            let (found, account) = at_a_point::<Large, _>(seed.wrapping_add(attempt.into()), 0, 1, || {
                 self.plan.clear();
-                self.scene(base).is_ok()
+                self.scene(base).map(|_| ())
             });
             if !account.elsewhere {
-                return;
+                return account.fault.map_or(found, |fault| Err(fault.to_owned()));
             }
         }
+        Ok(())
     }
 
     /// The state at the point at hand, with whole numbers as in `base`.
     fn scene(&mut self, base: &[f64]) -> Result<Scene<'m, Modular>, String> {
         let drawn = self.solver.slots.iter().zip(base).map(|(slot, value)| match slot.range {
             Range::Integer { .. } => Modular::from(*value),
+            // nobody takes the sine of a velocity
+            _ if slot.order > 0 => Modular::drawn_plain(),
             _ => Modular::drawn(),
         });
         let mut base: Vec<Modular> = drawn.collect();
@@ -390,7 +398,7 @@ impl<'m> Exactly<'_, 'm> {
             !self.plan.iter().any(|(_, taken)| taken == slot)
                 && !matches!(self.solver.slots[*slot].range, Range::Integer { .. })
         };
-        let candidates: Vec<usize> = known.chain((1..base.len()).rev()).filter(free).collect();
+        let candidates: Vec<usize> = known.chain((1..base.len()).rev()).filter(free).take(CANDIDATES).collect();
         let before: Vec<Row> = rows.iter().copied().take_while(|other| *other != row).collect();
         for slot in candidates {
             let mut moved = base.clone();

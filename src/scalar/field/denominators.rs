@@ -4,7 +4,7 @@
 //! sum of fractions would multiply them all; so a divisor is remembered as a *factor*, known by its value at the point,
 //! and fractions over the same factors are added over their least common multiple.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::mersenne::{Modulus, Residue};
 
@@ -63,11 +63,12 @@ pub struct Common {
 /// All denominators at one point.
 pub struct Denominators<F> {
     factors: Vec<Factor<F>>,
-    by_value: HashMap<u128, u32>,
+    by_value: FxHashMap<u128, u32>,
     entries: Vec<Entry<F>>,
-    places: HashMap<Vec<(u32, u32)>, Bottom>,
-    products: HashMap<(Bottom, Bottom), Bottom>,
-    common: HashMap<(Bottom, Bottom), Common>,
+    places: FxHashMap<Vec<(u32, u32)>, Bottom>,
+    wholes: FxHashMap<u64, Bottom>,
+    products: FxHashMap<(Bottom, Bottom), Bottom>,
+    common: FxHashMap<(Bottom, Bottom), Common>,
 }
 
 impl<F: Modulus> Denominators<F> {
@@ -75,11 +76,12 @@ impl<F: Modulus> Denominators<F> {
         let one = Entry { factors: Vec::new(), value: Residue::ONE, size: Size::ONE };
         Denominators {
             factors: Vec::new(),
-            by_value: HashMap::new(),
+            by_value: FxHashMap::default(),
             entries: vec![one],
-            places: [(Vec::new(), 0)].into(),
-            products: HashMap::new(),
-            common: HashMap::new(),
+            places: [(Vec::new(), 0)].into_iter().collect(),
+            wholes: FxHashMap::default(),
+            products: FxHashMap::default(),
+            common: FxHashMap::default(),
         }
     }
 
@@ -126,8 +128,11 @@ impl<F: Modulus> Denominators<F> {
     }
 
     /// A whole number as a denominator, prime by prime.
-    pub fn whole(&mut self, mut number: u64) -> Bottom {
-        let mut bottom = 0;
+    pub fn whole(&mut self, whole: u64) -> Bottom {
+        if let Some(known) = self.wholes.get(&whole) {
+            return *known;
+        }
+        let (mut number, mut bottom) = (whole, 0);
         let mut divide = |prime: u64, all: &mut Self| {
             let size = Size { degree: 0, norm: prime as f64 };
             let factor = all.factor(Residue::new(prime.into()), size);
@@ -144,6 +149,7 @@ impl<F: Modulus> Denominators<F> {
         if number > 1 {
             divide(number, self);
         }
+        self.wholes.insert(whole, bottom);
         bottom
     }
 

@@ -123,6 +123,12 @@ impl<F: Modulus> Modular<F> {
         Modular { value, size: Size { degree: 1, norm: 1.0 }, bottom: 0, kind: Kind::Angle(place) }
     }
 
+    /// A random number that is no angle.
+    pub fn drawn_plain() -> Self {
+        let value = session::<F, _>(Session::random);
+        Modular { value, size: Size { degree: 1, norm: 1.0 }, bottom: 0, kind: Kind::Rest }
+    }
+
     /// Whether it is 0 at this point.
     pub fn vanishes(self) -> bool {
         self.value.is_zero()
@@ -299,21 +305,26 @@ impl<F: Modulus> Modular<F> {
         session(|session| {
             // (a/A)/(b/B) = (a·B)/(A·b), without what A and B share
             let (above, below) = session.denominators.reduced(other.bottom, self.bottom);
-            let numerator = other.value.times(session.denominators.value(other.bottom));
+            let reciprocal = match other.kind {
+                Kind::Whole(whole) => session.reciprocal(whole),
+                _ => other.value.inverse(),
+            };
             let inverse = match other.ratio(session).and_then(Ratio::inverse) {
                 // a whole number divides prime by prime
                 Some(_) if other.bottom == 0 => {
                     let size = other.size.norm as u64;
                     session.denominators.whole(size)
                 }
-                _ => session.denominators.factor(numerator, other.size),
+                _ => {
+                    let numerator = other.value.times(session.denominators.value(other.bottom));
+                    session.denominators.factor(numerator, other.size)
+                }
             };
-            let (value, bottom) =
-                (self.value.times(other.value.inverse()), session.denominators.product(below, inverse));
+            let (value, bottom) = (self.value.times(reciprocal), session.denominators.product(below, inverse));
             let size = self.size.times(session.denominators.size(above));
             let kind = match (self.kind, other.ratio(session).and_then(Ratio::inverse)) {
                 (_, None) => Kind::Rest,
-                (Kind::Angle(_), Some(ratio)) => self.scaled_angle(ratio, other.value.inverse(), session),
+                (Kind::Angle(_), Some(ratio)) => self.scaled_angle(ratio, reciprocal, session),
                 (_, Some(ratio)) => {
                     let quotient = self.ratio(session).and_then(|own| own.times(ratio));
                     Self::of_ratio(quotient, session)

@@ -3,7 +3,7 @@
 //! A number of the field cannot say that it has no square root here, or that it was asked for its sign. Such events are
 //! noted by the session that is open on the thread, and whoever opened it reads them in its [`Account`].
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -157,18 +157,20 @@ pub enum Found {
 pub struct Session<F> {
     generator: Pcg64Mcg,
     circle: Circle<F>,
-    points: HashMap<u128, Point<F>>,
+    points: FxHashMap<u128, Point<F>>,
     pub denominators: Denominators<F>,
-    constants: HashMap<u64, Known<F>>,
+    constants: FxHashMap<u64, Known<F>>,
     pub angles: Vec<Angle<F>>,
     pub ratios: Vec<Ratio>,
     roots: Vec<Root<F>>,
     /// Value, size and denominator of what each is the root of.
-    pub radicands: HashMap<u32, (Residue<F>, Size, u32)>,
+    pub radicands: FxHashMap<u32, (Residue<F>, Size, u32)>,
     signs: u32,
     /// The labels of arguments of which only the value is known.
     atoms: Vec<(Residue<F>, u128, u32)>,
     pi: Residue<F>,
+    /// The reciprocals of small whole numbers that were needed.
+    reciprocals: FxHashMap<i32, Residue<F>>,
     pub account: Account,
 }
 
@@ -178,16 +180,17 @@ impl<F: Modulus> Session<F> {
         let mut session = Session {
             generator: Pcg64Mcg::seed_from_u64(seed),
             circle: Circle::new(),
-            points: HashMap::new(),
+            points: FxHashMap::default(),
             denominators: Denominators::new(),
-            constants: HashMap::new(),
+            constants: FxHashMap::default(),
             angles: Vec::new(),
             ratios: Vec::new(),
             roots: Vec::new(),
-            radicands: HashMap::new(),
+            radicands: FxHashMap::default(),
             signs,
             atoms: Vec::new(),
             pi: Residue::ONE,
+            reciprocals: FxHashMap::default(),
             account: Account { finest, ..Account::default() },
         };
         session.pi = session.random();
@@ -203,7 +206,8 @@ impl<F: Modulus> Session<F> {
         (u128::from(self.generator.next_u64()) << 64) | u128::from(self.generator.next_u64())
     }
 
-    fn random(&mut self) -> Residue<F> {
+    /// A random residue, each as probable as the others.
+    pub fn random(&mut self) -> Residue<F> {
         loop {
             let bits = self.bits() & F::PRIME;
             if bits != F::PRIME {
@@ -215,6 +219,11 @@ impl<F: Modulus> Session<F> {
     /// A label with room for halvings.
     fn random_label(&mut self) -> u128 {
         (self.bits() & ((1 << drawn_bits::<F>()) - 1)) << F::HALVINGS
+    }
+
+    /// The reciprocal of a whole number.
+    pub fn reciprocal(&mut self, whole: i32) -> Residue<F> {
+        *self.reciprocals.entry(whole).or_insert_with(|| Residue::whole(whole.into()).inverse())
     }
 
     /// A random number that is an angle too.
