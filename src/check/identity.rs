@@ -554,11 +554,12 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     }
     // Constant is said of all times; a hypothesis about an instant would make of any turning point a constant.
     // What is said of families, and of constants alone, stays as it is.
+    let symbols = &context.model.symbols;
     let varies = |symbol: &SymbolId| !matches!(context.model.meaning(*symbol), Some(Meaning::Constant(_)));
     let at_all_times = |condition: &Condition| {
-        let concerns = condition.free.is_empty()
-            && [&condition.lhs, &condition.rhs].iter().any(|side| side.symbols().iter().any(|(id, _)| varies(id)));
-        Condition { throughout: condition.throughout || concerns, ..condition.clone() }
+        let drawn = forced::drawn(&[&condition.lhs, &condition.rhs], context.model);
+        let single = drawn.iter().all(|symbol| symbols.entry(*symbol).slots.is_empty());
+        Condition { throughout: condition.throughout || single && drawn.iter().any(varies), ..condition.clone() }
     };
     let conditions: Vec<Condition> = context.conditions.iter().map(at_all_times).collect();
     let context = &Context { conditions: &conditions, ..*context };
