@@ -560,8 +560,8 @@ pub fn values(formulas: &[&Expr], scene: &Scene<'_, Measured>) -> Vec<(String, f
     found
 }
 
-/// Checks that a formula does not change along the motion, and that this says something. What is assumed is assumed at all
-/// times.
+/// Checks that a formula does not change along the motion, and that this says something. What is assumed of
+/// anything but families is assumed at all times.
 ///
 /// # Errors
 /// When the world's mass matrix is singular.
@@ -573,7 +573,14 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(finding);
     }
     // Constant is said of all times; a hypothesis about an instant would make of any turning point a constant.
-    let at_all_times = |condition: &Condition| Condition { throughout: true, ..condition.clone() };
+    // What is said of families, and of constants alone, stays as it is.
+    let symbols = &context.model.symbols;
+    let varies = |symbol: &SymbolId| !matches!(context.model.meaning(*symbol), Some(Meaning::Constant(_)));
+    let at_all_times = |condition: &Condition| {
+        let drawn = forced::drawn(&[&condition.lhs, &condition.rhs], context.model);
+        let single = drawn.iter().all(|symbol| symbols.entry(*symbol).slots.is_empty());
+        Condition { throughout: condition.throughout || single && drawn.iter().any(varies), ..condition.clone() }
+    };
     let conditions: Vec<Condition> = context.conditions.iter().map(at_all_times).collect();
     let context = &Context { conditions: &conditions, ..*context };
     let rate = Expr::new(Node::TimeDerivative(1, Box::new(expr.clone())), expr.span);
