@@ -20,6 +20,8 @@ pub struct Size {
 impl Size {
     /// Of the number 1.
     pub const ONE: Size = Size { degree: 0, norm: 1.0 };
+    /// Of a variable.
+    pub const VARIABLE: Size = Size { degree: 1, norm: 1.0 };
     /// Of the number 0.
     pub const ZERO: Size = Size { degree: 0, norm: 0.0 };
 

@@ -46,6 +46,8 @@ pub struct Modular<F: Modulus = Large> {
     size: Size,
     bottom: Bottom,
     kind: Kind,
+    /// The square roots in it that are irrational, a bit each.
+    roots: u32,
 }
 
 /// What else is known of a number.
@@ -63,6 +65,12 @@ enum Kind {
     /// value is 0 where the radicand is, else 1.
     Root(u32),
 }
+
+/// Numbers with smaller coefficients than this are simple enough to be remembered.
+const SIMPLE_NORM: f64 = 64.0;
+
+/// Above this a difference of two numbers could vanish in the field without being zero: they are not compared.
+const SETTLED_NORM: f64 = (1_u128 << 100) as f64;
 
 thread_local! {
     static SESSION: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
@@ -101,32 +109,35 @@ fn session<F: Modulus, R>(f: impl FnOnce(&mut Session<F>) -> R) -> R {
 /// `differences` are left side minus right side, entry by entry; `attempts` is how many points could have been tried.
 /// `None` where coefficients may be so large that they vanish in the field without being zero.
 pub fn false_accept_log2<F: Modulus>(differences: &[Modular<F>], account: &Account, attempts: u32) -> Option<f64> {
-    // with k roots of free sign the norm is a product of 2ᵏ conjugates
-    let conjugates = f64::from(1_u32 << account.roots.min(20));
-    let norm = differences.iter().map(|d| d.size.norm).fold(1.0, f64::max).log2() * conjugates;
-    // NaN is too large as well
-    if !(norm < f64::from(F::BITS)) {
-        return None;
+    let mut degree = 1.0_f64;
+    for difference in differences {
+        // with k roots of free sign the norm is a product of 2ᵏ conjugates
+        let conjugates = f64::from(difference.roots.count_ones()).exp2();
+        let bits = difference.size.norm.max(1.0).log2() * conjugates;
+        // NaN is too large as well
+        if !(bits < f64::from(F::BITS)) {
+            return None;
+        }
+        degree = degree.max(f64::from(difference.size.degree) * conjugates);
     }
-    let degree = differences.iter().map(|d| f64::from(d.size.degree)).fold(1.0, f64::max) * conjugates;
     let accidents = (degree + account.coincidences) * f64::from(attempts.max(1));
     Some((accidents.log2() - f64::from(drawn_bits::<F>())).min(0.0))
 }
 
 impl<F: Modulus> Modular<F> {
-    const ZERO: Self = Modular { value: Residue::ZERO, size: Size::ZERO, bottom: 0, kind: Kind::Whole(0) };
-    const ONE: Self = Modular { value: Residue::ONE, size: Size::ONE, bottom: 0, kind: Kind::Whole(1) };
+    const ZERO: Self = Modular { value: Residue::ZERO, size: Size::ZERO, bottom: 0, kind: Kind::Whole(0), roots: 0 };
+    const ONE: Self = Modular { value: Residue::ONE, size: Size::ONE, bottom: 0, kind: Kind::Whole(1), roots: 0 };
 
     /// A random number, which may also be an angle.
     pub fn drawn() -> Self {
         let (value, place) = session::<F, _>(Session::drawn);
-        Modular { value, size: Size { degree: 1, norm: 1.0 }, bottom: 0, kind: Kind::Angle(place) }
+        Modular { kind: Kind::Angle(place), ..Self::rest(value, Size::VARIABLE, 0) }.kept()
     }
 
     /// A random number that is no angle.
     pub fn drawn_plain() -> Self {
-        let value = session::<F, _>(Session::random);
-        Modular { value, size: Size { degree: 1, norm: 1.0 }, bottom: 0, kind: Kind::Rest }
+        let value = session::<F, _>(Session::drawn_plain);
+        Self::rest(value, Size::VARIABLE, 0).kept()
     }
 
     /// Whether it is 0 at this point.
@@ -136,7 +147,22 @@ impl<F: Modulus> Modular<F> {
 
     /// Nothing but a value.
     fn rest(value: Residue<F>, size: Size, bottom: Bottom) -> Self {
-        Modular { value, size, bottom, kind: Kind::Rest }
+        Modular { value, size, bottom, kind: Kind::Rest, roots: 0 }
+    }
+
+    /// Remembers a simple number, for others to turn out to be it.
+    fn kept(self) -> Self {
+        session(|session| session.keep(self));
+        self
+    }
+
+    /// What is as large as a polynomial, and has the value of a simple number here, is that number: that it is not is an
+    /// accident, and counted as one.
+    fn settled(self) -> Self {
+        if self.roots != 0 || !(SIMPLE_NORM..SETTLED_NORM).contains(&self.size.norm) {
+            return self;
+        }
+        session(|session| session.settle(self))
     }
 
     fn is_literally_zero(self) -> bool {
@@ -155,8 +181,8 @@ impl<F: Modulus> Modular<F> {
     fn used(self) -> Self {
         match self.kind {
             Kind::Root(place) if !self.value.is_zero() => {
-                let value = session(|session: &mut Session<F>| session.value_of_root(place as usize));
-                Modular { value, kind: Kind::Rest, ..self }
+                let (value, roots) = session(|session: &mut Session<F>| session.value_of_root(place as usize));
+                Modular { value, kind: Kind::Rest, roots: self.roots | roots, ..self }
             }
             _ => self,
         }
@@ -215,12 +241,13 @@ impl<F: Modulus> Modular<F> {
             }),
             _ => Kind::Rest,
         };
+        let roots = self.roots | other.roots;
         if self.bottom == other.bottom {
-            return Modular { value, size: self.size.plus(other.size), bottom: self.bottom, kind };
+            return Modular { value, size: self.size.plus(other.size), bottom: self.bottom, kind, roots }.settled();
         }
         let common = session(|session: &mut Session<F>| session.denominators.common(self.bottom, other.bottom));
         let size = self.size.times(common.first).plus(other.size.times(common.second));
-        Modular { value, size, bottom: common.bottom, kind }
+        Modular { value, size, bottom: common.bottom, kind, roots }.settled()
     }
 
     /// Cosine and sine.
@@ -263,7 +290,13 @@ impl<F: Modulus> Modular<F> {
                 let degree = number.size.degree.saturating_add(below.degree).div_ceil(2);
                 let size = Size { degree, norm: (number.size.norm * below.norm).sqrt().max(1.0) };
                 let value = if number.value.is_zero() { Residue::ZERO } else { Residue::ONE };
-                Modular { value, size, bottom: number.bottom, kind: Kind::Root(place) }
+                Modular { value, size, bottom: number.bottom, kind: Kind::Root(place), roots: number.roots }
+            }
+            Found::Magnitude(place) => {
+                session(|session: &mut Session<F>| {
+                    session.radicands.insert(place, (number.value, number.size, number.bottom))
+                });
+                Modular { kind: Kind::Root(place), ..Self::rest(Residue::ONE, Size::VARIABLE, 0) }
             }
         }
     }
@@ -286,7 +319,7 @@ impl<F: Modulus> Modular<F> {
             (0, bottom) | (bottom, 0) => bottom,
             (a, b) => session(|session: &mut Session<F>| session.denominators.product(a, b)),
         };
-        Modular { value, size, bottom, kind }
+        Modular { value, size, bottom, kind, roots: self.roots | other.roots }
     }
 
     /// The quotient of two numbers with their values.
@@ -302,7 +335,7 @@ impl<F: Modulus> Modular<F> {
         if other.kind == Kind::Whole(1) || self.is_literally_zero() {
             return self;
         }
-        session(|session| {
+        let quotient = session(|session| {
             // (a/A)/(b/B) = (a·B)/(A·b), without what A and B share
             let (above, below) = session.denominators.reduced(other.bottom, self.bottom);
             let reciprocal = match other.kind {
@@ -330,8 +363,9 @@ impl<F: Modulus> Modular<F> {
                     Self::of_ratio(quotient, session)
                 }
             };
-            Modular { value, size, bottom, kind }
-        })
+            Modular { value, size, bottom, kind, roots: self.roots | other.roots }
+        });
+        if quotient.size.norm < SIMPLE_NORM { quotient.kept() } else { quotient.settled() }
     }
 
     /// What has no meaning in a field.
@@ -353,7 +387,8 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         }
         if value.fract() == 0.0 && value.abs() < 1e9 {
             let size = Size { degree: 0, norm: value.abs() };
-            return Modular { value: Residue::whole(value as i64), size, bottom: 0, kind: Kind::Whole(value as i32) };
+            let value_in_the_field = Residue::whole(value as i64);
+            return Modular { kind: Kind::Whole(value as i32), ..Self::rest(value_in_the_field, size, 0) };
         }
         session(|session| {
             let known = session.constant(value);
@@ -361,7 +396,7 @@ impl<F: Modulus> Arithmetic for Modular<F> {
                 Some(place) => Kind::Angle(place),
                 None => Self::of_ratio(known.ratio, session),
             };
-            Modular { value: known.value, size: known.size, bottom: known.bottom, kind }
+            Modular { kind, ..Self::rest(known.value, known.size, known.bottom) }
         })
     }
 
@@ -406,7 +441,7 @@ impl<F: Modulus> Arithmetic for Modular<F> {
             && let Some((value, size, bottom)) =
                 session(|session: &mut Session<F>| session.radicands.get(&place).copied())
         {
-            return Self::rest(value, size, bottom);
+            return Modular { roots: self.roots, ..Self::rest(value, size, bottom) };
         }
         let (this, other) = match (self.kind, other.kind) {
             (Kind::Whole(1), _) => return other,

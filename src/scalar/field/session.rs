@@ -11,6 +11,7 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 use super::circle::{Circle, Point, drawn_bits, turn_bits};
 use super::denominators::{Denominators, Size};
 use super::mersenne::{Modulus, Residue};
+use super::{Modular, SIMPLE_NORM};
 use crate::scalar::rational::{Meant, Ratio, meant};
 
 /// What happened in a session.
@@ -139,8 +140,8 @@ struct Root<F> {
 /// How a square root comes by its value.
 #[derive(Clone, Copy)]
 enum Made<F> {
-    /// By itself, if it exists here; with the sign that it was given when it was first used.
-    Itself(Option<Residue<F>>, Option<bool>),
+    /// By itself, if it exists here; with the sign that it was given when it was first used, and whether it is irrational.
+    Itself(Option<Residue<F>>, Option<bool>, bool),
     /// A multiple of a product of earlier roots, or of the quotient of two.
     Of(Residue<F>, Option<usize>, Option<(usize, bool)>),
 }
@@ -151,10 +152,12 @@ pub enum Found {
     Ratio(Ratio),
     /// A root with a place.
     Root(u32),
+    /// The magnitude of a number that was drawn, as a root with a place.
+    Magnitude(u32),
 }
 
 /// The state of a session.
-pub struct Session<F> {
+pub struct Session<F: Modulus> {
     generator: Pcg64Mcg,
     circle: Circle<F>,
     points: FxHashMap<u128, Point<F>>,
@@ -165,6 +168,11 @@ pub struct Session<F> {
     roots: Vec<Root<F>>,
     /// Value, size and denominator of what each is the root of.
     pub radicands: FxHashMap<u32, (Residue<F>, Size, u32)>,
+    /// Numbers that were drawn, by their squares.
+    squares: FxHashMap<u128, Residue<F>>,
+    /// Simple numbers by their values, and the largest of their degrees.
+    simple: FxHashMap<u128, Modular<F>>,
+    simple_degree: u32,
     signs: u32,
     /// The labels of arguments of which only the value is known.
     atoms: Vec<(Residue<F>, u128, u32)>,
@@ -187,6 +195,9 @@ impl<F: Modulus> Session<F> {
             ratios: Vec::new(),
             roots: Vec::new(),
             radicands: FxHashMap::default(),
+            squares: FxHashMap::default(),
+            simple: [(1, Modular::ONE)].into_iter().collect(),
+            simple_degree: 0,
             signs,
             atoms: Vec::new(),
             pi: Residue::ONE,
@@ -207,7 +218,7 @@ impl<F: Modulus> Session<F> {
     }
 
     /// A random residue, each as probable as the others.
-    pub fn random(&mut self) -> Residue<F> {
+    fn random(&mut self) -> Residue<F> {
         loop {
             let bits = self.bits() & F::PRIME;
             if bits != F::PRIME {
@@ -226,9 +237,16 @@ impl<F: Modulus> Session<F> {
         *self.reciprocals.entry(whole).or_insert_with(|| Residue::whole(whole.into()).inverse())
     }
 
+    /// A random number.
+    pub fn drawn_plain(&mut self) -> Residue<F> {
+        let value = self.random();
+        self.squares.insert(value.square().value(), value);
+        value
+    }
+
     /// A random number that is an angle too.
     pub fn drawn(&mut self) -> (Residue<F>, u32) {
-        let (value, label) = (self.random(), self.random_label());
+        let (value, label) = (self.drawn_plain(), self.random_label());
         (value, self.angle(Angle { label, spread: 1.0, ..Angle::NONE }))
     }
 
@@ -336,9 +354,15 @@ impl<F: Modulus> Session<F> {
             }
         }
         let made = made.or_else(|| self.made_of_two(radicand, degree));
-        let made = made.unwrap_or(Made::Itself(radicand.root(), None));
+        self.account.coincidences += f64::from(degree) * self.squares.len() as f64;
+        let magnitude = self.squares.get(&radicand.value()).copied().filter(|_| made.is_none());
+        let made = made.unwrap_or(match magnitude {
+            Some(drawn) => Made::Itself(Some(drawn), None, false),
+            None => Made::Itself(radicand.root(), None, true),
+        });
         self.roots.push(Root { radicand, degree, made });
-        Found::Root(self.roots.len() as u32 - 1)
+        let place = self.roots.len() as u32 - 1;
+        if magnitude.is_some() { Found::Magnitude(place) } else { Found::Root(place) }
     }
 
     /// The root of a radicand that is a product or a quotient of two earlier ones.
@@ -357,32 +381,59 @@ impl<F: Modulus> Session<F> {
         None
     }
 
-    /// The value of a square root, which is needed now: it must exist, and takes a sign.
-    pub fn value_of_root(&mut self, place: usize) -> Residue<F> {
+    /// The value of a square root, which is needed now: it must exist, and takes a sign. And the irrational roots that it
+    /// is made of, a bit each.
+    pub fn value_of_root(&mut self, place: usize) -> (Residue<F>, u32) {
         match self.roots[place].made {
             Made::Of(ratio, first, second) => {
-                let first = first.map_or(Residue::ONE, |first| self.value_of_root(first));
-                let second = second.map_or(Residue::ONE, |(second, inverted)| {
-                    let value = self.value_of_root(second);
-                    if inverted { value.inverse() } else { value }
+                let (first, bits) = first.map_or((Residue::ONE, 0), |first| self.value_of_root(first));
+                let (second, more) = second.map_or((Residue::ONE, 0), |(second, inverted)| {
+                    let (value, bits) = self.value_of_root(second);
+                    (if inverted { value.inverse() } else { value }, bits)
                 });
-                ratio.times(first).times(second)
+                (ratio.times(first).times(second), bits | more)
             }
-            Made::Itself(None, _) => {
+            Made::Itself(None, ..) => {
                 self.account.elsewhere = true;
-                Residue::ONE
+                (Residue::ONE, 0)
             }
-            Made::Itself(Some(root), sign) => {
+            Made::Itself(Some(root), sign, irrational) => {
                 let negative = sign.unwrap_or_else(|| {
                     let negative = self.signs >> self.account.roots & 1 == 1;
                     self.account.roots += 1;
                     self.account.opaque = true;
                     negative
                 });
-                self.roots[place].made = Made::Itself(Some(root), Some(negative));
-                if negative { root.negated() } else { root }
+                self.roots[place].made = Made::Itself(Some(root), Some(negative), irrational);
+                let bits = if irrational { 1 << (place % 32) } else { 0 };
+                (if negative { root.negated() } else { root }, bits)
             }
         }
+    }
+
+    /// Remembers a simple number by its value.
+    pub fn keep(&mut self, number: Modular<F>) {
+        let below = self.denominators.size(number.bottom);
+        if number.roots == 0 && below.norm < SIMPLE_NORM {
+            let known = self.simple.entry(number.value.value()).or_insert(number);
+            if number.size.norm < known.size.norm {
+                *known = number;
+            }
+            self.simple_degree = self.simple_degree.max(number.size.degree.saturating_add(below.degree));
+        }
+    }
+
+    /// The simple number that a large one turns out to be.
+    pub fn settle(&mut self, number: Modular<F>) -> Modular<F> {
+        let below = self.denominators.size(number.bottom);
+        let degree = f64::from(number.size.degree) + f64::from(below.degree) + f64::from(self.simple_degree);
+        self.account.coincidences += degree * (self.simple.len() + 1) as f64;
+        if number.vanishes() {
+            return Modular::ZERO;
+        }
+        // they are compared over a common denominator, whose coefficients count as well
+        let fits = number.size.norm * SIMPLE_NORM + below.norm * SIMPLE_NORM < F::PRIME as f64;
+        self.simple.get(&number.value.value()).copied().filter(|_| fits).unwrap_or(number)
     }
 }
 
