@@ -95,7 +95,11 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
         return Ok(context.finding(Verdict::Undecided, message));
     }
     let message = format!("holds at {both} states, and at none of the {neither} others, as the conditions say");
-    Ok(Finding { points: both + neither, tried: scenes.len(), ..context.finding(Verdict::Verified, message) })
+    Ok(Finding {
+        points: both + neither,
+        tried: scenes.len(),
+        ..context.verified(message, "which states it holds at, and which not")
+    })
 }
 
 fn text_of(link: &Link, context: &Context<'_>) -> String {

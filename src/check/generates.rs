@@ -106,6 +106,6 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         points,
         tried: ensemble.tried,
         max_residual: Some(worst),
-        ..context.finding(Verdict::Verified, "Hamilton's equations from it give the motion")
+        ..context.verified("Hamilton's equations from it give the motion", "derivatives of a printed formula")
     })
 }

@@ -117,6 +117,11 @@ impl<'a> Context<'a> {
         Some(self.finding(Verdict::Unreadable, message))
     }
 
+    /// The finding that this claim holds, by numbers alone: a field has no word for what it is about.
+    pub fn verified(&self, message: impl Into<String>, about: &str) -> Finding {
+        Finding { not_certified_because: Some(about.to_owned()), ..self.finding(Verdict::Verified, message) }
+    }
+
     /// The finding that no state obeys the hypotheses.
     pub fn no_room(&self, ensemble: &Ensemble<'_>) -> Finding {
         let message = "no state obeys the hypotheses: they contradict each other or leave no room";
@@ -312,8 +317,11 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         return Ok((Finding { verdict: Verdict::Undecided, message, ..finding }, next));
     }
     // Near misses of an inequality are inequalities too: only an equality is held against its twins.
-    if finding.verdict != Verdict::Verified || !is_equality(link.relation) {
+    if finding.verdict != Verdict::Verified {
         return Ok((finding, next));
+    }
+    if !is_equality(link.relation) {
+        return Ok((Finding { not_certified_because: Some("an ordering".to_owned()), ..finding }, next));
     }
     let withheld =
         |message: String| Ok((Finding { verdict: Verdict::Undecided, message, ..finding.clone() }, Next::Settled));

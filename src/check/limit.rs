@@ -130,9 +130,9 @@ fn check_in(
     Ok(Finding {
         points: powers.len(),
         tried: ensemble.tried,
-        ..context.finding(
-            Verdict::Verified,
+        ..context.verified(
             format!("holds in the limit; the relative error falls as the power {slowest:.1} {distance}"),
+            "a limit",
         )
     })
 }

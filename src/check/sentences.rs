@@ -121,9 +121,12 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
             let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
             let found = claim(desk, sentence, &statements, context)?;
             let finding = match found.verdict {
-                Verdict::Refuted => {
-                    Finding { verdict: Verdict::Verified, message: "a counterexample is given".into(), ..found }
-                }
+                Verdict::Refuted => Finding {
+                    verdict: Verdict::Verified,
+                    message: "a counterexample is given".into(),
+                    not_certified_because: Some("a counterexample in numbers".into()),
+                    ..found
+                },
                 verdict if verdict.passes() => {
                     Finding { verdict: Verdict::Refuted, message: "it holds at every state".into(), ..found }
                 }
@@ -153,7 +156,7 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
             let finding = match desk.display(&number.value) {
                 Some(reading) if contains(reading) => {
                     let message = format!("({}) contains {words}", number.value);
-                    Finding { points: 1, tried: 1, ..context.finding(Verdict::Verified, message) }
+                    Finding { points: 1, tried: 1, ..context.verified(message, "what a text refers to") }
                 }
                 found => {
                     let others = match holders.as_slice() {
