@@ -38,7 +38,7 @@ const ATTEMPTS: u32 = 64;
 const CANDIDATES: usize = 40;
 
 /// With more square roots than this the choices of their signs are too many.
-const MOST_ROOTS: u32 = 4;
+const MOST_ROOTS: u32 = 5;
 
 /// What a field says of a claim.
 #[derive(Clone, Debug, PartialEq)]
@@ -262,6 +262,7 @@ impl<'m> Exactly<'_, 'm> {
         evaluate: &impl Fn(&mut Scene<'_, Modular>) -> Differences,
     ) -> Certificate {
         let (mut attempt, mut signs, mut log2) = (0, 0, f64::NEG_INFINITY);
+        let mut nowhere = None;
         while attempt < ATTEMPTS {
             let finest = self.finest;
             let point = seed.wrapping_add(u64::from(attempt));
@@ -274,8 +275,9 @@ impl<'m> Exactly<'_, 'm> {
             if let Some(fault) = account.fault {
                 return Certificate::Open(fault.to_owned());
             }
-            if account.finest > finest || account.elsewhere {
-                attempt += u32::from(account.elsewhere);
+            if account.finest > finest || account.elsewhere.is_some() {
+                attempt += u32::from(account.elsewhere.is_some());
+                nowhere = account.elsewhere.or(nowhere);
                 (self.finest, signs, log2) = (account.finest, 0, f64::NEG_INFINITY);
                 continue;
             }
@@ -303,9 +305,7 @@ impl<'m> Exactly<'_, 'm> {
                 return Certificate::Identity(log2);
             }
         }
-        Certificate::Open(
-            "a denominator that vanishes, or a root that does not exist, wherever it was tried".to_owned(),
-        )
+        Certificate::Open(nowhere.unwrap_or("fractions of angles").to_owned())
     }
 
     /// Finds what the hypotheses are solved for, at a point of which nothing else is used.
@@ -315,7 +315,7 @@ impl<'m> Exactly<'_, 'm> {
                 self.plan.clear();
                 self.scene(base).map(|_| ())
             });
-            if !account.elsewhere {
+            if account.elsewhere.is_none() {
                 return account.fault.map_or(found, |fault| Err(fault.to_owned()));
             }
         }
@@ -332,7 +332,15 @@ impl<'m> Exactly<'_, 'm> {
         });
         let mut base: Vec<Modular> = drawn.collect();
         if let Some(direction) = base::direction(self.solver.model) {
-            unit_vector(&mut base[direction]);
+            unit_vector(&mut base[direction.clone()]);
+            // ω comes from R and Ṙ, as long polynomials; it is no accident that it is this
+            let rate = self.solver.slots.iter().rposition(|slot| slot.order == 1 && slot.symbol.is_none());
+            for component in direction {
+                base[component].kept();
+                if let Some(rate) = rate {
+                    (base[component] * base[rate]).kept();
+                }
+            }
         }
         if self
             .solver

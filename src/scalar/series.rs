@@ -175,6 +175,9 @@ impl<B: Number> Arithmetic for Series<B> {
     fn real(self) -> f64 {
         self.coefficients[0].re()
     }
+    fn same(self, other: Self) -> bool {
+        self.coefficients[0] == other.coefficients[0]
+    }
     fn plus(self, other: Self) -> Self {
         let (a, b) = (&self.coefficients, &other.coefficients);
         Series::build(self.common(&other), self.length().max(other.length()), |k, _| {

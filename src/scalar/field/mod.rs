@@ -151,7 +151,7 @@ impl<F: Modulus> Modular<F> {
     }
 
     /// Remembers a simple number, for others to turn out to be it.
-    fn kept(self) -> Self {
+    pub fn kept(self) -> Self {
         session(|session| session.keep(self));
         self
     }
@@ -329,7 +329,7 @@ impl<F: Modulus> Modular<F> {
             if other.is_literally_zero() {
                 return Self::refused("a quotient by 0");
             }
-            session(|session: &mut Session<F>| session.account.elsewhere = true);
+            session(|session: &mut Session<F>| session.account.elsewhere = Some("a denominator that vanishes"));
             return Self::ZERO;
         }
         if other.kind == Kind::Whole(1) || self.is_literally_zero() {
@@ -530,8 +530,8 @@ impl<F: Modulus> Arithmetic for Modular<F> {
     }
 
     fn same(self, other: Self) -> bool {
-        // whether a root is 0 is known without its value
-        if other.is_literally_zero() || self.is_literally_zero() {
+        // whether a root is 0, or the same root, is known without its value
+        if other.is_literally_zero() || self.is_literally_zero() || self.kind == other.kind {
             return self.value == other.value;
         }
         self.used().value == other.used().value

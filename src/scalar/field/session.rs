@@ -20,7 +20,7 @@ pub struct Account {
     /// Why nothing can be concluded: an operation that a field does not have.
     pub fault: Option<&'static str>,
     /// A denominator vanishes here, or a number has no square root: another point may do.
-    pub elsewhere: bool,
+    pub elsewhere: Option<&'static str>,
     /// How many square roots were taken whose sign is free.
     pub roots: u32,
     /// Whether something was met of which relations are not known to the field: a root, a sine of a product, a constant
@@ -394,7 +394,7 @@ impl<F: Modulus> Session<F> {
                 (ratio.times(first).times(second), bits | more)
             }
             Made::Itself(None, ..) => {
-                self.account.elsewhere = true;
+                self.account.elsewhere = Some("a square root that this field does not have");
                 (Residue::ONE, 0)
             }
             Made::Itself(Some(root), sign, irrational) => {

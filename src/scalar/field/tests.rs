@@ -33,8 +33,8 @@ fn decide<F: Modulus>(difference: &impl Difference, seed: u64) -> Result<(bool, 
         if let Some(fault) = account.fault {
             return Err(fault);
         }
-        if account.finest > finest || account.elsewhere {
-            attempt += u64::from(account.elsewhere);
+        if account.finest > finest || account.elsewhere.is_some() {
+            attempt += u64::from(account.elsewhere.is_some());
             (finest, signs) = (account.finest, 0);
             continue;
         }
@@ -160,7 +160,7 @@ fn accidents(difference: &impl Difference) -> (f64, f64) {
             let run = || difference.of(std::array::from_fn(|_| Modular::<Small>::drawn()));
             let (value, account) = at_a_point::<Small, _>(seed, 0, finest, run);
             finest = account.finest;
-            result = (!account.elsewhere && account.fault.is_none()).then_some((value, account));
+            result = (account.elsewhere.is_none() && account.fault.is_none()).then_some((value, account));
         }
         let Some((value, account)) = result else { continue };
         decided += 1;
