@@ -279,24 +279,23 @@ impl<F: Modulus> Modular<F> {
         }
         let number = self.used();
         let found = session(|session| session.root(number.value, number.size.degree));
+        let root = |place, value, size, bottom| {
+            let root = Modular { value, size, bottom, kind: Kind::Root(place), roots: number.roots };
+            session(|session: &mut Session<F>| session.taken.insert(place, (root, number)));
+            root
+        };
         match found {
             Found::Ratio(ratio) => Self::constant(ratio.value()),
+            Found::Again(place) => {
+                session(|session: &mut Session<F>| session.taken.get(&place).map(|(root, _)| *root)).unwrap_or(number)
+            }
+            Found::Magnitude(place) => root(place, Residue::ONE, Size::VARIABLE, 0),
             Found::Root(place) => {
                 // √(X/Y) = √(XY)/Y
-                let below = session(|session: &mut Session<F>| {
-                    session.radicands.insert(place, (number.value, number.size, number.bottom));
-                    session.denominators.size(number.bottom)
-                });
+                let below = session(|session: &mut Session<F>| session.denominators.size(number.bottom));
                 let degree = number.size.degree.saturating_add(below.degree).div_ceil(2);
                 let size = Size { degree, norm: (number.size.norm * below.norm).sqrt().max(1.0) };
-                let value = if number.value.is_zero() { Residue::ZERO } else { Residue::ONE };
-                Modular { value, size, bottom: number.bottom, kind: Kind::Root(place), roots: number.roots }
-            }
-            Found::Magnitude(place) => {
-                session(|session: &mut Session<F>| {
-                    session.radicands.insert(place, (number.value, number.size, number.bottom))
-                });
-                Modular { kind: Kind::Root(place), ..Self::rest(Residue::ONE, Size::VARIABLE, 0) }
+                root(place, if number.value.is_zero() { Residue::ZERO } else { Residue::ONE }, size, number.bottom)
             }
         }
     }
@@ -438,10 +437,9 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         }
         if let (Kind::Root(place), Kind::Root(other)) = (self.kind, other.kind)
             && place == other
-            && let Some((value, size, bottom)) =
-                session(|session: &mut Session<F>| session.radicands.get(&place).copied())
+            && let Some((_, radicand)) = session(|session: &mut Session<F>| session.taken.get(&place).copied())
         {
-            return Modular { roots: self.roots, ..Self::rest(value, size, bottom) };
+            return Modular { kind: Kind::Rest, ..radicand };
         }
         let (this, other) = match (self.kind, other.kind) {
             (Kind::Whole(1), _) => return other,

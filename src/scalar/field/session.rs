@@ -152,6 +152,8 @@ pub enum Found {
     Ratio(Ratio),
     /// A root with a place.
     Root(u32),
+    /// The very root with that place.
+    Again(u32),
     /// The magnitude of a number that was drawn, as a root with a place.
     Magnitude(u32),
 }
@@ -166,8 +168,8 @@ pub struct Session<F: Modulus> {
     pub angles: Vec<Angle<F>>,
     pub ratios: Vec<Ratio>,
     roots: Vec<Root<F>>,
-    /// Value, size and denominator of what each is the root of.
-    pub radicands: FxHashMap<u32, (Residue<F>, Size, u32)>,
+    /// Of each root: the root as a number, and what it is the root of.
+    pub taken: FxHashMap<u32, (Modular<F>, Modular<F>)>,
     /// Numbers that were drawn, by their squares.
     squares: FxHashMap<u128, Residue<F>>,
     /// Simple numbers by their values, and the largest of their degrees.
@@ -194,7 +196,7 @@ impl<F: Modulus> Session<F> {
             angles: Vec::new(),
             ratios: Vec::new(),
             roots: Vec::new(),
-            radicands: FxHashMap::default(),
+            taken: FxHashMap::default(),
             squares: FxHashMap::default(),
             simple: [(1, Modular::ONE)].into_iter().collect(),
             simple_degree: 0,
@@ -349,6 +351,9 @@ impl<F: Modulus> Session<F> {
             for (at, root) in self.roots.iter().enumerate() {
                 self.account.coincidences += f64::from(degree.max(root.degree));
                 if multiple == root.radicand.times(n.square()) {
+                    if (numerator, denominator) == (1, 1) {
+                        return Found::Again(at as u32);
+                    }
                     made = made.or(Some(Made::Of(ratio, Some(at), None)));
                 }
             }
