@@ -104,9 +104,13 @@ fn stands(equation: &Equation, notes: &Notes, paper: &Paper) -> Result<(), Faile
     for finding in failing(equation).into_iter().filter(|finding| finding.verdict == Verdict::Refuted) {
         let Some(found) = &finding.counterexample else { continue };
         let finite = found.state.iter().map(|(_, value)| *value).chain([found.lhs, found.rhs]).all(f64::is_finite);
-        // an equality fails where its sides differ, and ≠ where they do not
-        let differ = !finding.message.starts_with("“≠” fails");
-        if !finite || (found.lhs != found.rhs) != differ || (links.plain && found.state.is_empty()) {
+        // an equality fails where its sides differ, and ≠ where they are equal, up to rounding
+        let largest = found.state.iter().map(|(_, value)| value.abs()).fold(1.0, f64::max);
+        let fails = match finding.message.starts_with("“≠” fails") {
+            true => (found.lhs - found.rhs).abs() <= 1e-14 * largest,
+            false => found.lhs != found.rhs,
+        };
+        if !finite || !fails || (links.plain && found.state.is_empty()) {
             return Err(Failed::from(format!("this is no counterexample: {}", describe(equation))));
         }
         if links.plain && found.entry.is_none() && !links.give(found) {
