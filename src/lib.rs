@@ -2,8 +2,9 @@
 //!
 //! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived on its own: from a
 //! Lagrangian that is a Rust function, or from laws that are taken for granted, for particles, turning bodies and masses
-//! spread over volumes. The two are held against each other at sampled states. Where they differ, the author gets the
-//! place, a state at which they differ, and the values of both sides there.
+//! spread over volumes. The two are held against each other at sampled states, and identities are decided over a prime
+//! field as well. Where they differ, the author gets the place, a state at which they differ, and the values of both
+//! sides there.
 //!
 //! # An example
 //!
@@ -61,7 +62,8 @@
 //! assert!(found.state.iter().any(|(symbol, _)| symbol == "z"));
 //!
 //! // The other equation does not depend on it.
-//! assert_eq!(document.equations[1].finding.verdict, Verdict::Verified);
+//! // It is an identity on shell, decided over a prime field.
+//! assert_eq!(document.equations[1].finding.verdict, Verdict::Certified);
 //! # Ok::<(), onshell::Error>(())
 //! ```
 //!
@@ -93,7 +95,9 @@
 //! that were tried, the largest relative residual, or the counterexample. An equality that passes is also held against
 //! its *twins* ([`check::twins`]): the same claim with one slip in it. A pass whose states cannot tell it from a twin
 //! that is false elsewhere becomes `undecided`, and so does a claim that only restates its hypotheses
-//! ([`check::evidence`]). A *definition* passes if each slip in it breaks another equation ([`check::definitions`]).
+//! ([`check::evidence`]). What is left of it is decided over a prime field ([`scalar::field`]), where an identity is not near
+//! but exact: it is *certified*, with the probability that this is an accident, or says why a field cannot tell. A
+//! *definition* passes if each slip in it breaks another equation ([`check::definitions`]).
 //!
 //! # The house
 //!

@@ -109,7 +109,7 @@ mod tests {
     fn a_true_equation_passes_and_its_typo_does_not() {
         let registry = Registry::standard();
         let verdict = |notes: &str| check_text(notes, CLAIMS, &registry).unwrap().equations[0].finding.verdict;
-        assert_eq!(verdict(r"$$ l \ddot\theta = - g \sin\theta \tag{1} $$"), Verdict::Verified);
+        assert_eq!(verdict(r"$$ l \ddot\theta = - g \sin\theta \tag{1} $$"), Verdict::Certified);
         assert_eq!(verdict(r"$$ l \ddot\theta = - g \cos\theta \tag{1} $$"), Verdict::Refuted);
     }
 

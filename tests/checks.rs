@@ -3,6 +3,8 @@
 #[path = "checks/support.rs"]
 mod support;
 
+#[path = "checks/certified.rs"]
+mod certified;
 #[path = "checks/claims.rs"]
 mod claims;
 #[path = "checks/continua.rs"]

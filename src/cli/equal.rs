@@ -86,6 +86,12 @@ fn text(answer: &crate::check::plain::Answer, code: u8) -> String {
         }
         None => text.push_str(&format!("  {} states used of {} tried\n", finding.points, finding.tried)),
     }
+    if let Some(power) = finding.false_accept_log2 {
+        text.push_str(&format!("  certified: false with probability below 2^{:.0}\n", power.ceil()));
+    }
+    if let Some(reason) = &finding.not_certified_because {
+        text.push_str(&format!("  not certified because of {reason}\n"));
+    }
     text
 }
 

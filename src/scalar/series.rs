@@ -112,10 +112,10 @@ impl<B: Number> Series<B> {
     /// What has no value does not stay as it is: no rate of it is 0 because nothing in it varies.
     fn of(mut coefficients: [B; TERMS], known: usize, length: usize) -> Self {
         let mut length = length.clamp(1, known.max(1));
-        let value = coefficients[0];
-        // NaN alone differs from itself; not every number has a real part to ask
+        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from itself.
+        let nothing = coefficients[0] * B::zero();
         #[allow(clippy::eq_op)]
-        if length < known && value != value {
+        if length < known && nothing != nothing {
             coefficients[length..known].fill(B::from(f64::NAN));
             length = known;
         }

@@ -4,7 +4,7 @@ use onshell::check::Verdict::{self, Refuted, Undecided, Unreadable, Verified};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, error, numbered, verdict, with};
+use crate::support::{document, error, numbered, outcome, verdict, with};
 
 /// A uniform body made of these solids, the region B, with the mass per volume ρ.
 fn solid(made_of: Json) -> Json {
@@ -155,7 +155,7 @@ fn a_limit_of_something_else_is_refuted() {
     let claims = |of: &str, latex: &str| {
         let claims = with(&continuum(), "equations", json!({ "3": { "continuum limit of": of } }));
         let found = document(&claims, &numbered(&[sums[0], sums[1], latex]), &Registry::standard(), Some("3"));
-        found.unwrap_or_else(|error| panic!("{latex}: {error}")).equations[0].finding.verdict
+        outcome(&found.unwrap_or_else(|error| panic!("{latex}: {error}")).equations[0].finding)
     };
     assert_eq!(claims("1", r"M = \int_V \rho(\vec r) \, d^3r"), Verified);
     assert_eq!(claims("1", r"M = \int_V \rho(\vec r) |\vec r|^2 \, d^3r"), Refuted);

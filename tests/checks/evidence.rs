@@ -3,7 +3,7 @@
 use onshell::check::Verdict::{Domain, Refuted, Undecided, Unreadable, Verified};
 use serde_json::json;
 
-use crate::support::{document, equation, error, numbered, numbers, pendulum, verdict, with};
+use crate::support::{document, equation, error, numbered, numbers, outcome, pendulum, verdict, with};
 
 #[test]
 fn hypotheses_that_contradict_each_other_leave_nothing_to_check() {
@@ -20,7 +20,7 @@ fn a_claim_that_is_its_own_hypothesis_is_not_checked() {
     let claim = |latex: &str| equation(&pendulum(), &[latex], json!({ "assume": r"\dot\theta = 0" })).finding;
     assert_eq!(claim(r"\dot\theta = 0").verdict, Undecided);
     assert_eq!(claim(r"0 = \dot\theta").verdict, Undecided);
-    assert_eq!(claim(r"T = 0").verdict, Verified);
+    assert_eq!(outcome(&claim(r"T = 0")), Verified);
     assert_eq!(claim(r"U = 0").verdict, Refuted);
 }
 
@@ -31,7 +31,7 @@ fn a_hypothesis_in_other_words_is_no_result() {
         let found = claim(latex);
         assert!(found.verdict == Undecided || found.message.contains("assumptions alone"), "{latex}: {found:?}");
     }
-    assert_eq!(claim(r"E = U").verdict, Verified);
+    assert_eq!(outcome(&claim(r"E = U")), Verified);
     assert_eq!(claim(r"2\dot\theta = 1").verdict, Refuted);
 }
 
@@ -103,7 +103,7 @@ fn both_sides_one_formula_is_no_evidence() {
     let defined = with(&numbers(), "define", json!({ "f": "a + b" }));
     let copied = equation(&defined, &["f = a + b"], json!({}));
     assert!(copied.finding.message.contains("by definition"), "{:?}", copied.finding);
-    assert_ne!(copied.finding.verdict, Verified);
+    assert!(!copied.finding.verdict.holds());
     assert_eq!(verdict(&defined, &["f^2 = a^2 + 2ab + b^2"], json!({})), Verified);
     assert_eq!(verdict(&defined, &["f = a - b"], json!({})), Refuted);
 }

@@ -5,7 +5,7 @@ use onshell::check::{Document, Equation};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{assuming, document, equation, numbered, numbers, verdict, with};
+use crate::support::{assuming, document, equation, numbered, numbers, outcome, verdict, with};
 
 /// Two displays are laws; the third is claimed.
 fn two_laws() -> Json {
@@ -22,7 +22,7 @@ fn check(displays: [&str; 3], claim: Json) -> Document {
 }
 
 fn verdicts(displays: [&str; 3]) -> Vec<Verdict> {
-    check(displays, json!({})).equations.iter().map(|equation| equation.finding.verdict).collect()
+    check(displays, json!({})).equations.iter().map(|equation| outcome(&equation.finding)).collect()
 }
 
 fn message(equation: &Equation) -> &str {
@@ -87,7 +87,7 @@ fn nothing_is_conserved_where_nothing_moves() {
         let displays = [r"m \ddot x = -k x", second, r"m \dot x^2 + k x^2 = k x^2 + m \dot x^2"];
         let found = check(displays, json!({ "conserved": true }));
         let whole = found.equations[2].parts.iter().find(|part| part.reading.contains("constant")).cloned();
-        whole.unwrap_or_else(|| panic!("{:?}", found.equations[2])).finding.verdict
+        outcome(&whole.unwrap_or_else(|| panic!("{:?}", found.equations[2])).finding)
     };
     assert_eq!(conserved(r"m \ddot x = -2k x"), Undecided);
     assert_eq!(conserved(r"m \ddot y = -2k y"), Verified);
@@ -102,7 +102,7 @@ fn hypotheses_that_together_fix_a_number_test_its_value_and_nothing_else() {
     assert_eq!(found.finding.verdict, Undecided);
     assert!(message(&found).contains("leave x one value"), "{}", message(&found));
     // A system of equations that is solved for x.
-    assert_eq!(lines("x = 2", "x + y = 3").finding.verdict, Verified);
+    assert_eq!(outcome(&lines("x = 2", "x + y = 3").finding), Verified);
     assert_eq!(lines("x = 3", "x + y = 3").finding.verdict, Refuted);
 }
 
@@ -153,7 +153,7 @@ fn what_is_constant_at_an_instant_is_not_conserved() {
         let claim = with(&assume, "conserved", json!(what));
         let found = equation(&pendulum, &["E = T + U"], claim);
         let part = found.parts.iter().find(|part| part.reading.contains("constant")).cloned();
-        part.unwrap_or_else(|| panic!("{found:?}")).finding.verdict
+        outcome(&part.unwrap_or_else(|| panic!("{found:?}")).finding)
     };
     // At the lowest point the kinetic energy is at its largest, and its rate zero.
     assert_ne!(conserved("T", json!({ "assume": r"\theta = 0" })), Verified);

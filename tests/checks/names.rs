@@ -5,7 +5,7 @@ use onshell::check::{Document, Verdict};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, numbered, numbers, with};
+use crate::support::{document, numbered, numbers, outcome, with};
 
 fn check(claims: &Json, displays: &[&str]) -> Document {
     let found = document(claims, &numbered(displays), &Registry::standard(), None);
@@ -13,7 +13,7 @@ fn check(claims: &Json, displays: &[&str]) -> Document {
 }
 
 fn verdicts(claims: &Json, displays: &[&str]) -> Vec<Verdict> {
-    check(claims, displays).equations.iter().map(|equation| equation.finding.verdict).collect()
+    check(claims, displays).equations.iter().map(|equation| outcome(&equation.finding)).collect()
 }
 
 #[test]
@@ -35,7 +35,7 @@ fn the_prose_may_define_a_name_through_one_that_a_display_introduces() {
 fn names_that_stand_on_each_other_are_refused() {
     let circular = check(&numbers(), &["p = q + a", "q = p + b", "p + q = a"]);
     assert!(circular.equations.iter().any(|equation| !equation.ok));
-    assert!(circular.equations.iter().all(|equation| equation.finding.verdict != Verified));
+    assert!(circular.equations.iter().all(|equation| !equation.finding.verdict.holds()));
 }
 
 /// The first display has an erratum whose correction introduces p.
@@ -48,7 +48,7 @@ fn corrected(printed: &str, read: &str, second: &str) -> Document {
 fn a_correction_may_introduce_a_name() {
     let found = corrected("a = b + c", "p =", "bp = b^2 + bc");
     assert!(found.equations.iter().all(|equation| equation.ok), "{:?}", found.equations);
-    assert_eq!(found.equations[1].finding.verdict, Verified);
+    assert_eq!(outcome(&found.equations[1].finding), Verified);
     // A slip in what is corrected shows in what stands on it.
     let slipped = corrected("a = b - c", "p =", "bp = b^2 + bc");
     assert_eq!(slipped.equations[1].finding.verdict, Refuted);
@@ -72,7 +72,7 @@ fn cites(number: &str, formula: &str) -> Verdict {
     let sentence = json!([{ "quote": "The square is in it.", "refers to": number, "containing": formula }]);
     let claims = with(&numbers(), "sentences", sentence);
     let found = document(&claims, &notes, &Registry::standard(), None).unwrap_or_else(|error| panic!("{error}"));
-    found.sentences[0].finding.verdict
+    outcome(&found.sentences[0].finding)
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn a_definition_in_other_words_pins_nothing() {
         let finding = &found.equations[0].finding;
         assert_eq!(finding.verdict, Undecided, "{definition}, {again}: {}", finding.message);
         assert!(finding.message.contains("(2) says the same in other words"), "{}", finding.message);
-        assert_eq!(found.equations[1].finding.verdict, Verified, "{again}");
+        assert_eq!(outcome(&found.equations[1].finding), Verified, "{again}");
     }
     // Beside an equation that takes a step it does no harm; and what takes a step pins.
     assert_eq!(first(&["v = a + b", "a = v - b", "v(a - b) = a^2 - b^2"]), Definition);

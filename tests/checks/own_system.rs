@@ -6,7 +6,7 @@ use onshell::scalar::Number;
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, numbered};
+use crate::support::{document, numbered, outcome};
 
 /// A bead on a hoop of radius a that turns about its vertical diameter at the rate Ω; θ from the bottom.
 struct BeadOnAHoop;
@@ -77,7 +77,7 @@ const NOTES: [&str; 4] = [
 #[test]
 fn notes_about_a_system_of_ones_own_are_checked() {
     let found = document(&hoop(), &numbered(&NOTES), &registry(), None).unwrap();
-    let verdicts: Vec<_> = found.equations.iter().map(|equation| equation.finding.verdict).collect();
+    let verdicts: Vec<_> = found.equations.iter().map(|equation| outcome(&equation.finding)).collect();
     assert_eq!(verdicts, [Verified; 4], "{:#?}", found.equations);
     assert!(found.inferred.iter().any(|line| line.contains("bead_on_a_hoop")), "{:?}", found.inferred);
 }
@@ -136,7 +136,7 @@ fn a_singular_mass_matrix_is_an_error_with_its_condition_number() {
     assert!(error.message().contains("mass matrix") && error.message().contains("condition"), "{error}");
     // What needs no accelerations is checked all the same.
     let found = document(&claims, &numbered(&[r"p_x = m (\dot x + \dot y)"]), &registry(), None).unwrap();
-    assert_eq!(found.equations[0].finding.verdict, Verified);
+    assert_eq!(outcome(&found.equations[0].finding), Verified);
     let wrong = document(&claims, &numbered(&[r"p_x = m (\dot x - \dot y)"]), &registry(), None);
     assert!(wrong.is_err() || wrong.is_ok_and(|found| found.equations[0].finding.verdict == Refuted));
 }

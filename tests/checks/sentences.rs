@@ -4,7 +4,7 @@ use onshell::check::Verdict::{self, Refuted, Undecided, Unreadable, Verified};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, numbers, pendulum, planet, with};
+use crate::support::{document, numbers, outcome, pendulum, planet, with};
 
 /// The verdict on a sentence; (1) of the document is a quadratic equation for x, (2) a double well.
 fn sentence(claims: &Json, test: Json) -> Verdict {
@@ -19,7 +19,7 @@ fn sentence(claims: &Json, test: Json) -> Verdict {
     };
     let found = document(&claims, notes, &Registry::standard(), None).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(found.sentences.len(), 1);
-    found.sentences[0].finding.verdict
+    outcome(&found.sentences[0].finding)
 }
 
 fn of_numbers(test: Json) -> Verdict {
@@ -160,7 +160,7 @@ fn the_quoted_formula_is_the_claim_where_nothing_else_is() {
     let claims = |quote: &str| with(&numbers(), "sentences", json!([{ "quote": quote }]));
     let notes = "We know that $a + b = b + a$ and not that $a = b$, which is all.\n\n$$ x = 0 $$\n";
     let check = |quote: &str| document(&claims(quote), notes, &Registry::standard(), None);
-    assert_eq!(check("We know that $a + b = b + a$").unwrap().sentences[0].finding.verdict, Verified);
+    assert_eq!(outcome(&check("We know that $a + b = b + a$").unwrap().sentences[0].finding), Verified);
     assert_eq!(check("and not that $a = b$").unwrap().sentences[0].finding.verdict, Refuted);
     for quote in ["which is all", "which is nothing", "a"] {
         let error = check(quote).map(|_| ()).unwrap_err().to_string();

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use onshell::check::{Document, Equation, Options, Verdict, check_document};
+use onshell::check::{Document, Equation, Finding, Options, Verdict, check_document};
 use onshell::notes::document::Kind;
 use onshell::notes::{Claims, Notes};
 use onshell::source::Source;
@@ -69,9 +69,14 @@ pub fn equation(claims: &Json, displays: &[&str], claim: Json) -> Equation {
     found.unwrap_or_else(|error| panic!("{displays:?}: {error}")).equations.remove(0)
 }
 
-/// The verdict on it.
+/// What is said of a claim, however it was decided: what the field confirms is `Verified` too.
+pub fn outcome(finding: &Finding) -> Verdict {
+    if finding.verdict.holds() { Verdict::Verified } else { finding.verdict }
+}
+
+/// What is said of the last of these displays, however it was decided.
 pub fn verdict(claims: &Json, displays: &[&str], claim: Json) -> Verdict {
-    equation(claims, displays, claim).finding.verdict
+    outcome(&equation(claims, displays, claim).finding)
 }
 
 /// The error in checking it.

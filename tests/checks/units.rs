@@ -15,7 +15,7 @@ use onshell::source::{Source, Span};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, equation, numbered, pendulum, verdict, with};
+use crate::support::{document, equation, numbered, outcome, pendulum, verdict, with};
 
 /// The term that does not fit, as printed, and what is said of it, for each conflict in these displays.
 fn terms(claims: &Json, units: &[(&str, &str)], displays: &[&str]) -> Vec<(String, String)> {
@@ -311,12 +311,7 @@ fn an_equation_whose_units_are_off_neither_fails_nor_teaches() {
     let both = [r"E = m g", r"E = \frac12 m l^2 \dot\theta^2 - m g l \cos\theta"];
     let off = |claim: Json| {
         let claims = with(&claims, "equations", json!({ "1": claim }));
-        document(&claims, &numbered(&both), &Registry::standard(), Some("2"))
-            .unwrap()
-            .equations
-            .remove(0)
-            .finding
-            .verdict
+        outcome(&document(&claims, &numbered(&both), &Registry::standard(), Some("2")).unwrap().equations[0].finding)
     };
     assert_eq!(off(json!({ "units": "off" })), Verified);
     assert_eq!(off(json!({ "expect": "refuted", "because": "it is wrong" })), Verified);
@@ -362,7 +357,7 @@ fn a_law_whose_units_are_off_is_named_as_such_wherever_it_is_given() {
         found
             .equations
             .into_iter()
-            .map(|equation| (equation.finding.verdict, equation.finding.message))
+            .map(|equation| (outcome(&equation.finding), equation.finding.message))
             .collect::<Vec<_>>()
     };
     let off = report(json!({ "units": "off" }));
@@ -388,7 +383,7 @@ fn what_the_claims_file_takes_for_granted_has_units_too() {
         assert_eq!(source.slice(span), place, "{error}");
         assert!(error.to_string().contains("“b·x”"), "{error}");
     };
-    assert_eq!(check(&spring(r"m \ddot x = -k x")).unwrap().equations[0].finding.verdict, Verified);
+    assert_eq!(outcome(&check(&spring(r"m \ddot x = -k x")).unwrap().equations[0].finding), Verified);
     refused(&spring(r"m \ddot x = -k x - b x"), r#""m \\ddot x = -k x - b x""#);
     let sound = spring(r"m \ddot x = -k x");
     refused(&with(&sound, "assume", json!(["k x = b x"])), r#""k x = b x""#);
@@ -404,7 +399,7 @@ fn a_sentence_has_units_too() {
     let says = |latex: &str| {
         let claims = with(&claims, "sentences", json!([{ "quote": "So it is.", "not always": latex }]));
         let found = document(&claims, "So it is.\n\n$$ T = T $$\n", &Registry::standard(), None);
-        found.unwrap_or_else(|error| panic!("{error}")).sentences[0].finding.verdict
+        outcome(&found.unwrap_or_else(|error| panic!("{error}")).sentences[0].finding)
     };
     assert_eq!(says(r"g l = g \cos\theta"), Unreadable);
     assert_eq!(says(r"g l = g l \cos\theta"), Verified);

@@ -46,10 +46,12 @@ fn fields(item: &Value, notes: &str) -> Result<(), String> {
     let residual = &item["max_residual"];
     expect(residual.is_null() || residual.as_f64().is_some_and(|r| r >= 0.0), "max_residual is a number", item)?;
     expect(item["message"].as_str().is_some_and(|message| !message.is_empty()), "message is a string", item)?;
+    certificate(item)?;
     let found = &item["counterexample"];
-    // What a sentence refers to is looked up, and no state is needed to see that it is not there.
+    // What a sentence refers to is looked up, and no state is needed to see that it is not there. A field has no states.
     let looked_up = item["reading"].as_str().is_some_and(|reading| reading.contains(") contains "));
-    if item["verdict"] == "refuted" && !looked_up || !found.is_null() {
+    let by_the_field = item["message"].as_str().is_some_and(|message| message.contains("less than numbers show"));
+    if item["verdict"] == "refuted" && !looked_up && !by_the_field || !found.is_null() {
         let state = found["state"].as_object().ok_or_else(|| format!("a state: {item:#}"))?;
         expect(!state.is_empty() && state.values().all(Value::is_number), "the state is numbers", item)?;
         // JSON has no infinities: they are words.
@@ -60,6 +62,24 @@ fn fields(item: &Value, notes: &str) -> Result<(), String> {
         expect(found["lhs"] != found["rhs"] || !is_equation, "the sides differ", item)?;
     }
     Ok(())
+}
+
+/// What is certified has the bound on its being false, and nothing else has one; an equality that is not says why.
+fn certificate(item: &Value) -> Result<(), String> {
+    let (bound, reason) = (&item["false_accept_log2"], &item["not_certified_because"]);
+    let certified = item["verdict"] == "certified";
+    expect(item.get("false_accept_log2").is_some(), "false_accept_log2 is there", item)?;
+    expect(item.get("not_certified_because").is_some(), "not_certified_because is there", item)?;
+    expect(certified != bound.is_null(), "what is certified has a bound, and nothing else", item)?;
+    expect(bound.is_null() || bound.as_f64().is_some_and(|log2| log2 <= -80.0), "the bound is 2^-80 or less", item)?;
+    expect(reason.is_null() || reason.as_str().is_some_and(|why| !why.is_empty()), "a reason is a string", item)?;
+    expect(reason.is_null() || item["verdict"] == "verified", "only what is verified needs a reason", item)?;
+    let says = |key: &str, what: &str| item[key].as_str().is_some_and(|text| text.contains(what));
+    let other = ["≈", "<", ">", "≤", "≥", "≠", "∝"].iter().any(|relation| says("reading", relation));
+    let is_equality = says("reading", " = ") && says("message", "holds ") && !other;
+    // Of several parts each has its own reason.
+    let whole = item.get("parts").is_some();
+    expect(item["verdict"] != "verified" || !is_equality || whole || !reason.is_null(), "a reason is given", item)
 }
 
 fn expect(holds: bool, what: &str, found: &Value) -> Result<(), String> {
@@ -97,6 +117,8 @@ fn a_broken_promise_is_seen() {
         ("/documents/0/equations/0/verdict", json!("refuted")),
         ("/documents/0/equations/0/points", json!(1e9 as u64)),
         ("/documents/0/equations/0/max_residual", json!("NaN")),
+        ("/documents/0/equations/0/false_accept_log2", json!(-80.0)),
+        ("/documents/0/equations/0/not_certified_because", json!("")),
         ("/summary/unexpected", json!(1)),
     ] {
         let mut changed = report.clone();
@@ -104,6 +126,47 @@ fn a_broken_promise_is_seen() {
         let result = std::panic::catch_unwind(|| kept(&changed, notes));
         assert!(!matches!(result, Ok(Ok(()))), "{pointer} may be {wrong}");
     }
+}
+
+#[test]
+fn a_certificate_is_bounded_and_its_lack_is_explained() {
+    let desk = Desk::new("certificates");
+    let checked = |latex: &str| {
+        desk.write("claims.json", r#"{ "notes": "notes.md", "constants": { "a, b": "> 0", "x, y": "any" } }"#);
+        desk.write("notes.md", format!("$$ {latex} \\tag{{1}} $$\n"));
+        let report = desk.onshell(&["check", "claims.json", "--format", "json"]).json();
+        assert_eq!(kept(&report, |path| desk.read(path)), Ok(()));
+        report["documents"][0]["equations"][0].clone()
+    };
+    let certified = checked("(x + y)^2 = x^2 + 2xy + y^2");
+    assert_eq!(certified["verdict"], "certified");
+    for (key, wrong) in [
+        ("verdict", json!("verified")),
+        ("false_accept_log2", json!(null)),
+        ("false_accept_log2", json!(-79.0)),
+        ("false_accept_log2", json!("small")),
+        ("not_certified_because", json!("it is")),
+    ] {
+        let mut changed = certified.clone();
+        changed[key] = wrong.clone();
+        assert!(certificate(&changed).is_err(), "{key} may be {wrong}");
+    }
+    let verified = checked("e^{x + y} = e^x e^y");
+    assert_eq!(verified["verdict"], "verified");
+    for (key, wrong) in [
+        ("verdict", json!("certified")),
+        ("false_accept_log2", json!(-200.0)),
+        ("not_certified_because", json!(null)),
+        ("not_certified_because", json!("")),
+    ] {
+        let mut changed = verified.clone();
+        changed[key] = wrong.clone();
+        assert!(certificate(&changed).is_err(), "{key} may be {wrong}");
+    }
+    // What only the field refutes has no state to show.
+    let refuted = checked(r"\left(1 + \frac{1}{10^{16}}\right) x = x");
+    assert_eq!((&refuted["verdict"], &refuted["counterexample"]), (&json!("refuted"), &json!(null)));
+    assert!(checked(r"a \geq a - b")["not_certified_because"].is_null(), "an order is no identity");
 }
 
 #[test]

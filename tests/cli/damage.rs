@@ -1,7 +1,7 @@
 //! A misprint in a display that others stand on: it is named, what needs it is unreadable, and the rest is judged. The
 //! claims file is to blame for its own mistakes alone.
 
-use crate::support::{Desk, Run};
+use crate::support::{Desk, Run, outcome};
 
 const NOTES: &str = r"
 $$ p = m v \tag{1} $$
@@ -38,7 +38,7 @@ fn verdicts(run: &Run) -> Vec<(String, String)> {
 }
 
 fn words(found: &[(String, String)]) -> Vec<&str> {
-    found.iter().map(|(verdict, _)| verdict.as_str()).collect()
+    found.iter().map(|(verdict, _)| outcome(verdict)).collect()
 }
 
 #[test]

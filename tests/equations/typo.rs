@@ -97,14 +97,20 @@ impl Typo {
     }
 }
 
-/// Whether the counterexamples of a refuted equation are ones: finite, both sides different, and the printed sides have
+/// Whether the counterexamples of a refuted equation are ones: finite, both sides as they must not be, and the printed sides have
 /// these values at that state wherever they are plain formulas of it.
 fn stands(equation: &Equation, notes: &Notes, paper: &Paper) -> Result<(), Failed> {
     let links = links(equation, notes, paper)?;
     for finding in failing(equation).into_iter().filter(|finding| finding.verdict == Verdict::Refuted) {
         let Some(found) = &finding.counterexample else { continue };
         let finite = found.state.iter().map(|(_, value)| *value).chain([found.lhs, found.rhs]).all(f64::is_finite);
-        if !finite || found.lhs == found.rhs || (links.plain && found.state.is_empty()) {
+        // an equality fails where its sides differ, and ≠ where they are equal, up to rounding
+        let largest = found.state.iter().map(|(_, value)| value.abs()).fold(1.0, f64::max);
+        let fails = match finding.message.starts_with("“≠” fails") {
+            true => (found.lhs - found.rhs).abs() <= 1e-14 * largest,
+            false => found.lhs != found.rhs,
+        };
+        if !finite || !fails || (links.plain && found.state.is_empty()) {
             return Err(Failed::from(format!("this is no counterexample: {}", describe(equation))));
         }
         if links.plain && found.entry.is_none() && !links.give(found) {

@@ -1,0 +1,274 @@
+//! What the field confirms: identities that simplifiers stumble over, each beside a near miss that it does not confirm; what
+//! is outside of it, and says so; and what numbers and the field know of each other's blind spots.
+
+use onshell::check::Finding;
+use onshell::check::Verdict::{Certified, Domain, Refuted, Undecided, Verified};
+use serde_json::{Value as Json, json};
+
+use crate::support::{assuming, equation, pendulum, planet};
+
+/// Numbers and angles.
+fn numbers() -> Json {
+    json!({ "constants": {
+        "a, b, c": "> 0",
+        "x, y, z": "any",
+        r"\theta, \alpha, \beta, \gamma": "angle",
+    } })
+}
+
+fn vectors() -> Json {
+    json!({ "constants": { r"\vec a, \vec b, \vec c, \vec d": "any" } })
+}
+
+/// Two equal masses on equal rods.
+fn two_pendulums() -> Json {
+    json!({
+        "system": "double_pendulum",
+        "coordinates": { r"\theta_1, \theta_2": "angle" },
+        "constants": { "m, l, g": "> 0" },
+        "means": { "E": "energy" },
+    })
+}
+
+fn top() -> Json {
+    json!({
+        "system": "heavy_top",
+        "coordinates": { r"\phi, \theta, \psi": "angle" },
+        "constants": { r"\lambda_1, \lambda_3, M, g, R": "> 0" },
+        "means": { "E": "energy" },
+    })
+}
+
+fn finding(claims: &Json, latex: &str) -> Finding {
+    equation(claims, &[latex], json!({})).finding
+}
+
+/// An identity has a certificate, and with the small term added to its right side it has none and is no pass.
+fn only_the_first_is_certified(claims: &Json, latex: &str, near_misses: &[&str]) {
+    let sound = finding(claims, latex);
+    assert_eq!(sound.verdict, Certified, "{latex}: {} {:?}", sound.message, sound.not_certified_because);
+    assert!(sound.false_accept_log2.is_some_and(|log2| log2 <= -80.0), "{latex}: {sound:?}");
+    assert_eq!(sound.not_certified_because, None);
+    assert!(!near_misses.is_empty());
+    for near_miss in near_misses {
+        let found = finding(claims, near_miss);
+        assert_eq!(found.verdict, Refuted, "{near_miss}: {}", found.message);
+        assert_eq!(found.false_accept_log2, None, "{near_miss}");
+    }
+}
+
+#[test]
+fn angles_are_halved_multiplied_and_added() {
+    only_the_first_is_certified(
+        &numbers(),
+        r"\tan\frac{\theta}{2} = \frac{1 - \cos\theta}{\sin\theta}",
+        &[
+            r"\tan\frac{\theta}{2} = \frac{1 + \cos\theta}{\sin\theta}",
+            r"\tan\frac{\theta}{2} = \frac{1 - 1.000000001 \cos\theta}{\sin\theta}",
+        ],
+    );
+    let twelfth = |a: &str, b: &str| {
+        let c = |n: u32| format!(r"\cos^{{{n}}}\theta");
+        let (high, low) = (format!("2048 {} - 6144 {} + 6912 {}", c(12), c(10), c(8)), format!("3584 {}", c(6)));
+        format!(r"\cos(12\theta) = {high} - {low} + {a} {} - {b} {} + 1", c(4), c(2))
+    };
+    // The change vanishes wherever the cosine is 0, 1 or −1.
+    only_the_first_is_certified(&numbers(), &twelfth("840", "72"), &[&twelfth("841", "73"), &twelfth("840", "73")]);
+    // At multiples of π/4 this misses nothing.
+    only_the_first_is_certified(
+        &numbers(),
+        r"\sin(\alpha + \beta) \sin(\alpha - \beta) = \sin^2\alpha - \sin^2\beta",
+        &[r"\sin(\alpha + \beta) \sin(\alpha - \beta) = \sin^2\alpha - \sin^2\beta + 10^{-9} \sin(4\alpha)"],
+    );
+    only_the_first_is_certified(
+        &numbers(),
+        r"\cos\theta + \cos(\theta + \frac{2\pi}{4}) + \cos(\theta + \pi) = -\sin\theta",
+        &[r"\cos\theta + \cos(\theta + \frac{2\pi}{4}) + \cos(\theta + \pi) = \sin\theta"],
+    );
+}
+
+#[test]
+fn fractions_and_powers() {
+    let nested = r"\frac{1}{1 + \frac{1}{1 + \frac{1}{1 + \frac{1}{a}}}}";
+    only_the_first_is_certified(
+        &numbers(),
+        &format!(r"{nested} = \frac{{2a + 1}}{{3a + 2}}"),
+        // The first addition vanishes at 1, 2 and 3.
+        &[
+            &format!(r"{nested} = \frac{{2a + 1}}{{3a + 2}} + 10^{{-9}} (a - 1)(a - 2)(a - 3)"),
+            &format!(r"{nested} = \frac{{2a + 1}}{{3a + 2.00000001}}"),
+        ],
+    );
+    only_the_first_is_certified(
+        &numbers(),
+        "x^3 + y^3 + z^3 - 3xyz = (x + y + z)(x^2 + y^2 + z^2 - xy - yz - zx)",
+        &["x^3 + y^3 + z^3 - 3xyz = (x + y + z)(x^2 + y^2 + z^2 - xy - yz - zx) + 10^{-9} x (x - 1)(x + 1)(x - 2)"],
+    );
+}
+
+#[test]
+fn roots_whose_signs_do_not_matter() {
+    only_the_first_is_certified(
+        &numbers(),
+        r"\frac{1}{\sqrt{a + b} + \sqrt{a}} = \frac{\sqrt{a + b} - \sqrt{a}}{b}",
+        &[
+            r"\frac{1}{\sqrt{a + b} + \sqrt{a}} = \frac{\sqrt{a + b} + \sqrt{a}}{b}",
+            r"\frac{1}{\sqrt{a + b} + \sqrt{a}} = \frac{\sqrt{a + b} - \sqrt{a}}{1.000000001 b}",
+        ],
+    );
+    // Heron's formula, of the area of a triangle with two of its sides and the angle between them.
+    let half = r"\frac{a + b + \sqrt{a^2 + b^2 - 2ab \cos\gamma}}{2}";
+    let side = r"\sqrt{a^2 + b^2 - 2ab \cos\gamma}";
+    let heron = |area: &str| format!("{half} ({half} - a) ({half} - b) ({half} - {side}) = {area}");
+    only_the_first_is_certified(
+        &numbers(),
+        &heron(r"\frac14 a^2 b^2 \sin^2\gamma"),
+        &[&heron(r"\frac14 a^2 b^2 \sin^2\gamma + 10^{-9} a^4 \sin\gamma"), &heron(r"\frac12 a^2 b^2 \sin^2\gamma")],
+    );
+}
+
+#[test]
+fn products_of_vectors() {
+    only_the_first_is_certified(
+        &vectors(),
+        r"|\vec a \times \vec b|^2 = |\vec a|^2 |\vec b|^2 - (\vec a \cdot \vec b)^2",
+        &[
+            r"|\vec a \times \vec b|^2 = |\vec a|^2 |\vec b|^2 + (\vec a \cdot \vec b)^2",
+            r"|\vec a \times \vec b|^2 = |\vec a|^2 |\vec b|^2 - 1.000000001 (\vec a \cdot \vec b)^2",
+        ],
+    );
+    let jacobi = |last: &str| {
+        format!(r"\vec a \times (\vec b \times \vec c) + \vec b \times (\vec c \times \vec a) + {last} = \vec 0")
+    };
+    only_the_first_is_certified(
+        &vectors(),
+        &jacobi(r"\vec c \times (\vec a \times \vec b)"),
+        &[
+            &jacobi(r"\vec c \times (\vec b \times \vec a)"),
+            &jacobi(r"1.000000001 \vec c \times (\vec a \times \vec b)"),
+        ],
+    );
+}
+
+#[test]
+fn the_energy_of_two_pendulums_in_two_forms() {
+    let energy = |coupled: &str| {
+        format!(
+            r"E = m l^2 \dot\theta_1^2 + \frac12 m l^2 \dot\theta_2^2 + m l^2 \dot\theta_1 \dot\theta_2 ({coupled})
+            - 2 m g l \cos\theta_1 - m g l \cos\theta_2"
+        )
+    };
+    let difference = r"\cos(\theta_1 - \theta_2)";
+    let products = r"\cos\theta_1 \cos\theta_2 + \sin\theta_1 \sin\theta_2";
+    // The sum of the angles is as good where one of them is a multiple of π.
+    let sum = r"\cos(\theta_1 + \theta_2)";
+    let nearly = r"\cos\theta_1 \cos\theta_2 + 1.00000001 \sin\theta_1 \sin\theta_2";
+    only_the_first_is_certified(&two_pendulums(), &energy(difference), &[&energy(sum)]);
+    only_the_first_is_certified(&two_pendulums(), &energy(products), &[&energy(nearly)]);
+}
+
+#[test]
+fn equations_of_motion() {
+    only_the_first_is_certified(
+        &pendulum(),
+        r"l \ddot\theta = -g \sin\theta",
+        &[r"l \ddot\theta = -g \theta", r"l \ddot\theta = -1.000000001 g \sin\theta"],
+    );
+    only_the_first_is_certified(
+        &planet(),
+        r"\ddot r = r \dot\phi^2 - \frac{G M}{r^2}",
+        &[r"\ddot r = r \dot\phi^2 - \frac{G M}{r^2} + 10^{-9} (r - 1)(r - 2)(r - 3)"],
+    );
+    let second = |sign: &str| {
+        format!(
+            r"l \ddot\theta_2 + l \ddot\theta_1 \cos(\theta_1 - \theta_2)
+            {sign} l \dot\theta_1^2 \sin(\theta_1 - \theta_2) + g \sin\theta_2 = 0"
+        )
+    };
+    only_the_first_is_certified(&two_pendulums(), &second("-"), &[&second("+")]);
+    let nutation = |last: &str| {
+        format!(
+            r"\lambda_1 \ddot\theta = \lambda_1 \dot\phi^2 \sin\theta \cos\theta
+            - \lambda_3 (\dot\psi + \dot\phi \cos\theta) \dot\phi \sin\theta + M g R {last}"
+        )
+    };
+    only_the_first_is_certified(&top(), &nutation(r"\sin\theta"), &[&nutation(r"\sin\theta \cos\theta")]);
+}
+
+#[test]
+fn what_is_constant_on_shell() {
+    let conserved = |what: &str| equation(&top(), &["E = E + 0"], json!({ "conserved": what })).parts;
+    let whole = |what: &str| conserved(what).pop().unwrap_or_else(|| panic!("{what}")).finding;
+    let spin = whole(r"\dot\psi + \dot\phi \cos\theta");
+    assert_eq!(spin.verdict, Certified, "{spin:?}");
+    assert!(spin.false_accept_log2.is_some_and(|log2| log2 <= -80.0), "{spin:?}");
+    assert_eq!(whole(r"\dot\psi + \dot\phi").verdict, Refuted);
+    assert_eq!(whole(r"\dot\psi + 1.000000001 \dot\phi \cos\theta").verdict, Refuted);
+}
+
+#[test]
+fn hypotheses_are_solved_exactly() {
+    let under = |latex: &str, hypothesis: &str| equation(&numbers(), &[latex], assuming(&[hypothesis])).finding;
+    let square = |hypothesis: &str| under("(x + y)^2 = 4z^2 - 4z + 1", hypothesis);
+    let sound = square("x + y = 2z - 1");
+    assert_eq!(sound.verdict, Certified, "{sound:?}");
+    assert_eq!(square("x + y = 2z - 1.000000001").verdict, Refuted);
+    // None of these numbers is linear in it.
+    let cubes = under("(a^3 + b^3) x = c^3 x", "a^3 + b^3 = c^3");
+    assert_eq!(cubes.verdict, Verified, "{cubes:?}");
+    assert!(cubes.not_certified_because.is_some_and(|why| why.contains("not linear")));
+}
+
+#[test]
+fn what_is_outside_of_a_field_is_said() {
+    for (latex, why) in [
+        (r"e^{x + y} = e^x e^y", "an exponential"),
+        (r"\ln(ab) = \ln a + \ln b", "a logarithm"),
+        (r"\cosh^2 x - \sinh^2 x = 1", "an exponential"),
+        ("|x|^2 = x^2", "the size of a number"),
+        (r"\arctan(\tan x) = \arctan(\frac{\sin x}{\cos x})", "an inverse function"),
+        (r"\sqrt{a + b + 2\sqrt{ab}} = \sqrt{a} + \sqrt{b}", "a root"),
+        ("a^{1.5} a^{0.25} a^{0.25} = a^2", "a power"),
+    ] {
+        let found = finding(&numbers(), latex);
+        assert_eq!((found.verdict, found.false_accept_log2), (Verified, None), "{latex}: {found:?}");
+        let reason = found.not_certified_because.unwrap_or_else(|| panic!("{latex}"));
+        assert!(reason.contains(why), "{latex}: {reason}");
+    }
+    // Its twin: what is inside gives no reason; and an order is none that could be an identity.
+    assert_eq!(finding(&numbers(), "x^2 - y^2 = (x - y)(x + y)").not_certified_because, None);
+    let order = finding(&numbers(), r"a^2 + b^2 \geq 2ab");
+    assert_eq!((order.verdict, order.not_certified_because), (Verified, None));
+}
+
+#[test]
+fn what_is_smaller_than_rounding_only_the_field_sees() {
+    for latex in [
+        r"\left(1 + \frac{1}{10^{16}}\right) x = x",
+        r"x^2 - y^2 = \left(1 - \frac{1}{10^{17}}\right) (x - y)(x + y)",
+        r"\sin(x + y) = \sin x \cos y + \left(1 + \frac{1}{10^{16}}\right) \cos x \sin y",
+    ] {
+        let found = finding(&numbers(), latex);
+        assert_eq!(found.verdict, Refuted, "{latex}: {found:?}");
+        assert!(found.message.contains("less than numbers show"), "{latex}: {}", found.message);
+        assert!(found.max_residual.is_some_and(|residual| residual < 1e-14), "numbers agree on {latex}: {found:?}");
+    }
+    // The twin: what numbers show they show by a state.
+    let seen = finding(&numbers(), r"\left(1 + \frac{1}{10^{9}}\right) x = x");
+    assert!(seen.verdict == Refuted && seen.counterexample.is_some(), "{seen:?}");
+}
+
+#[test]
+fn signs_branches_and_orders_only_numbers_see() {
+    // In a field a root has two signs, and the product of two roots is a root of the product.
+    let domain = finding(&numbers(), r"\sqrt{x} \sqrt{y} = \sqrt{xy}");
+    assert_eq!(domain.verdict, Domain, "{domain:?}");
+    assert_eq!(finding(&numbers(), r"\sqrt{a} \sqrt{b} = \sqrt{ab}").verdict, Certified);
+    for wrong in [r"\sqrt{x^2} = x", "|x| = x", "a + b > a + c", r"\sqrt{x^2 + 2xy + y^2} = x + y"] {
+        let found = finding(&numbers(), wrong);
+        assert!(found.verdict == Refuted && found.counterexample.is_some(), "{wrong}: {found:?}");
+    }
+    // What is true and says nothing stays open, though it be an identity.
+    let under = |latex: &str| equation(&numbers(), &[latex], assuming(&["x = y"])).finding.verdict;
+    assert_eq!((under("2x = 2y"), under("x^2 + xz = y^2 + yz")), (Undecided, Certified));
+}
