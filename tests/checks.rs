@@ -7,6 +7,8 @@ mod support;
 mod claims;
 #[path = "checks/continua.rs"]
 mod continua;
+#[path = "checks/difference.rs"]
+mod difference;
 #[path = "checks/edges.rs"]
 mod edges;
 #[path = "checks/evidence.rs"]
