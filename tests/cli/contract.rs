@@ -59,6 +59,11 @@ fn fields(item: &Value, notes: &str) -> Result<(), String> {
         let is_equation = item["reading"].as_str().is_some_and(|reading| reading.contains(" = "));
         expect(found["lhs"] != found["rhs"] || !is_equation, "the sides differ", item)?;
     }
+    for key in ["difference", "derived"] {
+        let shown = item.get(key).ok_or_else(|| format!("{key} is there: {item:#}"))?;
+        let formula = shown["latex"].is_string() && shown["text"].is_string();
+        expect(shown.is_null() || formula && found.is_object(), "what it is off by", item)?;
+    }
     Ok(())
 }
 
@@ -97,6 +102,7 @@ fn a_broken_promise_is_seen() {
         ("/documents/0/equations/0/verdict", json!("refuted")),
         ("/documents/0/equations/0/points", json!(1e9 as u64)),
         ("/documents/0/equations/0/max_residual", json!("NaN")),
+        ("/documents/0/equations/0/difference", json!({ "latex": "0", "text": "0" })),
         ("/summary/unexpected", json!(1)),
     ] {
         let mut changed = report.clone();
