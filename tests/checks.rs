@@ -9,6 +9,8 @@ mod certified;
 mod claims;
 #[path = "checks/continua.rs"]
 mod continua;
+#[path = "checks/difference.rs"]
+mod difference;
 #[path = "checks/edges.rs"]
 mod edges;
 #[path = "checks/evidence.rs"]

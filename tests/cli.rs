@@ -38,6 +38,7 @@ fn one_sign_flipped_is_named_with_a_state_and_both_sides() {
     for wanted in ["(6.73) is refuted", "06-spinning-top.md:", "at λ_1 = ", "θ = ", "left side", "right side"] {
         assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
     }
+    assert!(run.out.contains("left side − right side = 2·M·g·R·sin(θ)"), "{}", run.out);
     // The twin: what is sound is not named.
     assert!(!run.out.contains("(6.74) is refuted") && !run.out.contains("(5.68) is refuted"), "{}", run.out);
 }

@@ -188,7 +188,7 @@ fn decide(
 }
 
 /// Why a claim cannot be decided over a field, as far as its formulas show.
-fn outside(formulas: &[&Expr], solver: &Solver<'_>, ensemble: &Ensemble<'_>) -> Option<String> {
+pub(super) fn outside(formulas: &[&Expr], solver: &Solver<'_>, ensemble: &Ensemble<'_>) -> Option<String> {
     let model = solver.model;
     let of_conditions = solver.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
     let of_rules = ensemble.rules.iter().filter_map(|rule| match &rule.action {

@@ -20,7 +20,7 @@ use super::rules::{Action, Rule};
 use super::scene::{Mode, Scene};
 use super::twins::{Twin, twins};
 use super::verdict::{Counterexample, Finding, Verdict};
-use super::{branches, edges, forced};
+use super::{branches, difference, edges, forced};
 
 /// How many states a pass needs.
 pub const FEWEST: usize = 8;
@@ -237,11 +237,15 @@ impl<'a, 'm> AtStates<'a, 'm> {
     }
 }
 
-/// Checks a claim between two formulas.
+/// Checks a claim between two formulas; if it is refuted, the finding says what it is off by.
 ///
 /// # Errors
 /// When the world's mass matrix is singular.
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
+    Ok(difference::explained(link, context, judged(link, context)?))
+}
+
+fn judged(link: &Link, context: &Context<'_>) -> Result<Finding> {
     if let Some(finding) = trivial(link, context) {
         return Ok(finding);
     }

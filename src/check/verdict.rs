@@ -98,6 +98,15 @@ pub struct Counterexample {
     pub entry: Option<String>,
 }
 
+/// A formula to be shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// As LaTeX.
+    pub latex: String,
+    /// In plain text.
+    pub text: String,
+}
+
 /// The verdict on one claim, with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
@@ -117,6 +126,10 @@ pub struct Finding {
     pub not_certified_because: Option<String>,
     /// Where it fails.
     pub counterexample: Option<Counterexample>,
+    /// Of an equality that is refuted: its left side minus its right side, where that is short.
+    pub difference: Option<Formula>,
+    /// Of one about an acceleration: the Euler–Lagrange equation that was derived for it.
+    pub derived: Option<Formula>,
     /// The bytes of the notes that the finding is about.
     pub span: Span,
 }
@@ -133,6 +146,8 @@ impl Finding {
             false_accept_log2: None,
             not_certified_because: None,
             counterexample: None,
+            difference: None,
+            derived: None,
             span,
         }
     }

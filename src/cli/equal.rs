@@ -81,9 +81,7 @@ fn text(answer: &crate::check::plain::Answer, code: u8) -> String {
         text.push_str(&format!("  taken for granted: {}\n", answer.assumed.join(", ")));
     }
     match &finding.counterexample {
-        Some(counterexample) => {
-            report::diagnostic::evidence(counterexample).iter().for_each(|line| text.push_str(&format!("  {line}\n")));
-        }
+        Some(_) => report::diagnostic::evidence(finding).iter().for_each(|line| text.push_str(&format!("  {line}\n"))),
         None => text.push_str(&format!("  {} states used of {} tried\n", finding.points, finding.tried)),
     }
     if let Some(power) = finding.false_accept_log2 {

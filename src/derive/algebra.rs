@@ -39,6 +39,13 @@ pub(super) struct Fraction {
     pub under: BTreeMap<Polynomial, u32>,
 }
 
+impl Fraction {
+    /// How many terms there are, above and below.
+    pub fn len(&self) -> usize {
+        self.top.len() + self.under.keys().map(Polynomial::len).sum::<usize>()
+    }
+}
+
 impl From<Polynomial> for Fraction {
     fn from(top: Polynomial) -> Self {
         Fraction { top, under: BTreeMap::new() }
@@ -61,6 +68,8 @@ pub(super) struct Algebra {
     /// For an atom the power of it that is known, and what it is.
     relations: BTreeMap<u32, (u32, Polynomial)>,
     pairs: Vec<Pair>,
+    /// How much may be done for one normal form, if that is bounded.
+    pub work: Option<usize>,
 }
 
 impl Algebra {
@@ -71,6 +80,11 @@ impl Algebra {
             algebra.intern(Atom::Input(n));
         }
         algebra
+    }
+
+    /// The same, giving up on a normal form that takes more work than this.
+    pub fn bounded(self, work: usize) -> Self {
+        Algebra { work: Some(work), ..self }
     }
 
     /// The atom of an input.

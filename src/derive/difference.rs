@@ -1,14 +1,15 @@
-//! What remains of one formula without the other.
+//! What remains of one formula without the other, and what is left and right in an equation of motion.
 
 use num_traits::One;
 
-use super::Letter;
-use super::algebra::Algebra;
+use super::algebra::{Algebra, Fraction};
+use super::polynomial::{Monomial, Polynomial};
 use super::print::Printer;
 use super::rational::Exact;
-use crate::Result;
+use super::{Class, Letter};
 use crate::formula::Expr;
-use crate::scalar::{Graph, Symbol};
+use crate::scalar::{Graph, Node, Symbol};
+use crate::{Error, Result};
 
 /// The normal form of `printed` − `derived`: two nodes of one recording, whose n-th input is the n-th letter.
 ///
@@ -37,9 +38,63 @@ use crate::scalar::{Graph, Symbol};
 /// # Errors
 /// When the difference is too long, has a number without an exact value, or a function without a name in print.
 pub fn difference(graph: &Graph, printed: Symbol, derived: Symbol, letters: &[Letter]) -> Result<Expr> {
-    let mut algebra = Algebra::of_inputs(letters.len());
+    named(graph, &[printed, derived], letters)?;
+    let mut algebra = Algebra::of_inputs(letters.len()).bounded(WORK);
     let sides = algebra.normal(graph, &[printed, derived])?;
     let rest = algebra.plus(&sides[0], &sides[1], -Exact::one())?;
     let rest = algebra.presented(&rest)?;
     Printer { algebra: &algebra, letters }.sum(&[rest])
+}
+
+/// What is derived beside a refuted equation must not cost more than the refutation.
+const WORK: usize = 20_000;
+
+/// Whether all that some nodes are made of has a name.
+fn named(graph: &Graph, outputs: &[Symbol], letters: &[Letter]) -> Result<()> {
+    let nodes = graph.nodes();
+    let mut waiting: Vec<u32> = outputs.iter().map(|output| output.place()).collect();
+    let mut seen = vec![false; nodes.len()];
+    while let Some(place) = waiting.pop() {
+        if std::mem::replace(&mut seen[place as usize], true) {
+            continue;
+        }
+        match nodes[place as usize] {
+            Node::Input(n) if n as usize >= letters.len() => {
+                return Err(Error::new(format!("input {n} has no name")));
+            }
+            node => waiting.extend(node.operands()),
+        }
+    }
+    Ok(())
+}
+
+/// The two sides of the equation that says that `residual` vanishes, the accelerations on the left: a node of a recording
+/// whose n-th input is the n-th letter.
+///
+/// # Errors
+/// As [`difference`].
+pub fn equation_of_motion(graph: &Graph, residual: Symbol, letters: &[Letter]) -> Result<(Expr, Expr)> {
+    named(graph, &[residual], letters)?;
+    let mut algebra = Algebra::of_inputs(letters.len()).bounded(WORK);
+    let residual = algebra.normal(graph, &[residual])?.remove(0);
+    let residual = algebra.presented(&residual)?;
+    let accelerations = letters.iter().enumerate().filter(|(_, letter)| letter.class == Class::Acceleration);
+    let accelerations: Vec<u32> = accelerations.map(|(n, _)| algebra.input_place(n)).collect();
+    let (left, right) = algebra.balanced(residual, &accelerations)?;
+    let printer = Printer { algebra: &algebra, letters };
+    Ok((printer.sum(&[left])?, printer.sum(&[right])?))
+}
+
+impl Algebra {
+    /// Of a residual that vanishes, the terms with accelerations and the opposite of the others. An exponential that all
+    /// terms share is divided out, since it is never 0.
+    pub(super) fn balanced(&mut self, mut residual: Fraction, accelerations: &[u32]) -> Result<(Fraction, Fraction)> {
+        let shared = self.shared_exponential(&residual.top);
+        residual.top = residual.top.scaled(&shared.power(-1), Exact::one())?;
+        let moves = |monomial: &Monomial| accelerations.iter().any(|&a| monomial.exponent(a) != 0);
+        let side = |top: Polynomial| Fraction { top, under: residual.under.clone() };
+        let left = self.presented(&side(residual.top.part(moves)))?;
+        let rest = Polynomial::default().minus(&residual.top.part(|monomial| !moves(monomial)))?;
+        Ok((left, self.presented(&side(rest))?))
+    }
 }

@@ -22,7 +22,7 @@ pub mod quantities;
 mod rational;
 mod shorten;
 
-pub use difference::difference;
+pub use difference::{difference, equation_of_motion};
 pub use quantities::{Derivation, Equation, Quantity};
 
 use crate::formula::Expr;

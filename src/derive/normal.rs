@@ -31,8 +31,14 @@ impl Algebra {
             }
         }
         let mut known: Vec<Fraction> = vec![Fraction::default(); nodes.len()];
+        let mut done = 0;
         for (place, node) in nodes.iter().enumerate().filter(|(place, _)| needed[*place]) {
             known[place] = self.of(*node, &known)?;
+            // what is multiplied and cancelled next costs a product of lengths
+            done += known[place].len().pow(2);
+            if self.work.is_some_and(|most| done > most) {
+                return Err(Error::new("this is too long to be typeset"));
+            }
         }
         Ok(outputs.iter().map(|output| known[output.place() as usize].clone()).collect())
     }

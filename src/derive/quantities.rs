@@ -9,7 +9,7 @@ use num_traits::{One, Zero};
 
 use super::algebra::{Algebra, Fraction};
 use super::names::{Inputs, Names, symbol};
-use super::polynomial::{Monomial, Polynomial};
+use super::polynomial::Polynomial;
 use super::print::Printer;
 use super::rational::Exact;
 use crate::formula::{Expr, Relation, Statement, Symbols, text};
@@ -246,18 +246,10 @@ impl<'a> Work<'a> {
         Ok(Equation { name: name.to_owned(), left, right: self.printed(right)? })
     }
 
-    /// The accelerations on the left, all else on the right. An exponential that all terms share is divided out, since
-    /// it is never 0.
     fn euler_lagrange(&mut self, i: usize) -> Result<Equation> {
-        let mut residual = self.present(self.of.recorded.residuals[i])?;
-        let shared = self.algebra.shared_exponential(&residual.top);
-        residual.top = residual.top.scaled(&shared.power(-1), Exact::one())?;
+        let residual = self.present(self.of.recorded.residuals[i])?;
         let accelerations = self.places(&self.of.names.inputs().accelerations());
-        let moves = |monomial: &Monomial| accelerations.iter().any(|&a| monomial.exponent(a) != 0);
-        let side = |top: Polynomial| Fraction { top, under: residual.under.clone() };
-        let left = self.algebra.presented(&side(residual.top.part(moves)))?;
-        let rest = Polynomial::default().minus(&residual.top.part(|monomial| !moves(monomial)))?;
-        let right = self.algebra.presented(&side(rest))?;
+        let (left, right) = self.algebra.balanced(residual, &accelerations)?;
         let name = format!("equation of motion of {}", self.of.names.spelled(i));
         let left = self.printed(&[left])?;
         self.equation(&name, left, &[right])

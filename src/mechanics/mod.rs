@@ -36,6 +36,7 @@ pub use accelerator::Accelerator;
 pub use bodies::{Body, Nodes};
 pub use frames::Frame;
 pub use lagrangian::{Lagrangian, State};
+pub(crate) use linear::solve_by;
 pub use linear::{Elimination, MAX_CONDITION, condition_number};
 pub use tape::{Op, Tape};
 pub use world::{Quantities, System, World, of};

@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
 use crate::Error;
-use crate::check::Counterexample;
+use crate::check::Finding;
 use crate::formula::text::plain;
 use crate::source::{Fault, Source, Span};
 
@@ -42,32 +42,30 @@ pub fn fault(fault: &Fault, formula: &str, colour: bool) -> String {
 }
 
 /// A verdict that was not expected.
-pub fn verdict(
-    title: &str,
-    label: &str,
-    source: &Source,
-    span: Span,
-    counterexample: Option<&Counterexample>,
-    colour: bool,
-) -> String {
+pub fn verdict(title: &str, label: &str, source: &Source, finding: &Finding, colour: bool) -> String {
     let title = Level::ERROR.primary_title(title);
-    let notes: Vec<_> = counterexample.map(evidence).unwrap_or_default();
-    let notes = notes.into_iter().map(|note| Level::NOTE.message(note));
+    let span = finding.span;
+    let notes = evidence(finding).into_iter().map(|note| Level::NOTE.message(note));
     match Excerpt::of(source, span) {
         Some(excerpt) => renderer(colour).render(&[title.element(excerpt.snippet(label)).elements(notes)]),
         None => renderer(colour).render(&[title.element(place(source, span)).elements(notes)]),
     }
 }
 
-/// A counterexample in words.
-pub fn evidence(counterexample: &Counterexample) -> Vec<String> {
+/// A counterexample in words, and what the claim is off by.
+pub fn evidence(finding: &Finding) -> Vec<String> {
+    let Some(counterexample) = &finding.counterexample else { return Vec::new() };
     let state: Vec<String> =
         counterexample.state.iter().map(|(name, value)| format!("{} = {}", plain(name), short(*value, 5))).collect();
     let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
-    vec![
+    let mut notes = vec![
         format!("at {}", if state.is_empty() { "every state".to_owned() } else { state.join(", ") }),
         format!("left side {}, right side {}{entry}", short(counterexample.lhs, 7), short(counterexample.rhs, 7)),
-    ]
+    ];
+    notes
+        .extend(finding.difference.as_ref().map(|formula| format!("left side − right side = {}{entry}", formula.text)));
+    notes.extend(finding.derived.as_ref().map(|formula| format!("derived: {}", formula.text)));
+    notes
 }
 
 /// The place of something whose lines are too long to show.

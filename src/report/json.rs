@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::Error;
 use crate::check::plain::Answer;
-use crate::check::{Counterexample, Document, Equation, Finding, Report};
+use crate::check::{Counterexample, Document, Equation, Finding, Formula, Report};
 use crate::formula::text::plain;
 
 /// The whole report.
@@ -75,6 +75,8 @@ fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String
         "not_certified_because": finding.not_certified_because,
         "message": finding.message,
         "counterexample": finding.counterexample.as_ref().map(counterexample),
+        "difference": finding.difference.as_ref().map(formula),
+        "derived": finding.derived.as_ref().map(formula),
     });
     match fields {
         Value::Object(fields) => fields,
@@ -91,6 +93,10 @@ fn counterexample(counterexample: &Counterexample) -> Value {
         "rhs": number(counterexample.rhs),
         "entry": counterexample.entry,
     })
+}
+
+fn formula(formula: &Formula) -> Value {
+    json!({ "latex": formula.latex, "text": formula.text })
 }
 
 /// JSON has no infinities and no NaN: those are words.
@@ -117,5 +123,6 @@ pub fn answer(answer: &Answer) -> Value {
         "false_accept_log2": answer.finding.false_accept_log2,
         "not_certified_because": answer.finding.not_certified_because,
         "counterexample": answer.finding.counterexample.as_ref().map(counterexample),
+        "difference": answer.finding.difference.as_ref().map(formula),
     })
 }

@@ -101,8 +101,8 @@ fn details(item: &Equation, width: usize) -> String {
             text.push_str(&format!("{indent}  not certified because of {reason}\n"));
         }
     }
-    if let (true, Some(counterexample)) = (item.ok, &item.finding.counterexample) {
-        for note in diagnostic::evidence(counterexample) {
+    if item.ok {
+        for note in diagnostic::evidence(&item.finding) {
             text.push_str(&format!("{indent}{note}\n"));
         }
     }
@@ -126,7 +126,7 @@ fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
             Verdict::Unreadable => "this",
             _ => "",
         };
-        diagnostic::verdict(&title, label, &document.source, finding.span, finding.counterexample.as_ref(), colour)
+        diagnostic::verdict(&title, label, &document.source, finding, colour)
     });
     shown.collect::<Vec<_>>().join("\n\n")
 }

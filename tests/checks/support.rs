@@ -29,6 +29,17 @@ pub fn planet() -> Json {
     })
 }
 
+/// The claims of a document about the heavy symmetric top, to be completed.
+pub fn top() -> Json {
+    json!({
+        "system": "heavy_top",
+        "coordinates": { r"\theta": "(0, \\pi)", r"\phi, \psi": "angle" },
+        "constants": { r"M, g, R, \lambda_1, \lambda_3": "> 0" },
+        "means": { "L": "Lagrangian", "T": "kinetic energy", "U": "potential energy", "H": "Hamiltonian" },
+        "define": { r"\Omega": r"\dot\phi", r"\omega_3": r"p_\psi/\lambda_3" },
+    })
+}
+
 /// The claims of a document about numbers alone, to be completed.
 pub fn numbers() -> Json {
     json!({ "constants": { "a, b, c": "> 0", "x": "any" } })

@@ -15,7 +15,7 @@ use onshell::source::{Source, Span};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, equation, numbered, outcome, pendulum, verdict, with};
+use crate::support::{document, equation, numbered, outcome, pendulum, top, verdict, with};
 
 /// The term that does not fit, as printed, and what is said of it, for each conflict in these displays.
 fn terms(claims: &Json, units: &[(&str, &str)], displays: &[&str]) -> Vec<(String, String)> {
@@ -65,16 +65,6 @@ fn names_the_term(claims: &Json, units: &[(&str, &str)], displays: &[&str], term
         }
         other => panic!("{displays:?}: not one conflict: {other:?}"),
     }
-}
-
-fn top() -> Json {
-    json!({
-        "system": "heavy_top",
-        "coordinates": { r"\theta": "(0, \\pi)", r"\phi, \psi": "angle" },
-        "constants": { r"M, g, R, \lambda_1, \lambda_3": "> 0" },
-        "means": { "L": "Lagrangian", "T": "kinetic energy", "U": "potential energy", "H": "Hamiltonian" },
-        "define": { r"\Omega": r"\dot\phi", r"\omega_3": r"p_\psi/\lambda_3" },
-    })
 }
 
 /// All that is declared of the top: the momenta, the energies and the rates are inferred.

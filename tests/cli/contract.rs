@@ -61,6 +61,11 @@ fn fields(item: &Value, notes: &str) -> Result<(), String> {
         let is_equation = item["reading"].as_str().is_some_and(|reading| reading.contains(" = "));
         expect(found["lhs"] != found["rhs"] || !is_equation, "the sides differ", item)?;
     }
+    for key in ["difference", "derived"] {
+        let shown = item.get(key).ok_or_else(|| format!("{key} is there: {item:#}"))?;
+        let formula = shown["latex"].is_string() && shown["text"].is_string();
+        expect(shown.is_null() || formula && found.is_object(), "what it is off by", item)?;
+    }
     Ok(())
 }
 
@@ -119,6 +124,7 @@ fn a_broken_promise_is_seen() {
         ("/documents/0/equations/0/max_residual", json!("NaN")),
         ("/documents/0/equations/0/false_accept_log2", json!(-80.0)),
         ("/documents/0/equations/0/not_certified_because", json!("")),
+        ("/documents/0/equations/0/difference", json!({ "latex": "0", "text": "0" })),
         ("/summary/unexpected", json!(1)),
     ] {
         let mut changed = report.clone();
