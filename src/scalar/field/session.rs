@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-use super::circle::{Circle, Point, drawn_bits, turn_bits};
+use super::circle::{Point, drawn_bits, turn_bits};
 use super::denominators::{Denominators, Size};
 use super::mersenne::{Modulus, Residue};
 use crate::scalar::rational::{Meant, Ratio, meant};
@@ -139,8 +139,8 @@ struct Root<F> {
 /// How a square root comes by its value.
 #[derive(Clone, Copy)]
 enum Made<F> {
-    /// By itself, if it exists here; with the sign that it was given when it was first used.
-    Itself(Option<Residue<F>>, Option<bool>),
+    /// By itself; with the value that it was given when it was first used.
+    Itself(Option<Residue<F>>),
     /// A multiple of a product of earlier roots, or of the quotient of two.
     Of(Residue<F>, Option<usize>, Option<(usize, bool)>),
 }
@@ -156,7 +156,6 @@ pub enum Found {
 /// The state of a session.
 pub struct Session<F> {
     generator: Pcg64Mcg,
-    circle: Circle<F>,
     points: FxHashMap<u128, Point<F>>,
     pub denominators: Denominators<F>,
     constants: FxHashMap<u64, Known<F>>,
@@ -169,8 +168,8 @@ pub struct Session<F> {
     /// The labels of arguments of which only the value is known.
     atoms: Vec<(Residue<F>, u128, u32)>,
     pi: Residue<F>,
-    /// The reciprocals of small whole numbers that were needed.
-    reciprocals: FxHashMap<i32, Residue<F>>,
+    /// The reciprocals that were needed: one takes as long as two hundred products.
+    reciprocals: FxHashMap<u128, Residue<F>>,
     pub account: Account,
 }
 
@@ -179,7 +178,6 @@ impl<F: Modulus> Session<F> {
     pub fn new(seed: u64, signs: u32, finest: u64) -> Self {
         let mut session = Session {
             generator: Pcg64Mcg::seed_from_u64(seed),
-            circle: Circle::new(),
             points: FxHashMap::default(),
             denominators: Denominators::new(),
             constants: FxHashMap::default(),
@@ -221,9 +219,9 @@ impl<F: Modulus> Session<F> {
         (self.bits() & ((1 << drawn_bits::<F>()) - 1)) << F::HALVINGS
     }
 
-    /// The reciprocal of a whole number.
-    pub fn reciprocal(&mut self, whole: i32) -> Residue<F> {
-        *self.reciprocals.entry(whole).or_insert_with(|| Residue::whole(whole.into()).inverse())
+    /// The reciprocal of a residue; 0 for 0.
+    pub fn reciprocal(&mut self, residue: Residue<F>) -> Residue<F> {
+        *self.reciprocals.entry(residue.value()).or_insert_with(|| residue.inverse())
     }
 
     /// A random number that is an angle too.
@@ -244,7 +242,8 @@ impl<F: Modulus> Session<F> {
             return *known;
         }
         let fraction = |session: &mut Self, ratio: Ratio| {
-            let value = Residue::whole(ratio.numerator).times(Residue::new(ratio.denominator.into()).inverse());
+            let reciprocal = session.reciprocal(Residue::new(ratio.denominator.into()));
+            let value = Residue::whole(ratio.numerator).times(reciprocal);
             let size = Size { degree: 0, norm: ratio.numerator.unsigned_abs() as f64 };
             (value, size, session.denominators.whole(ratio.denominator))
         };
@@ -289,7 +288,7 @@ impl<F: Modulus> Session<F> {
         let point = match self.points.get(&label) {
             Some(point) => *point,
             None => {
-                let point = self.circle.at(label);
+                let point = F::circle().at(label);
                 self.points.insert(label, point);
                 point
             }
@@ -323,7 +322,7 @@ impl<F: Modulus> Session<F> {
         let mut made = None;
         for (numerator, denominator) in squares {
             let (n, d) = (Residue::<F>::whole(numerator), Residue::<F>::new(denominator.into()));
-            let (multiple, ratio) = (radicand.times(d.square()), n.times(d.inverse()));
+            let (multiple, ratio) = (radicand.times(d.square()), n.times(self.reciprocal(d)));
             if multiple == n.square() {
                 self.account.coincidences += f64::from(degree);
                 return Found::Ratio(Ratio { numerator, denominator });
@@ -336,7 +335,7 @@ impl<F: Modulus> Session<F> {
             }
         }
         let made = made.or_else(|| self.made_of_two(radicand, degree));
-        let made = made.unwrap_or(Made::Itself(radicand.root(), None));
+        let made = made.unwrap_or(Made::Itself(None));
         self.roots.push(Root { radicand, degree, made });
         Found::Root(self.roots.len() as u32 - 1)
     }
@@ -364,23 +363,22 @@ impl<F: Modulus> Session<F> {
                 let first = first.map_or(Residue::ONE, |first| self.value_of_root(first));
                 let second = second.map_or(Residue::ONE, |(second, inverted)| {
                     let value = self.value_of_root(second);
-                    if inverted { value.inverse() } else { value }
+                    if inverted { self.reciprocal(value) } else { value }
                 });
                 ratio.times(first).times(second)
             }
-            Made::Itself(None, _) => {
-                self.account.elsewhere = true;
-                Residue::ONE
-            }
-            Made::Itself(Some(root), sign) => {
-                let negative = sign.unwrap_or_else(|| {
-                    let negative = self.signs >> self.account.roots & 1 == 1;
-                    self.account.roots += 1;
-                    self.account.opaque = true;
-                    negative
-                });
-                self.roots[place].made = Made::Itself(Some(root), Some(negative));
-                if negative { root.negated() } else { root }
+            Made::Itself(Some(value)) => value,
+            Made::Itself(None) => {
+                let Some(root) = self.roots[place].radicand.root() else {
+                    self.account.elsewhere = true;
+                    return Residue::ONE;
+                };
+                let negative = self.signs >> self.account.roots & 1 == 1;
+                let value = if negative { root.negated() } else { root };
+                self.account.roots += 1;
+                self.account.opaque = true;
+                self.roots[place].made = Made::Itself(Some(value));
+                value
             }
         }
     }
