@@ -140,6 +140,11 @@ impl<B: Number> Jets<B> {
 
     /// One of them as a function of time.
     pub fn series(&self, at: usize) -> Option<Series<B>> {
+        self.series_to(at, TERMS)
+    }
+
+    /// The same, known to no more than so many terms.
+    pub fn series_to(&self, at: usize, terms: usize) -> Option<Series<B>> {
         let mut known = self.series.borrow_mut();
         if known.is_empty() {
             known.resize(self.numbers.len() / self.jet, None);
@@ -148,7 +153,7 @@ impl<B: Number> Jets<B> {
         if slot.is_none() {
             *slot = self.numbers.get(at * self.jet..(at + 1) * self.jet).map(Series::from_derivatives);
         }
-        *slot
+        slot.as_ref().map(|series| series.truncated(terms))
     }
 }
 

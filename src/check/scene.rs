@@ -15,7 +15,7 @@ use rustc_hash::FxHashMap;
 use crate::Result;
 use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
-use crate::mechanics::{Elimination, Frame, Quantities, rotations};
+use crate::mechanics::{Elimination, Frame, Nodes, Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Number, Series, TERMS};
 
@@ -73,6 +73,8 @@ pub struct Scene<'m, B: Number> {
     following: RefCell<Vec<(SymbolId, Members<B>)>>,
     /// The same when all is found.
     followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
+    /// Nodes of continua, of a degree.
+    pub(super) cubatures: RefCell<FxHashMap<(usize, usize), Arc<Nodes<B>>>>,
     /// Inertia tensors of masses at positions.
     pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
@@ -135,6 +137,7 @@ impl<'m, B: Number> Scene<'m, B> {
             crowded: Cell::new(false),
             following: RefCell::new(Vec::new()),
             followed: RefCell::new(BTreeMap::new()),
+            cubatures: RefCell::new(FxHashMap::default()),
             tensors: RefCell::new(Vec::new()),
             memo: RefCell::new(FxHashMap::default()),
         })
@@ -397,6 +400,7 @@ impl<'m, B: Number> Scene<'m, B> {
     fn forget(&self) {
         self.memo.borrow_mut().clear();
         self.followed.borrow_mut().clear();
+        self.cubatures.borrow_mut().clear();
         self.tensors.borrow_mut().clear();
     }
 
@@ -421,6 +425,18 @@ impl<'m, B: Number> Scene<'m, B> {
         indices.iter().zip(slots).fold(0, |at, (i, (_, letter))| at * upper(letter) + usize::from(*i) - 1)
     }
 
+    /// A symbol whose numbers stand one after the other.
+    fn numbers(&self, id: SymbolId, indices: &[u8], pick: impl Fn(usize) -> Option<Series<B>>) -> Valued<B> {
+        let place = self.place_of(id, indices);
+        if self.model.symbols.entry(id).kind != Kind::Vector {
+            return pick(place).map(Value::Scalar).ok_or(Unavailable::Symbol(id));
+        }
+        match (pick(3 * place), pick(3 * place + 1), pick(3 * place + 2)) {
+            (Some(x), Some(y), Some(z)) => Ok(Value::Vector(Vector3::new(x, y, z))),
+            _ => Err(Unavailable::Symbol(id)),
+        }
+    }
+
     /// A symbol by its meaning alone, of which so many terms are used.
     fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
@@ -433,23 +449,13 @@ impl<'m, B: Number> Scene<'m, B> {
         if let Some(member) = self.place.borrow().part.as_ref().and_then(|part| part.crowd.member(id, indices)) {
             return Ok(member);
         }
-        let number = |pick: &dyn Fn(usize) -> Option<Series<B>>| {
-            let place = self.place_of(id, indices);
-            match entry.kind {
-                Kind::Vector => {
-                    let [x, y, z] = [pick(3 * place)?, pick(3 * place + 1)?, pick(3 * place + 2)?];
-                    Some(Value::Vector(Vector3::new(x, y, z)))
-                }
-                _ => pick(place).map(Value::Scalar),
-            }
-        };
-        let fixed = |numbers: &[B]| number(&|at| numbers.get(at).map(|x| self.constant(*x))).ok_or_else(none);
+        let fixed = |numbers: &[B]| self.numbers(id, indices, |at| numbers.get(at).map(|x| self.constant(*x)));
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
-            Meaning::Constant(i) => fixed(&self.base.constants[*i]),
+            Meaning::Constant(i) => return fixed(&self.base.constants[*i]),
             Meaning::Varying(i) => {
                 let known = self.terms.min(terms);
-                number(&|at| self.base.varying[*i].series(at).map(|x| x.truncated(known))).ok_or_else(none)
+                return self.numbers(id, indices, |at| self.base.varying[*i].series_to(at, known));
             }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
@@ -511,7 +517,12 @@ impl<'m, B: Number> Scene<'m, B> {
 
     /// Whether no particles stand in for others, and none are being followed.
     pub(super) fn is_alone(&self) -> bool {
-        self.crowd.borrow().is_none() && self.following.borrow().is_empty()
+        self.crowd.borrow().is_none() && !self.is_following()
+    }
+
+    /// Whether symbols that follow a law are known in part.
+    pub(super) fn is_following(&self) -> bool {
+        !self.following.borrow().is_empty()
     }
 
     /// Lets the rules that join families take effect: their members stand in for the family that is joined.
