@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::SymbolId;
 use crate::mechanics;
-use crate::mechanics::rotations::{Turning, euler_angles};
+use crate::mechanics::rotations::euler_angles;
 use crate::notes::claims::Range;
 use crate::scalar::{Number, Series, TERMS};
 
@@ -39,7 +39,7 @@ struct Group {
 
 /// The groups of a base, in order: time, constants, what is fixed in the frame and its direction, continua; coordinates,
 /// free functions and the angles of the frame with their derivatives.
-fn groups(model: &Model, mode: Mode) -> Vec<Group> {
+fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group> {
     let fixed = |symbol, range, numbers| Group { symbol, range, constant: true, numbers, derivatives: 0 };
     let moving = |variable: &Variable, derivatives| Group {
         symbol: Some(variable.symbol),
@@ -48,13 +48,11 @@ fn groups(model: &Model, mode: Mode) -> Vec<Group> {
         numbers: variable.numbers,
         derivatives,
     };
-    let mut groups = vec![Group { constant: false, ..fixed(None, Range::Any, 1) }];
-    groups.extend(model.constants.iter().map(|c| fixed(Some(c.symbol), c.range.clone(), c.numbers)));
-    groups.extend(model.rigid.iter().map(|rigid| fixed(Some(rigid.symbol), Range::Any, 3 * rigid.members)));
-    if model.frame == Some(Frame::FixedDirection) {
-        groups.push(fixed(None, Range::Any, 3));
-    }
-    for _ in &model.continua {
+    let time = [Group { constant: false, ..fixed(None, Range::Any, 1) }];
+    let constants = model.constants.iter().map(move |c| fixed(Some(c.symbol), c.range.clone(), c.numbers));
+    let rigid = model.rigid.iter().map(move |rigid| fixed(Some(rigid.symbol), Range::Any, 3 * rigid.members));
+    let direction = (model.frame == Some(Frame::FixedDirection)).then(|| fixed(None, Range::Any, 3));
+    let continua = model.continua.iter().flat_map(move |_| {
         let within = |half: f64| Range::Interval { low: -half, high: half, low_open: false, high_open: false };
         let ranges = [
             (Range::Positive, 1),
@@ -64,17 +62,20 @@ fn groups(model: &Model, mode: Mode) -> Vec<Group> {
             (Range::Angle, 3),
             (within(0.3), 3),
         ];
-        groups.extend(ranges.into_iter().map(|(range, numbers)| fixed(None, range, numbers)));
-    }
+        ranges.map(|(range, numbers)| fixed(None, range, numbers))
+    });
     let on_shell = mode.on_shell && model.world.is_some();
-    groups.extend(model.coordinates.iter().map(|v| moving(v, if on_shell { 1 } else { mode.order })));
-    groups.extend(model.varying.iter().map(|v| moving(v, mode.order)));
-    if let Some(frame) = model.frame {
-        let angles = if frame == Frame::Free { 3 } else { 1 };
-        let derivatives = (mode.order + 1).min(TERMS - 1);
-        groups.push(Group { symbol: None, range: Range::Angle, constant: false, numbers: angles, derivatives });
-    }
-    groups
+    let coordinates = model.coordinates.iter().map(move |v| moving(v, if on_shell { 1 } else { mode.order }));
+    let varying = model.varying.iter().map(move |v| moving(v, mode.order));
+    let angles = model.frame.map(|frame| Group {
+        symbol: None,
+        range: Range::Angle,
+        constant: false,
+        numbers: if frame == Frame::Free { 3 } else { 1 },
+        derivatives: (mode.order + 1).min(TERMS - 1),
+    });
+    let fixed = time.into_iter().chain(constants).chain(rigid).chain(direction).chain(continua);
+    fixed.chain(coordinates).chain(varying).chain(angles)
 }
 
 /// The numbers of a base, one by one.
@@ -139,6 +140,11 @@ impl<B: Number> Jets<B> {
 
     /// One of them as a function of time.
     pub fn series(&self, at: usize) -> Option<Series<B>> {
+        self.series_to(at, TERMS)
+    }
+
+    /// The same, known to no more than so many terms.
+    pub fn series_to(&self, at: usize, terms: usize) -> Option<Series<B>> {
         let mut known = self.series.borrow_mut();
         if known.is_empty() {
             known.resize(self.numbers.len() / self.jet, None);
@@ -147,7 +153,7 @@ impl<B: Number> Jets<B> {
         if slot.is_none() {
             *slot = self.numbers.get(at * self.jet..(at + 1) * self.jet).map(Series::from_derivatives);
         }
-        *slot
+        slot.as_ref().map(|series| series.truncated(terms))
     }
 }
 
@@ -178,7 +184,7 @@ impl<B: Number> Hidden<B> {
 impl<B: Number> Base<B> {
     /// Sorts the numbers of a base; what is missing is not a number.
     pub fn of(model: &Model, mode: Mode, numbers: &[B]) -> Self {
-        let mut groups = groups(model, mode).into_iter();
+        let mut groups = groups(model, mode);
         let mut rest = numbers;
         // Group after group, number after number, derivative after derivative.
         let mut next = || {
@@ -225,14 +231,13 @@ impl<B: Number> Base<B> {
         Base { time, constants, rigid, direction, continua, coordinates, varying, frame_angles }
     }
 
-    /// How a frame turns by these numbers, its angles known to so many terms.
-    pub fn turning(&self, frame: Frame, terms: usize) -> Option<Turning<Series<B>>> {
+    /// The frame that turns by these numbers, its angles known to so many terms.
+    pub fn frame(&self, frame: Frame, terms: usize) -> Option<mechanics::Frame<B>> {
         let angles: Vec<Series<B>> = self.frame_angles.iter().map(|angle| angle.truncated(terms)).collect();
-        let frame = match (frame, angles.as_slice()) {
-            (Frame::Free, [phi, theta, psi]) => mechanics::Frame::freely([*phi, *theta, *psi]),
-            (Frame::FixedDirection, [angle]) => mechanics::Frame::about(self.direction, *angle).ok()?,
-            _ => return None,
-        };
-        Some(frame.turning())
+        match (frame, angles.as_slice()) {
+            (Frame::Free, [phi, theta, psi]) => Some(mechanics::Frame::freely([*phi, *theta, *psi])),
+            (Frame::FixedDirection, [angle]) => mechanics::Frame::about(self.direction, *angle).ok(),
+            _ => None,
+        }
     }
 }

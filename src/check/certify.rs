@@ -352,23 +352,25 @@ impl<'m> Exactly<'_, 'm> {
             return Err(NOT_SOLVED.to_owned());
         }
         let mut scene = self.state(&base)?;
-        // another number of particles has other rows
-        let all = self.solver.rows(&scene);
-        for (row, slot) in self.plan.clone().into_iter().filter(|(row, _)| all.contains(row)) {
-            self.put(&mut base, row, slot)?.ok_or(NOT_SOLVED)?;
-        }
         if !self.plan.is_empty() {
+            // another number of particles has other rows
+            let rows = self.solver.rows(&scene);
+            for (row, slot) in self.plan.clone() {
+                if rows.iter().any(|(known, _)| *known == row) {
+                    let value = self.value(&base, row)?;
+                    self.put(&mut base, (row, value), slot)?.ok_or(NOT_SOLVED)?;
+                }
+            }
             scene = self.state(&base)?;
         }
-        let rows = self.solver.rows(&scene);
-        for row in &rows {
-            let value = self.solver.values(&scene, &[*row]).ok_or(NOT_SOLVED)?;
-            if !value[0].vanishes() {
-                self.extend(&mut base, *row, &rows)?;
+        let (rows, mut values): (Vec<Row>, Vec<Modular>) = self.solver.rows(&scene).into_iter().unzip();
+        for (at, row) in rows.iter().enumerate() {
+            if !values[at].vanishes() {
+                self.extend(&mut base, (*row, values[at]), &rows)?;
                 scene = self.state(&base)?;
+                values = self.solver.values(&scene, &rows).ok_or(NOT_SOLVED)?;
             }
         }
-        let values = self.solver.values(&scene, &rows).ok_or(NOT_SOLVED)?;
         if values.iter().all(|value| value.vanishes()) { Ok(scene) } else { Err(NOT_SOLVED.to_owned()) }
     }
 
@@ -382,16 +384,17 @@ impl<'m> Exactly<'_, 'm> {
         Ok(values[0])
     }
 
-    /// Moves a number of the base so that a row vanishes, if the row is linear in it.
-    fn put(&self, base: &mut [Modular], row: Row, slot: usize) -> Result<Option<()>, String> {
+    /// Moves a number of the base so that a row vanishes, whose value is known, if the row is linear in it.
+    fn put(&self, base: &mut [Modular], (row, zero): (Row, Modular), slot: usize) -> Result<Option<()>, String> {
         let start = base[slot];
         let mut at = |step: f64| {
             base[slot] = start + step;
             self.value(base, row)
         };
-        let [zero, one, two] = [at(0.0)?, at(1.0)?, at(2.0)?];
+        let one = at(1.0)?;
         let slope = one - zero;
-        if slope.vanishes() || !(two - one - slope).vanishes() {
+        // most numbers have nothing to do with a row
+        if slope.vanishes() || !(at(2.0)? - one - slope).vanishes() {
             base[slot] = start;
             return Ok(None);
         }
@@ -399,8 +402,8 @@ impl<'m> Exactly<'_, 'm> {
         Ok(Some(()))
     }
 
-    /// Finds a number to solve a row for, such that the rows before it hold still.
-    fn extend(&mut self, base: &mut Vec<Modular>, row: Row, rows: &[Row]) -> Result<(), String> {
+    /// Finds a number to solve a row for, whose value is known, such that the rows before it hold still.
+    fn extend(&mut self, base: &mut Vec<Modular>, (row, value): (Row, Modular), rows: &[Row]) -> Result<(), String> {
         let known = self.solver.plan.iter().filter(|(planned, _)| *planned == row).map(|(_, slot)| *slot);
         let free = |slot: &usize| {
             !self.plan.iter().any(|(_, taken)| taken == slot)
@@ -410,7 +413,7 @@ impl<'m> Exactly<'_, 'm> {
         let before: Vec<Row> = rows.iter().copied().take_while(|other| *other != row).collect();
         for slot in candidates {
             let mut moved = base.clone();
-            if self.put(&mut moved, row, slot)?.is_none() {
+            if self.put(&mut moved, (row, value), slot)?.is_none() {
                 continue;
             }
             let values = self.solver.values(&self.state(&moved)?, &before).ok_or(NOT_SOLVED)?;

@@ -5,6 +5,8 @@
 //! to the integral, and the nearer the finer the cut ([`super::continuum`] follows it). A *part* of it around a point of
 //! it, which shrinks, is what a density is a limit of.
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::evaluate::{Body as Integrand, Environment, Unavailable, evaluate, evaluate_to};
@@ -251,12 +253,22 @@ impl<B: Number> Scene<'_, B> {
         degree: usize,
         integrand: Integrand<'_, Series<B>>,
     ) -> Result<(Value<Series<B>>, f64), Unavailable> {
-        let nodes = self.nodes(at, degree)?;
+        let known = self.cubatures.borrow().get(&(at, degree)).cloned();
+        let nodes = match known {
+            Some(nodes) => nodes,
+            None => {
+                let nodes = Arc::new(self.nodes(at, degree)?);
+                if !self.is_following() {
+                    self.cubatures.borrow_mut().insert((at, degree), nodes.clone());
+                }
+                nodes
+            }
+        };
         let outer = self.place.borrow_mut().point.take();
         let mut total: Option<Value<Series<B>>> = None;
         let mut scale = 0.0;
         let mut failure = None;
-        for (x, weight) in nodes.points {
+        for &(x, weight) in &nodes.points {
             self.place.borrow_mut().point = Some((at, x));
             match integrand() {
                 Ok(value) => {

@@ -73,8 +73,9 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             let found = found.or_else(|error| desk.excused_sentence(at, sentence, error))?;
             Ok(desk.without_lost_laws(found, Some(sentence)))
         };
-        let equations: Result<Vec<Equation>> = work.par_iter().map(|at| told(equation(*at))).collect();
-        let sentences: Result<Vec<Equation>> = sentences.par_iter().enumerate().map(|s| told(sentence(s))).collect();
+        let equations: Result<Vec<Equation>> = work.par_iter().with_max_len(1).map(|at| told(equation(*at))).collect();
+        let sentences: Result<Vec<Equation>> =
+            sentences.par_iter().enumerate().with_max_len(1).map(|s| told(sentence(s))).collect();
         Ok(Document {
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),

@@ -334,7 +334,11 @@ impl<'m> Solver<'m> {
         let mut values = Vec::with_capacity(rows.len());
         for (at, derivative, entry) in rows {
             if !known.iter().any(|(condition, _)| condition == at) {
-                known.push((*at, difference(scene, &self.conditions[*at]).ok()?));
+                let (mut terms, mut entries) = (0, 0);
+                for (_, derivative, entry) in rows.iter().filter(|(condition, ..)| condition == at) {
+                    (terms, entries) = (terms.max(derivative + 1), entries.max(entry + 1));
+                }
+                known.push((*at, difference_to((terms, entries), scene, &self.conditions[*at]).ok()?));
             }
             let (_, entries) = known.iter().find(|(condition, _)| condition == at)?;
             values.push(entries.get(*entry)?.nth_derivative_value(*derivative)?);
@@ -392,12 +396,16 @@ impl<'m> Solver<'m> {
             self.hopeless = true;
             return Ok(None);
         }
-        for row in rows {
+        let mut moved = false;
+        for (row, mut value) in rows {
             if self.plan.iter().any(|(planned, _)| *planned == row) {
                 continue;
             }
-            let Some(value) = self.values(&scene, &[row]) else { return Ok(None) };
-            if judge::vanishes(value[0]) {
+            if moved {
+                let Some(values) = self.values(&scene, &[row]) else { return Ok(None) };
+                value = values[0];
+            }
+            if judge::vanishes(value) {
                 continue;
             }
             let Some(slot) = self.pivot(&base, row)? else { return Ok(None) };
@@ -408,6 +416,7 @@ impl<'m> Solver<'m> {
             }
             self.plan = plan;
             scene = self.measured(&base)?;
+            moved = true;
         }
         Ok(Some((base, scene)))
     }
@@ -425,7 +434,8 @@ impl<'m> Solver<'m> {
         (highest + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
     }
 
-    pub(super) fn rows<B: Number>(&self, scene: &Scene<'m, B>) -> Vec<Row> {
+    /// The rows of the hypotheses that are solved, with their values at a state.
+    pub(super) fn rows<B: Number>(&self, scene: &Scene<'m, B>) -> Vec<(Row, B)> {
         let mut rows = Vec::new();
         let differences: Vec<_> = self
             .equalities()
@@ -434,8 +444,10 @@ impl<'m> Solver<'m> {
         for derivative in 0..=THROUGHOUT {
             for (at, condition, entries) in &differences {
                 for (entry, value) in entries.iter().enumerate() {
-                    if derivative < value.known() && (derivative == 0 || condition.throughout) {
-                        rows.push((*at, derivative, entry));
+                    if let Some(value) = value.nth_derivative_value(derivative)
+                        && (derivative == 0 || condition.throughout)
+                    {
+                        rows.push(((*at, derivative, entry), value));
                     }
                 }
             }
@@ -572,8 +584,17 @@ pub(super) fn difference<B: Number>(
     scene: &Scene<'_, B>,
     condition: &Condition,
 ) -> Result<Vec<Series<B>>, Unavailable> {
+    difference_to((THROUGHOUT + 1, usize::MAX), scene, condition)
+}
+
+/// The same where no more than so many terms are used, of so many entries.
+fn difference_to<B: Number>(
+    (terms, entries): (usize, usize),
+    scene: &Scene<'_, B>,
+    condition: &Condition,
+) -> Result<Vec<Series<B>>, Unavailable> {
     let mut indices: Vec<(IndexId, u8)> = condition.free.iter().map(|id| (*id, 1)).collect();
-    let terms = if condition.throughout { THROUGHOUT + 1 } else { 1 };
+    let terms = if condition.throughout { terms } else { 1 };
     let mut all = Vec::new();
     loop {
         let side = |side: &Expr| evaluate_to(terms, side, scene, &indices);
@@ -587,7 +608,7 @@ pub(super) fn difference<B: Number>(
             (a, _) if condition.rhs.is_zero() => all.extend(a.entries()),
             _ => return Err(Unavailable::Operation("a condition between different shapes")),
         }
-        if !judge::advance(&mut indices, scene)? {
+        if all.len() >= entries || !judge::advance(&mut indices, scene)? {
             return Ok(all);
         }
     }

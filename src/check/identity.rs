@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::Result;
-use crate::formula::evaluate::Unavailable;
+use crate::formula::evaluate::{Unavailable, evaluate_to};
 use crate::formula::tree::Sign;
 use crate::formula::{Expr, Index, IndexId, Node, Relation, SymbolId, text};
 use crate::latex::typeset;
@@ -550,7 +550,7 @@ pub fn values(formulas: &[&Expr], scene: &Scene<'_, Measured>) -> Vec<(String, f
                 let member = Node::Symbol { id: *id, indices: indices.iter().map(at).collect(), dots: *dots };
                 let member = Expr::new(member, expr.span);
                 let name = typeset(&member, &model.symbols);
-                let Ok(value) = crate::formula::evaluate(&member, scene, &[]) else { return };
+                let Ok(value) = evaluate_to(1, &member, scene, &[]) else { return };
                 let entries = value.entries();
                 for (axis, entry) in ["x", "y", "z"].iter().zip(&entries) {
                     let name = if entries.len() == 1 { name.clone() } else { format!("{name} {axis}") };

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::Result;
 use crate::formula::SymbolId;
 use crate::formula::Value;
-use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::formula::evaluate::{Unavailable, evaluate_to};
 use crate::scalar::{Measured, Series};
 
 use super::base::slots;
@@ -174,7 +174,7 @@ impl<'a> Steps<'a> {
         for k in 0..=LAST {
             let Some(scene) = self.scene(k) else { continue };
             let (Value::Scalar(a), Value::Scalar(b)) =
-                (evaluate(&link.lhs, &scene, &[])?, evaluate(&link.rhs, &scene, &[])?)
+                (evaluate_to(1, &link.lhs, &scene, &[])?, evaluate_to(1, &link.rhs, &scene, &[])?)
             else {
                 return Err(Unavailable::Operation("a limit of something that is no number"));
             };

@@ -10,11 +10,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
+use rustc_hash::FxHashMap;
 
 use crate::Result;
-use crate::formula::evaluate::{ALL, Body, Environment, Moving, Unavailable, evaluate, evaluate_to};
+use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
-use crate::mechanics::{Elimination, Quantities, rotations};
+use crate::mechanics::{Elimination, Frame, Nodes, Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Number, Series, TERMS};
 
@@ -36,7 +37,7 @@ pub struct Mode {
 type Member = (SymbolId, [u8; 3]);
 
 /// What was computed: of each member, and whether the particles that stand in for others were meant; how many terms.
-type Memo<B> = BTreeMap<(Member, bool), (usize, Box<Value<Series<B>>>)>;
+type Memo<B> = FxHashMap<(Member, bool), (usize, Box<Value<Series<B>>>)>;
 
 /// Masses, positions, how many terms were asked for, and the inertia tensor.
 type Tensor<B> = (Expr, Expr, usize, Matrix3<Series<B>>);
@@ -58,8 +59,10 @@ pub struct Scene<'m, B: Number> {
     rules: Arc<[Rule]>,
     overrides: Vec<(SymbolId, Value<Series<B>>)>,
     quantities: OnceCell<Option<Quantities<Series<B>>>>,
-    /// How the frame turns, known to so many terms as its place here says.
-    turning: [OnceCell<Option<Box<rotations::Turning<Series<B>>>>>; TERMS + 1],
+    /// The frame that turns, known to so many terms as its place here says.
+    frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
+    /// Its angular velocity, likewise.
+    angular_velocities: [OnceCell<Option<Box<Vector3<Series<B>>>>>; TERMS + 1],
     /// Where in a continuum the formula at hand is evaluated.
     pub(super) place: RefCell<Place<B>>,
     /// Particles that stand in for those of a family.
@@ -70,6 +73,8 @@ pub struct Scene<'m, B: Number> {
     following: RefCell<Vec<(SymbolId, Members<B>)>>,
     /// The same when all is found.
     followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
+    /// Nodes of continua, of a degree.
+    pub(super) cubatures: RefCell<FxHashMap<(usize, usize), Arc<Nodes<B>>>>,
     /// Inertia tensors of masses at positions.
     pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
@@ -125,14 +130,16 @@ impl<'m, B: Number> Scene<'m, B> {
             rules: rules.clone(),
             overrides: Vec::new(),
             quantities: OnceCell::new(),
-            turning: std::array::from_fn(|_| OnceCell::new()),
+            frames: std::array::from_fn(|_| OnceCell::new()),
+            angular_velocities: std::array::from_fn(|_| OnceCell::new()),
             place: RefCell::new(Place::default()),
             crowd: RefCell::new(None),
             crowded: Cell::new(false),
             following: RefCell::new(Vec::new()),
             followed: RefCell::new(BTreeMap::new()),
+            cubatures: RefCell::new(FxHashMap::default()),
             tensors: RefCell::new(Vec::new()),
-            memo: RefCell::new(BTreeMap::new()),
+            memo: RefCell::new(FxHashMap::default()),
         })
     }
 
@@ -215,11 +222,22 @@ impl<'m, B: Number> Scene<'m, B> {
         self.model.parameters.iter().map(|place| self.constant(self.base.constants[*place][0])).collect()
     }
 
-    /// How the document's frame turns, where so many terms of it are used.
-    fn turning(&self, terms: usize) -> Option<&rotations::Turning<Series<B>>> {
+    /// The document's frame, of which so many terms are used; there may be more.
+    fn frame(&self, terms: usize) -> Option<&Frame<B>> {
+        let terms = terms.min(self.terms + 1);
+        let known = || self.frames.get(terms..)?.iter().find_map(OnceCell::get);
+        let compute = || self.base.frame(self.model.frame?, terms).map(Box::new);
+        match known() {
+            Some(known) => known.as_deref(),
+            None => self.frames.get(terms)?.get_or_init(compute).as_deref(),
+        }
+    }
+
+    /// The angular velocity of the document's frame, of which so many terms are used; there may be more.
+    fn angular_velocity(&self, terms: usize) -> Option<Vector3<Series<B>>> {
         let terms = terms.min(self.terms);
-        let compute = || self.base.turning(self.model.frame?, terms + 1).map(Box::new);
-        self.turning.get(terms)?.get_or_init(compute).as_deref()
+        let compute = || self.frame(terms + 1).map(|frame| Box::new(frame.angular_velocity()));
+        self.angular_velocities.get(terms)?.get_or_init(compute).as_deref().copied()
     }
 
     fn quantity(&self, quantity: Quantity, id: SymbolId, indices: &[u8]) -> Valued<B> {
@@ -382,6 +400,7 @@ impl<'m, B: Number> Scene<'m, B> {
     fn forget(&self) {
         self.memo.borrow_mut().clear();
         self.followed.borrow_mut().clear();
+        self.cubatures.borrow_mut().clear();
         self.tensors.borrow_mut().clear();
     }
 
@@ -406,6 +425,18 @@ impl<'m, B: Number> Scene<'m, B> {
         indices.iter().zip(slots).fold(0, |at, (i, (_, letter))| at * upper(letter) + usize::from(*i) - 1)
     }
 
+    /// A symbol whose numbers stand one after the other.
+    fn numbers(&self, id: SymbolId, indices: &[u8], pick: impl Fn(usize) -> Option<Series<B>>) -> Valued<B> {
+        let place = self.place_of(id, indices);
+        if self.model.symbols.entry(id).kind != Kind::Vector {
+            return pick(place).map(Value::Scalar).ok_or(Unavailable::Symbol(id));
+        }
+        match (pick(3 * place), pick(3 * place + 1), pick(3 * place + 2)) {
+            (Some(x), Some(y), Some(z)) => Ok(Value::Vector(Vector3::new(x, y, z))),
+            _ => Err(Unavailable::Symbol(id)),
+        }
+    }
+
     /// A symbol by its meaning alone, of which so many terms are used.
     fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
@@ -418,22 +449,13 @@ impl<'m, B: Number> Scene<'m, B> {
         if let Some(member) = self.place.borrow().part.as_ref().and_then(|part| part.crowd.member(id, indices)) {
             return Ok(member);
         }
-        let number = |pick: &dyn Fn(usize) -> Option<Series<B>>| {
-            let place = self.place_of(id, indices);
-            match entry.kind {
-                Kind::Vector => {
-                    let [x, y, z] = [pick(3 * place)?, pick(3 * place + 1)?, pick(3 * place + 2)?];
-                    Some(Value::Vector(Vector3::new(x, y, z)))
-                }
-                _ => pick(place).map(Value::Scalar),
-            }
-        };
-        let fixed = |numbers: &[B]| number(&|at| numbers.get(at).map(|x| self.constant(*x))).ok_or_else(none);
+        let fixed = |numbers: &[B]| self.numbers(id, indices, |at| numbers.get(at).map(|x| self.constant(*x)));
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
-            Meaning::Constant(i) => fixed(&self.base.constants[*i]),
+            Meaning::Constant(i) => return fixed(&self.base.constants[*i]),
             Meaning::Varying(i) => {
-                number(&|at| Some(self.base.varying[*i].series(at)?.truncated(self.terms.min(terms)))).ok_or_else(none)
+                let known = self.terms.min(terms);
+                return self.numbers(id, indices, |at| self.base.varying[*i].series_to(at, known));
             }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
@@ -458,15 +480,15 @@ impl<'m, B: Number> Scene<'m, B> {
                 .map(Value::Scalar)
                 .ok_or_else(none),
             Meaning::Frame(FrameQuantity::AngularVelocity) => {
-                Ok(Value::Vector(self.turning(terms).ok_or_else(none)?.angular_velocity))
+                Ok(Value::Vector(self.angular_velocity(terms).ok_or_else(none)?))
             }
             Meaning::Frame(FrameQuantity::Axes) => {
                 let at = indices.first().map(|index| usize::from(*index) - 1).ok_or_else(none)?;
-                Ok(Value::Vector(self.turning(terms).ok_or_else(none)?.orientation.row(at).transpose()))
+                Ok(Value::Vector(self.frame(terms).ok_or_else(none)?.orientation().row(at).transpose()))
             }
             Meaning::Rigid(i) => {
                 let Value::Vector(fixed) = fixed(&self.base.rigid[*i])? else { return Err(none()) };
-                let orientation = self.turning(terms).ok_or_else(none)?.orientation.map(|entry| entry.known_to(terms));
+                let orientation = self.frame(terms).ok_or_else(none)?.orientation().map(|entry| entry.truncated(terms));
                 let turned = orientation.transpose() * fixed;
                 match self.model.rigid[*i].about {
                     None => Ok(Value::Vector(turned)),
@@ -495,7 +517,12 @@ impl<'m, B: Number> Scene<'m, B> {
 
     /// Whether no particles stand in for others, and none are being followed.
     pub(super) fn is_alone(&self) -> bool {
-        self.crowd.borrow().is_none() && self.following.borrow().is_empty()
+        self.crowd.borrow().is_none() && !self.is_following()
+    }
+
+    /// Whether symbols that follow a law are known in part.
+    pub(super) fn is_following(&self) -> bool {
+        !self.following.borrow().is_empty()
     }
 
     /// Lets the rules that join families take effect: their members stand in for the family that is joined.
@@ -539,25 +566,34 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     }
 
     fn symbol_to(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
-        let cut = |mut value: Value<Series<B>>| {
-            value.for_each(|x| *x = x.known_to(terms));
-            value
+        let cut = |value: &mut Value<Series<B>>| value.for_each(|x| x.truncate(terms));
+        let cut_clone = |value: &Value<Series<B>>| {
+            let mut value = value.clone();
+            cut(&mut value);
+            Ok(value)
         };
         if let Some((_, value)) = self.overrides.iter().find(|(known, _)| *known == id) {
-            return Ok(cut(value.clone()));
+            return cut_clone(value);
         }
         if indices.len() > 3 || !self.keeps(id) {
-            return self.ruled(id, indices, self.rules.len(), terms).map(cut);
+            let mut value = self.ruled(id, indices, self.rules.len(), terms);
+            if let Ok(value) = &mut value {
+                cut(value);
+            }
+            return value;
         }
         let mut values = [0; 3];
         values[..indices.len()].copy_from_slice(indices);
         let key = ((id, values), self.crowded.get());
         if let Some((_, value)) = self.memo.borrow().get(&key).filter(|(known, _)| *known >= terms) {
-            return Ok(cut(value.as_ref().clone()));
+            return cut_clone(value);
         }
-        let value = cut(self.ruled(id, indices, self.rules.len(), terms)?);
-        self.memo.borrow_mut().insert(key, (terms, Box::new(value.clone())));
-        Ok(value)
+        let mut value = self.ruled(id, indices, self.rules.len(), terms);
+        if let Ok(value) = &mut value {
+            cut(value);
+            self.memo.borrow_mut().insert(key, (terms, Box::new(value.clone())));
+        }
+        value
     }
 
     fn count(&self, index: IndexId) -> Result<u8, Unavailable> {

@@ -30,18 +30,16 @@ pub trait Moving: Number {
     fn rate(&self) -> Option<Self> {
         None
     }
-    /// The same number, known to no more than so many terms: the value and its derivatives.
-    fn known_to(self, _terms: usize) -> Self {
-        self
-    }
+    /// Forgets all but so many terms: the value and its derivatives.
+    fn truncate(&mut self, _terms: usize) {}
 }
 
 impl<B: Number> Moving for Series<B> {
     fn rate(&self) -> Option<Self> {
         (self.known() > 1).then(|| self.derivative())
     }
-    fn known_to(self, terms: usize) -> Self {
-        if self.known() <= terms { self } else { self.truncated(terms) }
+    fn truncate(&mut self, terms: usize) {
+        Series::truncate(self, terms);
     }
 }
 
@@ -247,6 +245,9 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
 
     #[inline(never)]
     fn dotted(&mut self, id: SymbolId, indices: &[Index], dots: u8) -> Evaluated<Value<D>> {
+        if dots == 0 {
+            return self.symbol(id, indices, self.terms);
+        }
         let mut value = self.symbol(id, indices, self.terms.saturating_add(usize::from(dots)))?;
         differentiate(&mut value, dots)?;
         Ok(value)
@@ -272,12 +273,14 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     #[inline(never)]
     fn product(&mut self, factors: &[Expr]) -> Evaluated<Value<D>> {
         let Some((first, others)) = factors.split_first() else { return Ok(Value::Scalar(constant(1.0))) };
-        let mut total = self.value(first)?;
+        let mut total = self.value(first);
         for factor in others {
-            let value = self.value(factor)?;
-            total = total.times(value).ok_or(Unavailable::Operation("a product of these shapes"))?;
+            let Ok(product) = &mut total else { break };
+            if !product.multiply(self.value(factor)?) {
+                return Err(Unavailable::Operation("a product of these shapes"));
+            }
         }
-        Ok(total)
+        total
     }
 
     #[inline(never)]

@@ -102,23 +102,22 @@ impl<D: Number> Value<D> {
         true
     }
 
-    /// The product of two things side by side, where there is one.
-    pub fn times(self, other: Self) -> Option<Self> {
-        match (self, other) {
+    /// Multiplies by what stands beside it; false, and nothing is done, where there is no such product.
+    pub fn multiply(&mut self, other: Self) -> bool {
+        match (&mut *self, other) {
+            (Value::Scalar(a), Value::Scalar(b)) => *a *= b,
             (Value::Scalar(a), mut other) => {
-                other.for_each(|b| *b = a * *b);
-                Some(other)
+                other.for_each(|b| *b = *a * *b);
+                *self = other;
             }
-            (mut other, Value::Scalar(b)) => {
-                other.for_each(|a| *a *= b);
-                Some(other)
-            }
-            (Value::Matrix(a), Value::Matrix(b)) if a.ncols() == b.nrows() => Some(Value::Matrix(a * b)),
+            (product, Value::Scalar(b)) => product.for_each(|a| *a *= b),
+            (Value::Matrix(a), Value::Matrix(b)) if a.ncols() == b.nrows() => *a = &*a * b,
             (Value::Matrix(a), Value::Vector(b)) if a.shape() == (3, 3) => {
-                Some(Value::Vector(a.fixed_view::<3, 3>(0, 0) * b))
+                *self = Value::Vector(a.fixed_view::<3, 3>(0, 0) * b);
             }
-            _ => None,
+            _ => return false,
         }
+        true
     }
 
     /// The inverse of a matrix of up to three rows, by Cramer's rule.
@@ -158,12 +157,15 @@ mod tests {
     #[test]
     fn a_matrix_times_its_inverse_is_the_unit_matrix() {
         let m = DMatrix::from_row_slice(3, 3, &[2.0, 1.0, 0.5, -1.0, 3.0, 0.2, 0.7, 0.1, -1.5]);
-        let inverse = Value::Matrix(m.clone()).inverse().unwrap();
-        let Some(Value::Matrix(unit)) = Value::Matrix(m.clone()).times(inverse) else { panic!() };
-        approx::assert_relative_eq!(unit, DMatrix::identity(3, 3), epsilon = 1e-14);
-        let Some(Value::Matrix(not_unit)) = Value::Matrix(m.clone()).times(Value::Matrix(m.transpose())) else {
-            panic!()
+        let product = |other: Value<f64>| {
+            let mut product = Value::Matrix(m.clone());
+            assert!(product.multiply(other));
+            let Value::Matrix(product) = product else { panic!() };
+            product
         };
-        approx::assert_relative_ne!(not_unit, DMatrix::identity(3, 3), epsilon = 1e-3);
+        let inverse = Value::Matrix(m.clone()).inverse().unwrap();
+        approx::assert_relative_eq!(product(inverse), DMatrix::identity(3, 3), epsilon = 1e-14);
+        let transpose = Value::Matrix(m.transpose());
+        approx::assert_relative_ne!(product(transpose), DMatrix::identity(3, 3), epsilon = 1e-3);
     }
 }

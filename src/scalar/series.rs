@@ -26,6 +26,7 @@ pub struct Series<B> {
 
 // Derived, it would copy coefficient after coefficient.
 impl<B: Copy> Clone for Series<B> {
+    #[inline]
     fn clone(&self) -> Self {
         *self
     }
@@ -84,42 +85,54 @@ impl<B: Number> Series<B> {
     /// The same series, known to no more than `known` coefficients.
     pub fn truncated(&self, known: usize) -> Self {
         let mut series = *self;
-        if known < self.known() {
-            if known == 0 {
-                return Series::build(0, 0, |_, _| B::zero());
-            }
-            for coefficient in &mut series.coefficients[known..self.length().max(known)] {
-                *coefficient = B::zero();
-            }
-            (series.known, series.length) = (known as u8, self.length.min(known as u8));
-        }
+        series.truncate(known);
         series
     }
 
+    /// Forgets all but the first `known` coefficients.
+    #[inline]
+    pub fn truncate(&mut self, known: usize) {
+        if known < self.known() {
+            if known == 0 {
+                self.coefficients[0] = B::from(f64::NAN); // whoever looks shall not find a number
+            }
+            // nobody looks at what is not known
+            (self.known, self.length) = (known as u8, self.length.min(known.max(1) as u8));
+        }
+    }
+
     /// Coefficient after coefficient, each from those before it; beyond `length` they are zero.
+    #[inline]
     fn build(known: usize, length: usize, mut next: impl FnMut(usize, &[B; TERMS]) -> B) -> Self {
-        let mut coefficients = [B::zero(); TERMS];
+        let mut series = Series { coefficients: [B::zero(); TERMS], known: known as u8, length: 1 };
         if known == 0 {
-            coefficients[0] = B::from(f64::NAN); // nothing is known: whoever looks shall not find a number
+            series.coefficients[0] = B::from(f64::NAN); // nothing is known: whoever looks shall not find a number
         }
         let length = length.min(known);
         for k in 0..length {
-            coefficients[k] = next(k, &coefficients);
+            series.coefficients[k] = next(k, &series.coefficients);
         }
-        Series::of(coefficients, known, length)
+        series.settle(length);
+        series
     }
 
-    /// What has no value does not stay as it is: no rate of it is 0 because nothing in it varies.
-    fn of(mut coefficients: [B; TERMS], known: usize, length: usize) -> Self {
-        let mut length = length.clamp(1, known.max(1));
-        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from itself.
-        let nothing = coefficients[0] * B::zero();
-        #[allow(clippy::eq_op)]
-        if length < known && nothing != nothing {
-            coefficients[length..known].fill(B::from(f64::NAN));
-            length = known;
+    /// Says how many coefficients may differ from zero. What has no value does not stay as it is: no rate of it is 0
+    /// because nothing in it varies.
+    #[inline]
+    fn settle(&mut self, length: usize) {
+        let known = self.known();
+        let length = length.clamp(1, known.max(1));
+        self.length = length as u8;
+        if length == known {
+            return;
         }
-        Series { coefficients, known: known as u8, length: length as u8 }
+        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from itself.
+        let nothing = self.coefficients[0] * B::zero();
+        #[allow(clippy::eq_op)]
+        if nothing != nothing {
+            self.coefficients[length..known].fill(B::from(f64::NAN));
+            self.length = self.known;
+        }
     }
 
     fn length(&self) -> usize {
@@ -155,13 +168,63 @@ impl<B: Number> Series<B> {
     /// Two functions, each the other's derivative up to a sign: sine and cosine (−1), their hyperbolic sisters (+1).
     fn coupled(&self, first: B, second: B, sign: f64) -> (Self, Self) {
         let (x, length) = (&self.coefficients, self.length_of_function());
-        let (mut s, mut c) = ([B::zero(); TERMS], [B::zero(); TERMS]);
-        (s[0], c[0]) = (first, second);
+        let [mut s, mut c] = [first, second].map(|value| Series { known: self.known, ..Series::constant(value) });
         for k in 1..length {
-            s[k] = Self::integral_step(k, x, &c);
-            c[k] = Self::integral_step(k, x, &s) * sign;
+            s.coefficients[k] = Self::integral_step(k, x, &c.coefficients);
+            c.coefficients[k] = Self::integral_step(k, x, &s.coefficients) * sign;
         }
-        (Series::of(s, self.known(), length), Series::of(c, self.known(), length))
+        s.settle(length);
+        c.settle(length);
+        (s, c)
+    }
+
+    // The operators take their numbers by value, which for so large a type means copies. What they do is written over
+    // references, so that the copies are seen to be needless.
+
+    fn sum(&self, other: &Self) -> Self {
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        Series::build(self.common(other), self.length().max(other.length()), |k, _| {
+            match (k < self.length(), k < other.length()) {
+                (true, true) => a[k] + b[k],
+                (true, false) => a[k],
+                _ => b[k],
+            }
+        })
+    }
+
+    fn difference(&self, other: &Self) -> Self {
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        Series::build(self.common(other), self.length().max(other.length()), |k, _| {
+            match (k < self.length(), k < other.length()) {
+                (true, true) => a[k] - b[k],
+                (true, false) => a[k],
+                _ => -b[k],
+            }
+        })
+    }
+
+    fn product(&self, other: &Self) -> Self {
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        Series::build(self.common(other), self.length() + other.length() - 1, |k, _| {
+            let first = k.saturating_sub(other.length() - 1);
+            let mut sum = a[first] * b[k - first];
+            for j in first + 1..=k.min(self.length() - 1) {
+                sum += a[j] * b[k - j];
+            }
+            sum
+        })
+    }
+
+    fn quotient(&self, other: &Self) -> Self {
+        let (a, b) = (&self.coefficients, &other.coefficients);
+        let length = if other.length == 1 { self.length() } else { self.common(other) };
+        Series::build(self.common(other), length, |k, quotient| {
+            let mut left = a[k];
+            for j in 1..=k.min(other.length() - 1) {
+                left -= b[j] * quotient[k - j];
+            }
+            left / b[0]
+        })
     }
 }
 
@@ -178,47 +241,21 @@ impl<B: Number> Arithmetic for Series<B> {
     fn same(self, other: Self) -> bool {
         self.coefficients[0] == other.coefficients[0]
     }
+    #[inline]
     fn plus(self, other: Self) -> Self {
-        let (a, b) = (&self.coefficients, &other.coefficients);
-        Series::build(self.common(&other), self.length().max(other.length()), |k, _| {
-            match (k < self.length(), k < other.length()) {
-                (true, true) => a[k] + b[k],
-                (true, false) => a[k],
-                _ => b[k],
-            }
-        })
+        self.sum(&other)
     }
+    #[inline]
     fn minus(self, other: Self) -> Self {
-        let (a, b) = (&self.coefficients, &other.coefficients);
-        Series::build(self.common(&other), self.length().max(other.length()), |k, _| {
-            match (k < self.length(), k < other.length()) {
-                (true, true) => a[k] - b[k],
-                (true, false) => a[k],
-                _ => -b[k],
-            }
-        })
+        self.difference(&other)
     }
+    #[inline]
     fn times(self, other: Self) -> Self {
-        let (a, b) = (&self.coefficients, &other.coefficients);
-        Series::build(self.common(&other), self.length() + other.length() - 1, |k, _| {
-            let first = k.saturating_sub(other.length() - 1);
-            let mut sum = a[first] * b[k - first];
-            for j in first + 1..=k.min(self.length() - 1) {
-                sum += a[j] * b[k - j];
-            }
-            sum
-        })
+        self.product(&other)
     }
+    #[inline]
     fn over(self, other: Self) -> Self {
-        let (a, b) = (&self.coefficients, &other.coefficients);
-        let length = if other.length == 1 { self.length() } else { self.common(&other) };
-        Series::build(self.common(&other), length, |k, quotient| {
-            let mut left = a[k];
-            for j in 1..=k.min(other.length() - 1) {
-                left -= b[j] * quotient[k - j];
-            }
-            left / b[0]
-        })
+        self.quotient(&other)
     }
     fn negated(self) -> Self {
         Series::build(self.known(), self.length(), |k, _| -self.coefficients[k])

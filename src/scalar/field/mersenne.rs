@@ -2,6 +2,9 @@
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
+use std::sync::OnceLock;
+
+use super::circle::Circle;
 
 /// Which Mersenne prime: p = 2^BITS − 1 must be one.
 pub trait Modulus: Copy + Debug + Send + Sync + 'static {
@@ -11,6 +14,9 @@ pub trait Modulus: Copy + Debug + Send + Sync + 'static {
     const HALVINGS: u32;
     /// The prime.
     const PRIME: u128 = (1 << Self::BITS) - 1;
+
+    /// The unit circle over the field, which is found once.
+    fn circle() -> &'static Circle<Self>;
 }
 
 /// p = 2¹²⁷ − 1, in which identities are decided.
@@ -20,6 +26,11 @@ pub struct Large;
 impl Modulus for Large {
     const BITS: u32 = 127;
     const HALVINGS: u32 = 10;
+
+    fn circle() -> &'static Circle<Self> {
+        static CIRCLE: OnceLock<Circle<Large>> = OnceLock::new();
+        CIRCLE.get_or_init(Circle::new)
+    }
 }
 
 /// A residue modulo p, from 0 to p − 1.
@@ -147,6 +158,11 @@ pub mod tests {
     impl Modulus for Small {
         const BITS: u32 = 13;
         const HALVINGS: u32 = 3;
+
+        fn circle() -> &'static Circle<Self> {
+            static CIRCLE: OnceLock<Circle<Small>> = OnceLock::new();
+            CIRCLE.get_or_init(Circle::new)
+        }
     }
 
     /// p = 2⁶¹ − 1, whose products fit into a machine's word twice over.
@@ -155,6 +171,11 @@ pub mod tests {
     impl Modulus for Middle {
         const BITS: u32 = 61;
         const HALVINGS: u32 = 10;
+
+        fn circle() -> &'static Circle<Self> {
+            static CIRCLE: OnceLock<Circle<Middle>> = OnceLock::new();
+            CIRCLE.get_or_init(Circle::new)
+        }
     }
 
     fn obeys_the_laws<F: Modulus>(a: u128, b: u128, c: u128) {

@@ -337,10 +337,7 @@ impl<F: Modulus> Modular<F> {
         let quotient = session(|session| {
             // (a/A)/(b/B) = (a·B)/(A·b), without what A and B share
             let (above, below) = session.denominators.reduced(other.bottom, self.bottom);
-            let reciprocal = match other.kind {
-                Kind::Whole(whole) => session.reciprocal(whole),
-                _ => other.value.inverse(),
-            };
+            let reciprocal = session.reciprocal(other.value);
             let inverse = match other.ratio(session).and_then(Ratio::inverse) {
                 // a whole number divides prime by prime
                 Some(_) if other.bottom == 0 => {

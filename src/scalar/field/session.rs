@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-use super::circle::{Circle, Point, drawn_bits, turn_bits};
+use super::circle::{Point, drawn_bits, turn_bits};
 use super::denominators::{Denominators, Size};
 use super::mersenne::{Modulus, Residue};
 use super::{Modular, SIMPLE_NORM};
@@ -140,8 +140,8 @@ struct Root<F> {
 /// How a square root comes by its value.
 #[derive(Clone, Copy)]
 enum Made<F> {
-    /// By itself, if it exists here; with the sign that it was given when it was first used, and whether it is irrational.
-    Itself(Option<Residue<F>>, Option<bool>, bool),
+    /// By itself, with the value that it was given when it was first used; or by the number of which it is the magnitude.
+    Itself(Option<Residue<F>>, Option<Residue<F>>),
     /// A multiple of a product of earlier roots, or of the quotient of two.
     Of(Residue<F>, Option<usize>, Option<(usize, bool)>),
 }
@@ -161,7 +161,6 @@ pub enum Found {
 /// The state of a session.
 pub struct Session<F: Modulus> {
     generator: Pcg64Mcg,
-    circle: Circle<F>,
     points: FxHashMap<u128, Point<F>>,
     pub denominators: Denominators<F>,
     constants: FxHashMap<u64, Known<F>>,
@@ -179,8 +178,8 @@ pub struct Session<F: Modulus> {
     /// The labels of arguments of which only the value is known.
     atoms: Vec<(Residue<F>, u128, u32)>,
     pi: Residue<F>,
-    /// The reciprocals of small whole numbers that were needed.
-    reciprocals: FxHashMap<i32, Residue<F>>,
+    /// The reciprocals that were needed: one takes as long as two hundred products.
+    reciprocals: FxHashMap<u128, Residue<F>>,
     pub account: Account,
 }
 
@@ -189,7 +188,6 @@ impl<F: Modulus> Session<F> {
     pub fn new(seed: u64, signs: u32, finest: u64) -> Self {
         let mut session = Session {
             generator: Pcg64Mcg::seed_from_u64(seed),
-            circle: Circle::new(),
             points: FxHashMap::default(),
             denominators: Denominators::new(),
             constants: FxHashMap::default(),
@@ -234,9 +232,9 @@ impl<F: Modulus> Session<F> {
         (self.bits() & ((1 << drawn_bits::<F>()) - 1)) << F::HALVINGS
     }
 
-    /// The reciprocal of a whole number.
-    pub fn reciprocal(&mut self, whole: i32) -> Residue<F> {
-        *self.reciprocals.entry(whole).or_insert_with(|| Residue::whole(whole.into()).inverse())
+    /// The reciprocal of a residue; 0 for 0.
+    pub fn reciprocal(&mut self, residue: Residue<F>) -> Residue<F> {
+        *self.reciprocals.entry(residue.value()).or_insert_with(|| residue.inverse())
     }
 
     /// A random number.
@@ -264,7 +262,8 @@ impl<F: Modulus> Session<F> {
             return *known;
         }
         let fraction = |session: &mut Self, ratio: Ratio| {
-            let value = Residue::whole(ratio.numerator).times(Residue::new(ratio.denominator.into()).inverse());
+            let reciprocal = session.reciprocal(Residue::new(ratio.denominator.into()));
+            let value = Residue::whole(ratio.numerator).times(reciprocal);
             let size = Size { degree: 0, norm: ratio.numerator.unsigned_abs() as f64 };
             (value, size, session.denominators.whole(ratio.denominator))
         };
@@ -309,7 +308,7 @@ impl<F: Modulus> Session<F> {
         let point = match self.points.get(&label) {
             Some(point) => *point,
             None => {
-                let point = self.circle.at(label);
+                let point = F::circle().at(label);
                 self.points.insert(label, point);
                 point
             }
@@ -343,7 +342,7 @@ impl<F: Modulus> Session<F> {
         let mut made = None;
         for (numerator, denominator) in squares {
             let (n, d) = (Residue::<F>::whole(numerator), Residue::<F>::new(denominator.into()));
-            let (multiple, ratio) = (radicand.times(d.square()), n.times(d.inverse()));
+            let (multiple, ratio) = (radicand.times(d.square()), n.times(self.reciprocal(d)));
             if multiple == n.square() {
                 self.account.coincidences += f64::from(degree);
                 return Found::Ratio(Ratio { numerator, denominator });
@@ -361,10 +360,7 @@ impl<F: Modulus> Session<F> {
         let made = made.or_else(|| self.made_of_two(radicand, degree));
         self.account.coincidences += f64::from(degree) * self.squares.len() as f64;
         let magnitude = self.squares.get(&radicand.value()).copied().filter(|_| made.is_none());
-        let made = made.unwrap_or(match magnitude {
-            Some(drawn) => Made::Itself(Some(drawn), None, false),
-            None => Made::Itself(radicand.root(), None, true),
-        });
+        let made = made.unwrap_or(Made::Itself(None, magnitude));
         self.roots.push(Root { radicand, degree, made });
         let place = self.roots.len() as u32 - 1;
         if magnitude.is_some() { Found::Magnitude(place) } else { Found::Root(place) }
@@ -394,24 +390,25 @@ impl<F: Modulus> Session<F> {
                 let (first, bits) = first.map_or((Residue::ONE, 0), |first| self.value_of_root(first));
                 let (second, more) = second.map_or((Residue::ONE, 0), |(second, inverted)| {
                     let (value, bits) = self.value_of_root(second);
-                    (if inverted { value.inverse() } else { value }, bits)
+                    (if inverted { self.reciprocal(value) } else { value }, bits)
                 });
                 (ratio.times(first).times(second), bits | more)
             }
-            Made::Itself(None, ..) => {
-                self.account.elsewhere = Some("a square root that this field does not have");
-                (Residue::ONE, 0)
-            }
-            Made::Itself(Some(root), sign, irrational) => {
-                let negative = sign.unwrap_or_else(|| {
-                    let negative = self.signs >> self.account.roots & 1 == 1;
-                    self.account.roots += 1;
-                    self.account.opaque = true;
-                    negative
-                });
-                self.roots[place].made = Made::Itself(Some(root), Some(negative), irrational);
-                let bits = if irrational { 1 << (place % 32) } else { 0 };
-                (if negative { root.negated() } else { root }, bits)
+            Made::Itself(value, magnitude) => {
+                let bits = if magnitude.is_some() { 0 } else { 1 << (place % 32) };
+                if let Some(value) = value {
+                    return (value, bits);
+                }
+                let Some(root) = magnitude.or_else(|| self.roots[place].radicand.root()) else {
+                    self.account.elsewhere = Some("a square root that this field does not have");
+                    return (Residue::ONE, 0);
+                };
+                let negative = self.signs >> self.account.roots & 1 == 1;
+                let value = if negative { root.negated() } else { root };
+                self.account.roots += 1;
+                self.account.opaque = true;
+                self.roots[place].made = Made::Itself(Some(value), magnitude);
+                (value, bits)
             }
         }
     }
