@@ -52,3 +52,18 @@ fn what_cannot_be_derived_is_said_with_what_to_do() {
         assert!(words.iter().all(|word| run.err.contains(word)), "{arguments:?}: {}", run.err);
     }
 }
+
+#[test]
+fn as_rust_it_is_the_source_of_the_accelerations_and_of_nothing_else() {
+    let desk = Desk::new("derive-rust");
+    let source = desk.onshell(&["derive", "heavy_top", "--format", "rust"]);
+    assert_eq!(source.code, 0, "{}", source.err);
+    // `tests/mechanics/source.rs` compiles this source and runs it
+    let system = onshell::systems::Registry::standard();
+    assert_eq!(source.out, system.get("heavy_top").unwrap().world().unwrap().rust_source());
+    let same = desk.onshell(&["derive", "heavy_top", "--as", "accelerations", "--format", "rust"]);
+    assert_eq!(same.out, source.out);
+    let refused = desk.onshell(&["derive", "heavy_top", "--as", "momenta", "--format", "rust"]);
+    assert_eq!((refused.code, refused.out.as_str()), (2, ""));
+    assert!(refused.err.contains("leave out --as"), "{}", refused.err);
+}
