@@ -48,6 +48,12 @@ type Members<B> = Vec<Value<Series<B>>>;
 /// A value, or why there is none.
 type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 
+/// How fast the frame turns, if there is one.
+type AngularVelocity<B> = Option<Box<Vector3<Series<B>>>>;
+
+/// The nodes of bodies.
+type Cubatures<B> = FxHashMap<(usize, usize), Arc<Nodes<B>>>;
+
 /// A state.
 pub struct Scene<'m, B: Number> {
     pub(super) model: &'m Model,
@@ -62,7 +68,7 @@ pub struct Scene<'m, B: Number> {
     /// The frame that turns, known to so many terms as its place here says.
     frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
     /// Its angular velocity, likewise.
-    angular_velocities: [OnceCell<Option<Box<Vector3<Series<B>>>>>; TERMS + 1],
+    angular_velocities: [OnceCell<AngularVelocity<B>>; TERMS + 1],
     /// Where in a continuum the formula at hand is evaluated.
     pub(super) place: RefCell<Place<B>>,
     /// Particles that stand in for those of a family.
@@ -74,7 +80,7 @@ pub struct Scene<'m, B: Number> {
     /// The same when all is found.
     followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
     /// Nodes of continua, of a degree.
-    pub(super) cubatures: RefCell<FxHashMap<(usize, usize), Arc<Nodes<B>>>>,
+    pub(super) cubatures: RefCell<Cubatures<B>>,
     /// Inertia tensors of masses at positions.
     pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
@@ -452,10 +458,10 @@ impl<'m, B: Number> Scene<'m, B> {
         let fixed = |numbers: &[B]| self.numbers(id, indices, |at| numbers.get(at).map(|x| self.constant(*x)));
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
-            Meaning::Constant(i) => return fixed(&self.base.constants[*i]),
+            Meaning::Constant(i) => fixed(&self.base.constants[*i]),
             Meaning::Varying(i) => {
                 let known = self.terms.min(terms);
-                return self.numbers(id, indices, |at| self.base.varying[*i].series_to(at, known));
+                self.numbers(id, indices, |at| self.base.varying[*i].series_to(at, known))
             }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),

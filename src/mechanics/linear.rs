@@ -63,7 +63,8 @@ fn determinant<D: Number>(matrix: &DMatrix<D>) -> D {
         return D::one();
     }
     let below = matrix.clone().remove_row(0);
-    let cofactor = |j: usize| determinant(&below.clone().remove_column(j)) * if j % 2 == 0 { 1.0 } else { -1.0 };
+    let cofactor =
+        |j: usize| determinant(&below.clone().remove_column(j)) * if j.is_multiple_of(2) { 1.0 } else { -1.0 };
     (0..matrix.ncols()).map(|j| matrix[(0, j)] * cofactor(j)).fold(D::zero(), |sum, term| sum + term)
 }
 

@@ -194,7 +194,7 @@ mod tests {
         assert_eq!(meant(3.0 * PI / 4.0), of_pi(3, 4));
         // the twins
         assert_eq!(meant(22.0 / 7.0), Some(Meant::Ratio(Ratio { numerator: 22, denominator: 7 })));
-        assert_eq!(meant(3.14159), Some(Meant::Ratio(Ratio { numerator: 314_159, denominator: 100_000 })));
+        assert_eq!(meant(12.5664), Some(Meant::Ratio(Ratio { numerator: 7854, denominator: 625 })));
         assert_eq!(meant(0.5), Some(Meant::Ratio(Ratio { numerator: 1, denominator: 2 })));
     }
 }

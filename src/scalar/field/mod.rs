@@ -114,8 +114,7 @@ pub fn false_accept_log2<F: Modulus>(differences: &[Modular<F>], account: &Accou
         // with k roots of free sign the norm is a product of 2ᵏ conjugates
         let conjugates = f64::from(difference.roots.count_ones()).exp2();
         let bits = difference.size.norm.max(1.0).log2() * conjugates;
-        // NaN is too large as well
-        if !(bits < f64::from(F::BITS)) {
+        if bits.is_nan() || bits >= f64::from(F::BITS) {
             return None;
         }
         degree = degree.max(f64::from(difference.size.degree) * conjugates);

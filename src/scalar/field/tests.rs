@@ -133,7 +133,7 @@ differences! {
     Order: |a, b, c, d| if a < b { a } else { b };
     Third: |a, b, c, d| D::from(PI / 3.0).cos() - 0.5;
     Magnitude: |a, b, c, d| a.abs() - a;
-    Huge: |a, b, c, d| a * 1e15 * 1e15 * 1e15 - a * 1e15 * 1e15 * 1e15;
+    Huge: |a, b, c, d| a * 1e15 * 1e15 * 1e15 - a * 1e15 * (1e15 * 1e15);
 }
 
 #[test]
@@ -165,7 +165,7 @@ fn accidents(difference: &impl Difference) -> (f64, f64) {
         let Some((value, account)) = result else { continue };
         decided += 1;
         passed += u32::from(value.vanishes());
-        let found = if let Some(bound) = false_accept_log2(&[value], &account, 1) { bound } else { 0.0 };
+        let found = false_accept_log2(&[value], &account, 1).unwrap_or(0.0);
         bound = bound.max(found);
     }
     (f64::from(passed) / f64::from(decided), bound.exp2())
