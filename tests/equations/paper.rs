@@ -124,7 +124,7 @@ pub fn describe(item: &Equation) -> String {
     }
     for finding in failing(item) {
         text.push_str(&format!("\n  {}: {}", finding.verdict, finding.message));
-        for line in finding.counterexample.iter().flat_map(diagnostic::evidence) {
+        for line in diagnostic::evidence(finding) {
             text.push_str(&format!("\n    {line}"));
         }
     }

@@ -87,6 +87,12 @@ impl<F: Modulus> Denominators<F> {
         }
     }
 
+    /// The degree of all that might have been taken for one factor by accident: each pair of them was compared.
+    pub fn coincidences(&self) -> f64 {
+        let highest = self.factors.iter().map(|factor| factor.size.degree).max().unwrap_or(0);
+        f64::from(highest) * (self.factors.len() * self.factors.len()) as f64
+    }
+
     /// The value of a denominator.
     pub fn value(&self, bottom: Bottom) -> Residue<F> {
         self.entries[bottom as usize].value

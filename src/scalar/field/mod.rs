@@ -93,7 +93,11 @@ pub fn at_a_point<F: Modulus, R>(seed: u64, signs: u32, finest: u64, f: impl FnO
     let result = f();
     let session = SESSION.take().and_then(|session| session.downcast::<Session<F>>().ok());
     drop(interrupted);
-    (result, session.map(|session| session.account).unwrap_or_default())
+    let account = session.map(|session| {
+        let coincidences = session.account.coincidences + session.denominators.coincidences();
+        Account { coincidences, ..session.account }
+    });
+    (result, account.unwrap_or_default())
 }
 
 /// Runs `f` on the session of the thread; outside of one, on a scratch session of which nothing is ever read.
