@@ -123,7 +123,7 @@ impl<B: Number> Series<B> {
         let known = self.known();
         let length = length.clamp(1, known.max(1));
         self.length = length as u8;
-        if length == known {
+        if length >= known {
             return;
         }
         // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from itself.

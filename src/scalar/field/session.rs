@@ -107,6 +107,17 @@ fn common_multiple(a: u64, b: u64) -> u64 {
     (a / gcd(a, b)).saturating_mul(b)
 }
 
+/// Whether a fraction is neither a decimal nor simple: what is left of √2 or 1/π, of whose relations nothing is known.
+fn is_rough(ratio: Ratio) -> bool {
+    let mut rest = ratio.denominator;
+    for prime in [2, 5] {
+        while rest.is_multiple_of(prime) {
+            rest /= prime;
+        }
+    }
+    rest > 100_000
+}
+
 /// The inverse of an odd number modulo 2¹²⁸, by Newton's iteration.
 fn inverse_of_odd(odd: u128) -> u128 {
     (0..7).fold(1_u128, |x, _| x.wrapping_mul(2_u128.wrapping_sub(odd.wrapping_mul(x))))
@@ -274,7 +285,7 @@ impl<F: Modulus> Session<F> {
                 Known { value: Residue::ZERO, size, bottom: 0, ratio: None, angle: None }
             }
             Some(Meant::Ratio(ratio)) => {
-                self.account.opaque |= ratio.denominator > 1_000_000_000_000;
+                self.account.opaque |= is_rough(ratio);
                 let (value, size, bottom) = fraction(self, ratio);
                 Known { value, size, bottom, ratio: Some(ratio), angle: None }
             }
@@ -449,6 +460,19 @@ mod tests {
         for odd in (1..100_u128).step_by(2).chain([u128::MAX]) {
             assert_eq!(odd.wrapping_mul(inverse_of_odd(odd)), 1);
         }
+    }
+
+    #[test]
+    fn what_is_left_of_an_irrational_number_is_opaque() {
+        let opaque = |x: f64| {
+            let mut session = Session::<Large>::new(1, 0, 1);
+            session.constant(x);
+            session.account.opaque
+        };
+        let (root, pi) = (std::f64::consts::SQRT_2, std::f64::consts::PI);
+        assert_eq!([root, 1.0 / root, 1.0 / pi, pi * pi].map(opaque), [true; 4]);
+        // the twins: a part of π, a decimal, a fraction
+        assert_eq!([4.0 * pi / 3.0, 6.674e-11, 1.0 / 720.0].map(opaque), [false; 3]);
     }
 
     #[test]

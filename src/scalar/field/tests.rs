@@ -133,7 +133,10 @@ differences! {
     Order: |a, b, c, d| if a < b { a } else { b };
     Third: |a, b, c, d| D::from(PI / 3.0).cos() - 0.5;
     Magnitude: |a, b, c, d| a.abs() - a;
-    Huge: |a, b, c, d| a * 1e15 * 1e15 * 1e15 - a * 1e15 * (1e15 * 1e15);
+    Huge: |a, b, c, d| {
+        let (one, same) = (a * 1e15 * 1e15 * 1e15, a * 1e15 * 1e15 * 1e15);
+        one - same
+    };
 }
 
 #[test]
