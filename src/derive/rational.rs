@@ -3,8 +3,9 @@
 //! A coefficient that outgrows 128 bits is an error, never a wrong number.
 
 use num_rational::Ratio;
-use num_traits::{CheckedAdd, CheckedMul, One, Signed, Zero};
+use num_traits::{CheckedAdd, CheckedMul, One, Signed};
 
+use crate::scalar::rational::{self, Meant};
 use crate::{Error, Result};
 
 /// A rational number in lowest terms.
@@ -54,44 +55,15 @@ pub(super) fn is_simple(a: Exact) -> bool {
     a.numer().abs() <= SIMPLE && *a.denom() <= SIMPLE
 }
 
-/// What a constant of the machine stands for: a rational number, and whether it is to be multiplied by π.
-///
-/// The rational number is the first convergent of the continued fraction that rounds to the constant: 0.1 is 1/10 and
-/// 1.0/3.0 is ⅓. A constant without a simple one that is a simple multiple of π is taken for that.
+/// What a constant of the machine stands for, by the one rule for it: a rational number, and whether it is to be multiplied
+/// by π.
 pub(super) fn read(x: f64) -> Result<(Exact, bool)> {
-    let plain = convergent(x, |value| value == x);
-    if let Some(value) = plain.filter(|value| is_simple(*value)) {
-        return Ok((value, false));
+    let exact = |ratio: rational::Ratio| Ratio::new(ratio.numerator.into(), ratio.denominator.into());
+    match rational::meant(x) {
+        Some(Meant::Ratio(ratio)) => Ok((exact(ratio), false)),
+        Some(Meant::OfPi(ratio)) => Ok((exact(ratio), true)),
+        None => Err(Error::new(format!("the constant {x} is no number that can be typeset exactly"))),
     }
-    let pi = std::f64::consts::PI;
-    let multiple = convergent(x / pi, |value| (value * pi - x).abs() <= 2.0 * f64::EPSILON * x.abs());
-    match (multiple.filter(|value| value.numer().abs() <= 1000 && *value.denom() <= 1000), plain) {
-        (Some(multiple), _) => Ok((multiple, true)),
-        (None, Some(value)) => Ok((value, false)),
-        (None, None) => Err(Error::new(format!("the constant {x} is no number that can be typeset exactly"))),
-    }
-}
-
-fn convergent(x: f64, fits: impl Fn(f64) -> bool) -> Option<Exact> {
-    if x == 0.0 {
-        return Some(Exact::zero());
-    }
-    let sign = if x < 0.0 { -1 } else { 1 };
-    let (mut before, mut last) = ((0_i128, 1_i128), (1_i128, 0_i128));
-    let mut rest = x.abs();
-    for _ in 0..64 {
-        if rest.is_nan() || rest >= 1e30 {
-            return None;
-        }
-        let part = rest.floor() as i128;
-        let next = (part.checked_mul(last.0)?.checked_add(before.0)?, part.checked_mul(last.1)?.checked_add(before.1)?);
-        (before, last) = (last, next);
-        if fits(f64::from(sign) * (last.0 as f64 / last.1 as f64)) {
-            return Some(Ratio::new(i128::from(sign) * last.0, last.1));
-        }
-        rest = 1.0 / (rest - rest.floor());
-    }
-    None
 }
 
 #[cfg(test)]

@@ -211,8 +211,19 @@ impl World {
     /// # Errors
     /// When the mass matrix is singular or ill-conditioned; the message has the condition number.
     pub fn accelerations<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<Vec<D>> {
+        self.accelerations_by(Elimination::Pivots, time, q, v, parameters)
+    }
+
+    fn accelerations_by<D: Number>(
+        &self,
+        elimination: Elimination,
+        time: D,
+        q: &[D],
+        v: &[D],
+        parameters: &[D],
+    ) -> Result<Vec<D>> {
         let (mass, bias) = self.dynamics(&self.inputs(time, q, v, parameters));
-        linear::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect())
+        linear::solve_by(elimination, "mass matrix", mass, bias.iter().map(|&h| -h).collect())
     }
 
     /// The motion through a state on shell: each coordinate with its time derivatives up to `order`.
@@ -245,10 +256,7 @@ impl World {
     ) -> Result<Vec<Series<D>>> {
         let time = Series::time(time);
         let parameters: Vec<_> = parameters.iter().copied().map(Series::constant).collect();
-        motion::complete(q, v, order, |q, v| {
-            let (mass, bias) = self.dynamics(&self.inputs(time, q, v, &parameters));
-            linear::solve_by(elimination, "mass matrix", mass, bias.iter().map(|&h| -h).collect())
-        })
+        motion::complete(q, v, order, |q, v| self.accelerations_by(elimination, time, q, v, &parameters))
     }
 }
 

@@ -151,8 +151,9 @@ struct Root<F> {
 /// How a square root comes by its value.
 #[derive(Clone, Copy)]
 enum Made<F> {
-    /// By itself, with the value that it was given when it was first used; or by the number of which it is the magnitude.
-    Itself(Option<Residue<F>>, Option<Residue<F>>),
+    /// By itself, with the value and the bit that it was given when it was first used; or by the number of which it is the
+    /// magnitude.
+    Itself(Option<(Residue<F>, u32)>, Option<Residue<F>>),
     /// A multiple of a product of earlier roots, or of the quotient of two.
     Of(Residue<F>, Option<usize>, Option<(usize, bool)>),
 }
@@ -406,20 +407,21 @@ impl<F: Modulus> Session<F> {
                 (ratio.times(first).times(second), bits | more)
             }
             Made::Itself(value, magnitude) => {
-                let bits = if magnitude.is_some() { 0 } else { 1 << (place % 32) };
-                if let Some(value) = value {
-                    return (value, bits);
+                if let Some(known) = value {
+                    return known;
                 }
                 let Some(root) = magnitude.or_else(|| self.roots[place].radicand.root()) else {
                     self.account.elsewhere = Some("a square root that this field does not have");
                     return (Residue::ONE, 0);
                 };
-                let negative = self.signs >> self.account.roots & 1 == 1;
+                let negative = self.signs.checked_shr(self.account.roots).unwrap_or(0) & 1 == 1;
                 let value = if negative { root.negated() } else { root };
+                // a magnitude is rational; of more roots than bits nothing is concluded anyway
+                let bit = if magnitude.is_some() { 0 } else { 1 << self.account.roots.min(31) };
                 self.account.roots += 1;
                 self.account.opaque = true;
-                self.roots[place].made = Made::Itself(Some(value), magnitude);
-                (value, bits)
+                self.roots[place].made = Made::Itself(Some((value, bit)), magnitude);
+                (value, bit)
             }
         }
     }
