@@ -6,7 +6,7 @@
 
 use crate::Result;
 use crate::formula::evaluate::{Unavailable, evaluate_to};
-use crate::formula::{Expr, Node};
+use crate::formula::{Expr, Node, text};
 use crate::scalar::Measured;
 
 use super::identity::{Context, FEWEST, counterexample};
@@ -30,6 +30,12 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let Some(at) = region(&link.lhs, context.model).or_else(|| region(&link.rhs, context.model)) else {
         return Ok(context.finding(Verdict::Unreadable, "there is no integral over a continuum in it"));
     };
+    if let Some(name) = link.lhs.as_plain_symbol()
+        && link.rhs.symbols().iter().any(|(symbol, _)| *symbol == name)
+    {
+        let message = format!("{} stands on both sides, so its integral says nothing of it", context.model.name(name));
+        return Ok(context.finding(Verdict::Undecided, text::plain(&message)));
+    }
     let mode = context.mode(false, &[&link.lhs, &link.rhs]);
     let ensemble = context.ensemble(mode, false, FEWEST)?;
     if ensemble.scenes.is_empty() {

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use rayon::prelude::*;
 
+use crate::formula::SymbolId;
 use crate::latex::Macros;
 use crate::notes::address::Address;
 use crate::notes::claims::{Claim, Claims};
@@ -93,8 +94,36 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
     })
 }
 
+/// The verdict on the first equation or sentence of a document that is not as expected, those before the others that
+/// use what the `at`-th display introduces; none, if all are.
+pub(super) fn first_unexpected(run: &Run<'_>, claims: &Claims, notes: &Notes, at: usize) -> Result<Option<Verdict>> {
+    with_desk(run, claims, notes, |desk| {
+        let introduced: Vec<SymbolId> = desk.readings[at].introduced.iter().map(|new| new.symbol).collect();
+        let uses = |other: usize| {
+            let members = desk.readings[other].statements.iter().flatten().flat_map(|s| &s.members);
+            members.flat_map(|member| member.symbols()).any(|(symbol, _)| introduced.contains(&symbol))
+        };
+        let (mut order, rest): (Vec<usize>, Vec<usize>) =
+            wanted(notes, desk.assigned, None).into_iter().filter(|other| *other != at).partition(|other| uses(*other));
+        order.extend(rest);
+        for other in order.iter().chain([&at]) {
+            let found = desk.equation(*other, desk.assigned[*other])?;
+            if !found.ok {
+                return Ok(Some(found.finding.verdict));
+            }
+        }
+        for (at, sentence) in claims.sentences.iter().enumerate() {
+            let found = sentences::check(&desk, at, sentence)?;
+            if !found.ok {
+                return Ok(Some(found.finding.verdict));
+            }
+        }
+        Ok(None)
+    })
+}
+
 /// The displays that are to be checked, by their places.
-fn wanted(notes: &Notes, assigned: &[Option<&Claim>], only: Option<&str>) -> Vec<usize> {
+pub(super) fn wanted(notes: &Notes, assigned: &[Option<&Claim>], only: Option<&str>) -> Vec<usize> {
     let chosen = |display: &Display| only.is_none_or(|only| id(display) == Some(only));
     let claimed = |at: usize| id(&notes.equations[at]).is_some() || assigned[at].is_some();
     (0..notes.equations.len()).filter(|at| chosen(&notes.equations[*at]) && claimed(*at)).collect()
@@ -208,7 +237,7 @@ pub fn id(display: &Display) -> Option<&str> {
 }
 
 /// The claim of each display, where the claims file makes one.
-fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option<&'c Claim>>> {
+pub(super) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option<&'c Claim>>> {
     let mut assigned: Vec<Option<&Claim>> = vec![None; notes.equations.len()];
     for (address, claim) in &claims.equations {
         unsupported(claims, address, claim)?;

@@ -76,13 +76,18 @@ impl<'a> Context<'a> {
         Mode { on_shell, order: (needed.unwrap_or(0) + 1).max(least).min(TERMS - 1) }
     }
 
+    /// What its states obey.
+    pub(super) fn setting(&self, mode: Mode) -> Setting<'a> {
+        Setting { conditions: self.conditions, local: self.local, mode, reach: self.reach }
+    }
+
     /// States of the claim.
     ///
     /// # Errors
     /// When the mass matrix is singular at all of them.
     pub fn ensemble(&self, mode: Mode, relaxed: bool, points: usize) -> Result<Ensemble<'a>> {
         let reach = if relaxed { Reach::Beyond } else { self.reach };
-        let setting = Setting { conditions: self.conditions, local: self.local, mode, reach };
+        let setting = Setting { reach, ..self.setting(mode) };
         Ensemble::draw(self.model, &setting, points, &mut self.draw(mode, if relaxed { "beyond" } else { "" }))
     }
 
@@ -91,11 +96,11 @@ impl<'a> Context<'a> {
     /// # Errors
     /// When the mass matrix is singular at all of them.
     pub fn special(&self, mode: Mode) -> Result<Ensemble<'a>> {
-        let setting = Setting { conditions: self.conditions, local: self.local, mode, reach: self.reach };
-        Ensemble::special(self.model, &setting, &mut self.draw(mode, "special"))
+        Ensemble::special(self.model, &self.setting(mode), &mut self.draw(mode, "special"))
     }
 
-    fn draw(&self, mode: Mode, what: &str) -> Draw {
+    /// The random numbers of its states.
+    pub(super) fn draw(&self, mode: Mode, what: &str) -> Draw {
         Draw::new(self.options.seed, &format!("{}/{}/{what}", self.topic, mode.on_shell))
     }
 

@@ -182,7 +182,7 @@ fn judged(desk: &Desk<'_>, (at, display): (usize, &Display), reading: &Reading, 
 }
 
 /// The reading of a text in the place of the `at`-th equation, with the definitions that it shares with the reference.
-fn read(desk: &Desk<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) -> Reading {
+pub(super) fn read(desk: &Desk<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) -> Reading {
     let mut reading = desk.as_printed(text, claim, macros);
     for introduced in &desk.readings[at].introduced {
         let Some(Ok(original)) = desk.readings[at].statements.get(introduced.statement) else { continue };
@@ -198,7 +198,7 @@ fn read(desk: &Desk<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) 
 
 /// What a print has lost of what the reference says: it has fewer relations of a kind, or does not call constant what is
 /// constant there. How it spells what it has is free, and what cannot be read in it is reported as that.
-fn lost(desk: &Desk<'_>, reading: &Reading, reference: &Reading) -> Option<String> {
+pub(super) fn lost(desk: &Desk<'_>, reading: &Reading, reference: &Reading) -> Option<String> {
     let kind = |relation: Relation| match relation {
         Relation::Identical => Relation::Equal,
         Relation::Greater => Relation::Less,
@@ -232,7 +232,7 @@ fn lost(desk: &Desk<'_>, reading: &Reading, reference: &Reading) -> Option<Strin
 }
 
 /// Whether two readings say the same, wherever it stands.
-fn reads_alike(a: &Reading, b: &Reading) -> bool {
+pub(super) fn reads_alike(a: &Reading, b: &Reading) -> bool {
     let alike = |(a, b): (&_, &_)| matches!((a, b), (Ok(a), Ok(b)) if says_the_same(a, b));
     a.statements.len() == b.statements.len() && a.statements.iter().zip(&b.statements).all(alike)
 }

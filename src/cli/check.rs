@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use crate::check::{Document, Options, Report, Run, check_in, check_reprint, document, reprint, unclaimed};
-use crate::notes::{Claims, Notes, claims_beside, json};
 use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
+use super::documents::{Job, Loaded, find, folder, load};
 use super::progress::Terminal;
 use super::{Format, Outcome, colours};
 
@@ -91,13 +91,6 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     Outcome { output, errors: shown, code }
 }
 
-/// Notes with their claims, or without.
-enum Job {
-    Claims(PathBuf),
-    Pair { notes: PathBuf, claims: Vec<PathBuf> },
-    Notes(PathBuf),
-}
-
 /// What is to be checked, and the claims files that are given for it.
 ///
 /// Beside `--claims`, a claims file among the paths is one more of them: so a shell writes `--claims derivations/*.json`.
@@ -132,73 +125,6 @@ fn given(arguments: &Arguments) -> Result<(Vec<&Path>, Vec<PathBuf>)> {
     Ok((paths, claims))
 }
 
-fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
-    if path.is_dir() {
-        if !claims.is_empty() {
-            return Err(Error::new(format!("{} is a folder, and claims are applied to notes", path.display()))
-                .help("name the notes, or leave out --claims: each document of a folder has its claims beside it"));
-        }
-        let mut jobs = Vec::new();
-        folder(path, &mut jobs)?;
-        if jobs.is_empty() {
-            return Err(Error::new(format!("there is nothing to check in {}", path.display()))
-                .help("a document is a notes file (.md, .tex) with a claims file (.json) of the same name beside it"));
-        }
-        return Ok(jobs);
-    }
-    if path.extension().is_some_and(|extension| extension == "json") {
-        return Ok(vec![Job::Claims(path.to_owned())]);
-    }
-    if let Err(error) = path.metadata() {
-        return Err(Error::new(format!("cannot read {}: {error}", path.display())));
-    }
-    let claims = if claims.is_empty() { vec![claims_beside(path)] } else { claims.to_vec() };
-    if let Some(absent) = claims.iter().find(|claims| !claims.exists()) {
-        return Err(Error::new(format!("{} has no claims file", path.display()))
-            .help(format!("it would be {}", absent.display())));
-    }
-    Ok(vec![Job::Pair { notes: path.to_owned(), claims }])
-}
-
-/// The documents of a folder and of those in it, in the order of their names.
-fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
-    let unreadable = |error: std::io::Error| Error::new(format!("cannot read the folder {}: {error}", path.display()));
-    let entries: std::io::Result<Vec<_>> = std::fs::read_dir(path).map_err(unreadable)?.collect();
-    let mut paths: Vec<PathBuf> = entries.map_err(unreadable)?.into_iter().map(|entry| entry.path()).collect();
-    paths.sort();
-    for path in &paths {
-        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-        if path.is_dir() {
-            // A link to a folder could lead back here.
-            if !path.is_symlink() {
-                folder(path, jobs)?;
-            }
-        } else if !path.is_file() {
-            continue;
-        } else if extension == "json" && names_notes(path) {
-            jobs.push(Job::Claims(path.clone()));
-        } else if matches!(extension, "md" | "tex") && !claims_beside(path).exists() {
-            jobs.push(Job::Notes(path.clone()));
-        }
-    }
-    Ok(())
-}
-
-/// Whether a JSON file is a claims file, rather than some other: one that cannot be read counts, to be reported.
-fn names_notes(path: &Path) -> bool {
-    let Ok(text) = std::fs::read_to_string(path) else { return true };
-    text.contains("\"notes\"") || text.trim().is_empty() || json::read(&text).is_err()
-}
-
-/// The files of a job, read.
-enum Loaded {
-    /// Claims and the notes that they are about.
-    Own(Box<Claims>, Notes),
-    /// Claims, each with the notes that they are about, for another print of these.
-    Reprint(Vec<(Claims, Notes)>, Notes),
-    Unclaimed(Notes),
-}
-
 impl Loaded {
     /// How many equations and sentences there are to check.
     fn items(&self, only: Option<&str>) -> usize {
@@ -216,41 +142,4 @@ impl Loaded {
             Loaded::Unclaimed(notes) => Ok(unclaimed(notes)),
         }
     }
-}
-
-fn load(job: &Job) -> Result<Loaded> {
-    let notes_at = |path: &Path| Notes::read(path, &shown(path));
-    let (path, files) = match job {
-        Job::Notes(path) => return Ok(Loaded::Unclaimed(notes_at(path)?)),
-        Job::Claims(path) => {
-            let claims = Claims::read(path, &shown(path))?;
-            let notes = notes_at(&claims.notes_path())?;
-            return Ok(Loaded::Own(Box::new(claims), notes));
-        }
-        Job::Pair { notes, claims } => (notes, claims),
-    };
-    let notes = notes_at(path)?;
-    let mut sets = Vec::new();
-    for file in files {
-        let claims = Claims::read(file, &shown(file))?;
-        let own = claims.notes_path();
-        // Claims whose notes are not there are taken to be about what is.
-        if !own.exists() || is_same(&own, path) {
-            if files.len() == 1 {
-                return Ok(Loaded::Own(Box::new(claims), notes));
-            }
-            let message = format!("{} is about {} itself", shown(file), shown(path));
-            return Err(Error::new(message).help("give it alone; the others are about other notes"));
-        }
-        sets.push((claims, notes_at(&own)?));
-    }
-    Ok(Loaded::Reprint(sets, notes))
-}
-
-fn is_same(a: &Path, b: &Path) -> bool {
-    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
-}
-
-fn shown(path: &Path) -> String {
-    path.display().to_string()
 }

@@ -5,8 +5,10 @@
 
 mod check;
 mod derive;
+mod documents;
 mod equal;
 mod eval;
+mod mutate;
 mod progress;
 mod read;
 
@@ -31,6 +33,7 @@ enum Command {
     Derive(derive::Arguments),
     Equal(equal::Arguments),
     Eval(eval::Arguments),
+    Mutate(mutate::Arguments),
     Read(read::Arguments),
 }
 
@@ -59,6 +62,7 @@ pub fn run(registry: &Registry) -> ExitCode {
         Command::Derive(arguments) => derive::run(&arguments, registry),
         Command::Equal(arguments) => equal::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
+        Command::Mutate(arguments) => mutate::run(&arguments, registry),
         Command::Read(arguments) => read::run(&arguments),
     };
     // A reader that closes the pipe early has seen what it wanted.

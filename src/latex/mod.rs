@@ -5,7 +5,8 @@
 //! understand becomes a node that carries the fault. [`reader`] gives the layout its one meaning, with the help of the
 //! declared symbols, or says at which bytes there is none or more than one. [`statements`] reads a whole display,
 //! [`introductions`] finds the names that it introduces, and
-//! [`mod@typeset`] writes a formula so that it reads back as itself.
+//! [`mod@typeset`] writes a formula so that it reads back as itself. [`slips`] are the edits of a text that authors make by
+//! mistake, and those that mend them.
 //!
 //! The rules that settle what authors leave open are in the module documentation of [`reader`].
 
@@ -15,6 +16,7 @@ pub mod lexer;
 pub mod macros;
 pub mod names;
 pub mod reader;
+pub mod slips;
 pub mod statements;
 pub mod typeset;
 

@@ -21,7 +21,7 @@ pub fn report(report: &Report, errors: &[Error]) -> Value {
 }
 
 /// What could not be checked at all.
-fn error(error: &Error) -> Value {
+pub(super) fn error(error: &Error) -> Value {
     let place = error.place().map(|(source, span)| (source.path.clone(), source.line_column(span.start)));
     json!({
         "message": error.message(),

@@ -1,0 +1,236 @@
+//! Whether a document would notice the slips of its author: each equation with every single slip in it, judged.
+//!
+//! A mutant is an equation with one slip ([`crate::latex::slips`]). The document ought to refute it, or refuse it as
+//! unreadable or ill-typed. One that says what the equation says, or is proved over a field to be as true, is equivalent,
+//! and no check could tell. What is left has survived: a slip that the claims, or the checker, would let pass.
+//!
+//! What defines a name, or is a law, cannot be wrong by itself. A slip in it counts as noticed when something else in the
+//! document is no longer as it should be: the whole document is checked with it.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use crate::latex::slips::{self, Edit, Slip};
+use crate::notes::claims::{Claim, Claims};
+use crate::notes::document::Kind;
+use crate::notes::{Display, Notes};
+use crate::source::{Source, Span};
+use crate::{Error, Result};
+
+use super::desk::Desk;
+use super::document::{Run, check_in, shown, wanted, with_desk};
+use super::reading::corrected;
+use super::trial::{Answer, Trial};
+use super::verdict::Verdict;
+
+/// So many mutants of an equation are judged by one thread at a time.
+const SHARE: usize = 16;
+
+/// What became of a mutant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// A counterexample was found; or, of a definition or a law, something else was no longer so.
+    Refuted,
+    /// It cannot be read, its types or its units do not fit, or it says too little to be checked.
+    Refused,
+    /// It says what the equation says, or is proved to be as true.
+    Equivalent,
+    /// It passes.
+    Survived,
+}
+
+/// A slip that nothing noticed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Survivor {
+    /// The bytes of the notes, their errata mended, that the slip changes.
+    pub span: Span,
+    /// What stands there.
+    pub original: String,
+    /// What would stand there.
+    pub replacement: String,
+    /// The kind of slip.
+    pub slip: Slip,
+    /// Why it passes.
+    pub because: String,
+}
+
+/// The mutants of one equation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mutants {
+    /// The equation's number, label or line.
+    pub id: String,
+    /// The line in which it starts.
+    pub line: usize,
+    /// How many were refuted.
+    pub refuted: usize,
+    /// How many were refused.
+    pub refused: usize,
+    /// How many say the same.
+    pub equivalent: usize,
+    /// Those that passed.
+    pub survivors: Vec<Survivor>,
+    /// Why there are none, where the equation was left out.
+    pub left_out: Option<String>,
+}
+
+impl Mutants {
+    fn none(display: &Display, left_out: Option<String>) -> Self {
+        let (id, line) = (shown(display), display.line);
+        Mutants { id, line, refuted: 0, refused: 0, equivalent: 0, survivors: Vec::new(), left_out }
+    }
+
+    /// How many there were.
+    pub fn count(&self) -> usize {
+        self.refuted + self.refused + self.equivalent + self.survivors.len()
+    }
+
+    fn add(&mut self, fate: Fate) {
+        match fate {
+            Fate::Refuted => self.refuted += 1,
+            Fate::Refused => self.refused += 1,
+            Fate::Equivalent => self.equivalent += 1,
+            Fate::Survived => {}
+        }
+    }
+}
+
+/// The mutants of a document's equations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mutated {
+    /// The notes.
+    pub path: String,
+    /// The notes as they were mutated: with their errata mended.
+    pub source: Arc<Source>,
+    /// Each claimed equation.
+    pub equations: Vec<Mutants>,
+}
+
+/// Judges every single slip in the claimed equations of a document. Each equation done is told.
+///
+/// # Errors
+/// As [`check_document`](super::check_document), and for an erratum that is not in the notes.
+pub fn mutate(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Mutated> {
+    let (claims, notes) = mended(claims, notes)?;
+    let silent = Run { progress: &(), ..*run };
+    let sound = check_in(&Run { only: None, ..silent }, &claims, &notes)?;
+    let sound: Vec<String> = sound.equations.into_iter().filter(|e| e.ok).map(|e| e.id).collect();
+    let equations = with_desk(&silent, &claims, &notes, |desk| {
+        let chosen = wanted(&notes, desk.assigned, run.only);
+        let all: Result<Vec<Mutants>> = chosen
+            .par_iter()
+            .with_max_len(1)
+            .map(|at| {
+                let found = equation(&silent, &desk, *at, &sound);
+                run.progress.done(&notes.source.path);
+                found
+            })
+            .collect();
+        all
+    })?;
+    Ok(Mutated { path: notes.source.path.clone(), source: notes.source.clone(), equations })
+}
+
+/// The notes with their errata mended, and claims that know of none.
+fn mended(claims: &Claims, notes: &Notes) -> Result<(Claims, Notes)> {
+    let mut text = notes.source.text.clone();
+    let mut claims = claims.clone();
+    let all = claims.clone();
+    let assigned = super::document::assign(&all, notes)?;
+    for (display, claim) in notes.equations.iter().zip(assigned).rev() {
+        let Some(claim) = claim.filter(|claim| !claim.errata.is_empty()) else { continue };
+        let body = corrected(&claims, notes.source.slice(display.body), &claim.errata)?;
+        text.replace_range(display.body.range(), &body);
+    }
+    claims.equations.iter_mut().for_each(|(_, claim)| claim.errata.clear());
+    Ok((claims, parsed(notes, text)?))
+}
+
+/// Another text of the same notes.
+fn parsed(notes: &Notes, text: String) -> Result<Notes> {
+    let path = &notes.source.path;
+    let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a kind of notes")))?;
+    Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)
+}
+
+fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String]) -> Result<Mutants> {
+    let display = &desk.notes.equations[at];
+    let left_out = |why: &str| Ok(Mutants::none(display, Some(why.to_owned())));
+    let plain = Claim::default();
+    let claim = desk.assigned[at].unwrap_or(&plain);
+    if claim.skip.is_some() {
+        return left_out("it is skipped");
+    }
+    if claim.expect.is_some() {
+        return left_out("it is expected not to pass");
+    }
+    if !sound.contains(&shown(display)) {
+        return left_out("it does not pass");
+    }
+    let edits = slips::slips(&display.text, &desk.model.symbols, &desk.model.macros);
+    // An edit is of what stands in the file, and not of what was put in its place to be read.
+    let real = |edit: &Edit| {
+        let span = edit.span.shifted(display.body.start);
+        desk.source.slice(span) == &display.text[edit.span.range()]
+    };
+    let edits: Vec<Edit> = edits.into_iter().filter(real).collect();
+    let judged: Result<Vec<Vec<(Fate, String)>>> = edits
+        .par_chunks(SHARE)
+        .map(|share| {
+            let trial = Trial::new(desk, at, &desk.readings[at], claim)?;
+            share.iter().map(|edit| fate(run, desk, at, &trial, edit)).collect()
+        })
+        .collect();
+    let mut mutants = Mutants::none(display, None);
+    for (edit, (fate, because)) in edits.into_iter().zip(judged?.into_iter().flatten()) {
+        mutants.add(fate);
+        if fate == Fate::Survived {
+            let original = display.text[edit.span.range()].to_owned();
+            let span = edit.span.shifted(display.body.start);
+            mutants.survivors.push(Survivor { span, original, replacement: edit.replacement, slip: edit.slip, because });
+        }
+    }
+    Ok(mutants)
+}
+
+/// What becomes of a mutant, and why.
+fn fate(run: &Run<'_>, desk: &Desk<'_>, at: usize, trial: &Trial<'_, '_>, edit: &Edit) -> Result<(Fate, String)> {
+    let display = &desk.notes.equations[at];
+    let text = edit.applied(&display.text);
+    let because = String::new();
+    Ok(match trial.of(&text)? {
+        Answer::Same => (Fate::Equivalent, because),
+        Answer::Refused => (Fate::Refused, because),
+        Answer::Refuted if stands_alone(desk, at) => (Fate::Refuted, because),
+        Answer::Refuted => match noticed(run, desk, at, edit)? {
+            Some(Verdict::Refuted | Verdict::Domain) => (Fate::Refuted, because),
+            Some(_) => (Fate::Refused, because),
+            None => (Fate::Survived, "the document passes with it".to_owned()),
+        },
+        Answer::Passes(reading, parts) => {
+            match parts.iter().find(|part| part.finding.verdict != Verdict::Certified) {
+                Some(part) if !trial.is_as_true(&reading)? => {
+                    (Fate::Survived, format!("{}: {}", part.finding.verdict, part.finding.message))
+                }
+                _ => (Fate::Equivalent, because),
+            }
+        }
+    })
+}
+
+/// Whether nothing else stands on a display: it introduces no name and is no law.
+fn stands_alone(desk: &Desk<'_>, at: usize) -> bool {
+    let is_law = desk.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at));
+    desk.readings[at].introduced.is_empty() && !is_law
+}
+
+/// The verdict on the first thing in the document that is not as expected when a display has a slip.
+fn noticed(run: &Run<'_>, desk: &Desk<'_>, at: usize, edit: &Edit) -> Result<Option<Verdict>> {
+    let start = desk.notes.equations[at].body.start;
+    let mut text = desk.notes.source.text.clone();
+    text.replace_range(edit.span.shifted(start).range(), &edit.replacement);
+    let found = parsed(desk.notes, text).and_then(|notes| super::document::first_unexpected(run, desk.claims, &notes, at));
+    // What cannot be checked at all with the slip is noticed.
+    Ok(found.unwrap_or(Some(Verdict::Unreadable)))
+}

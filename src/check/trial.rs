@@ -1,0 +1,217 @@
+//! Whether another text would pass in the place of a display: what mutation and repair both ask.
+//!
+//! A text is read with the names of the document and judged by the claim of the display. Most wrong texts fail at the
+//! first state: so a few are drawn once for all texts, by the hypotheses of the claim, and what fails at one of them is
+//! refuted. What does not gets the full check, twins and certificate and all. The states only ever refute.
+
+use crate::Result;
+use crate::formula::{Expr, Relation, Statement};
+use crate::latex::{Introduced, Reading};
+use crate::notes::claims::{Claim, Holds};
+use crate::scalar::TERMS;
+use crate::source::Span;
+
+use super::desk::Desk;
+use super::document::shown;
+use super::draw::Reach;
+use super::certify::{self, Certificate};
+use super::ensemble::{Condition, Ensemble};
+use super::identity::{self, Context, is_equality};
+use super::judge::{self, Link, Point};
+use super::reprint;
+use super::rules::Rule;
+use super::verdict::{Part, Verdict};
+
+/// A text is refuted at one of so many states, before it is checked in full.
+const STATES: usize = 6;
+
+/// What is said of a text in the place of a display.
+pub(super) enum Answer {
+    /// It reads as what stands there.
+    Same,
+    /// It cannot be read, its types or its units do not fit, or it says too little to be checked.
+    Refused,
+    /// It is false.
+    Refuted,
+    /// It passes, with the findings on its parts.
+    Passes(Reading, Vec<Part>),
+}
+
+/// A display, ready to have other texts tried in its place.
+pub(super) struct Trial<'d, 'a> {
+    desk: &'d Desk<'a>,
+    at: usize,
+    claim: &'d Claim,
+    topic: String,
+    conditions: Vec<Condition>,
+    local: Vec<Rule>,
+    /// States for each statement; none where what is claimed is more than an equation.
+    screens: Vec<Option<Ensemble<'d>>>,
+}
+
+impl<'d, 'a> Trial<'d, 'a> {
+    /// Of the `at`-th display, as it is read now.
+    ///
+    /// # Errors
+    /// For a claim that does not fit the notes.
+    pub fn new(desk: &'d Desk<'a>, at: usize, reading: &Reading, claim: &'d Claim) -> Result<Self> {
+        let topic = shown(&desk.notes.equations[at]);
+        let (conditions, local) = (desk.conditions(claim)?, desk.local(claim)?);
+        let mut trial = Trial { desk, at, claim, topic, conditions, local, screens: Vec::new() };
+        if is_plain(claim) {
+            let all = reading.statements.iter().enumerate();
+            trial.screens = all
+                .map(|(n, statement)| {
+                    let members = statement.as_ref().map_or(Vec::new(), |s| s.members.iter().collect());
+                    trial.screen(n, &members)
+                })
+                .collect();
+        }
+        Ok(trial)
+    }
+
+    /// A few states for a statement: on shell, where what holds on shell only would pass.
+    fn screen(&self, statement: usize, members: &[&Expr]) -> Option<Ensemble<'d>> {
+        let topic = format!("{} trial {statement}", self.topic);
+        let always = self.claim.holds.as_ref().is_some_and(|holds| holds.value == Holds::Always);
+        let context = self.context(&topic);
+        let mut mode = context.mode(!always && self.desk.model.has_motion(), members);
+        // A slip may need one derivative more.
+        mode.order = (mode.order + 1).clamp(3, TERMS - 1);
+        let drawn = Ensemble::draw(self.desk.model, &context.setting(mode), STATES, &mut context.draw(mode, "trial"));
+        drawn.ok().filter(|ensemble| !ensemble.scenes.is_empty())
+    }
+
+    /// What is said of a text in the place of the display.
+    ///
+    /// # Errors
+    /// As for a check of the display itself.
+    pub fn of(&self, text: &str) -> Result<Answer> {
+        let reading = reprint::read(self.desk, &self.desk.model.macros, self.at, text, self.claim);
+        if reading.statements.iter().any(std::result::Result::is_err) {
+            return Ok(Answer::Refused);
+        }
+        if reprint::reads_alike(&reading, &self.desk.readings[self.at]) {
+            return Ok(Answer::Same);
+        }
+        if self.fails(&reading) {
+            return Ok(Answer::Refuted);
+        }
+        if reprint::lost(self.desk, &reading, &self.desk.readings[self.at]).is_some() {
+            return Ok(Answer::Refused);
+        }
+        let offset = self.desk.notes.equations[self.at].body.start;
+        let Ok(parts) = self.desk.parts((self.at, offset), &reading, self.claim, &self.topic) else {
+            return Ok(Answer::Refused);
+        };
+        let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
+        Ok(match parts.iter().all(|part| part.finding.verdict.passes()) {
+            true => Answer::Passes(reading, parts),
+            false if parts.iter().any(is_wrong) => Answer::Refuted,
+            false => Answer::Refused,
+        })
+    }
+
+    /// Whether a reading is proved over a field to say what the display says, member for member, or to follow from it.
+    ///
+    /// # Errors
+    /// When the world's mass matrix is singular.
+    pub fn is_as_true(&self, reading: &Reading) -> Result<bool> {
+        let original = &self.desk.readings[self.at].statements;
+        if original.len() != reading.statements.len() {
+            return Ok(false);
+        }
+        for statements in original.iter().zip(&reading.statements) {
+            let (Ok(was), Ok(is)) = statements else { return Ok(false) };
+            if was.members.len() != is.members.len() || !was.relations.iter().map(|r| r.0).eq(is.relations.iter().map(|r| r.0)) {
+                return Ok(false);
+            }
+            let changed = || was.members.iter().zip(&is.members).filter(|(a, b)| a != b);
+            let mut same = true;
+            for (a, b) in changed() {
+                same &= self.implied(&[], &self.desk.link(a, Relation::Equal, b)?)?;
+            }
+            if same {
+                continue;
+            }
+            for at in 0..was.relations.len() {
+                if was.members[at..=at + 1] == is.members[at..=at + 1] {
+                    continue;
+                }
+                let link = |s: &Statement| self.desk.link(&s.members[at], Relation::Equal, &s.members[at + 1]);
+                let relation = was.relations[at].0;
+                let exact = is_equality(relation) || relation == Relation::Approximately;
+                if !exact || !self.implied(&[Condition::of(link(was)?, true)], &link(is)?)? {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    /// Whether a link is an identity where some hypotheses hold.
+    fn implied(&self, hypotheses: &[Condition], link: &Link) -> Result<bool> {
+        let context = Context { conditions: hypotheses, ..self.context(&self.topic) };
+        let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+        let ensemble = context.ensemble(mode, false, STATES)?;
+        let holds = identity::run(link, &ensemble.scenes).is_ok_and(|outcome| outcome.failure.is_none());
+        Ok(holds && matches!(certify::certify(link, &context, &ensemble), Certificate::Identity(_)))
+    }
+
+    fn context<'c>(&'c self, topic: &'c str) -> Context<'c> {
+        Context {
+            model: self.desk.model,
+            options: self.desk.options,
+            conditions: &self.conditions,
+            on_shell: None,
+            topic,
+            span: Span::default(),
+            reach: Reach::Declared,
+            local: &self.local,
+        }
+    }
+
+    /// Whether one of the few states refutes a reading.
+    fn fails(&self, reading: &Reading) -> bool {
+        if reading.statements.len() != self.screens.len() {
+            return false;
+        }
+        reading.statements.iter().zip(&self.screens).enumerate().any(|(n, (statement, screen))| {
+            let (Ok(statement), Some(screen)) = (statement, screen) else { return false };
+            let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == n).collect();
+            let defines = |at: usize| {
+                introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0)
+            };
+            let checked = statement.relations.iter().enumerate().filter(|(at, (relation, _))| {
+                is_tested(*relation) && !defines(*at)
+            });
+            checked.into_iter().any(|(at, (relation, _))| {
+                let link = self.desk.link(&statement.members[at], *relation, &statement.members[at + 1]);
+                link.is_ok_and(|link| refuted(&link, screen))
+            })
+        })
+    }
+}
+
+fn is_tested(relation: Relation) -> bool {
+    is_equality(relation)
+        || matches!(relation, Relation::Less | Relation::Greater | Relation::LessEqual | Relation::GreaterEqual)
+}
+
+fn refuted(link: &Link, screen: &Ensemble<'_>) -> bool {
+    screen.scenes.iter().any(|scene| matches!(judge::test(link, scene), Ok(Point::Fails(_) | Point::OneSided(_))))
+}
+
+/// Whether a claim is that the equation holds, and nothing more.
+fn is_plain(claim: &Claim) -> bool {
+    claim.solves.is_none()
+        && claim.generates.is_none()
+        && claim.conserved.is_none()
+        && claim.also_equals.is_none()
+        && claim.dropping.is_none()
+        && claim.limit.is_none()
+        && claim.small.is_empty()
+        && claim.exactly_when.is_empty()
+        && claim.continuum_limit_of.is_none()
+        && claim.skip.is_none()
+}

@@ -1,0 +1,89 @@
+//! `onshell mutate`: whether documents would notice the slips of their authors.
+
+use std::path::PathBuf;
+
+use rayon::prelude::*;
+
+use crate::check::mutate::{Mutated, mutate};
+use crate::check::{Options, Run, document};
+use crate::report;
+use crate::systems::Registry;
+use crate::{Error, Result};
+
+use super::documents::{Loaded, find, load};
+use super::progress::Terminal;
+use super::{Format, Outcome, colours};
+
+/// Makes every single slip in the equations of notes, and tells which of them would pass
+///
+/// Exits with 0 if none would, 1 if one would, 2 if something could not be checked.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Claims files (.json), notes with their claims beside them (.md, .tex), or folders of these
+    #[arg(required = true)]
+    paths: Vec<PathBuf>,
+    /// Mutate only the equation with this number or label
+    #[arg(long, value_name = "ID")]
+    only: Option<String>,
+    /// The seed of the sampled states
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// How many usable states each mutant is tested at
+    #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    points: u32,
+    /// The form of the output
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
+    let options = Options { seed: arguments.seed, points: arguments.points as usize };
+    let only = arguments.only.as_deref();
+    let mut errors: Vec<Error> = Vec::new();
+    let mut jobs = Vec::new();
+    for path in &arguments.paths {
+        match find(path, &[]) {
+            Ok(found) => jobs.extend(found),
+            Err(error) => errors.push(error),
+        }
+    }
+    let loaded: Vec<Result<Loaded>> = jobs.par_iter().map(load).collect();
+    let equations = |loaded: &Loaded| match loaded {
+        Loaded::Own(claims, notes) => document::items(claims, notes, only) - claims.sentences.len().min(if only.is_some() { 0 } else { usize::MAX }),
+        _ => 0,
+    };
+    let progress = Terminal::start(loaded.iter().flatten().map(equations).sum());
+    let run = Run { registry, options, only, progress: &progress };
+    let mutated: Vec<Result<Option<Mutated>>> = loaded
+        .into_par_iter()
+        .map(|loaded| match loaded? {
+            Loaded::Own(claims, notes) => mutate(&run, &claims, &notes).map(Some),
+            Loaded::Reprint(..) | Loaded::Unclaimed(_) => Ok(None),
+        })
+        .collect();
+    drop(progress);
+    let mut documents = Vec::new();
+    for found in mutated {
+        match found {
+            Ok(found) => documents.extend(found),
+            Err(error) => errors.push(error),
+        }
+    }
+    if only.is_some() {
+        documents.retain(|document| !document.equations.is_empty());
+    }
+    let survivors: usize = documents.iter().flat_map(|d| &d.equations).map(|e| e.survivors.len()).sum();
+    let mutants: usize = documents.iter().flat_map(|d| &d.equations).map(|e| e.count()).sum();
+    if mutants == 0 && errors.is_empty() {
+        errors.push(Error::new("there is no claimed equation to mutate").help("name notes that have claims"));
+    }
+    let code = if !errors.is_empty() { 2 } else { u8::from(survivors > 0) };
+    let output = match arguments.format {
+        Format::Text if documents.is_empty() => String::new(),
+        Format::Text => report::mutants::text(&documents),
+        Format::Json => format!("{:#}\n", report::mutants::json(&documents, &errors)),
+    };
+    let colour = colours(&std::io::stderr());
+    let shown = errors.iter().map(|error| report::diagnostic::error(error, colour) + "\n").collect();
+    Outcome { output, errors: shown, code }
+}

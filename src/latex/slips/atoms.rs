@@ -1,0 +1,262 @@
+//! Slips in a single thing: a name, its index, its dots and accents; a number; a function; a fraction; a power.
+
+use crate::formula::symbols::{Entry, Name};
+use crate::formula::{Index, IndexId};
+use crate::source::Span;
+
+use super::super::layout::{Item, Layout};
+use super::super::names::{self, Printed};
+use super::super::reader::unaccented;
+use super::{Finder, Slip};
+
+/// The functions that are taken for each other.
+const FUNCTIONS: [&[&str]; 3] = [&["\\sin", "\\cos", "\\tan"], &["\\cot", "\\tan"], &["\\sinh", "\\cosh", "\\tanh"]];
+
+impl Finder<'_> {
+    /// Slips in an item, and in what it is made of.
+    pub(super) fn item(&mut self, item: &Item) {
+        if let Some(printed) = names::printed(item, None) {
+            self.name(item, &printed);
+        }
+        match &item.layout {
+            Layout::Number(digits) => self.number(item.span, digits),
+            Layout::Command(command) => self.function(item.span, command),
+            Layout::Group(items) | Layout::Fence(_, items) if items.iter().all(|inner| inner.span != item.span) => {
+                self.list(items);
+            }
+            Layout::Fraction(a, b) => {
+                if self.inside(item, a).is_some() && self.inside(item, b).is_some() {
+                    let braced = |span| {
+                        let text = self.slice(span);
+                        if text.starts_with('{') { text.to_owned() } else { format!("{{{text}}}") }
+                    };
+                    let swapped = format!("\\frac{}{}", braced(b.span), braced(a.span));
+                    self.edit(Slip::Fraction, item.span, swapped);
+                }
+                self.argument(item, a);
+                self.argument(item, b);
+            }
+            Layout::Root(_, inner) => {
+                self.argument(item, inner);
+                if self.inside(item, inner).is_some() {
+                    let bare = self.bare(inner);
+                    self.edit(Slip::Exponent, item.span, format!("({bare})"));
+                }
+            }
+            Layout::Environment(_, rows) => rows.iter().flatten().for_each(|cell| self.list(cell)),
+            Layout::Scripts { nucleus, sup, .. } => {
+                if names::printed(item, None).is_none() {
+                    self.argument(item, nucleus);
+                }
+                if let Some(sup) = sup.as_deref().filter(|sup| self.inside(item, sup).is_some()) {
+                    self.power(sup);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The text of an argument without its braces.
+    pub(super) fn bare(&self, item: &Item) -> &str {
+        let text = self.slice(item.span);
+        match item.layout {
+            Layout::Group(_) => text.strip_prefix('{').and_then(|text| text.strip_suffix('}')).unwrap_or(text),
+            _ => text,
+        }
+    }
+
+    fn number(&mut self, span: Span, digits: &str) {
+        let Ok(n) = digits.parse::<u32>() else { return };
+        let mut others = vec![n.saturating_mul(2), n.saturating_add(1)];
+        others.extend((n % 2 == 0).then_some(n / 2));
+        others.extend(n.checked_sub(1));
+        for other in others {
+            self.edit(Slip::Number, span, other.to_string());
+        }
+    }
+
+    fn function(&mut self, span: Span, command: &str) {
+        if self.slice(span) != command {
+            return;
+        }
+        for family in FUNCTIONS.iter().filter(|family| family.contains(&command)) {
+            for other in family.iter().filter(|other| **other != command) {
+                self.edit(Slip::Function, span, *other);
+            }
+        }
+    }
+
+    /// A power: another one, and none.
+    fn power(&mut self, sup: &Item) {
+        let caret = self.text[..sup.span.start].rfind('^').unwrap_or(sup.span.start);
+        self.edit(Slip::Exponent, Span::new(caret, sup.span.end), "");
+        let inner = match &sup.layout {
+            Layout::Group(items) => items.as_slice(),
+            _ => std::slice::from_ref(sup),
+        };
+        if let [Item { layout: Layout::Number(digits), .. }] = inner
+            && let Ok(n) = digits.parse::<u32>()
+        {
+            for other in [n.saturating_add(1), n.saturating_sub(1)].into_iter().filter(|other| *other > 1) {
+                self.edit(Slip::Exponent, sup.span, other.to_string());
+            }
+        } else if inner.iter().all(|item| !matches!(item.layout, Layout::Command(_) | Layout::Other('*'))) {
+            self.list(inner);
+        }
+    }
+
+    /// Slips in a name: another like it, other dots, no accent, another index.
+    fn name(&mut self, item: &Item, printed: &Printed<'_>) {
+        let own = own_span(item);
+        let found = self.symbols.find(&printed.name);
+        if let Some((id, indices)) = &found {
+            let entry = self.symbols.entry(*id);
+            for other in self.siblings(entry, printed) {
+                if let Some(spelled) = spelled(self.symbols.entry(other), indices, printed.dots, self.symbols) {
+                    self.edit(Slip::Symbol, own, spelled);
+                }
+            }
+            if entry.varies && printed.dots < 2 && entry.slots.len() == indices.len() {
+                let nucleus = nucleus(item);
+                let text = self.slice(nucleus.span).to_owned();
+                match printed.dots {
+                    0 => self.edit(Slip::Dot, nucleus.span, format!("\\dot{{{text}}}")),
+                    _ => self.dots(nucleus),
+                }
+            }
+        }
+        if printed.dots > 0 {
+            self.dots(nucleus(item));
+        }
+        self.accents(nucleus(item));
+        if let Layout::Scripts { sub: Some(sub), .. } = &item.layout
+            && self.inside(item, sub).is_some()
+        {
+            self.indices(sub, found.is_some());
+        }
+    }
+
+    /// The symbols that could be meant where this one stands.
+    fn siblings(&self, entry: &Entry, printed: &Printed<'_>) -> Vec<crate::formula::SymbolId> {
+        let letter = |name: &Name| unaccented(name).base;
+        let own = letter(&entry.name);
+        let alike = |other: &Entry| {
+            let same = other.kind == entry.kind && other.slots.len() == entry.slots.len();
+            let base = letter(&other.name);
+            same && (base.eq_ignore_ascii_case(&own) || entry.angle && entry.varies && other.angle && other.varies)
+        };
+        // Where a slip is undone, an accent may have been lost that made of it another kind of thing.
+        let mended = |other: &Entry| self.pool.is_some() && letter(&other.name) == own && other.slots.len() == entry.slots.len();
+        self.symbols
+            .iter()
+            .filter(|(_, other)| other.name != entry.name && !other.squared && (alike(other) || mended(other)))
+            .filter(|(_, other)| other.name != printed.name && other.measure.is_none())
+            .map(|(id, _)| id)
+            .collect()
+    }
+
+    /// A dot more and a dot fewer on what has one.
+    fn dots(&mut self, item: &Item) {
+        match &item.layout {
+            Layout::Accent(command, inner) if self.inside(item, inner).is_some() => {
+                let text = self.bare(inner).to_owned();
+                match command.as_str() {
+                    "\\dot" => {
+                        self.edit(Slip::Dot, item.span, text.clone());
+                        self.edit(Slip::Dot, item.span, format!("\\ddot{{{text}}}"));
+                    }
+                    "\\ddot" => self.edit(Slip::Dot, item.span, format!("\\dot{{{text}}}")),
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// An accent that is no dot lost: a bar, a hat, an arrow; the outer one or one inside of it.
+    fn accents(&mut self, item: &Item) {
+        let (Layout::Accent(command, inner) | Layout::Style(command, inner)) = &item.layout else { return };
+        if self.inside(item, inner).is_none() || command == "\\mathrm" {
+            return;
+        }
+        if !matches!(command.as_str(), "\\dot" | "\\ddot" | "\\dddot") {
+            let text = self.bare(inner).to_owned();
+            self.edit(Slip::Accent, item.span, text);
+        }
+        match &inner.layout {
+            Layout::Group(items) => {
+                if let [only] = items.as_slice() {
+                    self.accents(only);
+                }
+            }
+            _ => self.accents(inner),
+        }
+    }
+
+    /// Another index, and two of them swapped.
+    fn indices(&mut self, sub: &Item, is_known: bool) {
+        let items = match &sub.layout {
+            Layout::Group(items) => items.as_slice(),
+            _ => std::slice::from_ref(sub),
+        };
+        if !is_known {
+            return;
+        }
+        let token = |item: &Item| match &item.layout {
+            Layout::Letter(c) => Some(c.to_string()),
+            Layout::Number(digits) => Some(digits.clone()),
+            _ => None,
+        };
+        let tokens: Vec<(String, Span)> = items.iter().filter_map(|item| Some((token(item)?, item.span))).collect();
+        let letter = |token: &str| self.symbols.index(token);
+        let in_place = |token: &str| letter(token).is_some() || matches!(token, "1" | "2" | "3" | "4");
+        let mut others: Vec<(Span, String)> = Vec::new();
+        for (text, span) in tokens.iter().filter(|(text, _)| in_place(text)) {
+            let same = |other: &IndexId| letter(text).is_some_and(|own| own != *other && self.symbols.same_range(own, *other));
+            let all = (0..self.symbols.indices.len()).map(IndexId);
+            others.extend(all.filter(same).map(|other| (*span, self.symbols.indices[other.0].letter.clone())));
+            let values = ["1", "2", "3"].into_iter().filter(|value| value != text && letter(text).is_none());
+            others.extend(values.map(|value| (*span, value.to_owned())));
+        }
+        for (span, other) in others {
+            self.edit(Slip::Index, span, other);
+        }
+        if let [(a, first), (b, second)] = tokens.as_slice()
+            && a != b
+            && [a, b].into_iter().all(|token| in_place(token))
+        {
+            self.edit(Slip::Index, first.to(*second), format!("{b}{a}"));
+        }
+    }
+}
+
+/// The bytes of a name without the power that stands on it.
+fn own_span(item: &Item) -> Span {
+    match &item.layout {
+        Layout::Scripts { nucleus, sub, sup: Some(_), primes: 0 } => match sub {
+            Some(sub) => nucleus.span.to(sub.span),
+            None => nucleus.span,
+        },
+        _ => item.span,
+    }
+}
+
+/// What carries the scripts of a name.
+fn nucleus(item: &Item) -> &Item {
+    match &item.layout {
+        Layout::Scripts { nucleus, .. } => nucleus,
+        _ => item,
+    }
+}
+
+/// A symbol as it is spelled with these indices and dots.
+fn spelled(entry: &Entry, indices: &[Index], dots: u8, symbols: &crate::formula::Symbols) -> Option<String> {
+    let mut name = entry.name.clone();
+    for ((at, _), index) in entry.slots.iter().zip(indices) {
+        name.subscript[*at] = match index {
+            Index::Letter(letter) => symbols.indices[letter.0].letter.clone(),
+            Index::Fixed(value) => value.to_string(),
+        };
+    }
+    names::with_dots(&name, dots).map(|name| name.to_string())
+}

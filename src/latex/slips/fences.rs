@@ -1,0 +1,156 @@
+//! Slips of enclosure: a parenthesis lost, closed too early or too late, and a power that stands on too much or too little.
+
+use crate::source::Span;
+
+use super::super::layout::{Delimiter, Item, Layout};
+use super::lists::{Factor, Term, formulas, is_function};
+use super::{Finder, Slip};
+
+/// A fence takes in, or gives up, so many terms or factors at most.
+const FARTHEST: usize = 4;
+
+/// Enclosing what no parenthesis encloses is tried in so many ways at most.
+const MOST: usize = 400;
+
+/// The parts of a parenthesis: what opens it, what is in it, what closes it with its scripts.
+struct Fence<'i> {
+    whole: Span,
+    inner: Span,
+    items: &'i [Item],
+}
+
+fn fence(item: &Item) -> Option<Fence<'_>> {
+    let (fenced, whole) = match &item.layout {
+        Layout::Fence(..) => (item, item.span),
+        Layout::Scripts { nucleus, sub: None, primes: 0, .. } => (&**nucleus, item.span),
+        _ => return None,
+    };
+    let Layout::Fence(Delimiter::Round | Delimiter::Square, items) = &fenced.layout else { return None };
+    let inner = items.iter().map(|item| item.span).reduce(Span::to)?;
+    (inner != fenced.span).then_some(Fence { whole, inner, items })
+}
+
+impl Finder<'_> {
+    /// Slips at the parentheses of a term.
+    pub(super) fn fences(&mut self, factors: &[Factor<'_>]) {
+        for (at, factor) in factors.iter().enumerate() {
+            let Some(last) = factor.items.last() else { continue };
+            let Some(fence) = fence(last) else { continue };
+            let open = self.slice(Span::new(fence.whole.start, fence.inner.start)).to_owned();
+            let close = self.slice(Span::new(fence.inner.end, fence.whole.end)).to_owned();
+            let inner = self.slice(fence.inner).to_owned();
+            if matches!(last.layout, Layout::Fence(..)) {
+                self.edit(Slip::Parenthesis, fence.whole, inner.clone());
+            }
+            for cut in self.places(fence.items).into_iter().filter(|cut| *cut < fence.inner.end) {
+                let (kept, out) = inner.split_at(cut - fence.inner.start);
+                let moved = format!("{open}{}{close} {}", kept.trim_end(), out.trim_start());
+                self.edit(Slip::Parenthesis, fence.whole, moved);
+            }
+            for taken in factors[at + 1..].iter().take(FARTHEST) {
+                let more = self.slice(Span::new(fence.whole.end, taken.span().end)).to_owned();
+                let span = Span::new(fence.whole.start, taken.span().end);
+                self.edit(Slip::Parenthesis, span, format!("{open}{inner}{more}{close}"));
+            }
+        }
+    }
+
+    /// Where a parenthesis may close earlier: after one of its last factors.
+    fn places(&self, items: &[Item]) -> Vec<usize> {
+        let mut places = Vec::new();
+        for terms in formulas(items) {
+            for term in &terms {
+                places.extend(self.factors(term.items).iter().map(|factor| factor.span().end));
+            }
+        }
+        places.split_off(places.len().saturating_sub(FARTHEST + 1))
+    }
+
+    /// A parenthesis that closes too early among the terms of a formula takes in what follows; and where a slip is
+    /// undone, one that was lost is put back.
+    pub(super) fn enclose(&mut self, terms: &[Term<'_>]) {
+        for (at, term) in terms.iter().enumerate() {
+            let factors = self.factors(term.items);
+            let Some(fence) = factors.last().and_then(|factor| fence(factor.items.last()?)) else { continue };
+            let open = self.slice(Span::new(fence.whole.start, fence.inner.start)).to_owned();
+            let close = self.slice(Span::new(fence.inner.end, fence.whole.end)).to_owned();
+            let inner = self.slice(fence.inner).to_owned();
+            for next in terms[at + 1..].iter().take(FARTHEST) {
+                for factor in self.factors(next.items) {
+                    let more = self.slice(Span::new(fence.whole.end, factor.span().end)).to_owned();
+                    let span = Span::new(fence.whole.start, factor.span().end);
+                    self.edit(Slip::Parenthesis, span, format!("{open}{inner}{more}{close}"));
+                }
+            }
+        }
+        if self.pool.is_none() || terms.len() < 2 {
+            return;
+        }
+        // A function is not parted from its argument.
+        let place = |factor: &Factor<'_>| match factor.items {
+            [function, argument] if is_function(function) => argument.span,
+            _ => factor.span(),
+        };
+        let all: Vec<Vec<Span>> = terms.iter().map(|term| self.factors(term.items).iter().map(place).collect()).collect();
+        let mut tried = 0;
+        for (at, factors) in all.iter().enumerate() {
+            for open in factors {
+                for close in all[at + 1..].iter().flatten() {
+                    tried += 1;
+                    if tried > MOST {
+                        return;
+                    }
+                    let span = Span::new(open.start, close.end);
+                    let enclosed = format!("({})", self.slice(span));
+                    self.edit(Slip::Parenthesis, span, enclosed);
+                }
+            }
+        }
+    }
+
+    /// A power moved from a parenthesis onto the last factor in it, and back.
+    pub(super) fn exponents(&mut self, factors: &[Factor<'_>]) {
+        for (at, factor) in factors.iter().enumerate() {
+            for item in factor.items {
+                let Layout::Scripts { nucleus, sup: Some(sup), sub, primes: 0 } = &item.layout else { continue };
+                let power = self.slice(sup.span).to_owned();
+                if sub.is_none()
+                    && let Layout::Fence(Delimiter::Round, items) = &nucleus.layout
+                    && let (Some(first), Some(last)) = (items.first(), items.last())
+                    && self.inside(nucleus, first).is_some()
+                    && !matches!(last.layout, Layout::Scripts { sup: Some(_), .. })
+                {
+                    let inner = self.slice(first.span.to(last.span)).to_owned();
+                    self.edit(Slip::Exponent, item.span, format!("{inner}^{power}"));
+                }
+                if is_function(item)
+                    && let [_, argument] = factor.items
+                    && !matches!(argument.layout, Layout::Scripts { sup: Some(_), .. })
+                {
+                    let (function, argument) = (self.slice(nucleus.span), self.slice(argument.span));
+                    let moved = format!("{function} {argument}^{power}");
+                    self.edit(Slip::Exponent, factor.span(), moved);
+                }
+                self.gather_power(&factors[..=at], item, &power);
+            }
+        }
+    }
+
+    /// The power of an item put on all from an earlier factor on, or on the function that the item is the argument of.
+    fn gather_power(&mut self, factors: &[Factor<'_>], item: &Item, power: &str) {
+        let Layout::Scripts { nucleus, sub, .. } = &item.layout else { return };
+        let base = sub.as_ref().map_or(nucleus.span, |sub| nucleus.span.to(sub.span));
+        let Some((last, before)) = factors.split_last() else { return };
+        let is_argument = last.items.len() == 2 && last.items[1].span == item.span;
+        if is_argument && is_function(&last.items[0]) {
+            let (function, argument) = (self.slice(last.items[0].span), self.slice(base));
+            let moved = format!("{function}^{power} {argument}");
+            self.edit(Slip::Exponent, last.span(), moved);
+        }
+        let starts = before.iter().rev().take(FARTHEST).chain(is_argument.then_some(last));
+        for start in starts.map(|factor| factor.span().start).collect::<Vec<_>>() {
+            let enclosed = format!("({})^{power}", self.slice(Span::new(start, base.end)));
+            self.edit(Slip::Exponent, Span::new(start, item.span.end), enclosed);
+        }
+    }
+}

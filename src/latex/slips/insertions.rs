@@ -1,0 +1,141 @@
+//! What undoes a loss: factors and terms that stand elsewhere in the document, put in.
+
+use std::collections::HashMap;
+
+use crate::formula::Symbols;
+use crate::source::Span;
+
+use super::super::layout::{Item, Layout};
+use super::super::macros::Macros;
+use super::super::reader::typeset_items;
+use super::lists::{Factor, Term, formulas, is_big};
+use super::{Finder, Slip};
+
+/// Factors and terms that may be put in, as their authors typed them.
+#[derive(Clone, Debug, Default)]
+pub struct Pool {
+    factors: Vec<String>,
+    terms: Vec<String>,
+}
+
+impl Pool {
+    /// Nothing: what was lost is not looked for.
+    pub fn empty() -> Pool {
+        Pool::default()
+    }
+
+    /// The factors of some texts, the commonest first, and the terms of them; at most so many of each.
+    pub fn of<'t>(texts: impl Iterator<Item = &'t str>, symbols: &Symbols, macros: &Macros, most: usize) -> Pool {
+        let mut counts: (HashMap<String, usize>, HashMap<String, usize>) = Default::default();
+        for text in texts {
+            let Ok(items) = typeset_items(text, macros) else { continue };
+            let finder = Finder { text, symbols, pool: None, edits: Vec::new() };
+            finder.gather(&items, &mut counts.0, &mut counts.1);
+        }
+        for number in ["2", "\\frac{1}{2}"] {
+            counts.0.entry(number.to_owned()).or_insert(1);
+        }
+        let sorted = |counts: HashMap<String, usize>| {
+            let mut all: Vec<(String, usize)> = counts.into_iter().collect();
+            all.sort_by(|(a, n), (b, m)| m.cmp(n).then(a.len().cmp(&b.len())).then(a.cmp(b)));
+            all.into_iter().map(|(text, _)| text).take(most).collect()
+        };
+        Pool { factors: sorted(counts.0), terms: sorted(counts.1) }
+    }
+
+    /// The same with one more term, tried before the others.
+    pub fn with_term(mut self, term: String) -> Pool {
+        self.terms.insert(0, term);
+        self
+    }
+
+    /// The factors alone.
+    pub fn factors_only(mut self) -> Pool {
+        self.terms.clear();
+        self
+    }
+}
+
+/// Longer factors are not put in.
+const LONGEST: usize = 60;
+
+impl Finder<'_> {
+    fn gather(&self, items: &[Item], factors: &mut HashMap<String, usize>, terms: &mut HashMap<String, usize>) {
+        let count = |counts: &mut HashMap<String, usize>, span: Span| {
+            if span.end - span.start <= LONGEST {
+                *counts.entry(self.slice(span).to_owned()).or_default() += 1;
+            }
+        };
+        for formula in formulas(items) {
+            for term in &formula {
+                if formula.len() > 1 {
+                    count(terms, term.span());
+                }
+                let all = self.factors(term.items);
+                for factor in &all {
+                    let first = &factor.items[0];
+                    if !is_big(first) && !matches!(first.layout, Layout::Number(_)) && all.len() > 1 {
+                        count(factors, factor.span());
+                    }
+                }
+            }
+        }
+        for item in items {
+            for inner in insides(item) {
+                self.gather(inner, factors, terms);
+            }
+        }
+    }
+
+    /// Each factor of the pool put into a term: before it, after it, and after what acts on all that follows; a
+    /// vector before and after a vector, too.
+    pub(super) fn insert_factors(&mut self, factors: &[Factor<'_>]) {
+        let Some(pool) = self.pool else { return };
+        let (Some(first), Some(last)) = (factors.first(), factors.last()) else { return };
+        let after_big = factors.iter().zip(&factors[1..]).filter(|(big, _)| is_big(&big.items[0]));
+        let mut before: Vec<usize> = vec![first.span().start];
+        before.extend(after_big.map(|(_, next)| next.span().start));
+        let end = last.span().end;
+        for factor in &pool.factors {
+            for at in &before {
+                self.edit(Slip::Factor, Span::at(*at), format!("{factor} \\, "));
+            }
+            self.edit(Slip::Factor, Span::at(end), format!(" \\, {factor}"));
+            if !is_vector(factor) {
+                continue;
+            }
+            for at in factors.iter().filter(|factor| is_vector(self.slice(factor.span()))).map(Factor::span).collect::<Vec<_>>() {
+                for operator in ["\\times", "\\cdot"] {
+                    self.edit(Slip::Factor, Span::at(at.start), format!("{factor} {operator} "));
+                    self.edit(Slip::Factor, Span::at(at.end), format!(" {operator} {factor}"));
+                }
+            }
+        }
+    }
+
+    /// Each term of the pool added to a formula, and taken from it.
+    pub(super) fn insert_terms(&mut self, terms: &[Term<'_>]) {
+        let (Some(pool), Some(last)) = (self.pool, terms.last()) else { return };
+        for term in &pool.terms {
+            for sign in ["+", "-"] {
+                self.edit(Slip::Term, Span::at(last.span().end), format!(" {sign} {term}"));
+            }
+        }
+    }
+}
+
+/// Whether a factor looks like a vector, or like a product of them in parentheses.
+fn is_vector(text: &str) -> bool {
+    ["\\vec", "\\hat", "\\mathbf", "\\dot{\\vec", "("].iter().any(|start| text.starts_with(start)) || text.contains("\\vec")
+}
+
+/// The lists that an item holds.
+fn insides(item: &Item) -> Vec<&[Item]> {
+    match &item.layout {
+        Layout::Group(items) | Layout::Fence(_, items) => vec![items],
+        Layout::Fraction(a, b) => [a, b].into_iter().flat_map(|inner| insides(inner)).collect(),
+        Layout::Root(_, inner) | Layout::Scripts { nucleus: inner, .. } => insides(inner),
+        Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
+        _ => Vec::new(),
+    }
+}

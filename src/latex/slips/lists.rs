@@ -1,0 +1,345 @@
+//! Slips in a list of what is typeset side by side: its terms and signs, its factors and their order.
+
+use crate::formula::Kind;
+use crate::source::Span;
+
+use super::super::layout::{Item, Layout};
+use super::super::lexer::Space;
+use super::super::names;
+use super::{Finder, Slip};
+
+/// A term of a list: its sign, where one is printed, and its items.
+pub(super) struct Term<'i> {
+    pub sign: Option<&'i Item>,
+    pub items: &'i [Item],
+}
+
+impl Term<'_> {
+    /// The bytes of the term without its sign.
+    pub fn span(&self) -> Span {
+        self.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default()
+    }
+
+    fn whole(&self) -> Span {
+        self.sign.map_or(self.span(), |sign| sign.span.to(self.span()))
+    }
+}
+
+/// A factor of a term, and the operator before it, if there is one.
+#[derive(Clone, Copy)]
+pub(super) struct Factor<'i> {
+    pub operator: Option<&'i Item>,
+    pub items: &'i [Item],
+}
+
+impl Factor<'_> {
+    pub fn span(&self) -> Span {
+        self.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default()
+    }
+}
+
+/// What sets formulas apart: a relation, the end of a row or a cell, a comma, a wide space, a word.
+fn separates(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other('=' | '<' | '>' | ',' | ';' | '≈' | '≡' | '≤' | '≥' | '≠' | ':') => true,
+        Layout::Row | Layout::Align | Layout::Space(Space::Wide) | Layout::Text(_) | Layout::Fault(_) => true,
+        Layout::Command(name) => matches!(
+            name.as_str(),
+            "\\equiv"
+                | "\\coloneqq"
+                | "\\lt"
+                | "\\gt"
+                | "\\leq"
+                | "\\geq"
+                | "\\neq"
+                | "\\approx"
+                | "\\propto"
+                | "\\to"
+                | "\\in"
+                | "\\Rightarrow"
+                | "\\Leftrightarrow"
+                | "\\therefore"
+        ),
+        _ => false,
+    }
+}
+
+fn is_sign(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other('+' | '-') => true,
+        Layout::Command(name) => name == "\\pm" || name == "\\mp",
+        _ => false,
+    }
+}
+
+fn is_space(item: &Item) -> bool {
+    matches!(item.layout, Layout::Space(_) | Layout::Other('.'))
+}
+
+/// `\cdot`, `\times`, `/`.
+fn is_operator(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other('/' | '*' | '·' | '⋅' | '×') => true,
+        Layout::Command(name) => name == "\\cdot" || name == "\\times",
+        _ => false,
+    }
+}
+
+fn is_times(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Command(name) if name == "\\times") || item.layout == Layout::Other('×')
+}
+
+/// What a command is, with scripts or without.
+fn command(item: &Item) -> Option<&str> {
+    match &item.layout {
+        Layout::Command(name) => Some(name),
+        Layout::Scripts { nucleus, .. } => command(nucleus),
+        _ => None,
+    }
+}
+
+/// Σ, ∫ and lim, which act on all that follows.
+pub(super) fn is_big(item: &Item) -> bool {
+    matches!(command(item), Some("\\sum" | "\\int" | "\\lim"))
+}
+
+/// `\sin` and the like, with a power perhaps.
+pub(super) fn is_function(item: &Item) -> bool {
+    command(item).and_then(|name| name.strip_prefix('\\')).is_some_and(|name| crate::formula::tree::Function::named(name).is_some())
+}
+
+/// The formulas of a list, each as its terms.
+pub(super) fn formulas(items: &[Item]) -> Vec<Vec<Term<'_>>> {
+    items.split(separates).map(terms).filter(|terms| !terms.is_empty()).collect()
+}
+
+fn terms(items: &[Item]) -> Vec<Term<'_>> {
+    let mut terms: Vec<Term<'_>> = Vec::new();
+    let mut start = 0;
+    let mut sign = None;
+    for at in 0..=items.len() {
+        let ends = at == items.len() || is_sign(&items[at]);
+        if !ends {
+            continue;
+        }
+        let inner = trimmed(&items[start..at]);
+        // What comes from one macro has one place, and is one thing.
+        let real = sign.is_none_or(|sign: &Item| !inner.iter().any(|item| item.span == sign.span));
+        if !inner.is_empty() && real {
+            terms.push(Term { sign, items: inner });
+        }
+        sign = items.get(at);
+        start = at + 1;
+    }
+    terms
+}
+
+fn trimmed(mut items: &[Item]) -> &[Item] {
+    while let [first, rest @ ..] = items
+        && is_space(first)
+    {
+        items = rest;
+    }
+    while let [rest @ .., last] = items
+        && is_space(last)
+    {
+        items = rest;
+    }
+    items
+}
+
+impl Finder<'_> {
+    /// The factors of a term: a function with its argument is one, and so is a rotation with its angle.
+    pub(super) fn factors<'i>(&self, items: &'i [Item]) -> Vec<Factor<'i>> {
+        let mut factors: Vec<Factor<'i>> = Vec::new();
+        let mut operator = None;
+        let mut at = 0;
+        while at < items.len() {
+            let item = &items[at];
+            if is_space(item) {
+                at += 1;
+                continue;
+            }
+            if is_operator(item) {
+                operator = Some(item);
+                at += 1;
+                continue;
+            }
+            let start = at;
+            at += 1;
+            let takes = is_function(item) || self.is_rotation(item) && matches!(items.get(at), Some(Item { layout: Layout::Fence(..), .. }));
+            if takes {
+                at += items[at..].iter().take_while(|next| is_space(next)).count();
+                at = (at + 1).min(items.len());
+            }
+            // A macro is one factor, whatever it expands to.
+            while items.get(at).is_some_and(|next| next.span == items[at - 1].span) {
+                at += 1;
+            }
+            factors.push(Factor { operator: operator.take(), items: &items[start..at] });
+        }
+        factors
+    }
+
+    fn kind(&self, item: &Item) -> Option<Kind> {
+        let printed = names::printed(item, None)?;
+        let found = self.symbols.find(&printed.name).map(|(id, _)| id);
+        found.or_else(|| self.symbols.find_whole(&printed.name.base)).map(|id| self.symbols.entry(id).kind)
+    }
+
+    fn is_rotation(&self, item: &Item) -> bool {
+        self.kind(item) == Some(Kind::Rotation)
+    }
+
+    fn is_matrix(&self, factor: &Factor<'_>) -> bool {
+        let item = &factor.items[0];
+        matches!(item.layout, Layout::Environment(..)) || matches!(self.kind(item), Some(Kind::Matrix | Kind::Rotation))
+    }
+
+    /// Slips in a list, and in all that it is made of.
+    pub(super) fn list(&mut self, items: &[Item]) {
+        for terms in formulas(items) {
+            for (at, term) in terms.iter().enumerate() {
+                // Of nothing neither the sign nor the factors matter.
+                if self.is_null(term) {
+                    continue;
+                }
+                self.sign(term);
+                if terms.len() > 1 {
+                    self.drop_term(&terms, at);
+                }
+                self.double_term(term);
+                self.term(term);
+            }
+            self.enclose(&terms);
+            if self.pool.is_some() {
+                self.insert_terms(&terms);
+            }
+        }
+        for (at, item) in items.iter().enumerate() {
+            self.relation(item);
+            // The items of a macro share its bytes.
+            let alone = |other: Option<&Item>| other.is_none_or(|other| other.span != item.span);
+            if alone(at.checked_sub(1).and_then(|before| items.get(before))) && alone(items.get(at + 1)) {
+                self.item(item);
+            }
+        }
+    }
+
+    /// Whether a term is 0 or the zero vector, or a product with it.
+    fn is_null(&self, term: &Term<'_>) -> bool {
+        term.items.iter().any(|item| match &item.layout {
+            Layout::Number(digits) => digits.bytes().all(|digit| matches!(digit, b'0' | b'.')),
+            Layout::Accent(_, inner) | Layout::Style(_, inner) => {
+                matches!(self.bare(inner), "0")
+            }
+            _ => false,
+        })
+    }
+
+    fn sign(&mut self, term: &Term<'_>) {
+        let Some(sign) = term.sign else {
+            self.edit(Slip::Sign, Span::at(term.span().start), "-");
+            return;
+        };
+        let others: &[&str] = match self.slice(sign.span) {
+            "+" => &["-"],
+            "-" => &["+"],
+            "\\pm" => &["+", "-", "\\mp"],
+            "\\mp" => &["+", "-", "\\pm"],
+            _ => &[],
+        };
+        for other in others {
+            self.edit(Slip::Sign, sign.span, *other);
+        }
+        if self.pool.is_some() && matches!(self.slice(sign.span), "+" | "-") {
+            self.edit(Slip::Sign, sign.span, "\\pm");
+            self.edit(Slip::Sign, sign.span, "\\mp");
+        }
+    }
+
+    fn drop_term(&mut self, terms: &[Term<'_>], at: usize) {
+        let term = &terms[at];
+        let span = match (at, term.sign, terms.get(1).and_then(|next| next.sign)) {
+            // The sign of the first term is left to the second where it is a minus.
+            (0, None, Some(next)) if self.slice(next.span) == "+" => {
+                Span::new(term.span().start, terms[1].span().start)
+            }
+            (0, Some(_), Some(next)) if self.slice(next.span) == "+" => {
+                Span::new(term.whole().start, terms[1].span().start)
+            }
+            _ => term.whole(),
+        };
+        self.edit(Slip::Term, span, "");
+    }
+
+    fn double_term(&mut self, term: &Term<'_>) {
+        let sign = term.sign.map_or("+", |sign| self.slice(sign.span));
+        let twice = format!(" {sign} {}", self.slice(term.span()));
+        // What is summed or integrated reaches to the end of its term.
+        self.edit(Slip::Term, Span::at(term.span().end), twice);
+    }
+
+    fn relation(&mut self, item: &Item) {
+        let other = match self.slice(item.span) {
+            "<" => ">",
+            ">" => "<",
+            "\\lt" => "\\gt",
+            "\\gt" => "\\lt",
+            "\\le" => "\\ge",
+            "\\ge" => "\\le",
+            "\\leq" => "\\geq",
+            "\\geq" => "\\leq",
+            "\\leqslant" => "\\geqslant",
+            "\\geqslant" => "\\leqslant",
+            _ => return,
+        };
+        self.edit(Slip::Relation, item.span, other);
+    }
+
+    /// Slips among the factors of a term.
+    fn term(&mut self, term: &Term<'_>) {
+        let factors = self.factors(term.items);
+        for (at, factor) in factors.iter().enumerate() {
+            if factors.len() > 1 {
+                self.drop_factor(&factors, at);
+            }
+            let is_number = matches!(factor.items[0].layout, Layout::Number(_));
+            if !is_number && !is_big(&factor.items[0]) {
+                let twice = format!(" {}", self.slice(factor.span()));
+                self.edit(Slip::Factor, Span::at(factor.span().end), twice);
+            }
+            let Some(before) = at.checked_sub(1).map(|before| &factors[before]) else { continue };
+            let swapped = Span::new(before.span().start, factor.span().end);
+            let (a, b) = (self.slice(before.span()).to_owned(), self.slice(factor.span()).to_owned());
+            match factor.operator {
+                Some(operator) if is_times(operator) => {
+                    self.edit(Slip::Order, swapped, format!("{b} {} {a}", self.slice(operator.span)));
+                }
+                None if self.is_matrix(before) && self.is_matrix(factor) => {
+                    self.edit(Slip::Order, swapped, format!("{b} {a}"));
+                }
+                _ => {}
+            }
+        }
+        self.exponents(&factors);
+        self.fences(&factors);
+        if self.pool.is_some() {
+            self.insert_factors(&factors);
+        }
+    }
+
+    fn drop_factor(&mut self, factors: &[Factor<'_>], at: usize) {
+        let factor = &factors[at];
+        let span = match (factor.operator, factors.get(at + 1).and_then(|next| next.operator)) {
+            (Some(operator), _) => Span::new(operator.span.start, factor.span().end),
+            (None, Some(next)) => Span::new(factor.span().start, next.span.end),
+            (None, None) => factor.span(),
+        };
+        self.edit(Slip::Factor, span, "");
+        // The function alone, which leaves its argument.
+        if is_function(&factor.items[0]) {
+            self.edit(Slip::Factor, factor.items[0].span, "");
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! The slips of authors, as edits of what they typed; and the edits that undo such slips.
+//!
+//! [`slips`] gives every single slip in the text of a display: a sign, a factor, a dot, an index, a parenthesis.
+//! [`corrections`] gives what mends one: the same edits, since most slips are undone by one of their own kind, and what
+//! undoes the others, a factor or a term put in. They are found in what is typeset ([`super::layout`]) and in the names
+//! of the document; what a formula means is not looked at, so a display that cannot be read has them too.
+//!
+//! An [`Edit`] is one run of bytes and what stands there instead. Nothing else of the author's text is touched. What a
+//! macro of the author's expands to has no bytes of its own, and is left alone but as a whole.
+
+mod atoms;
+mod fences;
+mod insertions;
+mod lists;
+
+use std::collections::HashSet;
+
+use crate::formula::Symbols;
+use crate::source::Span;
+
+use super::layout::{Item, Layout};
+use super::macros::Macros;
+use super::reader::typeset_items;
+
+pub use insertions::Pool;
+
+/// A change to a text: some bytes of it, and what stands there instead.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// The bytes that go.
+    pub span: Span,
+    /// What comes in their place.
+    pub replacement: String,
+    /// The kind of slip.
+    pub slip: Slip,
+}
+
+impl Edit {
+    /// The text with the change made.
+    pub fn applied(&self, text: &str) -> String {
+        let mut changed = String::with_capacity(text.len() + self.replacement.len());
+        changed.push_str(&text[..self.span.start]);
+        changed.push_str(&self.replacement);
+        changed.push_str(&text[self.span.end..]);
+        changed
+    }
+}
+
+/// The kinds of slip, the likeliest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Slip {
+    /// A sign flipped, lost, or one of ±.
+    Sign,
+    /// One symbol for another like it.
+    Symbol,
+    /// Another index, or two swapped.
+    Index,
+    /// A dot more or less.
+    Dot,
+    /// Another number.
+    Number,
+    /// Another power, none, or one in another place.
+    Exponent,
+    /// One function for another, as sine for cosine.
+    Function,
+    /// A bar, hat or vector arrow lost or put on.
+    Accent,
+    /// Factors in another order.
+    Order,
+    /// Numerator and denominator exchanged.
+    Fraction,
+    /// A parenthesis lost, or closed too early or too late.
+    Parenthesis,
+    /// < for >.
+    Relation,
+    /// A factor left out or put in.
+    Factor,
+    /// A term left out or put in.
+    Term,
+}
+
+impl Slip {
+    /// What it is about, in a word or two.
+    pub fn word(self) -> &'static str {
+        match self {
+            Slip::Sign => "sign",
+            Slip::Symbol => "symbol",
+            Slip::Index => "index",
+            Slip::Dot => "dot",
+            Slip::Number => "number",
+            Slip::Exponent => "exponent",
+            Slip::Function => "function",
+            Slip::Accent => "accent",
+            Slip::Order => "order",
+            Slip::Fraction => "fraction",
+            Slip::Parenthesis => "parenthesis",
+            Slip::Relation => "relation",
+            Slip::Factor => "factor",
+            Slip::Term => "term",
+        }
+    }
+}
+
+/// Every single slip in the text of a display.
+pub fn slips(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Edit> {
+    found(text, symbols, macros, None)
+}
+
+/// The edits that undo a single slip; what may be put in is taken from `pool`.
+pub fn corrections(text: &str, symbols: &Symbols, macros: &Macros, pool: &Pool) -> Vec<Edit> {
+    found(text, symbols, macros, Some(pool))
+}
+
+fn found(text: &str, symbols: &Symbols, macros: &Macros, pool: Option<&Pool>) -> Vec<Edit> {
+    // A display of which nothing is typeset at all has no terms, but its characters may be mended.
+    let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
+    let mut finder = Finder { text, symbols, pool, edits: Vec::new() };
+    finder.list(&items);
+    let mut seen = HashSet::new();
+    let fresh = |edit: &Edit| text[edit.span.range()] != edit.replacement && seen.insert(edit.applied(text));
+    finder.edits.into_iter().filter(fresh).collect()
+}
+
+/// Walks what is typeset and gathers edits.
+struct Finder<'a> {
+    text: &'a str,
+    symbols: &'a Symbols,
+    /// What may be put in; none where slips are made and not undone.
+    pool: Option<&'a Pool>,
+    edits: Vec<Edit>,
+}
+
+impl Finder<'_> {
+    fn slice(&self, span: Span) -> &str {
+        &self.text[span.range()]
+    }
+
+    /// Adds an edit; a command and a letter that would run together are set apart.
+    fn edit(&mut self, slip: Slip, span: Span, replacement: impl Into<String>) {
+        let mut replacement = replacement.into();
+        let (before, after) = (&self.text[..span.start], &self.text[span.end..]);
+        let letter = |text: &str| text.starts_with(|c: char| c.is_ascii_alphabetic());
+        if ends_in_command(&replacement) && letter(after) {
+            replacement.push(' ');
+        }
+        match replacement.is_empty() {
+            true if ends_in_command(before) && letter(after) => replacement.push(' '),
+            false if ends_in_command(before) && letter(&replacement) => replacement.insert(0, ' '),
+            _ => {}
+        }
+        self.edits.push(Edit { span, replacement, slip });
+    }
+
+    /// What is inside of an item, but for what comes from a macro.
+    fn inside<'i>(&self, item: &Item, inner: &'i Item) -> Option<&'i Item> {
+        (inner.span != item.span && item.span.contains(inner.span)).then_some(inner)
+    }
+
+    /// An argument of a command: the list in its braces, or the one thing that it is.
+    fn argument(&mut self, item: &Item, argument: &Item) {
+        let Some(argument) = self.inside(item, argument) else { return };
+        match &argument.layout {
+            Layout::Group(items) => self.list(items),
+            _ => self.item(argument),
+        }
+    }
+}
+
+/// Whether a text ends in the letters of a command.
+fn ends_in_command(text: &str) -> bool {
+    let word = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    word.len() < text.len() && word.ends_with('\\') && !word.ends_with("\\\\")
+}
