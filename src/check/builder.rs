@@ -3,6 +3,8 @@
 //! What the prose defines (`"define"`) is not read here but together with the displays ([`super::reading`]), since the
 //! two may stand on each other.
 
+use std::sync::Arc;
+
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Index, Kind, Node, SymbolId, text};
 use crate::latex::{names, read_formula};
@@ -433,7 +435,7 @@ impl Builder<'_> {
             self.model.parameters.push(place);
         }
         self.model.inferred.push(format!("the system is {}: {}", world.name(), map.join(", ")));
-        self.model.world = Some(world);
+        self.model.world = Some(Arc::new(world));
         Ok(())
     }
 

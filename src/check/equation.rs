@@ -12,7 +12,7 @@ use super::document::shown;
 use super::draw::Reach;
 use super::ensemble::Condition;
 use super::identity::{self, Context, is_equality};
-use super::judge::Link;
+use super::pins::Use;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
@@ -315,68 +315,67 @@ impl Desk<'_> {
     /// The verdict on a statement that introduces a symbol.
     fn definition(&self, introduced: &Introduced, context: &Context<'_>) -> Result<Finding> {
         let symbol = introduced.symbol;
-        let uses = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
-        // What says the definition in other words holds whatever the definition says.
-        let restates = |link: &Link| restated::restates(link, symbol, &introduced.formula, self.model);
-        let mut restated = Vec::new();
-        let mut claims = Vec::new();
-        for (at, reading) in self.readings.iter().enumerate() {
-            let none = Claim::default();
-            let claim = self.assigned[at].unwrap_or(&none);
-            for (place, other) in reading.statements.iter().enumerate() {
-                let Ok(other) = other else { continue };
-                for (k, (relation, _)) in other.relations.iter().enumerate() {
-                    let defines =
-                        |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
-                    if reading.introduced.iter().any(defines) || !is_equality(*relation) {
-                        continue;
-                    }
-                    if other.members[k..k + 2].iter().any(uses) {
-                        let link = self.link(&other.members[k], *relation, &other.members[k + 1])?;
-                        let display = &self.notes.equations[at];
-                        let name = shown(display);
-                        match restates(&link) {
-                            true => restated.push(format!("({name})")),
-                            false => {
-                                claims.push((format!("({name})"), link, self.conditions(claim)?, self.local(claim)?))
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        for sentence in self.claims.sentences.iter().filter(|sentence| sentence.claim.expect.is_none()) {
-            let Some(statements) = self.claimed_by(sentence) else { continue };
-            for statement in &statements {
-                for (k, (relation, _)) in statement.relations.iter().enumerate() {
-                    if is_equality(*relation) && statement.members[k..k + 2].iter().any(uses) {
-                        let link = self.link(&statement.members[k], *relation, &statement.members[k + 1])?;
-                        let name = sentence.name.as_ref().map_or("a sentence", |name| name.value.as_str());
-                        let claim = &sentence.claim;
-                        match restates(&link) {
-                            true => restated.push(format!("“{name}”")),
-                            false => {
-                                claims.push((format!("“{name}”"), link, self.conditions(claim)?, self.local(claim)?))
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        if claims.is_empty() && !restated.is_empty() {
+        let (uses, restated) = self.uses(introduced)?;
+        if uses.is_empty() && !restated.is_empty() {
             let name = text::plain(&self.model.name(symbol));
             let message = format!("introduces {name}, and {} says the same in other words", restated.join(", "));
             return Ok(context.finding(Verdict::Undecided, message));
         }
-        let mut users: Vec<definitions::User<'_>> = claims
+        let mut users: Vec<definitions::User<'_>> = uses
             .iter()
-            .map(|(id, link, conditions, local)| definitions::User {
+            .map(|Use { id, link, conditions, local }| definitions::User {
                 id: id.clone(),
                 link: link.clone(),
                 context: Context { conditions, local, topic: id, on_shell: None, ..*context },
             })
             .collect();
         definitions::check(symbol, &introduced.formula, &mut users, context)
+    }
+
+    /// The equations and sentences that use a defined name; and those that only say the definition in other words, which
+    /// hold whatever the definition says.
+    pub(super) fn uses(&self, introduced: &Introduced) -> Result<(Vec<Use>, Vec<String>)> {
+        let symbol = introduced.symbol;
+        let depends = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
+        let (mut uses, mut restated) = (Vec::new(), Vec::new());
+        let mut add = |name: String, (statement, k): (&Statement, usize), claim: &Claim| {
+            let relation = statement.relations[k].0;
+            if !is_equality(relation) || !statement.members[k..k + 2].iter().any(depends) {
+                return Ok(());
+            }
+            let link = self.link(&statement.members[k], relation, &statement.members[k + 1])?;
+            match restated::restates(&link, symbol, &introduced.formula, self.model) {
+                true => restated.push(name),
+                false => {
+                    let (conditions, local) = (self.conditions(claim)?, self.local(claim)?);
+                    uses.push(Use { id: name, link, conditions, local });
+                }
+            }
+            Ok::<(), Error>(())
+        };
+        for (at, reading) in self.readings.iter().enumerate() {
+            let none = Claim::default();
+            let claim = self.assigned[at].unwrap_or(&none);
+            for (place, statement) in reading.statements.iter().enumerate() {
+                let Ok(statement) = statement else { continue };
+                for k in 0..statement.relations.len() {
+                    let defines =
+                        |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
+                    if !reading.introduced.iter().any(defines) {
+                        add(format!("({})", shown(&self.notes.equations[at])), (statement, k), claim)?;
+                    }
+                }
+            }
+        }
+        for sentence in self.claims.sentences.iter().filter(|sentence| sentence.claim.expect.is_none()) {
+            for statement in self.claimed_by(sentence).iter().flatten() {
+                for k in 0..statement.relations.len() {
+                    let name = sentence.name.as_ref().map_or("a sentence", |name| name.value.as_str());
+                    add(format!("“{name}”"), (statement, k), &sentence.claim)?;
+                }
+            }
+        }
+        Ok((uses, restated))
     }
 
     /// What a claim adds to the statements: solutions, other expressions, conservation, the motion.

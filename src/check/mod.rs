@@ -34,6 +34,7 @@ pub mod model;
 mod motion;
 pub mod mutate;
 mod particles;
+mod pins;
 pub mod plain;
 mod progress;
 mod reading;

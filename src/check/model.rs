@@ -4,6 +4,8 @@
 //! gives it its value: a coordinate, a parameter, something that the Lagrangian determines, a formula that the prose or
 //! an earlier equation defines.
 
+use std::sync::Arc;
+
 use crate::formula::symbols::{Components, Name};
 use crate::formula::{Expr, IndexId, SymbolId, Symbols};
 use crate::latex::Macros;
@@ -195,13 +197,14 @@ impl Variable {
 }
 
 /// The symbols of a document and what they mean.
+#[derive(Clone)]
 pub struct Model {
     /// The names.
     pub symbols: Symbols,
     /// What each means, by [`SymbolId`]; a symbol that was read and not yet explained has none.
     pub meanings: Vec<Option<Meaning>>,
     /// What is true, if the claims name a system.
-    pub world: Option<World>,
+    pub world: Option<Arc<World>>,
     /// The world's coordinates in its order; without a world, the declared ones.
     pub coordinates: Vec<Variable>,
     /// All constants; the world's parameters are among them.

@@ -13,6 +13,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::latex::slips::{self, Edit, Slip};
+use crate::latex::{Introduced, Reading};
 use crate::notes::claims::{Claim, Claims};
 use crate::notes::document::Kind;
 use crate::notes::{Display, Notes};
@@ -22,6 +23,9 @@ use crate::{Error, Result};
 use super::desk::Desk;
 use super::document::{Run, check_in, shown, wanted, with_desk};
 use super::reading::corrected;
+use super::model::Law;
+use super::pins::Pins;
+use super::reprint;
 use super::trial::{Answer, Trial};
 use super::verdict::Verdict;
 
@@ -175,11 +179,13 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String]) -> Resu
         desk.source.slice(span) == &display.text[edit.span.range()]
     };
     let edits: Vec<Edit> = edits.into_iter().filter(real).collect();
+    let pins: Vec<Pins<'_, '_>> =
+        desk.readings[at].introduced.iter().map(|introduced| Pins::of(desk, introduced)).collect::<Result<_>>()?;
     let judged: Result<Vec<Vec<(Fate, String)>>> = edits
         .par_chunks(SHARE)
         .map(|share| {
             let trial = Trial::new(desk, at, &desk.readings[at], claim)?;
-            share.iter().map(|edit| fate(run, desk, at, &trial, edit)).collect()
+            share.iter().map(|edit| fate(run, desk, (at, &pins), &trial, edit)).collect()
         })
         .collect();
     let mut mutants = Mutants::none(display, None);
@@ -194,35 +200,60 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String]) -> Resu
     Ok(mutants)
 }
 
-/// What becomes of a mutant, and why.
-fn fate(run: &Run<'_>, desk: &Desk<'_>, at: usize, trial: &Trial<'_, '_>, edit: &Edit) -> Result<(Fate, String)> {
+/// What becomes of a mutant of a display, whose definitions are held by pins, and why.
+fn fate(
+    run: &Run<'_>,
+    desk: &Desk<'_>,
+    (at, pins): (usize, &[Pins<'_, '_>]),
+    trial: &Trial<'_, '_>,
+    edit: &Edit,
+) -> Result<(Fate, String)> {
     let display = &desk.notes.equations[at];
-    let text = edit.applied(&display.text);
     let because = String::new();
-    Ok(match trial.of(&text)? {
+    Ok(match trial.of(&edit.applied(&display.text))? {
         Answer::Same => (Fate::Equivalent, because),
         Answer::Refused => (Fate::Refused, because),
-        Answer::Refuted if stands_alone(desk, at) => (Fate::Refuted, because),
-        Answer::Refuted => match noticed(run, desk, at, edit)? {
+        Answer::Refuted(reading) if holds_fast(desk, at, pins, &reading) => (Fate::Refuted, because),
+        Answer::Refuted(_) => match noticed(run, desk, at, edit)? {
             Some(Verdict::Refuted | Verdict::Domain) => (Fate::Refuted, because),
             Some(_) => (Fate::Refused, because),
             None => (Fate::Survived, "the document passes with it".to_owned()),
         },
-        Answer::Passes(reading, parts) => {
-            match parts.iter().find(|part| part.finding.verdict != Verdict::Certified) {
-                Some(part) if !trial.is_as_true(&reading)? => {
-                    (Fate::Survived, format!("{}: {}", part.finding.verdict, part.finding.message))
-                }
-                _ => (Fate::Equivalent, because),
+        Answer::Passes(reading, parts) => match parts.iter().find(|part| part.finding.verdict != Verdict::Certified) {
+            Some(part) if !trial.is_as_true(&reading)? => {
+                (Fate::Survived, format!("{}: {}", part.finding.verdict, part.finding.message))
             }
-        }
+            _ => (Fate::Equivalent, because),
+        },
     })
 }
 
-/// Whether nothing else stands on a display: it introduces no name and is no law.
-fn stands_alone(desk: &Desk<'_>, at: usize) -> bool {
-    let is_law = desk.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at));
-    desk.readings[at].introduced.is_empty() && !is_law
+/// Whether what is wrong in a reading of a display is no matter of what it defines or takes for a law: it still says
+/// that, or an equation that uses the name fails with what it says now.
+fn holds_fast(desk: &Desk<'_>, at: usize, pins: &[Pins<'_, '_>], reading: &Reading) -> bool {
+    let original = &desk.readings[at];
+    let is_law = |law: &Law| law.printed.iter().any(|(display, _)| *display == at);
+    if desk.model.laws.iter().any(is_law) {
+        return false;
+    }
+    let kept = |introduced: &Introduced| reading.introduced.iter().any(|new| new.symbol == introduced.symbol);
+    let mut changed = original.introduced.iter().zip(pins).filter(|(introduced, _)| !kept(introduced)).peekable();
+    if changed.peek().is_none() {
+        return true;
+    }
+    changed.any(|(introduced, pins)| {
+        let (Some(Ok(was)), Some(Ok(is))) =
+            (original.statements.get(introduced.statement), reading.statements.get(introduced.statement))
+        else {
+            return false;
+        };
+        match (reprint::defined(was, introduced), reprint::defined(is, introduced)) {
+            (Some((name, formula)), Some((same, other))) if name == same && *formula == introduced.formula => {
+                pins.notice(other)
+            }
+            _ => false,
+        }
+    })
 }
 
 /// The verdict on the first thing in the document that is not as expected when a display has a slip.

@@ -238,7 +238,7 @@ pub(super) fn reads_alike(a: &Reading, b: &Reading) -> bool {
 }
 
 /// The member that introduces a name, and the member that defines it.
-fn defined<'a>(statement: &'a Statement, introduced: &Introduced) -> Option<(&'a Expr, &'a Expr)> {
+pub(super) fn defined<'a>(statement: &'a Statement, introduced: &Introduced) -> Option<(&'a Expr, &'a Expr)> {
     let beside = introduced.member.checked_sub(1).unwrap_or(1);
     Some((statement.members.get(introduced.member)?, statement.members.get(beside)?))
 }

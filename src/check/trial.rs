@@ -31,8 +31,8 @@ pub(super) enum Answer {
     Same,
     /// It cannot be read, its types or its units do not fit, or it says too little to be checked.
     Refused,
-    /// It is false.
-    Refuted,
+    /// It is false, by what the display defines.
+    Refuted(Reading),
     /// It passes, with the findings on its parts.
     Passes(Reading, Vec<Part>),
 }
@@ -95,7 +95,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             return Ok(Answer::Same);
         }
         if self.fails(&reading) {
-            return Ok(Answer::Refuted);
+            return Ok(Answer::Refuted(reading));
         }
         if reprint::lost(self.desk, &reading, &self.desk.readings[self.at]).is_some() {
             return Ok(Answer::Refused);
@@ -107,7 +107,7 @@ impl<'d, 'a> Trial<'d, 'a> {
         let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
         Ok(match parts.iter().all(|part| part.finding.verdict.passes()) {
             true => Answer::Passes(reading, parts),
-            false if parts.iter().any(is_wrong) => Answer::Refuted,
+            false if parts.iter().any(is_wrong) => Answer::Refuted(reading),
             false => Answer::Refused,
         })
     }
@@ -154,6 +154,9 @@ impl<'d, 'a> Trial<'d, 'a> {
         let context = Context { conditions: hypotheses, ..self.context(&self.topic) };
         let mode = context.mode(false, &[&link.lhs, &link.rhs]);
         let ensemble = context.ensemble(mode, false, STATES)?;
+        if ensemble.scenes.is_empty() {
+            return Ok(false);
+        }
         let holds = identity::run(link, &ensemble.scenes).is_ok_and(|outcome| outcome.failure.is_none());
         Ok(holds && matches!(certify::certify(link, &context, &ensemble), Certificate::Identity(_)))
     }

@@ -1,0 +1,112 @@
+//! What stands on a definition: the equations that would notice if it were another one.
+//!
+//! A definition is held fast by what is said of the name elsewhere. Another formula in its place makes another model; the
+//! states of the equations that use the name are made again in that model, and where one fails, the change is noticed.
+
+use std::sync::Arc;
+
+use crate::Result;
+use crate::formula::{Expr, SymbolId};
+use crate::latex::Introduced;
+use crate::scalar::Measured;
+
+use crate::source::Span;
+
+use super::desk::Desk;
+use super::draw::Reach;
+use super::ensemble::Condition;
+use super::identity::{Context, run};
+use super::judge::{self, Link, Point};
+use super::rules::Rule;
+use super::scene::{Mode, Scene};
+
+/// Each equation is tested at so many states.
+const STATES: usize = 6;
+
+/// An equation that uses a defined symbol, with its hypotheses.
+pub(super) struct Use {
+    /// The number or label of the equation, or the name of the sentence.
+    pub id: String,
+    /// What it claims.
+    pub link: Link,
+    /// What it assumes.
+    pub conditions: Vec<Condition>,
+    /// What symbols mean in it only.
+    pub local: Vec<Rule>,
+}
+
+/// An equation with the states at which it holds.
+struct Pin {
+    link: Link,
+    mode: Mode,
+    bases: Vec<Vec<f64>>,
+    rules: Arc<[Rule]>,
+}
+
+/// What holds a definition fast.
+pub(super) struct Pins<'d, 'a> {
+    desk: &'d Desk<'a>,
+    symbol: SymbolId,
+    pins: Vec<Pin>,
+}
+
+impl<'d, 'a> Pins<'d, 'a> {
+    /// Of a name that a display introduces. What is assumed of the name itself is no help, since other states would obey
+    /// it if the name meant something else.
+    ///
+    /// # Errors
+    /// When the world's mass matrix is singular, or for a claim that does not fit the notes.
+    pub fn of(desk: &'d Desk<'a>, introduced: &Introduced) -> Result<Self> {
+        let symbol = introduced.symbol;
+        let (uses, _) = desk.uses(introduced)?;
+        let assumed = |conditions: &[Condition]| {
+            conditions.iter().any(|c| [&c.lhs, &c.rhs].into_iter().any(|side| desk.model.depends_on(side, &[symbol])))
+        };
+        let by_law = desk.model.laws.iter().any(|law| assumed(&law.conditions));
+        let mut pins = Vec::new();
+        for Use { id, link, conditions, local } in uses {
+            if assumed(&conditions) || !local.is_empty() {
+                continue;
+            }
+            let context = Context {
+                model: desk.model,
+                options: desk.options,
+                conditions: &conditions,
+                on_shell: None,
+                topic: &id,
+                span: Span::default(),
+                reach: Reach::Declared,
+                local: &local,
+            };
+            for on_shell in [false, true] {
+                if on_shell && (by_law || !desk.model.has_motion()) {
+                    continue;
+                }
+                let mut mode = context.mode(on_shell, &[&link.lhs, &link.rhs, &introduced.formula]);
+                mode.order = (mode.order + 1).min(crate::scalar::TERMS - 1);
+                let ensemble = context.ensemble(mode, false, STATES)?;
+                if run(&link, &ensemble.scenes).is_ok_and(|o| o.failure.is_none() && o.points > 0) {
+                    let (bases, rules) = (ensemble.bases, ensemble.rules.clone());
+                    pins.push(Pin { link, mode, bases, rules });
+                    break;
+                }
+            }
+        }
+        Ok(Pins { desk, symbol, pins })
+    }
+
+    /// Whether an equation fails where the name stands for another formula.
+    pub fn notice(&self, formula: &Expr) -> bool {
+        let mut model = self.desk.model.clone();
+        model.define(self.symbol, formula.clone());
+        self.pins.iter().any(|pin| {
+            pin.bases.iter().any(|base| {
+                let base: Vec<Measured> = base.iter().map(|value| Measured::from(*value)).collect();
+                let scene = Scene::new(&model, pin.mode, &base, &pin.rules);
+                scene.is_ok_and(|scene| {
+                    matches!(judge::test(&pin.link, &scene), Ok(Point::Fails(_) | Point::OneSided(_)))
+                })
+            })
+        })
+    }
+}
