@@ -97,6 +97,10 @@ impl<'d, 'a> Pins<'d, 'a> {
 
     /// Whether an equation fails where the name stands for another formula.
     pub fn notice(&self, formula: &Expr) -> bool {
+        // What is defined by itself is not defined.
+        if self.desk.model.depends_on(formula, &[self.symbol]) {
+            return true;
+        }
         let mut model = self.desk.model.clone();
         model.define(self.symbol, formula.clone());
         self.pins.iter().any(|pin| {

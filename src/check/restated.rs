@@ -42,14 +42,43 @@ fn printed_letters(link: &Link, symbol: SymbolId) -> Vec<Index> {
     found.unwrap_or_default()
 }
 
+/// Whether two equations are one but for the letters of their free indices, taken in the order in which they stand.
+pub(super) fn same_but_for_letters(a: &Link, b: &Link) -> bool {
+    let (from, to) = (free_letters(b), free_letters(a));
+    let named = |from: &[IndexId]| from.iter().map(|letter| Index::Letter(*letter)).collect::<Vec<_>>();
+    let renamed = renamed(b, &named(&from), &to);
+    from.len() == to.len() && renamed.lhs == a.lhs && renamed.rhs == a.rhs && renamed.relation == a.relation
+}
+
+/// The free indices of an equation in the order in which they stand on its symbols.
+fn free_letters(link: &Link) -> Vec<IndexId> {
+    let mut found: Vec<IndexId> = Vec::new();
+    for side in [&link.lhs, &link.rhs] {
+        side.walk(&mut |expr| {
+            let Node::Symbol { indices, .. } = &expr.node else { return };
+            for index in indices {
+                match index {
+                    Index::Letter(letter) if link.free.contains(letter) && !found.contains(letter) => found.push(*letter),
+                    _ => {}
+                }
+            }
+        });
+    }
+    found
+}
+
 /// An equation with other letters in the places of some.
 fn renamed(link: &Link, from: &[Index], to: &[IndexId]) -> Link {
     fn rename(expr: &mut Expr, swap: &impl Fn(Index) -> Index) {
         if let Node::Symbol { indices, .. } = &mut expr.node {
             indices.iter_mut().for_each(|index| *index = swap(*index));
         }
-        if let Node::Component(_, index) = &mut expr.node {
-            *index = swap(*index);
+        match &mut expr.node {
+            Node::Component(_, index) => *index = swap(*index),
+            Node::Entry(_, a, b) => (*a, *b) = (swap(*a), swap(*b)),
+            Node::Delta(all) => all.iter_mut().for_each(|index| *index = swap(*index)),
+            Node::Epsilon(all) => all.iter_mut().for_each(|index| *index = swap(*index)),
+            _ => {}
         }
         expr.children_mut().into_iter().for_each(|child| rename(child, swap));
     }

@@ -18,7 +18,7 @@ use super::certify::{self, Certificate};
 use super::ensemble::{Condition, Ensemble};
 use super::identity::{self, Context, is_equality};
 use super::judge::{self, Link, Point};
-use super::reprint;
+use super::{reprint, restated};
 use super::rules::Rule;
 use super::verdict::{Part, Verdict};
 
@@ -126,10 +126,20 @@ impl<'d, 'a> Trial<'d, 'a> {
             if was.members.len() != is.members.len() || !was.relations.iter().map(|r| r.0).eq(is.relations.iter().map(|r| r.0)) {
                 return Ok(false);
             }
+            let link = |s: &Statement, at: usize| self.desk.link(&s.members[at], s.relations[at].0, &s.members[at + 1]);
+            let alike = |at| matches!((link(was, at), link(is, at)), (Ok(a), Ok(b)) if restated::same_but_for_letters(&a, &b));
+            if (0..was.relations.len()).all(alike) {
+                continue;
+            }
             let changed = || was.members.iter().zip(&is.members).filter(|(a, b)| a != b);
             let mut same = true;
             for (a, b) in changed() {
-                same &= self.implied(&[], &self.desk.link(a, Relation::Equal, b)?)?;
+                // What is of another type is another thing.
+                let link = self.desk.link(a, Relation::Equal, b);
+                same &= match link {
+                    Ok(link) => self.implied(&[], &link)?,
+                    Err(_) => false,
+                };
             }
             if same {
                 continue;
