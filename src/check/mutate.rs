@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use crate::formula::Expr;
 use crate::latex::slips::{self, Edit, Slip};
-use crate::latex::{Introduced, Reading};
 use crate::notes::claims::{Claim, Claims};
 use crate::notes::document::Kind;
 use crate::notes::{Display, Notes};
@@ -23,9 +23,7 @@ use crate::{Error, Result};
 use super::desk::Desk;
 use super::document::{Run, check_in, shown, wanted, with_desk};
 use super::reading::corrected;
-use super::model::Law;
 use super::pins::Pins;
-use super::reprint;
 use super::trial::{Answer, Trial};
 use super::verdict::Verdict;
 
@@ -210,11 +208,16 @@ fn fate(
 ) -> Result<(Fate, String)> {
     let display = &desk.notes.equations[at];
     let because = String::new();
-    Ok(match trial.of(&edit.applied(&display.text))? {
+    let text = edit.applied(&display.text);
+    let held = match trial.redefines(&text) {
+        Some(formulas) => holds_fast(desk, at, pins, &formulas),
+        None => return Ok((Fate::Refused, because)),
+    };
+    Ok(match trial.of(&text)? {
         Answer::Same => (Fate::Equivalent, because),
         Answer::Refused => (Fate::Refused, because),
-        Answer::Refuted(reading) if holds_fast(desk, at, pins, &reading) => (Fate::Refuted, because),
-        Answer::Refuted(_) => match noticed(run, desk, at, edit)? {
+        Answer::Refuted if held => (Fate::Refuted, because),
+        Answer::Refuted => match noticed(run, desk, at, edit)? {
             Some(Verdict::Refuted | Verdict::Domain) => (Fate::Refuted, because),
             Some(_) => (Fate::Refused, because),
             None => (Fate::Survived, "the document passes with it".to_owned()),
@@ -228,32 +231,15 @@ fn fate(
     })
 }
 
-/// Whether what is wrong in a reading of a display is no matter of what it defines or takes for a law: it still says
-/// that, or an equation that uses the name fails with what it says now.
-fn holds_fast(desk: &Desk<'_>, at: usize, pins: &[Pins<'_, '_>], reading: &Reading) -> bool {
-    let original = &desk.readings[at];
-    let is_law = |law: &Law| law.printed.iter().any(|(display, _)| *display == at);
-    if desk.model.laws.iter().any(is_law) {
+/// Whether what a display defines is what it defined before, or else an equation that uses the name fails; what is a law
+/// is not held by others.
+fn holds_fast(desk: &Desk<'_>, at: usize, pins: &[Pins<'_, '_>], formulas: &[Expr]) -> bool {
+    if desk.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at)) {
         return false;
     }
-    let kept = |introduced: &Introduced| reading.introduced.iter().any(|new| new.symbol == introduced.symbol);
-    let mut changed = original.introduced.iter().zip(pins).filter(|(introduced, _)| !kept(introduced)).peekable();
-    if changed.peek().is_none() {
-        return true;
-    }
-    changed.any(|(introduced, pins)| {
-        let (Some(Ok(was)), Some(Ok(is))) =
-            (original.statements.get(introduced.statement), reading.statements.get(introduced.statement))
-        else {
-            return false;
-        };
-        match (reprint::defined(was, introduced), reprint::defined(is, introduced)) {
-            (Some((name, formula)), Some((same, other))) if name == same && *formula == introduced.formula => {
-                pins.notice(other)
-            }
-            _ => false,
-        }
-    })
+    let before = desk.readings[at].introduced.iter().map(|introduced| &introduced.formula);
+    let mut changed = before.zip(formulas).zip(pins).filter(|((was, is), _)| was != is).peekable();
+    changed.peek().is_none() || changed.any(|((_, formula), pins)| pins.notice(formula))
 }
 
 /// The verdict on the first thing in the document that is not as expected when a display has a slip.

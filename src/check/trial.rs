@@ -5,8 +5,8 @@
 //! refuted. What does not gets the full check, twins and certificate and all. The states only ever refute.
 
 use crate::Result;
-use crate::formula::{Expr, Relation, Statement};
-use crate::latex::{Introduced, Reading};
+use crate::formula::{Expr, Relation, Statement, SymbolId};
+use crate::latex::{Introduced, Reading, read_display};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::TERMS;
 use crate::source::Span;
@@ -17,6 +17,7 @@ use super::draw::Reach;
 use super::certify::{self, Certificate};
 use super::ensemble::{Condition, Ensemble};
 use super::identity::{self, Context, is_equality};
+use super::reading::for_each;
 use super::judge::{self, Link, Point};
 use super::{reprint, restated};
 use super::rules::Rule;
@@ -32,7 +33,7 @@ pub(super) enum Answer {
     /// It cannot be read, its types or its units do not fit, or it says too little to be checked.
     Refused,
     /// It is false, by what the display defines.
-    Refuted(Reading),
+    Refuted,
     /// It passes, with the findings on its parts.
     Passes(Reading, Vec<Part>),
 }
@@ -95,7 +96,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             return Ok(Answer::Same);
         }
         if self.fails(&reading) {
-            return Ok(Answer::Refuted(reading));
+            return Ok(Answer::Refuted);
         }
         if reprint::lost(self.desk, &reading, &self.desk.readings[self.at]).is_some() {
             return Ok(Answer::Refused);
@@ -107,9 +108,37 @@ impl<'d, 'a> Trial<'d, 'a> {
         let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
         Ok(match parts.iter().all(|part| part.finding.verdict.passes()) {
             true => Answer::Passes(reading, parts),
-            false if parts.iter().any(is_wrong) => Answer::Refuted(reading),
+            false if parts.iter().any(is_wrong) => Answer::Refuted,
             false => Answer::Refused,
         })
+    }
+
+    /// What a text in the place of the display makes of the names that the display introduces, one formula for each; none,
+    /// if it cannot be read where these names are not known, or does not introduce them all.
+    pub fn redefines(&self, text: &str) -> Option<Vec<Expr>> {
+        let model = self.desk.model;
+        let own = &self.desk.readings[self.at].introduced;
+        if own.is_empty() {
+            return Some(Vec::new());
+        }
+        let mut symbols = model.symbols.clone();
+        own.iter().for_each(|introduced| symbols.forget(introduced.symbol));
+        symbols.for_each = for_each(Some(self.claim), model);
+        let reading = read_display(text, &mut symbols, &model.macros);
+        if reading.statements.iter().any(std::result::Result::is_err) {
+            return None;
+        }
+        let known = |id: SymbolId| {
+            let name = &symbols.entry(id).name;
+            own.iter().map(|introduced| introduced.symbol).find(|old| model.symbols.entry(*old).name == *name)
+        };
+        let formula = |wanted: &Introduced| {
+            let new = reading.introduced.iter().find(|new| known(new.symbol) == Some(wanted.symbol))?;
+            let mut formula = new.formula.clone();
+            formula.rename(&|id| known(id).unwrap_or(id));
+            Some(formula)
+        };
+        own.iter().map(formula).collect()
     }
 
     /// Whether a reading is proved over a field to say what the display says, member for member, or to follow from it.

@@ -224,6 +224,12 @@ impl Symbols {
         slots
     }
 
+    /// Lets a name be unknown again, so that another text may introduce it; the symbol keeps its place in the table.
+    pub fn forget(&mut self, id: SymbolId) {
+        self.exact.remove(&self.entries[id.0].name);
+        self.entries[id.0].name = Name::plain("");
+    }
+
     /// Along what the components of a vector are taken, where that was declared.
     pub fn components_of(&self, id: SymbolId) -> Option<Components> {
         self.entry(id).components

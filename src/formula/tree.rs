@@ -419,6 +419,14 @@ impl Expr {
         }
     }
 
+    /// Puts other symbols in the places of those in it.
+    pub fn rename(&mut self, other: &impl Fn(SymbolId) -> SymbolId) {
+        if let Node::Symbol { id, .. } | Node::Apply(id, _) = &mut self.node {
+            *id = other(*id);
+        }
+        self.children_mut().into_iter().for_each(|child| child.rename(other));
+    }
+
     /// Every symbol in it, each once, in order of first appearance, with the most dots it carries.
     pub fn symbols(&self) -> Vec<(SymbolId, u8)> {
         let mut found: Vec<(SymbolId, u8)> = Vec::new();
