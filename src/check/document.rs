@@ -67,7 +67,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         };
         let equation = |at: usize| {
             let found = desk.equation(at, desk.assigned[at]).or_else(|error| desk.excused(at, error))?;
-            Ok(desk.without_lost_laws(found, None))
+            desk.with_repairs(at, desk.without_lost_laws(found, None))
         };
         let sentence = |(at, sentence)| {
             let found = sentences::check(&desk, at, sentence);
@@ -222,6 +222,7 @@ pub(super) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -
         ok: false,
         because: None,
         parts: Vec::new(),
+        repairs: Vec::new(),
     }
 }
 

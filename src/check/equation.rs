@@ -99,6 +99,7 @@ impl Desk<'_> {
             ok,
             because,
             parts: if parts.len() > 1 { parts } else { Vec::new() },
+            repairs: Vec::new(),
         }
     }
 

@@ -23,6 +23,8 @@ use crate::{Error, Result};
 use super::desk::Desk;
 use super::document::{Run, check_in, shown, wanted, with_desk};
 use super::reading::corrected;
+use super::repair::{Wrong, suggestions};
+use super::reprint;
 use super::pins::Pins;
 use super::trial::{Answer, Trial};
 use super::verdict::Verdict;
@@ -75,12 +77,27 @@ pub struct Mutants {
     pub survivors: Vec<Survivor>,
     /// Why there are none, where the equation was left out.
     pub left_out: Option<String>,
+    /// How well the noticed ones were mended, if that was asked for.
+    pub repairs: Repairs,
+}
+
+/// How many noticed slips were tried to be mended, and for how many the original, or what says the same, was suggested.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Repairs {
+    /// Mutants that were noticed.
+    pub tried: usize,
+    /// For so many it was the first suggestion.
+    pub first: usize,
+    /// For so many it was one of the suggestions, three at most.
+    pub offered: usize,
+    /// The others: what the slip was.
+    pub missed: Vec<Edit>,
 }
 
 impl Mutants {
     fn none(display: &Display, left_out: Option<String>) -> Self {
         let (id, line) = (shown(display), display.line);
-        Mutants { id, line, refuted: 0, refused: 0, equivalent: 0, survivors: Vec::new(), left_out }
+        Mutants { id, line, refuted: 0, refused: 0, equivalent: 0, survivors: Vec::new(), left_out, repairs: Repairs::default() }
     }
 
     /// How many there were.
@@ -109,11 +126,12 @@ pub struct Mutated {
     pub equations: Vec<Mutants>,
 }
 
-/// Judges every single slip in the claimed equations of a document. Each equation done is told.
+/// Judges every single slip in the claimed equations of a document, and with `repair` tries to mend those that are noticed.
+/// Each equation done is told.
 ///
 /// # Errors
 /// As [`check_document`](super::check_document), and for an erratum that is not in the notes.
-pub fn mutate(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Mutated> {
+pub fn mutate(run: &Run<'_>, claims: &Claims, notes: &Notes, repair: bool) -> Result<Mutated> {
     let (claims, notes) = mended(claims, notes)?;
     let silent = Run { progress: &(), ..*run };
     let sound = check_in(&Run { only: None, ..silent }, &claims, &notes)?;
@@ -124,7 +142,7 @@ pub fn mutate(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Mutated> 
             .par_iter()
             .with_max_len(1)
             .map(|at| {
-                let found = equation(&silent, &desk, *at, &sound);
+                let found = equation(&silent, &desk, *at, &sound, repair);
                 run.progress.done(&notes.source.path);
                 found
             })
@@ -156,7 +174,7 @@ fn parsed(notes: &Notes, text: String) -> Result<Notes> {
     Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)
 }
 
-fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String]) -> Result<Mutants> {
+fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String], repair: bool) -> Result<Mutants> {
     let display = &desk.notes.equations[at];
     let left_out = |why: &str| Ok(Mutants::none(display, Some(why.to_owned())));
     let plain = Claim::default();
@@ -187,7 +205,13 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String]) -> Resu
         })
         .collect();
     let mut mutants = Mutants::none(display, None);
-    for (edit, (fate, because)) in edits.into_iter().zip(judged?.into_iter().flatten()) {
+    let judged: Vec<(Fate, String)> = judged?.into_iter().flatten().collect();
+    if repair {
+        let noticed = edits.iter().zip(&judged).filter(|(_, (fate, _))| matches!(fate, Fate::Refuted | Fate::Refused));
+        let noticed: Vec<&Edit> = noticed.map(|(edit, _)| edit).collect();
+        mutants.repairs = repairs(desk, at, claim, &noticed)?;
+    }
+    for (edit, (fate, because)) in edits.into_iter().zip(judged) {
         mutants.add(fate);
         if fate == Fate::Survived {
             let original = display.text[edit.span.range()].to_owned();
@@ -196,6 +220,31 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String]) -> Resu
         }
     }
     Ok(mutants)
+}
+
+/// How well slips in a display are mended: from the first to the third suggestion.
+fn repairs(desk: &Desk<'_>, at: usize, claim: &Claim, slips: &[&Edit]) -> Result<Repairs> {
+    let original = &desk.notes.equations[at].text;
+    let place = |edit: &&Edit| -> Result<Option<usize>> {
+        let text = edit.applied(original);
+        let reading = reprint::read(desk, &desk.model.macros, at, &text, claim);
+        let wrong = Wrong { at, text: &text, reading: &reading, claim, places: Vec::new() };
+        let trial = Trial::new(desk, at, &desk.readings[at], claim)?;
+        for (place, found) in suggestions(desk, &wrong)?.iter().enumerate() {
+            if found.edit.applied(&text) == *original || trial.is_as_true(&found.reading)? {
+                return Ok(Some(place));
+            }
+        }
+        Ok(None)
+    };
+    let places: Vec<Option<usize>> = slips.par_iter().with_max_len(1).map(place).collect::<Result<_>>()?;
+    let missed = slips.iter().zip(&places).filter(|(_, place)| place.is_none());
+    Ok(Repairs {
+        tried: places.len(),
+        first: places.iter().filter(|place| **place == Some(0)).count(),
+        offered: places.iter().flatten().count(),
+        missed: missed.map(|(edit, _)| (*edit).clone()).collect(),
+    })
 }
 
 /// What becomes of a mutant of a display, whose definitions are held by pins, and why.

@@ -61,6 +61,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
         ok,
         because: sentence.claim.expect.as_ref().map(|expect| expect.because.value.clone()),
         parts: Vec::new(),
+        repairs: Vec::new(),
         id: name,
     })
 }

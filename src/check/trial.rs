@@ -43,6 +43,8 @@ pub(super) struct Trial<'d, 'a> {
     desk: &'d Desk<'a>,
     at: usize,
     claim: &'d Claim,
+    /// How the display is read now.
+    now: &'d Reading,
     topic: String,
     conditions: Vec<Condition>,
     local: Vec<Rule>,
@@ -55,12 +57,12 @@ impl<'d, 'a> Trial<'d, 'a> {
     ///
     /// # Errors
     /// For a claim that does not fit the notes.
-    pub fn new(desk: &'d Desk<'a>, at: usize, reading: &Reading, claim: &'d Claim) -> Result<Self> {
+    pub fn new(desk: &'d Desk<'a>, at: usize, now: &'d Reading, claim: &'d Claim) -> Result<Self> {
         let topic = shown(&desk.notes.equations[at]);
         let (conditions, local) = (desk.conditions(claim)?, desk.local(claim)?);
-        let mut trial = Trial { desk, at, claim, topic, conditions, local, screens: Vec::new() };
+        let mut trial = Trial { desk, at, claim, now, topic, conditions, local, screens: Vec::new() };
         if is_plain(claim) {
-            let all = reading.statements.iter().enumerate();
+            let all = now.statements.iter().enumerate();
             trial.screens = all
                 .map(|(n, statement)| {
                     let members = statement.as_ref().map_or(Vec::new(), |s| s.members.iter().collect());
@@ -92,13 +94,13 @@ impl<'d, 'a> Trial<'d, 'a> {
         if reading.statements.iter().any(std::result::Result::is_err) {
             return Ok(Answer::Refused);
         }
-        if reprint::reads_alike(&reading, &self.desk.readings[self.at]) {
+        if reprint::reads_alike(&reading, self.now) {
             return Ok(Answer::Same);
         }
         if self.fails(&reading) {
             return Ok(Answer::Refuted);
         }
-        if reprint::lost(self.desk, &reading, &self.desk.readings[self.at]).is_some() {
+        if reprint::lost(self.desk, &reading, self.now).is_some() {
             return Ok(Answer::Refused);
         }
         let offset = self.desk.notes.equations[self.at].body.start;
@@ -146,7 +148,7 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// # Errors
     /// When the world's mass matrix is singular.
     pub fn is_as_true(&self, reading: &Reading) -> Result<bool> {
-        let original = &self.desk.readings[self.at].statements;
+        let original = &self.now.statements;
         if original.len() != reading.statements.len() {
             return Ok(false);
         }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
+use crate::latex::slips::Slip;
 use crate::source::{Source, Span};
 
 /// What is said of a claim.
@@ -107,6 +108,19 @@ pub struct Formula {
     pub text: String,
 }
 
+/// An edit of the notes with which an equation passes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Repair {
+    /// The bytes of the notes that go.
+    pub span: Span,
+    /// What comes in their place.
+    pub replacement: String,
+    /// The slip that it undoes.
+    pub slip: Slip,
+    /// The verdict on the equation then.
+    pub verdict: Verdict,
+}
+
 /// The verdict on one claim, with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
@@ -185,6 +199,8 @@ pub struct Equation {
     pub because: Option<String>,
     /// Its statements and what else is claimed of it, where there are several.
     pub parts: Vec<Part>,
+    /// Where it does not pass: the single edits with which it would, the likeliest first.
+    pub repairs: Vec<Repair>,
 }
 
 /// What was found in one document.

@@ -25,6 +25,9 @@ pub struct Arguments {
     /// Mutate only the equation with this number or label
     #[arg(long, value_name = "ID")]
     only: Option<String>,
+    /// Also try to mend each slip that is noticed, and tell how often the original is suggested
+    #[arg(long)]
+    repair: bool,
     /// The seed of the sampled states
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -57,7 +60,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     let mutated: Vec<Result<Option<Mutated>>> = loaded
         .into_par_iter()
         .map(|loaded| match loaded? {
-            Loaded::Own(claims, notes) => mutate(&run, &claims, &notes).map(Some),
+            Loaded::Own(claims, notes) => mutate(&run, &claims, &notes, arguments.repair).map(Some),
             Loaded::Reprint(..) | Loaded::Unclaimed(_) => Ok(None),
         })
         .collect();

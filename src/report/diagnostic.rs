@@ -1,9 +1,9 @@
 //! A message with the lines that it is about, in the look of rustc.
 
-use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Level, Patch, Renderer, Snippet};
 
 use crate::Error;
-use crate::check::Finding;
+use crate::check::{Finding, Repair};
 use crate::formula::text::plain;
 use crate::source::{Fault, Source, Span};
 
@@ -52,6 +52,33 @@ pub fn verdict(title: &str, label: &str, source: &Source, finding: &Finding, col
     }
 }
 
+/// An edit that would make an equation pass, shown on its lines; `first` is the likeliest of several.
+pub fn repair(repair: &Repair, first: bool, source: &Source, colour: bool) -> String {
+    let (old, new) = (plain_space(source.slice(repair.span)), plain_space(&repair.replacement));
+    let change = match (old.as_str(), new.as_str()) {
+        ("", new) => format!("“{new}” put in"),
+        (old, "") => format!("“{old}” left out"),
+        (old, new) => format!("“{new}” for “{old}”"),
+    };
+    let asked = if first { "did you mean" } else { "or" };
+    let title = Level::HELP.secondary_title(format!("{asked} {change}? It would be {}", repair.verdict));
+    match Excerpt::of(source, repair.span) {
+        Some(excerpt) => {
+            let start = excerpt.start;
+            let span = repair.span.start - start..repair.span.end - start;
+            let patch = Patch::new(span, repair.replacement.as_str());
+            let snippet = Snippet::source(excerpt.lines).line_start(excerpt.first).path(excerpt.path).patch(patch);
+            renderer(colour).render(&[title.element(snippet)])
+        }
+        None => renderer(colour).render(&[title.element(place(source, repair.span))]),
+    }
+}
+
+/// A text in one line.
+fn plain_space(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// A counterexample in words, and what the claim is off by.
 pub fn evidence(finding: &Finding) -> Vec<String> {
     let Some(counterexample) = &finding.counterexample else { return Vec::new() };
@@ -91,6 +118,8 @@ fn short(value: f64, digits: usize) -> String {
 struct Excerpt<'a> {
     path: &'a str,
     lines: &'a str,
+    /// The byte of the text that the lines start at.
+    start: usize,
     first: usize,
     span: std::ops::Range<usize>,
 }
@@ -120,7 +149,7 @@ impl<'a> Excerpt<'a> {
             return None;
         }
         let (first, _) = source.line_column(start);
-        Some(Excerpt { path: &source.path, lines, first, span: from - start..(to - start).max(from - start) })
+        Some(Excerpt { path: &source.path, lines, start, first, span: from - start..(to - start).max(from - start) })
     }
 
     fn snippet(self, label: &'a str) -> Snippet<'a, annotate_snippets::Annotation<'a>> {

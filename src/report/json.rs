@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::Error;
 use crate::check::plain::Answer;
-use crate::check::{Counterexample, Document, Equation, Finding, Formula, Report};
+use crate::check::{Counterexample, Document, Equation, Finding, Formula, Repair, Report};
 use crate::formula::text::plain;
 
 /// The whole report.
@@ -50,6 +50,9 @@ fn equation(equation: &Equation) -> Value {
     if let Some(because) = &equation.because {
         fields.insert("because".to_owned(), json!(because));
     }
+    if !equation.ok {
+        fields.insert("repairs".to_owned(), equation.repairs.iter().map(repair).collect());
+    }
     if !equation.parts.is_empty() {
         let parts = equation.parts.iter().map(|part| {
             let mut fields = self::fields(&part.latex, &part.reading, &part.finding, part.ok);
@@ -60,6 +63,16 @@ fn equation(equation: &Equation) -> Value {
         fields.insert("parts".to_owned(), parts.collect());
     }
     Value::Object(fields)
+}
+
+fn repair(repair: &Repair) -> Value {
+    json!({
+        "start": repair.span.start,
+        "end": repair.span.end,
+        "replacement": repair.replacement,
+        "slip": repair.slip.word(),
+        "verdict": repair.verdict.word(),
+    })
 }
 
 fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String, Value> {

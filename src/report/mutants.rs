@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::Error;
-use crate::check::mutate::{Mutants, Mutated, Survivor};
+use crate::check::mutate::{Mutants, Mutated, Repairs, Survivor};
 use crate::source::Source;
 
 /// A line an equation, and every survivor at its place.
@@ -23,6 +23,23 @@ pub fn text(documents: &[Mutated]) -> String {
         text.push('\n');
     }
     let total = Totals::of(documents);
+    if total.repairs.tried > 0 {
+        for document in documents {
+            for equation in &document.equations {
+                for edit in &equation.repairs.missed {
+                    let change = change(&document.source.text[..0], &edit.replacement);
+                    text.push_str(&format!("({}) not mended: {change} ({})\n", equation.id, edit.slip.word()));
+                }
+            }
+        }
+        let Repairs { tried, first, offered, .. } = total.repairs;
+        let share = |count: usize| 100.0 * count as f64 / tried as f64;
+        text.push_str(&format!(
+            "of {tried} slips that were noticed the first suggestion mends {first} ({:.1} %), one of three {offered} ({:.1} %)\n",
+            share(first),
+            share(offered)
+        ));
+    }
     text.push_str(&format!(
         "{} mutants: {} refuted, {} refused, {} equivalent, {} survived\n",
         total.mutants, total.refuted, total.refused, total.equivalent, total.survivors
@@ -47,11 +64,7 @@ fn line(equation: &Mutants, width: usize) -> String {
 
 fn survived(source: &Source, equation: &Mutants, survivor: &Survivor) -> String {
     let (line, column) = source.line_column(survivor.span.start);
-    let change = match (survivor.original.as_str(), survivor.replacement.trim()) {
-        ("", new) => format!("“{new}” put in"),
-        (old, "") => format!("“{old}” left out"),
-        (old, new) => format!("“{new}” for “{old}”"),
-    };
+    let change = change(&survivor.original, &survivor.replacement);
     format!(
         "({}) survived at {}:{line}:{column}: {change} ({}); {}",
         equation.id,
@@ -61,6 +74,14 @@ fn survived(source: &Source, equation: &Mutants, survivor: &Survivor) -> String 
     )
 }
 
+fn change(old: &str, new: &str) -> String {
+    match (old, new.trim()) {
+        ("", new) => format!("“{new}” put in"),
+        (old, "") => format!("“{old}” left out"),
+        (old, new) => format!("“{new}” for “{old}”"),
+    }
+}
+
 #[derive(Default)]
 struct Totals {
     mutants: usize,
@@ -68,6 +89,7 @@ struct Totals {
     refused: usize,
     equivalent: usize,
     survivors: usize,
+    repairs: Repairs,
 }
 
 impl Totals {
@@ -78,6 +100,12 @@ impl Totals {
             refused: total.refused + equation.refused,
             equivalent: total.equivalent + equation.equivalent,
             survivors: total.survivors + equation.survivors.len(),
+            repairs: Repairs {
+                tried: total.repairs.tried + equation.repairs.tried,
+                first: total.repairs.first + equation.repairs.first,
+                offered: total.repairs.offered + equation.repairs.offered,
+                missed: Vec::new(),
+            },
         })
     }
 }

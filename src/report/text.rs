@@ -128,7 +128,9 @@ fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
         };
         diagnostic::verdict(&title, label, &document.source, finding, colour)
     });
-    shown.collect::<Vec<_>>().join("\n\n")
+    let repairs = item.repairs.iter().enumerate();
+    let repairs = repairs.map(|(at, repair)| diagnostic::repair(repair, at == 0, &document.source, colour));
+    shown.chain(repairs).collect::<Vec<_>>().join("\n\n")
 }
 
 fn summary(report: &Report) -> String {

@@ -125,6 +125,13 @@ impl Finder<'_> {
                 }
             }
         }
+        if found.is_none() && self.pool.is_some() {
+            for known in self.near(&printed.name) {
+                if let Some(name) = names::with_dots(&known, printed.dots) {
+                    self.edit(Slip::Symbol, own, name.to_string());
+                }
+            }
+        }
         if printed.dots > 0 {
             self.dots(nucleus(item));
         }
@@ -153,6 +160,16 @@ impl Finder<'_> {
             .filter(|(_, other)| other.name != printed.name && other.measure.is_none())
             .map(|(id, _)| id)
             .collect()
+    }
+
+    /// The names of the document that an unknown one may have been meant for: with its letter, or with its subscript.
+    fn near(&self, name: &Name) -> Vec<Name> {
+        let letter = |name: &Name| unaccented(name).base;
+        let own = letter(name);
+        let alike = |other: &Name| {
+            letter(other).eq_ignore_ascii_case(&own) || !name.subscript.is_empty() && other.subscript == name.subscript
+        };
+        self.symbols.iter().map(|(_, entry)| &entry.name).filter(|other| alike(other)).cloned().collect()
     }
 
     /// A dot more and a dot fewer on what has one.

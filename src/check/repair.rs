@@ -1,0 +1,172 @@
+//! The single edits of the author's own text that make a wrong equation pass.
+//!
+//! A display that is refuted, or cannot be read, is tried with every edit that undoes a slip
+//! ([`crate::latex::slips::corrections`]). Those that hold at a few states get the full check, and only what passes it is
+//! offered: so no suggestion is wrong, though another one may have been meant. They are ranked by how likely the slip is.
+//! What may have been left out is looked for only where nothing else helps: first what the display itself has, then what
+//! the document has.
+
+use rayon::prelude::*;
+
+use crate::Result;
+use crate::latex::Reading;
+use crate::latex::slips::{self, Edit, Pool, Slip};
+use crate::notes::claims::Claim;
+use crate::source::Span;
+
+use super::desk::Desk;
+use super::reprint;
+use super::trial::{Answer, Trial};
+use super::verdict::{Equation, Part, Repair, Verdict};
+
+/// So many suggestions are offered at most.
+const OFFERED: usize = 3;
+
+/// So many candidates are tried by one thread at a time.
+const SHARE: usize = 32;
+
+/// So many factors, and so many terms, are tried where something may have been left out.
+const MISSING: usize = 48;
+
+/// A suggestion, with how the display reads then.
+pub(super) struct Suggestion {
+    /// The edit, in the text of the display.
+    pub edit: Edit,
+    /// What it reads as.
+    pub reading: Reading,
+    /// The worst verdict of its parts.
+    pub verdict: Verdict,
+}
+
+/// What is to be mended.
+pub(super) struct Wrong<'w> {
+    /// The display, by its place.
+    pub at: usize,
+    /// Its text.
+    pub text: &'w str,
+    /// How it is read.
+    pub reading: &'w Reading,
+    /// What is claimed of it.
+    pub claim: &'w Claim,
+    /// The places in the text where it is wrong; all of it, if there are none.
+    pub places: Vec<Span>,
+}
+
+impl Wrong<'_> {
+    fn concerns(&self, edit: &Edit) -> bool {
+        self.places.is_empty() || self.places.iter().any(|place| place.contains(edit.span))
+    }
+}
+
+impl Desk<'_> {
+    /// An equation with the edits that would make it pass, if it is refuted or cannot be read and ought not to be.
+    ///
+    /// # Errors
+    /// As for a check of the equation.
+    pub(super) fn with_repairs(&self, at: usize, mut equation: Equation) -> Result<Equation> {
+        let none = Claim::default();
+        let claim = self.assigned[at].unwrap_or(&none);
+        if equation.ok || claim.expect.is_some() || !claim.errata.is_empty() {
+            return Ok(equation);
+        }
+        let (display, reading) = (&self.notes.equations[at], &self.readings[at]);
+        let wrong = Wrong { at, text: &display.text, reading, claim, places: places(&equation, display.body) };
+        if is_wrong(&equation) {
+            let found = suggestions(self, &wrong)?;
+            equation.repairs = in_file(self, &wrong, display.body.start, found);
+        }
+        Ok(equation)
+    }
+}
+
+/// Whether an equation says something false, or nothing that can be read.
+fn is_wrong(equation: &Equation) -> bool {
+    let wrong = |verdict| matches!(verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
+    wrong(equation.finding.verdict) || equation.parts.iter().any(|part| wrong(part.finding.verdict))
+}
+
+/// Where an equation is refuted, in the text of its display; what cannot be read may be wrong anywhere.
+fn places(equation: &Equation, body: Span) -> Vec<Span> {
+    let parts = equation.parts.iter().filter(|part| !part.ok).map(|part| &part.finding);
+    let findings: Vec<_> = if equation.parts.is_empty() { vec![&equation.finding] } else { parts.collect() };
+    if findings.iter().any(|finding| finding.verdict == Verdict::Unreadable) {
+        return Vec::new();
+    }
+    let within = |span: Span| body.contains(span).then(|| Span::new(span.start - body.start, span.end - body.start));
+    findings.into_iter().filter_map(|finding| within(finding.span)).collect()
+}
+
+/// The suggestions for a display, the likeliest first.
+///
+/// # Errors
+/// As for a check of the display itself.
+pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Suggestion>> {
+    let (symbols, macros) = (&desk.model.symbols, &desk.model.macros);
+    let mut tried = Vec::new();
+    let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);
+    let all = || Pool::of(desk.notes.equations.iter().map(|display| display.text.as_str()), symbols, macros, MISSING);
+    let pools: [&dyn Fn() -> Pool; 4] =
+        [&Pool::empty, &|| own().factors_only(), &|| all().factors_only(), &all];
+    for pool in pools {
+        let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
+        edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
+        let mut found = passing(desk, wrong, &edits)?;
+        tried.extend(edits);
+        if !found.is_empty() {
+            found.sort_by_key(|suggestion| likelihood(wrong, suggestion));
+            let mut distinct: Vec<Suggestion> = Vec::new();
+            for suggestion in found {
+                if !distinct.iter().any(|known| reprint::reads_alike(&known.reading, &suggestion.reading)) {
+                    distinct.push(suggestion);
+                }
+            }
+            distinct.truncate(OFFERED);
+            return Ok(distinct);
+        }
+    }
+    Ok(Vec::new())
+}
+
+/// The edits with which the display passes.
+fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Suggestion>> {
+    let found: Result<Vec<Vec<Suggestion>>> = edits
+        .par_chunks(SHARE)
+        .map(|share| {
+            let trial = Trial::new(desk, wrong.at, wrong.reading, wrong.claim)?;
+            let mut passing = Vec::new();
+            for edit in share {
+                if let Answer::Passes(reading, parts) = trial.of(&edit.applied(wrong.text))? {
+                    passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts) });
+                }
+            }
+            Ok(passing)
+        })
+        .collect();
+    Ok(found?.into_iter().flatten().collect())
+}
+
+fn worst(parts: &[Part]) -> Verdict {
+    parts.iter().map(|part| part.finding.verdict).max_by_key(|verdict| verdict.severity()).unwrap_or(Verdict::Verified)
+}
+
+/// What ranks a suggestion: the kind of slip, how much of the text it changes, and where.
+fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, usize, usize) {
+    let Edit { span, replacement, slip } = &suggestion.edit;
+    let old = &wrong.text[span.range()];
+    let same = old.bytes().zip(replacement.bytes()).take_while(|(a, b)| a == b).count();
+    let longest = old.len().max(replacement.len());
+    (*slip, longest - same, span.start)
+}
+
+/// Suggestions as edits of the file in which the display's text starts at `offset`. What stands in the file in another
+/// way than it was read, between two displays of one number, is not touched.
+pub(super) fn in_file(desk: &Desk<'_>, wrong: &Wrong<'_>, offset: usize, found: Vec<Suggestion>) -> Vec<Repair> {
+    let real = |edit: &Edit| desk.source.slice(edit.span.shifted(offset)) == &wrong.text[edit.span.range()];
+    let repair = |Suggestion { edit, verdict, .. }: Suggestion| Repair {
+        span: edit.span.shifted(offset),
+        replacement: edit.replacement,
+        slip: edit.slip,
+        verdict,
+    };
+    found.into_iter().filter(|suggestion| real(&suggestion.edit)).map(repair).collect()
+}
