@@ -45,7 +45,7 @@ pub enum Fate {
     Survived,
 }
 
-/// A slip that nothing noticed.
+/// A slip that nothing noticed, or that is not mended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Survivor {
     /// The bytes of the notes, their errata mended, that the slip changes.
@@ -56,7 +56,7 @@ pub struct Survivor {
     pub replacement: String,
     /// The kind of slip.
     pub slip: Slip,
-    /// Why it passes.
+    /// Why it passes, or what is suggested.
     pub because: String,
 }
 
@@ -90,8 +90,8 @@ pub struct Repairs {
     pub first: usize,
     /// For so many it was one of the suggestions, three at most.
     pub offered: usize,
-    /// The others: what the slip was.
-    pub missed: Vec<Edit>,
+    /// The others.
+    pub missed: Vec<Survivor>,
 }
 
 impl Mutants {
@@ -214,9 +214,7 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String], repair:
     for (edit, (fate, because)) in edits.into_iter().zip(judged) {
         mutants.add(fate);
         if fate == Fate::Survived {
-            let original = display.text[edit.span.range()].to_owned();
-            let span = edit.span.shifted(display.body.start);
-            mutants.survivors.push(Survivor { span, original, replacement: edit.replacement, slip: edit.slip, because });
+            mutants.survivors.push(survivor(display, edit, because));
         }
     }
     Ok(mutants)
@@ -224,27 +222,41 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String], repair:
 
 /// How well slips in a display are mended: from the first to the third suggestion.
 fn repairs(desk: &Desk<'_>, at: usize, claim: &Claim, slips: &[&Edit]) -> Result<Repairs> {
-    let original = &desk.notes.equations[at].text;
-    let place = |edit: &&Edit| -> Result<Option<usize>> {
+    let display = &desk.notes.equations[at];
+    let original = &display.text;
+    let place = |edit: &&Edit| -> Result<(Option<usize>, String)> {
         let text = edit.applied(original);
         let reading = reprint::read(desk, &desk.model.macros, at, &text, claim);
         let wrong = Wrong { at, text: &text, reading: &reading, claim, places: Vec::new() };
         let trial = Trial::new(desk, at, &desk.readings[at], claim)?;
-        for (place, found) in suggestions(desk, &wrong)?.iter().enumerate() {
+        let found = suggestions(desk, &wrong)?;
+        for (place, found) in found.iter().enumerate() {
             if found.edit.applied(&text) == *original || trial.is_as_true(&found.reading)? {
-                return Ok(Some(place));
+                return Ok((Some(place), String::new()));
             }
         }
-        Ok(None)
+        let offered = found.iter().map(|found| format!("“{}”", found.edit.applied(&text).trim()));
+        Ok((None, offered.collect::<Vec<_>>().join(" or ")))
     };
-    let places: Vec<Option<usize>> = slips.par_iter().with_max_len(1).map(place).collect::<Result<_>>()?;
-    let missed = slips.iter().zip(&places).filter(|(_, place)| place.is_none());
+    let places: Vec<(Option<usize>, String)> = slips.par_iter().with_max_len(1).map(place).collect::<Result<_>>()?;
+    let at = |wanted| places.iter().filter(|(place, _)| *place == wanted).count();
+    let (tried, first, missed) = (places.len(), at(Some(0)), at(None));
+    let missed_slip = |(edit, (_, suggested)): (&&Edit, &(_, String))| {
+        survivor(display, (*edit).clone(), format!("suggested: {suggested}"))
+    };
     Ok(Repairs {
-        tried: places.len(),
-        first: places.iter().filter(|place| **place == Some(0)).count(),
-        offered: places.iter().flatten().count(),
-        missed: missed.map(|(edit, _)| (*edit).clone()).collect(),
+        tried,
+        first,
+        offered: tried - missed,
+        missed: slips.iter().zip(&places).filter(|(_, (place, _))| place.is_none()).map(missed_slip).collect(),
     })
+}
+
+/// A slip, by its place in the notes.
+fn survivor(display: &Display, edit: Edit, because: String) -> Survivor {
+    let original = display.text[edit.span.range()].to_owned();
+    let span = edit.span.shifted(display.body.start);
+    Survivor { span, original, replacement: edit.replacement, slip: edit.slip, because }
 }
 
 /// What becomes of a mutant of a display, whose definitions are held by pins, and why.

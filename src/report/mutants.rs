@@ -17,7 +17,7 @@ pub fn text(documents: &[Mutated]) -> String {
         }
         for equation in &document.equations {
             for survivor in &equation.survivors {
-                text.push_str(&format!("  {}\n", survived(&document.source, equation, survivor)));
+                text.push_str(&format!("  {}\n", slip(&document.source, equation, "survived", survivor)));
             }
         }
         text.push('\n');
@@ -26,9 +26,8 @@ pub fn text(documents: &[Mutated]) -> String {
     if total.repairs.tried > 0 {
         for document in documents {
             for equation in &document.equations {
-                for edit in &equation.repairs.missed {
-                    let change = change(&document.source.text[..0], &edit.replacement);
-                    text.push_str(&format!("({}) not mended: {change} ({})\n", equation.id, edit.slip.word()));
+                for missed in &equation.repairs.missed {
+                    text.push_str(&format!("{}\n", slip(&document.source, equation, "not mended", missed)));
                 }
             }
         }
@@ -62,11 +61,11 @@ fn line(equation: &Mutants, width: usize) -> String {
     }
 }
 
-fn survived(source: &Source, equation: &Mutants, survivor: &Survivor) -> String {
+fn slip(source: &Source, equation: &Mutants, fate: &str, survivor: &Survivor) -> String {
     let (line, column) = source.line_column(survivor.span.start);
     let change = change(&survivor.original, &survivor.replacement);
     format!(
-        "({}) survived at {}:{line}:{column}: {change} ({}); {}",
+        "({}) {fate} at {}:{line}:{column}: {change} ({}); {}",
         equation.id,
         source.path,
         survivor.slip.word(),
