@@ -1,6 +1,8 @@
 //! The desk at which one document is checked: its claims, notes, symbols and readings, and what a claims file names
 //! among them (an equation, a symbol, a formula, a condition, a limit).
 
+use std::sync::Arc;
+
 use crate::formula::shape::Shape;
 use crate::formula::{Assignment, Expr, Index, Node, Relation, Statement, SymbolId, Value, evaluate, shape, text};
 use crate::latex::{Reading, names, read_display, read_formula};
@@ -33,7 +35,7 @@ pub(super) struct Desk<'a> {
     pub assigned: &'a [Option<&'a Claim>],
     pub options: Options,
     /// What the units of the document come to, where it declares any.
-    pub units: Option<Units<'a>>,
+    pub units: Option<Arc<Units<'a>>>,
 }
 
 impl Desk<'_> {

@@ -1,6 +1,7 @@
 //! A whole document: its displays read in order, its claims tied to them, each equation judged.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
@@ -155,7 +156,7 @@ pub(super) fn with_desk<T>(
     let lacks_a_name = |error: &Error| plain.cause(error.missing()).is_some();
     let known = units::declared(claims, &model, &lacks_a_name)?;
     (model.laws, model.lost_laws) = (laws, lost_laws);
-    let units = units::of_document(claims, &model, &known, &readings, &assigned)?;
+    let units = units::of_document(claims, &model, &known, &readings, &assigned)?.map(Arc::new);
     let desk = Desk { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units };
     desk.granted_conflicts()?;
     work(desk)

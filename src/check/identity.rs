@@ -32,6 +32,8 @@ pub struct Options {
     pub seed: u64,
     /// How many usable states are asked for.
     pub points: usize,
+    /// Whether of what is refuted it is said by how much it is off, and what may have been meant.
+    pub explain: bool,
 }
 
 /// A claim's hypotheses and its name, which seeds its states.
@@ -247,7 +249,8 @@ impl<'a, 'm> AtStates<'a, 'm> {
 /// # Errors
 /// When the world's mass matrix is singular.
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
-    Ok(difference::explained(link, context, judged(link, context)?))
+    let finding = judged(link, context)?;
+    Ok(if context.options.explain { difference::explained(link, context, finding) } else { finding })
 }
 
 fn judged(link: &Link, context: &Context<'_>) -> Result<Finding> {
@@ -437,7 +440,7 @@ fn conclude(states: &AtStates<'_, '_>, context: &Context<'_>, ensemble: &Ensembl
         let mut finding = evidence(Verdict::Refuted, message);
         finding.max_residual = Some(failure.residual);
         finding.counterexample = Some(counterexample(link, &ensemble.scenes[*at], failure));
-        if let Some(twin) = meant(states, context.model) {
+        if let Some(twin) = context.options.explain.then(|| meant(states, context.model)).flatten() {
             finding.message.push_str(&format!("; it would hold with {}", twin.change));
         }
         return finding;

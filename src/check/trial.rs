@@ -16,7 +16,7 @@ use super::document::shown;
 use super::draw::Reach;
 use super::certify::{self, Certificate};
 use super::ensemble::{Condition, Ensemble};
-use super::identity::{self, Context, is_equality};
+use super::identity::{self, Context, FEWEST, Options, is_equality};
 use super::reading::for_each;
 use super::judge::{self, Link, Point};
 use super::{reprint, restated};
@@ -41,6 +41,10 @@ pub(super) enum Answer {
 /// A display, ready to have other texts tried in its place.
 pub(super) struct Trial<'d, 'a> {
     desk: &'d Desk<'a>,
+    /// The same, with few states and without explanations.
+    quick: Desk<'a>,
+    /// The same without explanations.
+    full: Desk<'a>,
     at: usize,
     claim: &'d Claim,
     /// How the display is read now.
@@ -60,7 +64,11 @@ impl<'d, 'a> Trial<'d, 'a> {
     pub fn new(desk: &'d Desk<'a>, at: usize, now: &'d Reading, claim: &'d Claim) -> Result<Self> {
         let topic = shown(&desk.notes.equations[at]);
         let (conditions, local) = (desk.conditions(claim)?, desk.local(claim)?);
-        let mut trial = Trial { desk, at, claim, now, topic, conditions, local, screens: Vec::new() };
+        let with = |points: usize| {
+            let options = Options { points: points.min(desk.options.points), explain: false, ..desk.options };
+            Desk { options, units: desk.units.clone(), ..*desk }
+        };
+        let mut trial = Trial { desk, quick: with(FEWEST), full: with(desk.options.points), at, claim, now, topic, conditions, local, screens: Vec::new() };
         if is_plain(claim) {
             let all = now.statements.iter().enumerate();
             trial.screens = all
@@ -104,10 +112,12 @@ impl<'d, 'a> Trial<'d, 'a> {
             return Ok(Answer::Refused);
         }
         let offset = self.desk.notes.equations[self.at].body.start;
-        let Ok(parts) = self.desk.parts((self.at, offset), &reading, self.claim, &self.topic) else {
-            return Ok(Answer::Refused);
-        };
         let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
+        let judged = |desk: &Desk<'_>| desk.parts((self.at, offset), &reading, self.claim, &self.topic);
+        if self.screens.is_empty() && judged(&self.quick).is_ok_and(|parts| parts.iter().any(is_wrong)) {
+            return Ok(Answer::Refuted);
+        }
+        let Ok(parts) = judged(&self.full) else { return Ok(Answer::Refused) };
         Ok(match parts.iter().all(|part| part.finding.verdict.passes()) {
             true => Answer::Passes(reading, parts),
             false if parts.iter().any(is_wrong) => Answer::Refuted,

@@ -10,6 +10,7 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 use super::documents::{Job, Loaded, find, folder, load};
+use super::fix::fix;
 use super::progress::Terminal;
 use super::{Format, Outcome, colours};
 
@@ -41,11 +42,37 @@ pub struct Arguments {
     /// Show how each equation was read, and what was inferred
     #[arg(short, long)]
     verbose: bool,
+    /// Make the repairs that leave no doubt in the notes, after asking, and check again
+    #[arg(long)]
+    fix: bool,
+    /// Do not ask
+    #[arg(long, requires = "fix")]
+    yes: bool,
 }
 
 pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
-    let options = Options { seed: arguments.seed, points: arguments.points as usize };
     let colour = colours(&std::io::stderr());
+    let (mut result, mut errors) = checked(arguments, registry);
+    if arguments.fix {
+        match fix(&result, arguments.yes) {
+            Ok(0) => {}
+            Ok(_) => (result, errors) = checked(arguments, registry),
+            Err(error) => errors.push(error),
+        }
+    }
+    let code = if errors.is_empty() { result.exit_code() } else { 2 };
+    let output = match arguments.format {
+        Format::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
+        Format::Text => report::text::report(&result, arguments.verbose, colours(&std::io::stdout())),
+        Format::Json => format!("{:#}\n", report::json::report(&result, &errors)),
+    };
+    let shown = errors.iter().map(|error| report::diagnostic::error(error, colour) + "\n").collect();
+    Outcome { output, errors: shown, code }
+}
+
+/// Checks what is named; with what could not be checked at all.
+fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
+    let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
     let mut errors: Vec<Error> = Vec::new();
     let mut result = Report::default();
     let mut jobs = Vec::new();
@@ -81,14 +108,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
             errors.push(error);
         }
     }
-    let code = if errors.is_empty() { result.exit_code() } else { 2 };
-    let output = match arguments.format {
-        Format::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
-        Format::Text => report::text::report(&result, arguments.verbose, colours(&std::io::stdout())),
-        Format::Json => format!("{:#}\n", report::json::report(&result, &errors)),
-    };
-    let shown = errors.iter().map(|error| report::diagnostic::error(error, colour) + "\n").collect();
-    Outcome { output, errors: shown, code }
+    (result, errors)
 }
 
 /// What is to be checked, and the claims files that are given for it.

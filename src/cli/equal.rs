@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &Arguments) -> Outcome {
             }
         }
     }
-    let options = Options { seed: arguments.seed, points: arguments.points as usize };
+    let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
     let answer = match equal(&arguments.left, &arguments.right, &ranges, options) {
         Ok(answer) => answer,
         Err((which, fault)) => {

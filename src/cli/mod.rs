@@ -8,6 +8,7 @@ mod derive;
 mod documents;
 mod equal;
 mod eval;
+mod fix;
 mod mutate;
 mod progress;
 mod read;

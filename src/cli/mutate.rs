@@ -40,7 +40,7 @@ pub struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
-    let options = Options { seed: arguments.seed, points: arguments.points as usize };
+    let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
     let only = arguments.only.as_deref();
     let mut errors: Vec<Error> = Vec::new();
     let mut jobs = Vec::new();
