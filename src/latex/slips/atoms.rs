@@ -24,6 +24,8 @@ impl Finder<'_> {
             Layout::Group(items) | Layout::Fence(_, items) if items.iter().all(|inner| inner.span != item.span) => {
                 self.list(items);
             }
+            // `\frac{d}{dt}` is no fraction.
+            Layout::Fraction(a, b) if starts_with_d(a) && starts_with_d(b) => {}
             Layout::Fraction(a, b) => {
                 if self.inside(item, a).is_some() && self.inside(item, b).is_some() {
                     let braced = |span| {
@@ -116,14 +118,12 @@ impl Finder<'_> {
                     self.edit(Slip::Symbol, own, spelled);
                 }
             }
-            if entry.varies && printed.dots < 2 && entry.slots.len() == indices.len() {
-                let nucleus = nucleus(item);
-                let text = self.slice(nucleus.span).to_owned();
-                match printed.dots {
-                    0 => self.edit(Slip::Dot, nucleus.span, format!("\\dot{{{text}}}")),
-                    _ => self.dots(nucleus),
-                }
-            }
+        }
+        let varies = found.as_ref().is_none_or(|(id, _)| self.symbols.entry(*id).varies);
+        if (varies || self.pool.is_some()) && printed.dots == 0 {
+            let nucleus = nucleus(item);
+            let text = self.slice(nucleus.span).to_owned();
+            self.edit(Slip::Dot, nucleus.span, format!("\\dot{{{text}}}"));
         }
         if found.is_none() && self.pool.is_some() {
             for known in self.near(&printed.name) {
@@ -244,6 +244,16 @@ impl Finder<'_> {
         {
             self.edit(Slip::Index, first.to(*second), format!("{b}{a}"));
         }
+    }
+}
+
+/// Whether what stands in a fraction starts with the d of a derivative.
+fn starts_with_d(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Letter('d') => true,
+        Layout::Group(items) => items.first().is_some_and(starts_with_d),
+        Layout::Scripts { nucleus, .. } => starts_with_d(nucleus),
+        _ => false,
     }
 }
 

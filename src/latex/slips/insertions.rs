@@ -8,7 +8,7 @@ use crate::source::Span;
 use super::super::layout::{Item, Layout};
 use super::super::macros::Macros;
 use super::super::reader::typeset_items;
-use super::lists::{Factor, Term, formulas, is_big};
+use super::lists::{Factor, Term, formulas, is_big, is_function};
 use super::{Finder, Slip};
 
 /// Factors and terms that may be put in, as their authors typed them.
@@ -16,6 +16,16 @@ use super::{Finder, Slip};
 pub struct Pool {
     factors: Vec<String>,
     terms: Vec<String>,
+    /// `\sin`, `\cos^2`: what may stand before a name.
+    functions: Vec<String>,
+}
+
+/// The factors, terms and functions of texts, and how often each stands there.
+#[derive(Default)]
+struct Counts {
+    factors: HashMap<String, usize>,
+    terms: HashMap<String, usize>,
+    functions: HashMap<String, usize>,
 }
 
 impl Pool {
@@ -26,27 +36,22 @@ impl Pool {
 
     /// The factors of some texts, the commonest first, and the terms of them; at most so many of each.
     pub fn of<'t>(texts: impl Iterator<Item = &'t str>, symbols: &Symbols, macros: &Macros, most: usize) -> Pool {
-        let mut counts: (HashMap<String, usize>, HashMap<String, usize>) = Default::default();
+        let mut counts = Counts::default();
         for text in texts {
             let Ok(items) = typeset_items(text, macros) else { continue };
             let finder = Finder { text, symbols, pool: None, edits: Vec::new() };
-            finder.gather(&items, &mut counts.0, &mut counts.1);
+            finder.gather(&items, &mut counts);
         }
         for number in ["2", "\\frac{1}{2}"] {
-            counts.0.entry(number.to_owned()).or_insert(1);
+            counts.factors.entry(number.to_owned()).or_insert(1);
         }
         let sorted = |counts: HashMap<String, usize>| {
             let mut all: Vec<(String, usize)> = counts.into_iter().collect();
             all.sort_by(|(a, n), (b, m)| m.cmp(n).then(a.len().cmp(&b.len())).then(a.cmp(b)));
             all.into_iter().map(|(text, _)| text).take(most).collect()
         };
-        Pool { factors: sorted(counts.0), terms: sorted(counts.1) }
-    }
-
-    /// The same with one more term, tried before the others.
-    pub fn with_term(mut self, term: String) -> Pool {
-        self.terms.insert(0, term);
-        self
+        let (factors, terms) = (sorted(counts.factors), sorted(counts.terms));
+        Pool { factors, terms, functions: sorted(counts.functions) }
     }
 
     /// The factors alone.
@@ -60,7 +65,7 @@ impl Pool {
 const LONGEST: usize = 60;
 
 impl Finder<'_> {
-    fn gather(&self, items: &[Item], factors: &mut HashMap<String, usize>, terms: &mut HashMap<String, usize>) {
+    fn gather(&self, items: &[Item], counts: &mut Counts) {
         let count = |counts: &mut HashMap<String, usize>, span: Span| {
             if span.end - span.start <= LONGEST {
                 *counts.entry(self.slice(span).to_owned()).or_default() += 1;
@@ -69,20 +74,23 @@ impl Finder<'_> {
         for formula in formulas(items) {
             for term in &formula {
                 if formula.len() > 1 {
-                    count(terms, term.span());
+                    count(&mut counts.terms, term.span());
                 }
                 let all = self.factors(term.items);
                 for factor in &all {
                     let first = &factor.items[0];
                     if !is_big(first) && !matches!(first.layout, Layout::Number(_)) && all.len() > 1 {
-                        count(factors, factor.span());
+                        count(&mut counts.factors, factor.span());
+                    }
+                    if is_function(first) {
+                        count(&mut counts.functions, first.span);
                     }
                 }
             }
         }
         for item in items {
             for inner in insides(item) {
-                self.gather(inner, factors, terms);
+                self.gather(inner, counts);
             }
         }
     }
@@ -96,6 +104,11 @@ impl Finder<'_> {
         let mut before: Vec<usize> = vec![first.span().start];
         before.extend(after_big.map(|(_, next)| next.span().start));
         let end = last.span().end;
+        for function in &pool.functions {
+            for factor in factors.iter().filter(|factor| !is_function(&factor.items[0])) {
+                self.edit(Slip::Function, Span::at(factor.span().start), format!("{function} "));
+            }
+        }
         for factor in &pool.factors {
             for at in &before {
                 self.edit(Slip::Factor, Span::at(*at), format!("{factor} \\, "));

@@ -196,6 +196,17 @@ impl Finder<'_> {
         matches!(item.layout, Layout::Environment(..)) || matches!(self.kind(item), Some(Kind::Matrix | Kind::Rotation))
     }
 
+    /// Slips in a display; an environment of rows that is all of it is no formula.
+    pub(super) fn display(&mut self, items: &[Item]) {
+        let mut significant = items.iter().filter(|item| !is_space(item) && item.layout != Layout::Other(','));
+        match (significant.next(), significant.next()) {
+            (Some(Item { layout: Layout::Environment(_, rows), .. }), None) => {
+                rows.iter().flatten().for_each(|cell| self.list(cell));
+            }
+            _ => self.list(items),
+        }
+    }
+
     /// Slips in a list, and in all that it is made of.
     pub(super) fn list(&mut self, items: &[Item]) {
         for terms in formulas(items) {
@@ -204,7 +215,7 @@ impl Finder<'_> {
                 if self.is_null(term) {
                     continue;
                 }
-                self.sign(term);
+                self.sign(term, at == 0);
                 if terms.len() > 1 {
                     self.drop_term(&terms, at);
                 }
@@ -237,13 +248,14 @@ impl Finder<'_> {
         })
     }
 
-    fn sign(&mut self, term: &Term<'_>) {
+    fn sign(&mut self, term: &Term<'_>, is_first: bool) {
         let Some(sign) = term.sign else {
             self.edit(Slip::Sign, Span::at(term.span().start), "-");
             return;
         };
         let others: &[&str] = match self.slice(sign.span) {
             "+" => &["-"],
+            "-" if is_first => &[""],
             "-" => &["+"],
             "\\pm" => &["+", "-", "\\mp"],
             "\\mp" => &["+", "-", "\\pm"],
@@ -270,14 +282,18 @@ impl Finder<'_> {
             }
             _ => term.whole(),
         };
-        self.edit(Slip::Term, span, "");
+        let same = |other: usize| {
+            let other = terms.get(other);
+            other.is_some_and(|other| self.slice(other.span()) == self.slice(term.span()))
+        };
+        let twice = same(at + 1) || at > 0 && same(at - 1);
+        self.edit(if twice { Slip::Doubled } else { Slip::Term }, span, "");
     }
 
     fn double_term(&mut self, term: &Term<'_>) {
         let sign = term.sign.map_or("+", |sign| self.slice(sign.span));
         let twice = format!(" {sign} {}", self.slice(term.span()));
-        // What is summed or integrated reaches to the end of its term.
-        self.edit(Slip::Term, Span::at(term.span().end), twice);
+        self.edit(Slip::Doubled, Span::at(term.span().end), twice);
     }
 
     fn relation(&mut self, item: &Item) {
@@ -307,7 +323,7 @@ impl Finder<'_> {
             let is_number = matches!(factor.items[0].layout, Layout::Number(_));
             if !is_number && !is_big(&factor.items[0]) {
                 let twice = format!(" {}", self.slice(factor.span()));
-                self.edit(Slip::Factor, Span::at(factor.span().end), twice);
+                self.edit(Slip::Doubled, Span::at(factor.span().end), twice);
             }
             let Some(before) = at.checked_sub(1).map(|before| &factors[before]) else { continue };
             let swapped = Span::new(before.span().start, factor.span().end);
@@ -336,10 +352,15 @@ impl Finder<'_> {
             (None, Some(next)) => Span::new(factor.span().start, next.span.end),
             (None, None) => factor.span(),
         };
-        self.edit(Slip::Factor, span, "");
+        let same = |other: usize| {
+            let other = factors.get(other);
+            other.is_some_and(|other| self.slice(other.span()) == self.slice(factor.span()))
+        };
+        let twice = same(at + 1) || at > 0 && same(at - 1);
+        self.edit(if twice { Slip::Doubled } else { Slip::Factor }, span, "");
         // The function alone, which leaves its argument.
         if is_function(&factor.items[0]) {
-            self.edit(Slip::Factor, factor.items[0].span, "");
+            self.edit(Slip::Function, factor.items[0].span, "");
         }
     }
 }

@@ -49,6 +49,8 @@ impl Edit {
 /// The kinds of slip, the likeliest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Slip {
+    /// A term or a factor typed twice.
+    Doubled,
     /// A sign flipped, lost, or one of ±.
     Sign,
     /// One symbol for another like it.
@@ -83,6 +85,7 @@ impl Slip {
     /// What it is about, in a word or two.
     pub fn word(self) -> &'static str {
         match self {
+            Slip::Doubled => "doubled",
             Slip::Sign => "sign",
             Slip::Symbol => "symbol",
             Slip::Index => "index",
@@ -115,7 +118,7 @@ fn found(text: &str, symbols: &Symbols, macros: &Macros, pool: Option<&Pool>) ->
     // A display of which nothing is typeset at all has no terms, but its characters may be mended.
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
     let mut finder = Finder { text, symbols, pool, edits: Vec::new() };
-    finder.list(&items);
+    finder.display(&items);
     let mut seen = HashSet::new();
     let fresh = |edit: &Edit| text[edit.span.range()] != edit.replacement && seen.insert(edit.applied(text));
     finder.edits.into_iter().filter(fresh).collect()
