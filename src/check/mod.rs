@@ -42,6 +42,7 @@ mod rules;
 pub mod scene;
 mod sentences;
 mod small;
+mod solved;
 pub mod solves;
 pub mod twins;
 pub mod units;

@@ -6,7 +6,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::mersenne::{Modulus, Residue};
+use super::prime::{Modulus, Residue};
 
 /// How large a polynomial can be: its degree, and the sum of the magnitudes of its coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +15,11 @@ pub struct Size {
     pub degree: u32,
     /// The sum of the coefficients' magnitudes.
     pub norm: f64,
+}
+
+/// A degree as a number of accidents: what has left its range is without bound.
+pub fn accidents(degree: u32) -> f64 {
+    if degree == u32::MAX { f64::INFINITY } else { f64::from(degree) }
 }
 
 impl Size {
@@ -89,8 +94,11 @@ impl<F: Modulus> Denominators<F> {
 
     /// The degree of all that might have been taken for one factor by accident: each pair of them was compared.
     pub fn coincidences(&self) -> f64 {
+        if self.factors.is_empty() {
+            return 0.0;
+        }
         let highest = self.factors.iter().map(|factor| factor.size.degree).max().unwrap_or(0);
-        f64::from(highest) * (self.factors.len() * self.factors.len()) as f64
+        accidents(highest) * (self.factors.len() * self.factors.len()) as f64
     }
 
     /// The value of a denominator.
@@ -123,7 +131,7 @@ impl<F: Modulus> Denominators<F> {
     /// A denominator that is one factor, with its size as a polynomial.
     pub fn factor(&mut self, value: Residue<F>, size: Size) -> Bottom {
         let next = self.factors.len() as u32;
-        let place = *self.by_value.entry(value.value()).or_insert(next);
+        let place = *self.by_value.entry(value.key()).or_insert(next);
         match self.factors.get_mut(place as usize) {
             None => self.factors.push(Factor { value, size }),
             // one value, met with two sizes: the larger counts
@@ -221,7 +229,7 @@ impl<F: Modulus> Denominators<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::mersenne::Large;
+    use super::super::prime::Large;
     use super::*;
 
     #[test]

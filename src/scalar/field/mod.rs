@@ -2,9 +2,9 @@
 //!
 //! A rational identity that fails as an identity holds at a random point of a large field with a tiny probability, which
 //! its degree bounds (Schwartz, Zippel; for formulas, Gonnet). [`Modular`] is a full [`num_dual::DualNum`] over the field
-//! of p = 2¹²⁷ − 1 elements, so that printed formulas and Lagrangians in Rust run over it unchanged. It carries
+//! of p = 861·2¹¹⁷ − 1 elements, so that printed formulas and Lagrangians in Rust run over it unchanged. It carries
 //!
-//! - its value, and as an *angle* a label on the unit circle over the field, which is cyclic of order 2¹²⁷: sines and
+//! - its value, and as an *angle* a label on the unit circle over the field, which has a cyclic part of 2¹¹⁷ points: sines and
 //!   cosines of sums, halves and multiples of angles, and shifts by parts of a turn, are exact;
 //! - an honest bound on itself: the degree of its numerator, were it written as one fraction, and the sum of the magnitudes
 //!   of the numerator's coefficients, which must stay below p lest one of them vanish in the field. Sine and cosine count
@@ -18,7 +18,7 @@
 
 mod circle;
 mod denominators;
-mod mersenne;
+mod prime;
 mod session;
 #[cfg(test)]
 mod tests;
@@ -32,11 +32,11 @@ use super::arithmetic::{dual_number, power_by_squaring};
 use super::rational::Ratio;
 use super::{Arithmetic, Function};
 use circle::drawn_bits;
-use denominators::{Bottom, Size};
-use mersenne::Residue;
+use denominators::{Bottom, Size, accidents};
+use prime::Residue;
 use session::{Angle, Found, Session};
 
-pub use mersenne::{Large, Modulus};
+pub use prime::{Large, Modulus};
 pub use session::Account;
 
 /// A number of the field: see the [module](self).
@@ -118,12 +118,15 @@ pub fn false_accept_log2<F: Modulus>(differences: &[Modular<F>], account: &Accou
         // with k roots of free sign the norm is a product of 2ᵏ conjugates
         let conjugates = f64::from(difference.roots.count_ones()).exp2();
         let bits = difference.size.norm.max(1.0).log2() * conjugates;
-        if bits.is_nan() || bits >= f64::from(F::BITS) {
+        if bits.is_nan() || bits >= f64::from(F::PRIME.ilog2()) {
             return None;
         }
-        degree = degree.max(f64::from(difference.size.degree) * conjugates);
+        degree = degree.max(accidents(difference.size.degree) * conjugates);
     }
     let accidents = (degree + account.coincidences) * f64::from(attempts.max(1));
+    if !accidents.is_finite() {
+        return None;
+    }
     Some((accidents.log2() - f64::from(drawn_bits::<F>())).min(0.0))
 }
 
@@ -403,7 +406,7 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         match session(|session| self.ratio(session)) {
             Some(ratio) => ratio.value(),
             None => {
-                Self::refused("the size of a number");
+                Self::refused("an absolute value, or an exponent that varies");
                 f64::NAN
             }
         }
@@ -538,7 +541,7 @@ impl<F: Modulus> Arithmetic for Modular<F> {
 
 impl<F: Modulus> fmt::Display for Modular<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} (mod 2^{} − 1)", self.value.value(), F::BITS)
+        write!(f, "{} (mod {}·2^{} − 1)", self.value.value(), F::ODD, F::BITS)
     }
 }
 

@@ -9,8 +9,8 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use super::circle::{Point, drawn_bits, turn_bits};
-use super::denominators::{Denominators, Size};
-use super::mersenne::{Modulus, Residue};
+use super::denominators::{Denominators, Size, accidents};
+use super::prime::{Modulus, Residue};
 use super::{Modular, SIMPLE_NORM};
 use crate::scalar::rational::{Meant, Ratio, meant};
 
@@ -208,7 +208,7 @@ impl<F: Modulus> Session<F> {
             roots: Vec::new(),
             taken: FxHashMap::default(),
             squares: FxHashMap::default(),
-            simple: [(1, Modular::ONE)].into_iter().collect(),
+            simple: [(Residue::<F>::ONE.key(), Modular::ONE)].into_iter().collect(),
             simple_degree: 0,
             signs,
             atoms: Vec::new(),
@@ -232,8 +232,8 @@ impl<F: Modulus> Session<F> {
     /// A random residue, each as probable as the others.
     fn random(&mut self) -> Residue<F> {
         loop {
-            let bits = self.bits() & F::PRIME;
-            if bits != F::PRIME {
+            let bits = self.bits() >> F::PRIME.leading_zeros();
+            if bits < F::PRIME {
                 return Residue::new(bits);
             }
         }
@@ -246,13 +246,13 @@ impl<F: Modulus> Session<F> {
 
     /// The reciprocal of a residue; 0 for 0.
     pub fn reciprocal(&mut self, residue: Residue<F>) -> Residue<F> {
-        *self.reciprocals.entry(residue.value()).or_insert_with(|| residue.inverse())
+        *self.reciprocals.entry(residue.key()).or_insert_with(|| residue.inverse())
     }
 
     /// A random number.
     pub fn drawn_plain(&mut self) -> Residue<F> {
         let value = self.random();
-        self.squares.insert(value.square().value(), value);
+        self.squares.insert(value.square().key(), value);
         value
     }
 
@@ -332,7 +332,7 @@ impl<F: Modulus> Session<F> {
     fn atom(&mut self, value: Residue<F>, degree: u32) -> (u128, Ratio) {
         for (known, label, known_degree) in &self.atoms {
             for (numerator, denominator) in SIMPLE {
-                self.account.coincidences += f64::from(degree.max(*known_degree));
+                self.account.coincidences += accidents(degree.max(*known_degree));
                 // value = (n/d)·known
                 let multiple = known.times(Residue::whole(numerator));
                 if multiple == value.times(Residue::new(denominator.into())) {
@@ -356,11 +356,11 @@ impl<F: Modulus> Session<F> {
             let (n, d) = (Residue::<F>::whole(numerator), Residue::<F>::new(denominator.into()));
             let (multiple, ratio) = (radicand.times(d.square()), n.times(self.reciprocal(d)));
             if multiple == n.square() {
-                self.account.coincidences += f64::from(degree);
+                self.account.coincidences += accidents(degree);
                 return Found::Ratio(Ratio { numerator, denominator });
             }
             for (at, root) in self.roots.iter().enumerate() {
-                self.account.coincidences += f64::from(degree.max(root.degree));
+                self.account.coincidences += accidents(degree.max(root.degree));
                 if multiple == root.radicand.times(n.square()) {
                     if (numerator, denominator) == (1, 1) {
                         return Found::Again(at as u32);
@@ -370,8 +370,8 @@ impl<F: Modulus> Session<F> {
             }
         }
         let made = made.or_else(|| self.made_of_two(radicand, degree));
-        self.account.coincidences += f64::from(degree) * self.squares.len() as f64;
-        let magnitude = self.squares.get(&radicand.value()).copied().filter(|_| made.is_none());
+        self.account.coincidences += accidents(degree) * self.squares.len() as f64;
+        let magnitude = self.squares.get(&radicand.key()).copied().filter(|_| made.is_none());
         let made = made.unwrap_or(Made::Itself(None, magnitude));
         self.roots.push(Root { radicand, degree, made });
         let place = self.roots.len() as u32 - 1;
@@ -382,7 +382,7 @@ impl<F: Modulus> Session<F> {
     fn made_of_two(&mut self, radicand: Residue<F>, degree: u32) -> Option<Made<F>> {
         for (at, first) in self.roots.iter().enumerate() {
             for (other, second) in self.roots.iter().enumerate().filter(|(other, _)| *other != at) {
-                self.account.coincidences += f64::from(degree.max(first.degree).max(second.degree));
+                self.account.coincidences += accidents(degree.max(first.degree).max(second.degree));
                 if first.radicand.times(second.radicand) == radicand {
                     return Some(Made::Of(Residue::ONE, Some(at), Some((other, false))));
                 }
@@ -430,7 +430,7 @@ impl<F: Modulus> Session<F> {
     pub fn keep(&mut self, number: Modular<F>) {
         let below = self.denominators.size(number.bottom);
         if number.roots == 0 && below.norm < SIMPLE_NORM {
-            let known = self.simple.entry(number.value.value()).or_insert(number);
+            let known = self.simple.entry(number.value.key()).or_insert(number);
             if number.size.norm < known.size.norm {
                 *known = number;
             }
@@ -441,20 +441,20 @@ impl<F: Modulus> Session<F> {
     /// The simple number that a large one turns out to be.
     pub fn settle(&mut self, number: Modular<F>) -> Modular<F> {
         let below = self.denominators.size(number.bottom);
-        let degree = f64::from(number.size.degree) + f64::from(below.degree) + f64::from(self.simple_degree);
+        let degree = accidents(number.size.degree) + accidents(below.degree) + accidents(self.simple_degree);
         self.account.coincidences += degree * (self.simple.len() + 1) as f64;
         if number.vanishes() {
             return Modular::ZERO;
         }
         // they are compared over a common denominator, whose coefficients count as well
         let fits = number.size.norm * SIMPLE_NORM + below.norm * SIMPLE_NORM < F::PRIME as f64;
-        self.simple.get(&number.value.value()).copied().filter(|_| fits).unwrap_or(number)
+        self.simple.get(&number.value.key()).copied().filter(|_| fits).unwrap_or(number)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::mersenne::Large;
+    use super::super::prime::Large;
     use super::*;
 
     #[test]

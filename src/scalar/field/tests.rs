@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::mersenne::tests::Small;
+use super::prime::tests::Small;
 use super::*;
 use crate::scalar::{DualNum, Number, Series};
 

@@ -1,4 +1,11 @@
-//! Whole numbers modulo a Mersenne prime p = 2ᵏ − 1, where reducing is a shift and an addition.
+//! Whole numbers modulo a prime p = c·2ᵏ − 1 with a small c.
+//!
+//! What is asked of p: that it is 3 modulo 4, so that roots are powers and −1 has none; that 2ᵏ divides p + 1, which is how
+//! many points the unit circle has, so that angles can be halved; and that 2, 3, 5 and 7 are squares, so that √3 is a number
+//! like any other. No Mersenne prime 2ᵏ − 1 gives all of that: in each of them 3 is no square.
+//!
+//! Residues modulo a large p are kept as x·2¹²⁸ (Montgomery): as p is −1 modulo 2⁶⁴, reducing a product takes one
+//! multiplication by (p + 1)/2⁶⁴ for each of its two lower words, and no division.
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
@@ -6,25 +13,28 @@ use std::sync::OnceLock;
 
 use super::circle::Circle;
 
-/// Which Mersenne prime: p = 2^BITS − 1 must be one.
+/// Which prime: p = ODD·2^BITS − 1 must be one.
 pub trait Modulus: Copy + Debug + Send + Sync + 'static {
-    /// How many bits it has.
+    /// The odd factor of p + 1.
+    const ODD: u128;
+    /// The power of two in p + 1; more than half of the bits of p.
     const BITS: u32;
     /// How often an angle that is drawn can be halved.
     const HALVINGS: u32;
-    /// The prime.
-    const PRIME: u128 = (1 << Self::BITS) - 1;
+    /// The prime, below 2¹²⁷.
+    const PRIME: u128 = (Self::ODD << Self::BITS) - 1;
 
     /// The unit circle over the field, which is found once.
     fn circle() -> &'static Circle<Self>;
 }
 
-/// p = 2¹²⁷ − 1, in which identities are decided.
+/// p = 861·2¹¹⁷ − 1, in which identities are decided. 2, 3, 5, 7, 13, 19 and 23 are squares.
 #[derive(Clone, Copy, Debug)]
 pub struct Large;
 
 impl Modulus for Large {
-    const BITS: u32 = 127;
+    const ODD: u128 = 861;
+    const BITS: u32 = 117;
     const HALVINGS: u32 = 10;
 
     fn circle() -> &'static Circle<Self> {
@@ -33,10 +43,11 @@ impl Modulus for Large {
     }
 }
 
-/// A residue modulo p, from 0 to p − 1.
+/// A residue modulo p.
 #[derive(Debug)]
 pub struct Residue<F> {
-    value: u128,
+    /// From 0 to p − 1: times 2¹²⁸, if p is large.
+    form: u128,
     prime: PhantomData<F>,
 }
 
@@ -50,19 +61,38 @@ impl<F> Copy for Residue<F> {}
 
 impl<F> PartialEq for Residue<F> {
     fn eq(&self, other: &Self) -> bool {
-        self.value == other.value
+        self.form == other.form
     }
 }
 
 impl<F> Eq for Residue<F> {}
 
 impl<F: Modulus> Residue<F> {
-    pub const ZERO: Self = Residue { value: 0, prime: PhantomData };
-    pub const ONE: Self = Residue { value: 1, prime: PhantomData };
+    pub const ZERO: Self = Self::of(0);
+    pub const ONE: Self = Self::of(if Self::IS_LARGE { Self::power_of_two(128) } else { 1 });
+
+    /// Whether a product needs more than 128 bits.
+    const IS_LARGE: bool = F::PRIME >> 63 != 0;
+    /// The factor that brings a number into its form.
+    const TO_FORM: Self = Self::of(if Self::IS_LARGE { Self::power_of_two(256) } else { 1 });
+
+    const fn of(form: u128) -> Self {
+        Residue { form, prime: PhantomData }
+    }
+
+    /// 2ⁿ modulo p.
+    const fn power_of_two(n: u32) -> u128 {
+        let (mut power, mut left) = (1, n);
+        while left > 0 {
+            power = if 2 * power >= F::PRIME { 2 * power - F::PRIME } else { 2 * power };
+            left -= 1;
+        }
+        power
+    }
 
     /// The residue of any number.
     pub fn new(value: u128) -> Self {
-        Residue { value: value % F::PRIME, prime: PhantomData }
+        Self::of(value % F::PRIME).times(Self::TO_FORM)
     }
 
     /// The residue of a whole number of either sign.
@@ -73,45 +103,50 @@ impl<F: Modulus> Residue<F> {
 
     /// From 0 to p − 1.
     pub fn value(self) -> u128 {
-        self.value
+        if Self::IS_LARGE { self.times(Self::of(1)).form } else { self.form }
+    }
+
+    /// A number that is the same for equal residues alone.
+    pub fn key(self) -> u128 {
+        self.form
     }
 
     pub fn is_zero(self) -> bool {
-        self.value == 0
+        self.form == 0
     }
 
-    /// Of a number below 2p.
-    fn below_twice(value: u128) -> Self {
-        Residue { value: if value >= F::PRIME { value - F::PRIME } else { value }, prime: PhantomData }
+    /// Of a form below 2p.
+    fn below_twice(form: u128) -> Self {
+        Self::of(if form >= F::PRIME { form - F::PRIME } else { form })
     }
 
     pub fn plus(self, other: Self) -> Self {
-        Self::below_twice(self.value + other.value)
+        Self::below_twice(self.form + other.form)
     }
 
     pub fn minus(self, other: Self) -> Self {
-        Self::below_twice(self.value + (F::PRIME - other.value))
+        Self::below_twice(self.form + (F::PRIME - other.form))
     }
 
     pub fn negated(self) -> Self {
-        Self::below_twice(F::PRIME - self.value)
+        Self::below_twice(F::PRIME - self.form)
     }
 
     pub fn times(self, other: Self) -> Self {
-        if F::BITS <= 63 {
-            let product = self.value * other.value;
-            return Self::below_twice((product & F::PRIME) + (product >> F::BITS));
+        if !Self::IS_LARGE {
+            return Self::of(self.form * other.form % F::PRIME);
         }
         // four products of halves, of which the inner two meet
-        let split = |x: u128| (x & u128::from(u64::MAX), x >> 64);
-        let ((a, b), (c, d)) = (split(self.value), split(other.value));
+        let word = u128::from(u64::MAX);
+        let split = |x: u128| (x & word, x >> 64);
+        let ((a, b), (c, d)) = (split(self.form), split(other.form));
         let (low, inner, high) = (a * c, a * d + b * c, b * d);
         let (low, carry) = low.overflowing_add(inner << 64);
         let high = high + (inner >> 64) + u128::from(carry);
-        // the product is high·2¹²⁸ + low, and 2^BITS counts as 1
-        let above = (high << (128 - F::BITS)) | (low >> F::BITS);
-        let sum = (low & F::PRIME) + above;
-        Self::below_twice((sum & F::PRIME) + (sum >> F::BITS))
+        // (x + m·p)/2⁶⁴ with the lowest word m of x is a whole number, as p + 1 = above·2⁶⁴; done twice
+        let above = (F::PRIME >> 64) + 1;
+        let second = (low >> 64) + (low & word) * above;
+        Self::below_twice(high + (second >> 64) + (second & word) * above)
     }
 
     pub fn square(self) -> Self {
@@ -123,26 +158,31 @@ impl<F: Modulus> Residue<F> {
         (0..n).fold(self, |x, _| x.square())
     }
 
-    /// x^(2ⁿ − 1).
-    fn power_of_ones(self, n: u32) -> Self {
-        if n <= 1 {
-            return if n == 0 { Self::ONE } else { self };
-        }
-        let half = self.power_of_ones(n / 2);
-        let both = half.squared_often(n / 2).times(half);
-        if n.is_multiple_of(2) { both } else { both.square().times(self) }
+    /// xⁿ.
+    fn power(self, n: u128) -> Self {
+        (0..128 - n.leading_zeros()).rev().fold(Self::ONE, |power, bit| {
+            let square = power.square();
+            if n >> bit & 1 == 1 { square.times(self) } else { square }
+        })
     }
 
     /// The reciprocal; 0 for 0.
     pub fn inverse(self) -> Self {
-        // Fermat: p − 2 = 4·(2^(BITS − 2) − 1) + 1
-        self.power_of_ones(F::BITS - 2).squared_often(2).times(self)
+        // Fermat: p − 2 is ODD − 1, then BITS − 2 ones, then 01; the ones are appended by sixteen
+        let sixteen = self.power(0xffff);
+        let ones = F::BITS - 2;
+        let mut power = self.power(F::ODD - 1);
+        for _ in 0..ones / 16 {
+            power = power.squared_often(16).times(sixteen);
+        }
+        power = power.squared_often(ones % 16).times(self.power((1 << (ones % 16)) - 1));
+        power.squared_often(2).times(self)
     }
 
     /// A square root, if there is one: of the two the one that is a square itself.
     pub fn root(self) -> Option<Self> {
-        // p is 3 modulo 4, and (p + 1)/4 = 2^(BITS − 2)
-        let root = self.squared_often(F::BITS - 2);
+        // p is 3 modulo 4, and (p + 1)/4 = ODD·2^(BITS − 2)
+        let root = self.power(F::ODD).squared_often(F::BITS - 2);
         (root.square() == self).then_some(root)
     }
 }
@@ -152,10 +192,11 @@ pub mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// p = 2¹³ − 1, small enough for accidents to be counted.
+    /// p = 2¹³ − 1, small enough for accidents to be counted; nothing needs the root of 3 there.
     #[derive(Clone, Copy, Debug)]
     pub struct Small;
     impl Modulus for Small {
+        const ODD: u128 = 1;
         const BITS: u32 = 13;
         const HALVINGS: u32 = 3;
 
@@ -165,11 +206,12 @@ pub mod tests {
         }
     }
 
-    /// p = 2⁶¹ − 1, whose products fit into a machine's word twice over.
+    /// p = 483·2⁵⁴ − 1, whose products fit into 128 bits.
     #[derive(Clone, Copy, Debug)]
     pub struct Middle;
     impl Modulus for Middle {
-        const BITS: u32 = 61;
+        const ODD: u128 = 483;
+        const BITS: u32 = 54;
         const HALVINGS: u32 = 10;
 
         fn circle() -> &'static Circle<Self> {
@@ -224,5 +266,19 @@ pub mod tests {
         }
         let last = Residue::<Large>::new(Large::PRIME - 1);
         assert_eq!(last.times(last), Residue::ONE);
+        assert_eq!((last.value(), Residue::<Large>::ONE.value()), (Large::PRIME - 1, 1));
+    }
+
+    #[test]
+    fn the_roots_of_small_primes_are_in_the_field() {
+        let has_root =
+            |n: i64| Residue::<Large>::whole(n).root().is_some_and(|root| root.square() == Residue::whole(n));
+        for n in [2, 3, 5, 6, 7, 10, 14, 15, 21, 35, 210] {
+            assert!(has_root(n), "√{n}");
+            // the twin: of n and −n one alone has a root
+            assert!(!has_root(-n), "√−{n}");
+        }
+        assert!([11, 17].iter().all(|n| !has_root(*n)));
+        assert!(Residue::<Middle>::whole(3).root().is_some() && Residue::<Small>::whole(3).root().is_none());
     }
 }
