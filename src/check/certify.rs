@@ -11,7 +11,7 @@
 use crate::formula::evaluate::{Unavailable, evaluate_to};
 use crate::formula::{Expr, IndexId, Node, SymbolId, Value, text};
 use crate::notes::claims::Range;
-use crate::scalar::field::{Large, at_a_point, false_accept_log2};
+use crate::scalar::field::{Large, Modulus, Second, at_a_point, false_accept_log2};
 use crate::scalar::{Modular, Series, rational};
 
 use super::draw::{Draw, last};
@@ -33,6 +33,9 @@ const POINTS: std::ops::RangeInclusive<usize> = 2..=6;
 
 /// So many points are tried for one at which no denominator vanishes and every root exists.
 const ATTEMPTS: u32 = 64;
+
+/// The reason to ask a second field.
+const TOO_LARGE: &str = "coefficients that could be as large as the field";
 
 /// So many values of whole numbers are tried, one after the other.
 const WHOLES: usize = 32;
@@ -74,11 +77,17 @@ impl Certificate {
 }
 
 /// What is evaluated at a point: differences that must all vanish.
-type Differences = Result<Vec<Modular>, String>;
+pub(super) type Differences<F> = Result<Vec<Modular<F>>, String>;
+
+/// What a field decides: differences, over whichever field.
+pub(super) trait Claim {
+    /// The differences, at a state.
+    fn differences<F: Modulus>(&self, scene: &mut Scene<'_, Modular<F>>) -> Differences<F>;
+}
 
 /// Decides a claim between two formulas, under the hypotheses by which an ensemble was drawn.
 pub fn certify(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>) -> Certificate {
-    match decide(&[&link.lhs, &link.rhs], context, ensemble, |scene| differences(link, scene)) {
+    match decide(&[&link.lhs, &link.rhs], context, ensemble, link) {
         // the agreement of numbers stands alone
         Certificate::Open(reason) => match evidence::unseen_inside(link, &ensemble.scenes) {
             Some(term) => Certificate::Unseen(term),
@@ -98,68 +107,79 @@ pub fn certify_solutions(
     ensemble: &Ensemble<'_>,
 ) -> Certificate {
     let formulas: Vec<&Expr> = [&target.lhs, &target.rhs].into_iter().chain(branches).collect();
-    decide(&formulas, context, ensemble, |scene| {
+    decide(&formulas, context, ensemble, &Solutions { target, unknown, branches, all_of_them })
+}
+
+/// That formulas solve an equation.
+struct Solutions<'a> {
+    target: &'a Link,
+    unknown: SymbolId,
+    branches: &'a [Expr],
+    all_of_them: bool,
+}
+
+impl Claim for Solutions<'_> {
+    fn differences<F: Modulus>(&self, scene: &mut Scene<'_, Modular<F>>) -> Differences<F> {
         let mut all = Vec::new();
-        for branch in branches {
-            let Value::Scalar(root) =
-                evaluate_to(1, branch, scene, &[]).map_err(|reason| unavailable(&reason, context))?
-            else {
+        for branch in self.branches {
+            let found = evaluate_to(1, branch, scene, &[]).map_err(|reason| unavailable(&reason, scene.model()))?;
+            let Value::Scalar(root) = found else {
                 return Err("a solution that is no number".to_owned());
             };
-            scene.set_only(&[(unknown, Series::constant(root.value()))]);
-            let found = differences(target, scene);
-            scene.set_only(&[]);
-            all.extend(found?);
+            all.extend(self.with(root.value(), scene)?);
         }
-        if all_of_them {
-            all.extend(degree_exceeds(target, unknown, branches.len(), scene)?);
+        if self.all_of_them {
+            all.extend(self.degree_exceeds(self.branches.len(), scene)?);
         }
         Ok(all)
-    })
+    }
 }
 
-/// Vanishes if a target is a polynomial of no more than some degree in an unknown: its differences of the next order.
-fn degree_exceeds(target: &Link, unknown: SymbolId, degree: usize, scene: &mut Scene<'_, Modular>) -> Differences {
-    let start = Modular::drawn();
-    let mut columns = Vec::new();
-    for step in 0..=degree + 1 {
-        scene.set_only(&[(unknown, Series::constant(start + step as f64))]);
-        let found = differences(target, scene);
+impl Solutions<'_> {
+    /// The differences of the target with a value for the unknown.
+    fn with<F: Modulus>(&self, value: Modular<F>, scene: &mut Scene<'_, Modular<F>>) -> Differences<F> {
+        scene.set_only(&[(self.unknown, Series::constant(value))]);
+        let found = self.target.differences(scene);
         scene.set_only(&[]);
-        columns.push(found?);
+        found
     }
-    let (mut sum, mut binomial) = (vec![Modular::from(0.0); columns[0].len()], 1.0);
-    for (k, column) in columns.iter().enumerate() {
-        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-        for (sum, value) in sum.iter_mut().zip(column) {
-            *sum += *value * (sign * binomial);
+
+    /// Vanishes if the target is a polynomial of no more than some degree in the unknown: its differences of the next order.
+    fn degree_exceeds<F: Modulus>(&self, degree: usize, scene: &mut Scene<'_, Modular<F>>) -> Differences<F> {
+        let start = Modular::drawn();
+        let columns = (0..=degree + 1).map(|step| self.with(start + step as f64, scene));
+        let columns: Vec<Vec<Modular<F>>> = columns.collect::<Result<_, _>>()?;
+        let (mut sum, mut binomial) = (vec![Modular::from(0.0); columns[0].len()], 1.0);
+        for (k, column) in columns.iter().enumerate() {
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            for (sum, value) in sum.iter_mut().zip(column) {
+                *sum += *value * (sign * binomial);
+            }
+            binomial = binomial * (degree + 1 - k.min(degree + 1)) as f64 / (k + 1) as f64;
         }
-        binomial = binomial * (degree + 1 - k.min(degree + 1)) as f64 / (k + 1) as f64;
+        Ok(sum)
     }
-    Ok(sum)
 }
 
-/// Left side minus right side, entry by entry, for all values of the free indices.
-fn differences(link: &Link, scene: &Scene<'_, Modular>) -> Differences {
-    let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
-    let mut all = Vec::new();
-    let reason = |reason: Unavailable| unavailable_in(&reason, scene.model());
-    loop {
-        let lhs = evaluate_to(1, &link.lhs, scene, &indices).map_err(reason)?;
-        let rhs = evaluate_to(1, &link.rhs, scene, &indices).map_err(reason)?;
-        let (a, b) = judge::pair(lhs, rhs);
-        all.extend(a.into_iter().zip(b).map(|(a, b)| a - b));
-        if !judge::advance(&mut indices, scene).map_err(reason)? {
-            return Ok(all);
+impl Claim for Link {
+    /// Left side minus right side, entry by entry, for all values of the free indices.
+    fn differences<F: Modulus>(&self, scene: &mut Scene<'_, Modular<F>>) -> Differences<F> {
+        let mut indices: Vec<(IndexId, u8)> = self.free.iter().map(|id| (*id, 1)).collect();
+        let mut all = Vec::new();
+        let reason = |reason: Unavailable| unavailable(&reason, scene.model());
+        loop {
+            let lhs = evaluate_to(1, &self.lhs, scene, &indices).map_err(reason)?;
+            let rhs = evaluate_to(1, &self.rhs, scene, &indices).map_err(reason)?;
+            let (a, b) = judge::pair(lhs, rhs);
+            all.extend(a.into_iter().zip(b).map(|(a, b)| a - b));
+            if !judge::advance(&mut indices, scene).map_err(reason)? {
+                return Ok(all);
+            }
         }
     }
 }
 
-fn unavailable(reason: &Unavailable, context: &Context<'_>) -> String {
-    unavailable_in(reason, context.model)
-}
-
-fn unavailable_in(reason: &Unavailable, model: &Model) -> String {
+fn unavailable(reason: &Unavailable, model: &Model) -> String {
     match reason {
         Unavailable::Symbol(id) => format!("{} has no exact value", text::plain(&model.name(*id))),
         Unavailable::Derivative(_) => "a derivative that is not known".to_owned(),
@@ -167,31 +187,55 @@ fn unavailable_in(reason: &Unavailable, model: &Model) -> String {
     }
 }
 
-/// Decides whether differences vanish, as often as the bound needs.
-fn decide(
+/// Decides whether differences vanish, over a second field as well where coefficients may be as large as the first: what
+/// vanishes modulo two primes has coefficients that their product divides.
+pub(super) fn decide(
     formulas: &[&Expr],
     context: &Context<'_>,
     ensemble: &Ensemble<'_>,
-    evaluate: impl Fn(&mut Scene<'_, Modular>) -> Differences,
+    claim: &impl Claim,
 ) -> Certificate {
-    let solver = &ensemble.solver;
-    let reached = match reached(formulas, solver, ensemble) {
-        Ok(reached) => reached,
+    let found = reached(formulas, &ensemble.solver, ensemble).and_then(|reached| {
+        wholes(&ensemble.solver, &reached).ok_or_else(|| "whole numbers of so many values".to_owned())
+    });
+    let wholes = match found {
+        Ok(wholes) => wholes,
         Err(reason) => return Certificate::Open(reason),
     };
+    let one = Modular::<Large>::most_bits();
+    match decide_in::<Large>(&wholes, context, ensemble, claim, one) {
+        Certificate::Open(reason) if reason == TOO_LARGE => {}
+        decided => return decided,
+    }
+    let both = one + Modular::<Second>::most_bits();
+    match decide_in::<Large>(&wholes, context, ensemble, claim, both) {
+        Certificate::Identity(first) => match decide_in::<Second>(&wholes, context, ensemble, claim, both) {
+            Certificate::Identity(second) => Certificate::Identity(first.max(second)),
+            decided => decided,
+        },
+        decided => decided,
+    }
+}
+
+/// Decides over one field, where coefficients have no more than so many bits.
+fn decide_in<F: Modulus>(
+    wholes: &[Vec<(usize, f64)>],
+    context: &Context<'_>,
+    ensemble: &Ensemble<'_>,
+    claim: &impl Claim,
+    most_bits: f64,
+) -> Certificate {
+    let solver = &ensemble.solver;
     let mut draw = Draw::new(context.options.seed, &format!("{}/{}/field", context.topic, ensemble.mode.on_shell));
-    let Some(wholes) = wholes(solver, &reached) else {
-        return Certificate::Open("whole numbers of so many values".to_owned());
-    };
     let (mut worst, least) = (f64::NEG_INFINITY, POINTS.start().div_ceil(wholes.len()));
     for whole in wholes {
         let is_drawn = ensemble.bases.iter().any(|base| whole.iter().all(|(at, value)| base[*at] == *value));
-        let (solved, reason) = match Solved::new(solver, whole.clone(), draw.seed()) {
+        let (solved, reason) = match Solved::<F>::new(solver, whole.clone(), draw.seed()) {
             Ok(solved) => (solved, None),
             // what holds without its hypotheses holds with them
             Err(reason) => (Solved::without_hypotheses(solver, whole.clone()), Some(reason)),
         };
-        match (at_points(&solved, &mut draw, least, &evaluate), reason) {
+        match (at_points(&solved, &mut draw, least, claim, most_bits), reason) {
             (Certificate::Identity(log2), _) => worst = worst.max(log2),
             (_, Some(reason)) => return Certificate::Open(reason),
             (Certificate::Differs, None) if !is_drawn => {
@@ -204,15 +248,16 @@ fn decide(
 }
 
 /// Decides at independent points, so many at least, and as many as the bound needs.
-fn at_points(
-    solved: &Solved<'_, '_>,
+fn at_points<F: Modulus>(
+    solved: &Solved<'_, '_, F>,
     draw: &mut Draw,
     least: usize,
-    evaluate: &impl Fn(&mut Scene<'_, Modular>) -> Differences,
+    claim: &impl Claim,
+    most_bits: f64,
 ) -> Certificate {
     let (mut log2, mut finest) = (0.0, 1);
     for points in 1..=*POINTS.end() {
-        match at_one_point(solved, draw.seed(), &mut finest, evaluate) {
+        match at_one_point(solved, draw.seed(), &mut finest, claim, most_bits) {
             Certificate::Identity(bound) => log2 += bound,
             other => return other,
         }
@@ -240,7 +285,7 @@ fn wholes(solver: &Solver<'_>, reached: &[SymbolId]) -> Option<Vec<Vec<(usize, f
         let with = |known: &Vec<(usize, f64)>, value: i64| [known.as_slice(), &[(at, value as f64)]].concat();
         all = values.flat_map(|value| all.iter().map(move |known| with(known, value)).collect::<Vec<_>>()).collect();
     }
-    Some(all)
+    Some(all).filter(|all| !all.is_empty())
 }
 
 /// The symbols that a claim and its hypotheses speak of, through all definitions.
@@ -306,20 +351,21 @@ pub(super) fn reached(
 }
 
 /// Whether differences vanish at a point, for all signs of square roots.
-fn at_one_point(
-    solved: &Solved<'_, '_>,
+fn at_one_point<F: Modulus>(
+    solved: &Solved<'_, '_, F>,
     seed: u64,
     finest: &mut u64,
-    evaluate: &impl Fn(&mut Scene<'_, Modular>) -> Differences,
+    claim: &impl Claim,
+    most_bits: f64,
 ) -> Certificate {
     let (mut attempt, mut signs, mut log2) = (0, 0, f64::NEG_INFINITY);
     let mut nowhere = None;
     while attempt < ATTEMPTS {
         let point = seed.wrapping_add(u64::from(attempt));
-        let ((result, vanish, bound), account) = at_a_point::<Large, _>(point, signs, *finest, || {
-            let result = solved.scene().and_then(|mut scene| evaluate(&mut scene));
+        let ((result, vanish, bound), account) = at_a_point::<F, _>(point, signs, *finest, || {
+            let result = solved.scene().and_then(|mut scene| claim.differences(&mut scene));
             let vanish = result.as_ref().is_ok_and(|all| all.iter().all(|difference| difference.vanishes()));
-            let result: Differences = result;
+            let result: Differences<F> = result;
             (result.as_ref().err().cloned(), vanish, result.unwrap_or_default())
         });
         if let Some(fault) = account.fault {
@@ -341,8 +387,8 @@ fn at_one_point(
                 (false, false) => Certificate::Open(OTHER_WAYS.to_owned()),
             };
         }
-        let Some(bound) = false_accept_log2(&bound, &account, ATTEMPTS) else {
-            return Certificate::Open("coefficients that could be as large as the field".to_owned());
+        let Some(bound) = false_accept_log2(&bound, &account, ATTEMPTS, most_bits) else {
+            return Certificate::Open(TOO_LARGE.to_owned());
         };
         log2 = log2.max(bound);
         signs += 1;

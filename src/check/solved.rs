@@ -7,11 +7,12 @@
 //! come after it. What cannot be told is not certified.
 
 use std::f64::consts::PI;
+use std::marker::PhantomData;
 
 use crate::formula::{Expr, Node, Relation, Sign};
 use crate::mechanics::Elimination;
 use crate::notes::claims::Range;
-use crate::scalar::field::{Large, at_a_point};
+use crate::scalar::field::{Modulus, at_a_point};
 use crate::scalar::{DualNum, Modular};
 
 use super::base::{self, Slot};
@@ -38,7 +39,7 @@ const NOT_SOLVED: &str = "hypotheses that are not linear in a number of their ow
 pub(super) const OTHER_WAYS: &str = "hypotheses that may be met in more than one way";
 
 /// Makes three numbers the components of a unit vector, by the stereographic projection of the first two.
-fn unit_vector(direction: &mut [Modular]) {
+fn unit_vector<F: Modulus>(direction: &mut [Modular<F>]) {
     let [x, y, z] = direction else { return };
     let (a, b) = (*x, *y);
     let square = a * a + b * b;
@@ -47,7 +48,7 @@ fn unit_vector(direction: &mut [Modular]) {
 }
 
 /// States at points of the field at which the hypotheses hold exactly.
-pub(super) struct Solved<'s, 'm> {
+pub(super) struct Solved<'s, 'm, F> {
     solver: &'s Solver<'m>,
     /// The values of the whole numbers that matter, by their places in a base.
     whole: Vec<(usize, f64)>,
@@ -57,6 +58,7 @@ pub(super) struct Solved<'s, 'm> {
     may_vanish: bool,
     /// Whether the hypotheses hold.
     obeys: bool,
+    field: PhantomData<F>,
 }
 
 /// Where the slope of a row vanishes.
@@ -67,7 +69,7 @@ enum Zeros {
     Apart,
 }
 
-impl<'s, 'm> Solved<'s, 'm> {
+impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     /// Finds what the hypotheses are solved for, at a point of which nothing else is used.
     ///
     /// # Errors
@@ -79,7 +81,7 @@ impl<'s, 'm> Solved<'s, 'm> {
         }
         let mut nowhere = NOT_SOLVED;
         for attempt in 0..ATTEMPTS {
-            let (found, account) = at_a_point::<Large, _>(seed.wrapping_add(attempt.into()), 0, 1, || {
+            let (found, account) = at_a_point::<F, _>(seed.wrapping_add(attempt.into()), 0, 1, || {
                 (solved.plan, solved.may_vanish) = (Vec::new(), false);
                 solved.solve()
             });
@@ -93,7 +95,7 @@ impl<'s, 'm> Solved<'s, 'm> {
 
     /// States that obey no hypotheses.
     pub fn without_hypotheses(solver: &'s Solver<'m>, whole: Vec<(usize, f64)>) -> Self {
-        Solved { solver, whole, plan: Vec::new(), may_vanish: false, obeys: false }
+        Solved { solver, whole, plan: Vec::new(), may_vanish: false, obeys: false, field: PhantomData }
     }
 
     /// Whether there was anything to solve.
@@ -102,7 +104,7 @@ impl<'s, 'm> Solved<'s, 'm> {
     }
 
     /// The state at the point at hand.
-    pub fn scene(&self) -> Result<Scene<'m, Modular>, String> {
+    pub fn scene(&self) -> Result<Scene<'m, Modular<F>>, String> {
         let mut base = self.drawn();
         self.follow(&mut base)?;
         let scene = self.state(&base)?;
@@ -113,7 +115,7 @@ impl<'s, 'm> Solved<'s, 'm> {
         if rows.iter().all(|(_, value)| value.vanishes()) { Ok(scene) } else { Err(NOT_SOLVED.to_owned()) }
     }
 
-    fn drawn_at(&self, at: usize) -> Modular {
+    fn drawn_at(&self, at: usize) -> Modular<F> {
         if let Some((_, value)) = self.whole.iter().find(|(known, _)| *known == at) {
             return Modular::from(*value);
         }
@@ -125,8 +127,8 @@ impl<'s, 'm> Solved<'s, 'm> {
         }
     }
 
-    fn drawn(&self) -> Vec<Modular> {
-        let mut base: Vec<Modular> = (0..self.solver.slots.len()).map(|at| self.drawn_at(at)).collect();
+    fn drawn(&self) -> Vec<Modular<F>> {
+        let mut base: Vec<Modular<F>> = (0..self.solver.slots.len()).map(|at| self.drawn_at(at)).collect();
         if let Some(direction) = base::direction(self.solver.model) {
             unit_vector(&mut base[direction.clone()]);
             // ω comes from R and Ṙ, as long polynomials; it is no accident that it is this
@@ -148,7 +150,7 @@ impl<'s, 'm> Solved<'s, 'm> {
             return Err(NOT_SOLVED.to_owned());
         }
         let mut base = self.drawn();
-        let (rows, mut values): (Vec<Row>, Vec<Modular>) = self.solver.rows(&self.state(&base)?).into_iter().unzip();
+        let (rows, mut values): (Vec<Row>, Vec<Modular<F>>) = self.solver.rows(&self.state(&base)?).into_iter().unzip();
         for (at, row) in rows.iter().enumerate() {
             if !values[at].vanishes() {
                 self.extend(&mut base, (*row, values[at]), &rows)?;
@@ -158,18 +160,18 @@ impl<'s, 'm> Solved<'s, 'm> {
         Ok(())
     }
 
-    fn state(&self, base: &[Modular]) -> Result<Scene<'m, Modular>, String> {
+    fn state(&self, base: &[Modular<F>]) -> Result<Scene<'m, Modular<F>>, String> {
         let terms = self.solver.mode.order + 1;
         self.solver.scene_by(Elimination::Cramer, base, terms).map_err(|error| error.message().to_owned())
     }
 
-    fn value(&self, base: &[Modular], row: Row) -> Result<Modular, String> {
+    fn value(&self, base: &[Modular<F>], row: Row) -> Result<Modular<F>, String> {
         let values = self.solver.values(&self.state(base)?, &[row]).ok_or(NOT_SOLVED)?;
         Ok(values[0])
     }
 
     /// Moves a base so that all that is planned holds, one after the other.
-    fn follow(&self, base: &mut [Modular]) -> Result<(), String> {
+    fn follow(&self, base: &mut [Modular<F>]) -> Result<(), String> {
         for (row, slot) in &self.plan {
             let value = self.value(base, *row)?;
             self.put(base, (*row, value), *slot)?.ok_or(NOT_SOLVED)?;
@@ -178,7 +180,7 @@ impl<'s, 'm> Solved<'s, 'm> {
     }
 
     /// Moves a number of the base so that a row vanishes, whose value is known, if the row is linear in it.
-    fn put(&self, base: &mut [Modular], (row, zero): (Row, Modular), slot: usize) -> Result<Option<()>, String> {
+    fn put(&self, base: &mut [Modular<F>], (row, zero): (Row, Modular<F>), slot: usize) -> Result<Option<()>, String> {
         let start = base[slot];
         let mut at = |step: f64| {
             base[slot] = start + step;
@@ -197,7 +199,12 @@ impl<'s, 'm> Solved<'s, 'm> {
 
     /// Finds a number to solve a row for, whose value is known, such that the rows before it hold still, and such that
     /// this is the only way to obey it.
-    fn extend(&mut self, base: &mut Vec<Modular>, (row, value): (Row, Modular), rows: &[Row]) -> Result<(), String> {
+    fn extend(
+        &mut self,
+        base: &mut Vec<Modular<F>>,
+        (row, value): (Row, Modular<F>),
+        rows: &[Row],
+    ) -> Result<(), String> {
         let known = self.solver.plan.iter().filter(|(planned, _)| *planned == row).map(|(_, slot)| *slot);
         let candidates: Vec<usize> =
             known.chain((1..base.len()).rev()).filter(|slot| self.is_open(*slot)).take(CANDIDATES).collect();
@@ -213,12 +220,12 @@ impl<'s, 'm> Solved<'s, 'm> {
                 continue;
             }
             asked += 1;
-            match self.zeros(base, row, slot)? {
+            match self.zeros(base, row, slot, chosen.is_some())? {
                 Some(Zeros::Nowhere) => {
                     chosen = Some((slot, moved, false));
                     break;
                 }
-                Some(Zeros::Apart) => chosen = chosen.or(Some((slot, moved, true))),
+                Some(Zeros::Apart) => chosen = Some((slot, moved, true)),
                 None => reason = OTHER_WAYS,
             }
             if asked == ASKED {
@@ -243,7 +250,7 @@ impl<'s, 'm> Solved<'s, 'm> {
     }
 
     /// The base with another value for one number, on what is planned.
-    fn moved(&self, base: &[Modular], at: usize, to: Modular) -> Result<Vec<Modular>, String> {
+    fn moved(&self, base: &[Modular<F>], at: usize, to: Modular<F>) -> Result<Vec<Modular<F>>, String> {
         let mut moved = base.to_vec();
         moved[at] = to;
         self.follow(&mut moved)?;
@@ -251,14 +258,15 @@ impl<'s, 'm> Solved<'s, 'm> {
     }
 
     /// What a row, which is linear in a number, changes by as that changes by 1.
-    fn slope(&self, base: &[Modular], row: Row, slot: usize) -> Result<Modular, String> {
+    fn slope(&self, base: &[Modular<F>], row: Row, slot: usize) -> Result<Modular<F>, String> {
         let mut next = base.to_vec();
         next[slot] += 1.0;
         Ok(self.value(&next, row)? - self.value(base, row)?)
     }
 
-    /// Where the slope of a row vanishes; none where that is not known, or where the row vanishes with it.
-    fn zeros(&self, base: &[Modular], row: Row, slot: usize) -> Result<Option<Zeros>, String> {
+    /// Where the slope of a row vanishes; none where that is not known, or where the row vanishes with it. Of a slope that
+    /// varies nothing more is asked if it must vanish nowhere.
+    fn zeros(&self, base: &[Modular<F>], row: Row, slot: usize, only_nowhere: bool) -> Result<Option<Zeros>, String> {
         let slope = self.slope(base, row, slot)?;
         let mut others = self.drawn();
         self.follow(&mut others)?;
@@ -267,6 +275,9 @@ impl<'s, 'm> Solved<'s, 'm> {
         }
         if self.one_of_them_is_never_zero(base, &others, row, slot)? {
             return Ok(Some(Zeros::Nowhere));
+        }
+        if only_nowhere {
+            return Ok(None);
         }
         if let Some(direction) = base::direction(self.solver.model) {
             let mut turned = base.to_vec();
@@ -298,8 +309,8 @@ impl<'s, 'm> Solved<'s, 'm> {
     /// have a sum that does not vary. Then some of them can always be solved for.
     fn one_of_them_is_never_zero(
         &self,
-        base: &[Modular],
-        others: &[Modular],
+        base: &[Modular<F>],
+        others: &[Modular<F>],
         row: Row,
         slot: usize,
     ) -> Result<bool, String> {
@@ -327,13 +338,13 @@ impl<'s, 'm> Solved<'s, 'm> {
     /// changes with it: of powers of the number, of its sine and cosine, and of what is linear in it.
     fn zeros_in(
         &self,
-        base: &[Modular],
+        base: &[Modular<F>],
         (row, slot): (Row, usize),
         at: usize,
-        (other, ratio): (Modular, Modular),
-    ) -> Result<Option<Vec<Modular>>, String> {
+        (other, ratio): (Modular<F>, Modular<F>),
+    ) -> Result<Option<Vec<Modular<F>>>, String> {
         let (start, range) = (base[at], &self.solver.slots[at].range);
-        let is_one = |x: Modular| (x - 1.0).vanishes();
+        let is_one = |x: Modular<F>| (x - 1.0).vanishes();
         if let Some(n) = (-POWERS..=POWERS).find(|n| is_one(ratio * (start / other).powi(*n))) {
             return Ok(Some(if n > 0 && contains(range, 0.0) { vec![Modular::from(0.0)] } else { Vec::new() }));
         }

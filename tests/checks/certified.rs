@@ -321,6 +321,24 @@ fn where_numbers_alone_decide_a_term_that_they_do_not_see_is_not_passed() {
 }
 
 #[test]
+fn a_number_that_is_the_prime_is_not_taken_for_zero() {
+    // Modulo p = 861·2¹¹⁷ − 1 the added terms are nothing, and in numbers they are too small to be seen.
+    let p = r"(861 \cdot 2^{117} - 1)";
+    for latex in [
+        format!(r"\frac{{1}}{{x + {p} \cdot 10^{{-60}} y}} = \frac{{1}}{{x}}"),
+        format!(r"x (1 + {p} \cdot 10^{{-60}} y) = x"),
+        format!(r"\sqrt{{a + {p} \cdot 10^{{-60}} b}} = \sqrt{{a}}"),
+        format!(r"\sin(xy + {p} \cdot 10^{{-60}}) = \sin(xy)"),
+    ] {
+        let found = under(&latex, &[]);
+        assert!(!found.verdict.passes(), "{latex}: {found:?}");
+    }
+    // The twin: what has such a number on both sides is one over two fields.
+    let both = under(&format!("{p} (x + y)^2 = {p} (x^2 + 2 x y + y^2)"), &[]);
+    assert_eq!(both.verdict, Certified, "{both:?}");
+}
+
+#[test]
 fn a_law_whose_coefficient_may_vanish_says_nothing_there() {
     let fall = |mass: &str| {
         let claims = json!({

@@ -82,8 +82,8 @@ impl<F: Modulus> Circle<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::prime::Large;
     use super::super::prime::tests::{Middle, Small};
+    use super::super::prime::{Large, Second};
     use super::*;
 
     fn is_a_circle<F: Modulus>() {
@@ -130,6 +130,7 @@ mod tests {
         is_a_field::<Small>();
         is_a_field::<Middle>();
         is_a_field::<Large>();
+        is_a_field::<Second>();
     }
 
     /// 9·2⁹ − 1 = 17·271.
@@ -164,5 +165,6 @@ mod tests {
         is_a_circle::<Small>();
         is_a_circle::<Middle>();
         is_a_circle::<Large>();
+        is_a_circle::<Second>();
     }
 }

@@ -76,6 +76,8 @@ pub struct Denominators<F> {
     wholes: FxHashMap<u64, Bottom>,
     products: FxHashMap<(Bottom, Bottom), Bottom>,
     common: FxHashMap<(Bottom, Bottom), Common>,
+    /// The largest sum of coefficients of a factor that was met again.
+    repeated: f64,
 }
 
 impl<F: Modulus> Denominators<F> {
@@ -89,6 +91,7 @@ impl<F: Modulus> Denominators<F> {
             wholes: FxHashMap::default(),
             products: FxHashMap::default(),
             common: FxHashMap::default(),
+            repeated: 0.0,
         }
     }
 
@@ -99,6 +102,11 @@ impl<F: Modulus> Denominators<F> {
         }
         let highest = self.factors.iter().map(|factor| factor.size.degree).max().unwrap_or(0);
         accidents(highest) * (self.factors.len() * self.factors.len()) as f64
+    }
+
+    /// How many bits the coefficients may have of the difference of two factors that were taken for one.
+    pub fn compared_bits(&self) -> f64 {
+        self.repeated.max(1.0).log2() + 1.0
     }
 
     /// The value of a denominator.
@@ -132,6 +140,9 @@ impl<F: Modulus> Denominators<F> {
     pub fn factor(&mut self, value: Residue<F>, size: Size) -> Bottom {
         let next = self.factors.len() as u32;
         let place = *self.by_value.entry(value.key()).or_insert(next);
+        if let Some(known) = self.factors.get(place as usize) {
+            self.repeated = self.repeated.max(known.size.norm).max(size.norm);
+        }
         match self.factors.get_mut(place as usize) {
             None => self.factors.push(Factor { value, size }),
             // one value, met with two sizes: the larger counts

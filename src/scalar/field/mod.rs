@@ -36,7 +36,7 @@ use denominators::{Bottom, Size, accidents};
 use prime::Residue;
 use session::{Angle, Found, Session};
 
-pub use prime::{Large, Modulus};
+pub use prime::{Large, Modulus, Second};
 pub use session::Account;
 
 /// A number of the field: see the [module](self).
@@ -95,7 +95,8 @@ pub fn at_a_point<F: Modulus, R>(seed: u64, signs: u32, finest: u64, f: impl FnO
     drop(interrupted);
     let account = session.map(|session| {
         let coincidences = session.account.coincidences + session.denominators.coincidences();
-        Account { coincidences, ..session.account }
+        let compared_bits = session.account.compared_bits.max(session.denominators.compared_bits());
+        Account { coincidences, compared_bits, ..session.account }
     });
     (result, account.unwrap_or_default())
 }
@@ -111,14 +112,23 @@ fn session<F: Modulus, R>(f: impl FnOnce(&mut Session<F>) -> R) -> R {
 /// The bound on the probability that two different sides agree at a random point, as a power of two.
 ///
 /// `differences` are left side minus right side, entry by entry; `attempts` is how many points could have been tried.
-/// `None` where coefficients may be so large that they vanish in the field without being zero.
-pub fn false_accept_log2<F: Modulus>(differences: &[Modular<F>], account: &Account, attempts: u32) -> Option<f64> {
+/// `None` where coefficients may have more than `most_bits` bits, those of the prime or of the product of several, so that they
+/// could vanish without being zero; or where what was compared on the way has more than those of this prime.
+pub fn false_accept_log2<F: Modulus>(
+    differences: &[Modular<F>],
+    account: &Account,
+    attempts: u32,
+    most_bits: f64,
+) -> Option<f64> {
+    if account.compared_bits >= Modular::<F>::most_bits() {
+        return None;
+    }
     let mut degree = 1.0_f64;
     for difference in differences {
         // with k roots of free sign the norm is a product of 2ᵏ conjugates
         let conjugates = f64::from(difference.roots.count_ones()).exp2();
         let bits = difference.size.norm.max(1.0).log2() * conjugates;
-        if bits.is_nan() || bits >= f64::from(F::PRIME.ilog2()) {
+        if bits.is_nan() || bits >= most_bits {
             return None;
         }
         degree = degree.max(accidents(difference.size.degree) * conjugates);
@@ -133,6 +143,11 @@ pub fn false_accept_log2<F: Modulus>(differences: &[Modular<F>], account: &Accou
 impl<F: Modulus> Modular<F> {
     const ZERO: Self = Modular { value: Residue::ZERO, size: Size::ZERO, bottom: 0, kind: Kind::Whole(0), roots: 0 };
     const ONE: Self = Modular { value: Residue::ONE, size: Size::ONE, bottom: 0, kind: Kind::Whole(1), roots: 0 };
+
+    /// How many bits a coefficient can have that is not 0 and vanishes in no such field.
+    pub fn most_bits() -> f64 {
+        f64::from(F::PRIME.ilog2())
+    }
 
     /// A random number, which may also be an angle.
     pub fn drawn() -> Self {
@@ -264,7 +279,8 @@ impl<F: Modulus> Modular<F> {
         let number = self.used();
         let (point, degree, bottom) = session(|session| {
             let angle = number.angle(session);
-            let (point, degree) = session.point(angle, number.size.degree);
+
+            let (point, degree) = session.point(angle, number);
             // (e^{iθ} ± e^{−iθ})/2
             (point, degree, session.denominators.whole(2))
         });
@@ -284,7 +300,7 @@ impl<F: Modulus> Modular<F> {
             return Self::constant(n).over(Self::constant(d));
         }
         let number = self.used();
-        let found = session(|session| session.root(number.value, number.size.degree));
+        let found = session(|session| session.root(number));
         let root = |place, value, size, bottom| {
             let root = Modular { value, size, bottom, kind: Kind::Root(place), roots: number.roots };
             session(|session: &mut Session<F>| session.taken.insert(place, (root, number)));

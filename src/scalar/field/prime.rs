@@ -43,6 +43,21 @@ impl Modulus for Large {
     }
 }
 
+/// p = 1995·2¹¹⁶ − 1, a second field for what has large coefficients. 2, 3, 5, 7, 11, 13 and 19 are squares.
+#[derive(Clone, Copy, Debug)]
+pub struct Second;
+
+impl Modulus for Second {
+    const ODD: u128 = 1995;
+    const BITS: u32 = 116;
+    const HALVINGS: u32 = 10;
+
+    fn circle() -> &'static Circle<Self> {
+        static CIRCLE: OnceLock<Circle<Second>> = OnceLock::new();
+        CIRCLE.get_or_init(Circle::new)
+    }
+}
+
 /// A residue modulo p.
 #[derive(Debug)]
 pub struct Residue<F> {
@@ -240,6 +255,7 @@ pub mod tests {
             obeys_the_laws::<Small>(a, b, c);
             obeys_the_laws::<Middle>(a, b, c);
             obeys_the_laws::<Large>(a, b, c);
+            obeys_the_laws::<Second>(a, b, c);
         }
     }
 
