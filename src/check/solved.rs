@@ -24,8 +24,9 @@ use super::scene::Scene;
 /// So many numbers are tried to solve a hypothesis for.
 const CANDIDATES: usize = 40;
 
-/// Of so many of them it is asked where the slope vanishes.
+/// Of so many of them it is asked whether the slope vanishes; of the first of these, where.
 const ASKED: usize = 8;
+const FOLLOWED: usize = 2;
 
 /// So many points are tried for one at which the hypotheses can be solved.
 const ATTEMPTS: u32 = 8;
@@ -220,7 +221,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
                 continue;
             }
             asked += 1;
-            match self.zeros(base, row, slot, chosen.is_some())? {
+            match self.zeros(base, row, slot, chosen.is_some() || asked > FOLLOWED)? {
                 Some(Zeros::Nowhere) => {
                     chosen = Some((slot, moved, false));
                     break;
