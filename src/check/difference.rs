@@ -71,7 +71,7 @@ impl<'a> Failed<'a> {
         let ensemble = context.ensemble(mode, false, context.options.points).ok()?;
         let sides = [&link.lhs, &link.rhs];
         if ensemble.solver.equalities().next().is_some()
-            || certify::outside(&sides, &ensemble.solver, &ensemble).is_some()
+            || certify::reached(&sides, &ensemble.solver, &ensemble).is_err()
         {
             return None;
         }

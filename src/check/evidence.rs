@@ -110,6 +110,23 @@ pub fn unseen(link: &Link, scenes: &[Scene<'_, Measured>]) -> Option<String> {
         return None;
     }
     let all: Vec<&Expr> = terms(&link.lhs).into_iter().chain(terms(&link.rhs)).collect();
+    hidden(&all, scenes)
+}
+
+/// The same of a term of a sum inside of a claim: below a root, in a sine, in an exponent.
+pub fn unseen_inside(link: &Link, scenes: &[Scene<'_, Measured>]) -> Option<String> {
+    let mut sums: Vec<Vec<&Expr>> = Vec::new();
+    for side in [&link.lhs, &link.rhs] {
+        side.walk(&mut |expr| match &expr.node {
+            Node::Sum(terms) if terms.len() > 1 => sums.push(terms.iter().map(|term| &term.expr).collect()),
+            _ => {}
+        });
+    }
+    sums.iter().find_map(|terms| hidden(terms, scenes))
+}
+
+/// Of terms that are added the first that cannot be seen beside the others at any state.
+fn hidden(all: &[&Expr], scenes: &[Scene<'_, Measured>]) -> Option<String> {
     let (mut seen, mut there) = (vec![false; all.len()], vec![false; all.len()]);
     for scene in scenes {
         let values: Option<Vec<Measured>> = all

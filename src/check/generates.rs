@@ -1,15 +1,17 @@
 //! Hamilton's equations: whether a printed function of coordinates and momenta generates the motion.
 //!
 //! The formula is differentiated by its coordinates and momenta, each taken as independent (by AD over the formula);
-//! then q̇ = ∂H/∂p and ṗ = −∂H/∂q must be what the Lagrangian gives on shell.
+//! then q̇ = ∂H/∂p and ṗ = −∂H/∂q must be what the Lagrangian gives on shell, in numbers and over a field.
 
 use num_dual::Dual;
 
 use crate::Result;
-use crate::formula::evaluate::{Unavailable, evaluate};
+use crate::formula::evaluate::{Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, SymbolId, Value, text};
-use crate::scalar::{Measured, Series};
+use crate::scalar::field::Modulus;
+use crate::scalar::{Measured, Modular, Series};
 
+use super::certify::{self, Claim, Differences};
 use super::identity::{Context, FEWEST, values};
 use super::judge;
 use super::model::{Meaning, Quantity};
@@ -102,10 +104,52 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     if points < FEWEST.min(context.options.points) {
         return Ok(context.finding(Verdict::Undecided, format!("only {points} states can tell: too few")));
     }
-    Ok(Finding {
+    let finding = Finding {
         points,
         tried: ensemble.tried,
         max_residual: Some(worst),
-        ..context.verified("Hamilton's equations from it give the motion", "derivatives of a printed formula")
-    })
+        ..context.finding(Verdict::Verified, "Hamilton's equations from it give the motion")
+    };
+    let claim = Generates { hamiltonian, coordinates: &coordinates, momenta: &momenta };
+    Ok(certify::decide(&[hamiltonian], context, &ensemble, &claim).stamp(finding))
+}
+
+/// That a formula generates the motion, for a field to decide.
+struct Generates<'a> {
+    hamiltonian: &'a Expr,
+    coordinates: &'a [SymbolId],
+    momenta: &'a [SymbolId],
+}
+
+impl Claim for Generates<'_> {
+    /// ∂H/∂p − q̇ and ∂H/∂q + ṗ. A series in time is a dual number as well: what the formula's rate changes by, when one
+    /// symbol's rate becomes 1, is its derivative by the symbol.
+    fn differences<F: Modulus>(&self, scene: &mut Scene<'_, Modular<F>>) -> Differences<F> {
+        let none = "a formula without a motion";
+        let momenta = scene.quantities().ok_or(none)?.momenta.clone();
+        let coordinates = scene.coordinates().to_vec();
+        let symbols: Vec<SymbolId> = self.coordinates.iter().chain(self.momenta).copied().collect();
+        let values: Vec<Series<Modular<F>>> = coordinates.iter().chain(&momenta).copied().collect();
+        let mut rate = |varied: Option<usize>| {
+            let slope = |at: usize| Modular::from(if varied == Some(at) { 1.0 } else { 0.0 });
+            let series = |at: usize| Series::from_derivatives(&[values[at].value(), slope(at)]);
+            let point: Vec<_> = symbols.iter().enumerate().map(|(at, id)| (*id, series(at))).collect();
+            scene.set_only(&point);
+            let found = evaluate_to(2, self.hamiltonian, scene, &[]);
+            scene.set_only(&[]);
+            match found {
+                Ok(Value::Scalar(value)) => value.nth_derivative_value(1).ok_or(none.to_owned()),
+                _ => Err(none.to_owned()),
+            }
+        };
+        let still = rate(None)?;
+        let n = coordinates.len();
+        let moved = |at: usize| values[at].derivative().value();
+        let mut all = Vec::new();
+        for at in 0..n {
+            all.push(rate(Some(n + at))? - still - moved(at));
+            all.push(rate(Some(at))? - still + moved(n + at));
+        }
+        Ok(all)
+    }
 }

@@ -45,6 +45,7 @@ mod rules;
 pub mod scene;
 mod sentences;
 mod small;
+mod solved;
 pub mod solves;
 mod trial;
 pub mod twins;

@@ -219,13 +219,146 @@ fn hypotheses_are_solved_exactly() {
     assert!(cubes.not_certified_because.is_some_and(|why| why.contains("not linear")));
 }
 
+/// What is said under a hypothesis of numbers of which z, w and θ may have any value.
+fn under(latex: &str, hypotheses: &[&str]) -> Finding {
+    let claims = json!({ "constants": {
+        "a, b": "> 0",
+        "x, y, z, w": "any",
+        r"\theta": "angle",
+        r"\beta": r"(0, \pi)",
+        "n": "integer 1..4",
+        r"\vec a, \vec b": "any",
+    } });
+    equation(&claims, &[latex], assuming(hypotheses)).finding
+}
+
+/// A claim that is true where x = y, and false elsewhere.
+const OF_EQUALS: &str = "x^3 = x y^2";
+
+#[test]
+fn a_hypothesis_that_can_be_met_in_another_way_certifies_nothing() {
+    // All of these let x and y differ: where z = 2, at a right angle, where a² = z².
+    for product in [
+        "x z^2 - 4x - y z^2 + 4y = 0",
+        r"x \cos\theta = y \cos\theta",
+        r"x \sin(2\theta) = y \sin(2\theta)",
+        "x a^2 - x z^2 - y a^2 + y z^2 = 0",
+    ] {
+        let found = under(OF_EQUALS, &[product]);
+        assert_ne!(found.verdict, Certified, "{product}");
+        if let Some(reason) = found.not_certified_because {
+            assert!(reason.contains("in more than one way"), "{product}: {reason}");
+        }
+    }
+    // The factor that is printed as one, and the second of two solutions, numbers see for themselves.
+    for product in ["(x - y)(z - 1) = 0", "x z - x - y z + y = 0", r"x \sin\theta = y \sin\theta"] {
+        assert_eq!(under(OF_EQUALS, &[product]).verdict, Refuted, "{product}");
+    }
+}
+
+#[test]
+fn a_factor_that_the_ranges_exclude_is_no_other_way() {
+    for equals in ["x a = y a", r"x \sin\beta = y \sin\beta", r"a^2 b x \sin^3\beta = y a^2 b \sin^3\beta", "x - y = 0"]
+    {
+        let found = under(OF_EQUALS, &[equals]);
+        assert_eq!(found.verdict, Certified, "{equals}: {:?}", found.not_certified_because);
+    }
+    // The slope z vanishes where y does not, so that this has no factor.
+    assert_eq!(under("x^2 z^2 = y^2", &["x z = y"]).verdict, Certified);
+    assert_eq!(under(r"x^2 \cos^2\theta = y^2", &[r"x \cos\theta = y"]).verdict, Certified);
+    // Two of them have: where y = z = 0 neither says anything of x and a.
+    let two = under("x w = a y + x w - a x z", &["x z = y", "w z = a b y"]);
+    assert_ne!(two.verdict, Certified, "{two:?}");
+    // What holds without its hypothesis holds with it, however that is met.
+    let identity = under("(x + w)(x - w) = x^2 - w^2", &[r"x \cos\theta = y \cos\theta"]);
+    assert_eq!(identity.verdict, Certified, "{identity:?}");
+}
+
+#[test]
+fn whole_numbers_are_certified_at_each_of_their_values() {
+    let all = "(n - 1)(n - 2)(n - 3)(n - 4) x = 0 y";
+    assert_eq!(under(all, &[]).verdict, Certified);
+    assert_eq!(under(r"\sin(n \pi + \theta) = \cos(n \pi) \sin\theta", &[]).verdict, Certified);
+    // The twin: one value is left out.
+    assert_eq!(under("(n - 1)(n - 2)(n - 3) x = 0 y", &[]).verdict, Refuted);
+    // A hypothesis that hides this value from the states hides it from the field.
+    let hidden = under("(n - 1)(n - 2)(n - 3) x = 0 y", &["n < 4"]);
+    assert_ne!(hidden.verdict, Refuted, "{hidden:?}");
+    assert_ne!(hidden.verdict, Certified, "{hidden:?}");
+}
+
+#[test]
+fn roots_of_squares_and_products_of_either_sign_are_not_certified() {
+    for (latex, hypotheses) in [
+        (r"\sqrt{x^2} y = x y", vec!["x > 0"]),
+        (r"\sqrt{x^2 y^2} = x y", vec!["x y > 0"]),
+        (r"\sqrt{x^2 + 2 x y + y^2} z = (x + y) z", vec!["x > 0", "y > 0"]),
+    ] {
+        let found = under(latex, &hypotheses);
+        assert_eq!(found.verdict, Verified, "{latex}: {found:?}");
+        assert!(under(latex, &[]).verdict == Refuted, "{latex}");
+    }
+    for latex in [r"\sqrt{x y} = \sqrt{x} \sqrt{y}", r"\sqrt{\frac{x}{y}} z = \frac{\sqrt{x}}{\sqrt{y}} z"] {
+        assert_eq!(under(latex, &["x y > 0"]).verdict, Domain, "{latex}");
+    }
+}
+
+#[test]
+fn where_numbers_alone_decide_a_term_that_they_do_not_see_is_not_passed() {
+    for latex in [
+        r"\sin(x + 10^{-20}) = \sin x",
+        r"e^{x + 10^{-20}} = e^x",
+        r"\sqrt{x^2 + 10^{-20}} = \sqrt{x^2}",
+        r"\ln(a + 10^{-20} b) = \ln a",
+    ] {
+        let found = under(latex, &[]);
+        assert_eq!(found.verdict, Undecided, "{latex}: {found:?}");
+        assert!(found.message.contains("too small"), "{latex}: {}", found.message);
+    }
+    // The twins: what is seen is refuted, and what has no such term passes.
+    assert_eq!(under(r"\sin(x + 10^{-2}) = \sin x", &[]).verdict, Refuted);
+    assert_eq!(under("e^{x + y} = e^x e^y", &[]).verdict, Verified);
+}
+
+#[test]
+fn a_number_that_is_the_prime_is_not_taken_for_zero() {
+    // Modulo p = 861·2¹¹⁷ − 1 the added terms are nothing, and in numbers they are too small to be seen.
+    let p = r"(861 \cdot 2^{117} - 1)";
+    for latex in [
+        format!(r"\frac{{1}}{{x + {p} \cdot 10^{{-60}} y}} = \frac{{1}}{{x}}"),
+        format!(r"x (1 + {p} \cdot 10^{{-60}} y) = x"),
+        format!(r"\sqrt{{a + {p} \cdot 10^{{-60}} b}} = \sqrt{{a}}"),
+        format!(r"\sin(xy + {p} \cdot 10^{{-60}}) = \sin(xy)"),
+    ] {
+        let found = under(&latex, &[]);
+        assert!(!found.verdict.passes(), "{latex}: {found:?}");
+    }
+    // The twin: what has such a number on both sides is one over two fields.
+    let both = under(&format!("{p} (x + y)^2 = {p} (x^2 + 2 x y + y^2)"), &[]);
+    assert_eq!(both.verdict, Certified, "{both:?}");
+}
+
+#[test]
+fn a_law_whose_coefficient_may_vanish_says_nothing_there() {
+    let fall = |mass: &str| {
+        let claims = json!({
+            "varies with time": { "x": "any" },
+            "constants": { "m": mass, "g": "> 0" },
+            "laws": { "the law of falling": "1" },
+        });
+        equation(&claims, &[r"m (\ddot x - g) = 0 g", r"\ddot x^2 = g \ddot x"], json!({})).finding
+    };
+    assert_eq!(fall("> 0").verdict, Certified, "{:?}", fall("> 0"));
+    assert_ne!(fall("any").verdict, Certified);
+}
+
 #[test]
 fn what_is_outside_of_a_field_is_said() {
     for (latex, why) in [
         (r"e^{x + y} = e^x e^y", "an exponential"),
         (r"\ln(ab) = \ln a + \ln b", "a logarithm"),
         (r"\cosh^2 x - \sinh^2 x = 1", "an exponential"),
-        ("|x|^2 = x^2", "the size of a number"),
+        ("|x|^2 = x^2", "an absolute value"),
         (r"\arctan(\tan x) = \arctan(\frac{\sin x}{\cos x})", "an inverse function"),
         (r"\sqrt{a + b + 2\sqrt{ab}} = \sqrt{a} + \sqrt{b}", "a root"),
         ("a^{1.5} a^{0.25} a^{0.25} = a^2", "a power"),

@@ -1,9 +1,10 @@
-//! The unit circle c² + s² = 1 over the field: a cyclic group of 2^BITS points, on which angles are whole numbers.
+//! The unit circle c² + s² = 1 over the field: of its p + 1 points, a cyclic group, those 2^BITS of which angles are whole
+//! numbers.
 //!
 //! An angle is a *label*, a whole number of the smallest parts of a turn. Points multiply as labels add, so that the
 //! addition theorem, shifts by parts of a turn, multiples and halves of angles hold exactly.
 
-use super::mersenne::{Modulus, Residue};
+use super::prime::{Modulus, Residue};
 
 /// Cosine and sine.
 #[derive(Debug)]
@@ -50,15 +51,15 @@ pub struct Circle<F> {
 impl<F: Modulus> Circle<F> {
     /// Finds a generator and its powers.
     pub fn new() -> Self {
-        // (a + i)/(a − i) lies on the circle; every second of them generates it, and the quarter of its turn must be
-        // (0, 1), as the sine of a right angle is 1
+        // (a + i)/(a − i) lies on the circle; the ODD-th power of every second of them generates the group, and the
+        // quarter of its turn must be (0, 1), as the sine of a right angle is 1
         let mut powers = Vec::with_capacity(F::BITS as usize);
         for a in 2.. {
             let (a, one) = (Residue::<F>::whole(a), Residue::ONE);
             let length = a.square().plus(one).inverse();
             let start = Point { cosine: a.square().minus(one).times(length), sine: a.plus(a).times(length) };
             powers.clear();
-            let mut point = start;
+            let mut point = (0..F::ODD).fold(Point::ONE, |power, _| power.times(start));
             for _ in 0..F::BITS {
                 powers.push(point);
                 point = point.times(point);
@@ -81,8 +82,8 @@ impl<F: Modulus> Circle<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::mersenne::Large;
-    use super::super::mersenne::tests::{Middle, Small};
+    use super::super::prime::tests::{Middle, Small};
+    use super::super::prime::{Large, Second};
     use super::*;
 
     fn is_a_circle<F: Modulus>() {
@@ -107,10 +108,63 @@ mod tests {
         assert_eq!(circle.at(a + 4 * quarter).sine, at_a.sine);
     }
 
+    /// Proves that p is a prime, of arithmetic modulo p alone: the point z at a turn's 2^BITS-th part has a reciprocal norm
+    /// that was divided by, and z to the half of 2^BITS is −1. Let r be a prime factor of p. Modulo r as well z then has the
+    /// order 2^BITS, in a group of r + 1 or r − 1 points. So r is at least 2^BITS − 1; and were p no prime, it would have
+    /// a factor of no more than its root.
+    fn is_a_field<F: Modulus>() {
+        let circle = Circle::<F>::new();
+        let first = circle.powers[0];
+        assert_eq!(first.cosine.square().plus(first.sine.square()), Residue::ONE);
+        let turn = circle.powers.len() as u32;
+        let half = (1..turn).fold(first, |point, _| point.times(point));
+        assert_eq!((half.cosine, half.sine), (Residue::ONE.negated(), Residue::ZERO));
+        assert_ne!(F::PRIME % 2, 0);
+        assert!(((1_u128 << turn) - 2) > F::PRIME.isqrt(), "2^{turn}");
+        // p is 3 modulo 4, of which roots make use
+        assert_eq!(F::PRIME % 4, 3);
+    }
+
+    #[test]
+    fn the_moduli_are_primes() {
+        is_a_field::<Small>();
+        is_a_field::<Middle>();
+        is_a_field::<Large>();
+        is_a_field::<Second>();
+    }
+
+    /// 9·2⁹ − 1 = 17·271.
+    #[derive(Clone, Copy, Debug)]
+    struct Composite;
+    impl Modulus for Composite {
+        const ODD: u128 = 9;
+        const BITS: u32 = 9;
+        const HALVINGS: u32 = 3;
+
+        fn circle() -> &'static Circle<Self> {
+            unreachable!("it has none")
+        }
+    }
+
+    #[test]
+    fn no_point_proves_a_product_to_be_a_prime() {
+        let (one, zero) = (Residue::<Composite>::ONE, Residue::ZERO);
+        for cosine in 0..Composite::PRIME as i64 {
+            for sine in 0..40 {
+                let start = Point { cosine: Residue::<Composite>::whole(cosine), sine: Residue::whole(sine) };
+                if start.cosine.square().plus(start.sine.square()) == one {
+                    let half = (1..Composite::BITS).fold(start, |point, _| point.times(point));
+                    assert!((half.cosine, half.sine) != (one.negated(), zero));
+                }
+            }
+        }
+    }
+
     #[test]
     fn labels_add_as_angles_do() {
         is_a_circle::<Small>();
         is_a_circle::<Middle>();
         is_a_circle::<Large>();
+        is_a_circle::<Second>();
     }
 }

@@ -6,7 +6,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::mersenne::{Modulus, Residue};
+use super::prime::{Modulus, Residue};
 
 /// How large a polynomial can be: its degree, and the sum of the magnitudes of its coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +15,11 @@ pub struct Size {
     pub degree: u32,
     /// The sum of the coefficients' magnitudes.
     pub norm: f64,
+}
+
+/// A degree as a number of accidents: what has left its range is without bound.
+pub fn accidents(degree: u32) -> f64 {
+    if degree == u32::MAX { f64::INFINITY } else { f64::from(degree) }
 }
 
 impl Size {
@@ -71,6 +76,8 @@ pub struct Denominators<F> {
     wholes: FxHashMap<u64, Bottom>,
     products: FxHashMap<(Bottom, Bottom), Bottom>,
     common: FxHashMap<(Bottom, Bottom), Common>,
+    /// The largest sum of coefficients of a factor that was met again.
+    repeated: f64,
 }
 
 impl<F: Modulus> Denominators<F> {
@@ -84,13 +91,22 @@ impl<F: Modulus> Denominators<F> {
             wholes: FxHashMap::default(),
             products: FxHashMap::default(),
             common: FxHashMap::default(),
+            repeated: 0.0,
         }
     }
 
     /// The degree of all that might have been taken for one factor by accident: each pair of them was compared.
     pub fn coincidences(&self) -> f64 {
+        if self.factors.is_empty() {
+            return 0.0;
+        }
         let highest = self.factors.iter().map(|factor| factor.size.degree).max().unwrap_or(0);
-        f64::from(highest) * (self.factors.len() * self.factors.len()) as f64
+        accidents(highest) * (self.factors.len() * self.factors.len()) as f64
+    }
+
+    /// How many bits the coefficients may have of the difference of two factors that were taken for one.
+    pub fn compared_bits(&self) -> f64 {
+        self.repeated.max(1.0).log2() + 1.0
     }
 
     /// The value of a denominator.
@@ -123,7 +139,10 @@ impl<F: Modulus> Denominators<F> {
     /// A denominator that is one factor, with its size as a polynomial.
     pub fn factor(&mut self, value: Residue<F>, size: Size) -> Bottom {
         let next = self.factors.len() as u32;
-        let place = *self.by_value.entry(value.value()).or_insert(next);
+        let place = *self.by_value.entry(value.key()).or_insert(next);
+        if let Some(known) = self.factors.get(place as usize) {
+            self.repeated = self.repeated.max(known.size.norm).max(size.norm);
+        }
         match self.factors.get_mut(place as usize) {
             None => self.factors.push(Factor { value, size }),
             // one value, met with two sizes: the larger counts
@@ -221,7 +240,7 @@ impl<F: Modulus> Denominators<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::mersenne::Large;
+    use super::super::prime::Large;
     use super::*;
 
     #[test]

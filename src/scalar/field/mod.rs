@@ -2,9 +2,9 @@
 //!
 //! A rational identity that fails as an identity holds at a random point of a large field with a tiny probability, which
 //! its degree bounds (Schwartz, Zippel; for formulas, Gonnet). [`Modular`] is a full [`num_dual::DualNum`] over the field
-//! of p = 2¹²⁷ − 1 elements, so that printed formulas and Lagrangians in Rust run over it unchanged. It carries
+//! of p = 861·2¹¹⁷ − 1 elements, so that printed formulas and Lagrangians in Rust run over it unchanged. It carries
 //!
-//! - its value, and as an *angle* a label on the unit circle over the field, which is cyclic of order 2¹²⁷: sines and
+//! - its value, and as an *angle* a label on the unit circle over the field, which has a cyclic part of 2¹¹⁷ points: sines and
 //!   cosines of sums, halves and multiples of angles, and shifts by parts of a turn, are exact;
 //! - an honest bound on itself: the degree of its numerator, were it written as one fraction, and the sum of the magnitudes
 //!   of the numerator's coefficients, which must stay below p lest one of them vanish in the field. Sine and cosine count
@@ -18,7 +18,7 @@
 
 mod circle;
 mod denominators;
-mod mersenne;
+mod prime;
 mod session;
 #[cfg(test)]
 mod tests;
@@ -32,11 +32,11 @@ use super::arithmetic::{dual_number, power_by_squaring};
 use super::rational::Ratio;
 use super::{Arithmetic, Function};
 use circle::drawn_bits;
-use denominators::{Bottom, Size};
-use mersenne::Residue;
+use denominators::{Bottom, Size, accidents};
+use prime::Residue;
 use session::{Angle, Found, Session};
 
-pub use mersenne::{Large, Modulus};
+pub use prime::{Large, Modulus, Second};
 pub use session::Account;
 
 /// A number of the field: see the [module](self).
@@ -95,7 +95,8 @@ pub fn at_a_point<F: Modulus, R>(seed: u64, signs: u32, finest: u64, f: impl FnO
     drop(interrupted);
     let account = session.map(|session| {
         let coincidences = session.account.coincidences + session.denominators.coincidences();
-        Account { coincidences, ..session.account }
+        let compared_bits = session.account.compared_bits.max(session.denominators.compared_bits());
+        Account { coincidences, compared_bits, ..session.account }
     });
     (result, account.unwrap_or_default())
 }
@@ -111,25 +112,42 @@ fn session<F: Modulus, R>(f: impl FnOnce(&mut Session<F>) -> R) -> R {
 /// The bound on the probability that two different sides agree at a random point, as a power of two.
 ///
 /// `differences` are left side minus right side, entry by entry; `attempts` is how many points could have been tried.
-/// `None` where coefficients may be so large that they vanish in the field without being zero.
-pub fn false_accept_log2<F: Modulus>(differences: &[Modular<F>], account: &Account, attempts: u32) -> Option<f64> {
+/// `None` where coefficients may have more than `most_bits` bits, those of the prime or of the product of several, so that they
+/// could vanish without being zero; or where what was compared on the way has more than those of this prime.
+pub fn false_accept_log2<F: Modulus>(
+    differences: &[Modular<F>],
+    account: &Account,
+    attempts: u32,
+    most_bits: f64,
+) -> Option<f64> {
+    if account.compared_bits >= Modular::<F>::most_bits() {
+        return None;
+    }
     let mut degree = 1.0_f64;
     for difference in differences {
         // with k roots of free sign the norm is a product of 2ᵏ conjugates
         let conjugates = f64::from(difference.roots.count_ones()).exp2();
         let bits = difference.size.norm.max(1.0).log2() * conjugates;
-        if bits.is_nan() || bits >= f64::from(F::BITS) {
+        if bits.is_nan() || bits >= most_bits {
             return None;
         }
-        degree = degree.max(f64::from(difference.size.degree) * conjugates);
+        degree = degree.max(accidents(difference.size.degree) * conjugates);
     }
     let accidents = (degree + account.coincidences) * f64::from(attempts.max(1));
+    if !accidents.is_finite() {
+        return None;
+    }
     Some((accidents.log2() - f64::from(drawn_bits::<F>())).min(0.0))
 }
 
 impl<F: Modulus> Modular<F> {
     const ZERO: Self = Modular { value: Residue::ZERO, size: Size::ZERO, bottom: 0, kind: Kind::Whole(0), roots: 0 };
     const ONE: Self = Modular { value: Residue::ONE, size: Size::ONE, bottom: 0, kind: Kind::Whole(1), roots: 0 };
+
+    /// How many bits a coefficient can have that is not 0 and vanishes in no such field.
+    pub fn most_bits() -> f64 {
+        f64::from(F::PRIME.ilog2())
+    }
 
     /// A random number, which may also be an angle.
     pub fn drawn() -> Self {
@@ -261,7 +279,8 @@ impl<F: Modulus> Modular<F> {
         let number = self.used();
         let (point, degree, bottom) = session(|session| {
             let angle = number.angle(session);
-            let (point, degree) = session.point(angle, number.size.degree);
+
+            let (point, degree) = session.point(angle, number);
             // (e^{iθ} ± e^{−iθ})/2
             (point, degree, session.denominators.whole(2))
         });
@@ -281,7 +300,7 @@ impl<F: Modulus> Modular<F> {
             return Self::constant(n).over(Self::constant(d));
         }
         let number = self.used();
-        let found = session(|session| session.root(number.value, number.size.degree));
+        let found = session(|session| session.root(number));
         let root = |place, value, size, bottom| {
             let root = Modular { value, size, bottom, kind: Kind::Root(place), roots: number.roots };
             session(|session: &mut Session<F>| session.taken.insert(place, (root, number)));
@@ -403,7 +422,7 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         match session(|session| self.ratio(session)) {
             Some(ratio) => ratio.value(),
             None => {
-                Self::refused("the size of a number");
+                Self::refused("an absolute value, or an exponent that varies");
                 f64::NAN
             }
         }
@@ -538,7 +557,7 @@ impl<F: Modulus> Arithmetic for Modular<F> {
 
 impl<F: Modulus> fmt::Display for Modular<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} (mod 2^{} − 1)", self.value.value(), F::BITS)
+        write!(f, "{} (mod {}·2^{} − 1)", self.value.value(), F::ODD, F::BITS)
     }
 }
 

@@ -9,8 +9,8 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use super::circle::{Point, drawn_bits, turn_bits};
-use super::denominators::{Denominators, Size};
-use super::mersenne::{Modulus, Residue};
+use super::denominators::{Bottom, Denominators, Size, accidents};
+use super::prime::{Modulus, Residue};
 use super::{Modular, SIMPLE_NORM};
 use crate::scalar::rational::{Meant, Ratio, meant};
 
@@ -28,6 +28,8 @@ pub struct Account {
     pub opaque: bool,
     /// The degree of all that might have been equal by accident.
     pub coincidences: f64,
+    /// How many bits the coefficients may have of all that was compared.
+    pub compared_bits: f64,
     /// The least common denominator of the multiples of angles.
     pub finest: u64,
 }
@@ -141,10 +143,29 @@ const SIMPLE: [(i64, u64); 14] = [
     (-1, 4),
 ];
 
+/// The bits of the square of the largest of these multiples.
+const MULTIPLE_BITS: f64 = 4.0;
+
+/// How large a number is as a fraction.
+#[derive(Clone, Copy)]
+struct Fraction {
+    size: Size,
+    bottom: Bottom,
+}
+
+impl Fraction {
+    const ONE: Fraction = Fraction { size: Size::ONE, bottom: 0 };
+
+    fn of<F: Modulus>(number: Modular<F>) -> Self {
+        Fraction { size: number.size, bottom: number.bottom }
+    }
+}
+
 /// A square root, known by what it is the root of.
 struct Root<F> {
     radicand: Residue<F>,
     degree: u32,
+    fraction: Fraction,
     made: Made<F>,
 }
 
@@ -188,7 +209,7 @@ pub struct Session<F: Modulus> {
     simple_degree: u32,
     signs: u32,
     /// The labels of arguments of which only the value is known.
-    atoms: Vec<(Residue<F>, u128, u32)>,
+    atoms: Vec<(Residue<F>, u128, Fraction)>,
     pi: Residue<F>,
     /// The reciprocals that were needed: one takes as long as two hundred products.
     reciprocals: FxHashMap<u128, Residue<F>>,
@@ -208,7 +229,7 @@ impl<F: Modulus> Session<F> {
             roots: Vec::new(),
             taken: FxHashMap::default(),
             squares: FxHashMap::default(),
-            simple: [(1, Modular::ONE)].into_iter().collect(),
+            simple: [(Residue::<F>::ONE.key(), Modular::ONE)].into_iter().collect(),
             simple_degree: 0,
             signs,
             atoms: Vec::new(),
@@ -232,8 +253,8 @@ impl<F: Modulus> Session<F> {
     /// A random residue, each as probable as the others.
     fn random(&mut self) -> Residue<F> {
         loop {
-            let bits = self.bits() & F::PRIME;
-            if bits != F::PRIME {
+            let bits = self.bits() >> F::PRIME.leading_zeros();
+            if bits < F::PRIME {
                 return Residue::new(bits);
             }
         }
@@ -244,15 +265,28 @@ impl<F: Modulus> Session<F> {
         (self.bits() & ((1 << drawn_bits::<F>()) - 1)) << F::HALVINGS
     }
 
+    /// Notes that two fractions, or small multiples of them, were found to be equal.
+    fn found_equal(&mut self, a: Fraction, b: Fraction) {
+        let common = self.denominators.common(a.bottom, b.bottom);
+        let difference = a.size.times(common.first).plus(b.size.times(common.second));
+        let bits = difference.norm.max(1.0).log2() + MULTIPLE_BITS;
+        self.account.compared_bits = self.account.compared_bits.max(bits);
+    }
+
+    /// The product of two fractions.
+    fn product_of(&mut self, a: Fraction, b: Fraction) -> Fraction {
+        Fraction { size: a.size.times(b.size), bottom: self.denominators.product(a.bottom, b.bottom) }
+    }
+
     /// The reciprocal of a residue; 0 for 0.
     pub fn reciprocal(&mut self, residue: Residue<F>) -> Residue<F> {
-        *self.reciprocals.entry(residue.value()).or_insert_with(|| residue.inverse())
+        *self.reciprocals.entry(residue.key()).or_insert_with(|| residue.inverse())
     }
 
     /// A random number.
     pub fn drawn_plain(&mut self) -> Residue<F> {
         let value = self.random();
-        self.squares.insert(value.square().value(), value);
+        self.squares.insert(value.square().key(), value);
         value
     }
 
@@ -303,7 +337,7 @@ impl<F: Modulus> Session<F> {
     }
 
     /// Cosine and sine of an angle, and their degree.
-    pub fn point(&mut self, angle: Angle<F>, rest_degree: u32) -> (Point<F>, u32) {
+    pub fn point(&mut self, angle: Angle<F>, number: Modular<F>) -> (Point<F>, u32) {
         if angle.lost {
             self.fault("a sine or cosine of such a fraction of an angle");
         }
@@ -311,7 +345,7 @@ impl<F: Modulus> Session<F> {
         let mut denominator = angle.denominator;
         if !angle.rest.is_zero() {
             self.account.opaque = true;
-            let (of_rest, multiple) = self.atom(angle.rest, rest_degree);
+            let (of_rest, multiple) = self.atom(angle.rest, number);
             label = label.wrapping_add(of_rest);
             spread += multiple.value().abs();
             denominator = common_multiple(denominator, multiple.denominator);
@@ -329,39 +363,45 @@ impl<F: Modulus> Session<F> {
     }
 
     /// A label for a value of which nothing else is known, and which multiple it is of one that was drawn.
-    fn atom(&mut self, value: Residue<F>, degree: u32) -> (u128, Ratio) {
-        for (known, label, known_degree) in &self.atoms {
+    fn atom(&mut self, value: Residue<F>, number: Modular<F>) -> (u128, Ratio) {
+        let (degree, fraction) = (number.size.degree, Fraction::of(number));
+        for (known, label, known_fraction) in self.atoms.clone() {
             for (numerator, denominator) in SIMPLE {
-                self.account.coincidences += f64::from(degree.max(*known_degree));
+                self.account.coincidences += accidents(degree.max(known_fraction.size.degree));
                 // value = (n/d)·known
                 let multiple = known.times(Residue::whole(numerator));
                 if multiple == value.times(Residue::new(denominator.into())) {
+                    self.found_equal(fraction, known_fraction);
                     let ratio = Ratio { numerator, denominator };
-                    let angle = Angle::<F> { label: *label, ..Angle::NONE };
+                    let angle = Angle::<F> { label, ..Angle::NONE };
                     return (angle.scaled(ratio, Residue::ONE).label, ratio);
                 }
             }
         }
         let label = self.random_label();
-        self.atoms.push((value, label, degree));
+        self.atoms.push((value, label, fraction));
         (label, Ratio::whole(1))
     }
 
     /// A square root. Those of simple fractions are fractions; those of multiples, products and quotients of earlier
     /// radicands by simple squares are made of the earlier roots, as those of positive numbers are.
-    pub fn root(&mut self, radicand: Residue<F>, degree: u32) -> Found {
+    pub fn root(&mut self, number: Modular<F>) -> Found {
+        let (radicand, degree, fraction) = (number.value, number.size.degree, Fraction::of(number));
         let squares = SIMPLE.into_iter().filter(|(n, _)| *n > 0);
         let mut made = None;
         for (numerator, denominator) in squares {
             let (n, d) = (Residue::<F>::whole(numerator), Residue::<F>::new(denominator.into()));
             let (multiple, ratio) = (radicand.times(d.square()), n.times(self.reciprocal(d)));
             if multiple == n.square() {
-                self.account.coincidences += f64::from(degree);
+                self.account.coincidences += accidents(degree);
+                self.found_equal(fraction, Fraction::ONE);
                 return Found::Ratio(Ratio { numerator, denominator });
             }
-            for (at, root) in self.roots.iter().enumerate() {
-                self.account.coincidences += f64::from(degree.max(root.degree));
-                if multiple == root.radicand.times(n.square()) {
+            for at in 0..self.roots.len() {
+                let (known, of_known) = (self.roots[at].radicand, self.roots[at].fraction);
+                self.account.coincidences += accidents(degree.max(self.roots[at].degree));
+                if multiple == known.times(n.square()) {
+                    self.found_equal(fraction, of_known);
                     if (numerator, denominator) == (1, 1) {
                         return Found::Again(at as u32);
                     }
@@ -369,24 +409,32 @@ impl<F: Modulus> Session<F> {
                 }
             }
         }
-        let made = made.or_else(|| self.made_of_two(radicand, degree));
-        self.account.coincidences += f64::from(degree) * self.squares.len() as f64;
-        let magnitude = self.squares.get(&radicand.value()).copied().filter(|_| made.is_none());
+        let made = made.or_else(|| self.made_of_two(radicand, fraction));
+        self.account.coincidences += accidents(degree) * self.squares.len() as f64;
+        let magnitude = self.squares.get(&radicand.key()).copied().filter(|_| made.is_none());
+        if magnitude.is_some() {
+            self.found_equal(fraction, Fraction { size: Size { degree: 2, norm: 1.0 }, bottom: 0 });
+        }
         let made = made.unwrap_or(Made::Itself(None, magnitude));
-        self.roots.push(Root { radicand, degree, made });
+        self.roots.push(Root { radicand, degree, fraction, made });
         let place = self.roots.len() as u32 - 1;
         if magnitude.is_some() { Found::Magnitude(place) } else { Found::Root(place) }
     }
 
     /// The root of a radicand that is a product or a quotient of two earlier ones.
-    fn made_of_two(&mut self, radicand: Residue<F>, degree: u32) -> Option<Made<F>> {
-        for (at, first) in self.roots.iter().enumerate() {
-            for (other, second) in self.roots.iter().enumerate().filter(|(other, _)| *other != at) {
-                self.account.coincidences += f64::from(degree.max(first.degree).max(second.degree));
-                if first.radicand.times(second.radicand) == radicand {
+    fn made_of_two(&mut self, radicand: Residue<F>, fraction: Fraction) -> Option<Made<F>> {
+        let known: Vec<_> = self.roots.iter().map(|root| (root.radicand, root.degree, root.fraction)).collect();
+        for (at, (first, first_degree, of_first)) in known.iter().enumerate() {
+            for (other, (second, second_degree, of_second)) in known.iter().enumerate().filter(|(n, _)| *n != at) {
+                self.account.coincidences += accidents(fraction.size.degree.max(*first_degree).max(*second_degree));
+                if first.times(*second) == radicand {
+                    let product = self.product_of(*of_first, *of_second);
+                    self.found_equal(fraction, product);
                     return Some(Made::Of(Residue::ONE, Some(at), Some((other, false))));
                 }
-                if second.radicand.times(radicand) == first.radicand {
+                if second.times(radicand) == *first {
+                    let product = self.product_of(*of_second, fraction);
+                    self.found_equal(product, *of_first);
                     return Some(Made::Of(Residue::ONE, Some(at), Some((other, true))));
                 }
             }
@@ -430,7 +478,7 @@ impl<F: Modulus> Session<F> {
     pub fn keep(&mut self, number: Modular<F>) {
         let below = self.denominators.size(number.bottom);
         if number.roots == 0 && below.norm < SIMPLE_NORM {
-            let known = self.simple.entry(number.value.value()).or_insert(number);
+            let known = self.simple.entry(number.value.key()).or_insert(number);
             if number.size.norm < known.size.norm {
                 *known = number;
             }
@@ -441,20 +489,20 @@ impl<F: Modulus> Session<F> {
     /// The simple number that a large one turns out to be.
     pub fn settle(&mut self, number: Modular<F>) -> Modular<F> {
         let below = self.denominators.size(number.bottom);
-        let degree = f64::from(number.size.degree) + f64::from(below.degree) + f64::from(self.simple_degree);
+        let degree = accidents(number.size.degree) + accidents(below.degree) + accidents(self.simple_degree);
         self.account.coincidences += degree * (self.simple.len() + 1) as f64;
         if number.vanishes() {
             return Modular::ZERO;
         }
         // they are compared over a common denominator, whose coefficients count as well
         let fits = number.size.norm * SIMPLE_NORM + below.norm * SIMPLE_NORM < F::PRIME as f64;
-        self.simple.get(&number.value.value()).copied().filter(|_| fits).unwrap_or(number)
+        self.simple.get(&number.value.key()).copied().filter(|_| fits).unwrap_or(number)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::mersenne::Large;
+    use super::super::prime::Large;
     use super::*;
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::mersenne::tests::Small;
+use super::prime::tests::Small;
 use super::*;
 use crate::scalar::{DualNum, Number, Series};
 
@@ -41,7 +41,8 @@ fn decide<F: Modulus>(difference: &impl Difference, seed: u64) -> Result<(bool, 
         if !value.vanishes() {
             return Ok((false, 0.0));
         }
-        bound = bound.max(false_accept_log2(&[value], &account, 64).ok_or("coefficients too large")?);
+        bound = bound
+            .max(false_accept_log2(&[value], &account, 64, Modular::<F>::most_bits()).ok_or("coefficients too large")?);
         signs += 1;
         if signs >> account.roots == 1 {
             break;
@@ -168,7 +169,7 @@ fn accidents(difference: &impl Difference) -> (f64, f64) {
         let Some((value, account)) = result else { continue };
         decided += 1;
         passed += u32::from(value.vanishes());
-        let found = false_accept_log2(&[value], &account, 1).unwrap_or(0.0);
+        let found = false_accept_log2(&[value], &account, 1, Modular::<Small>::most_bits()).unwrap_or(0.0);
         bound = bound.max(found);
     }
     (f64::from(passed) / f64::from(decided), bound.exp2())
