@@ -27,7 +27,7 @@ use super::verdict::{Finding, Verdict};
 
 /// The probability that two false sides are taken for one is at most two to this power: of an equation with a thousand parts
 /// it is below 2⁻⁸⁰ all the same.
-const FALSE_ACCEPT_LOG2: f64 = -90.0;
+pub(super) const FALSE_ACCEPT_LOG2: f64 = -90.0;
 
 /// So many independent points are used at least, and so many at most.
 const POINTS: std::ops::RangeInclusive<usize> = 2..=6;
@@ -258,7 +258,8 @@ fn at_points<F: Modulus>(
 ) -> Certificate {
     let (mut log2, mut finest) = (0.0, 1);
     for points in 1..=*POINTS.end() {
-        match at_one_point(solved, draw.seed(), &mut finest, claim, most_bits) {
+        let differences = || solved.scene().and_then(|mut scene| claim.differences(&mut scene));
+        match at_one_point(&differences, solved.is_free(), draw.seed(), &mut finest, most_bits) {
             Certificate::Identity(bound) => log2 += bound,
             other => return other,
         }
@@ -352,11 +353,11 @@ pub(super) fn reached(
 }
 
 /// Whether differences vanish at a point, for all signs of square roots.
-fn at_one_point<F: Modulus>(
-    solved: &Solved<'_, '_, F>,
+pub(super) fn at_one_point<F: Modulus>(
+    differences: &impl Fn() -> Differences<F>,
+    is_free: bool,
     seed: u64,
     finest: &mut u64,
-    claim: &impl Claim,
     most_bits: f64,
 ) -> Certificate {
     let (mut attempt, mut signs, mut log2) = (0, 0, f64::NEG_INFINITY);
@@ -364,7 +365,7 @@ fn at_one_point<F: Modulus>(
     while attempt < ATTEMPTS {
         let point = seed.wrapping_add(u64::from(attempt));
         let ((result, vanish, bound), account) = at_a_point::<F, _>(point, signs, *finest, || {
-            let result = solved.scene().and_then(|mut scene| claim.differences(&mut scene));
+            let result = differences();
             let vanish = result.as_ref().is_ok_and(|all| all.iter().all(|difference| difference.vanishes()));
             let result: Differences<F> = result;
             (result.as_ref().err().cloned(), vanish, result.unwrap_or_default())
@@ -382,7 +383,7 @@ fn at_one_point<F: Modulus>(
             return Certificate::Open(reason);
         }
         if !vanish {
-            return match (account.opaque, solved.is_free()) {
+            return match (account.opaque, is_free) {
                 (false, true) => Certificate::Differs,
                 (true, _) => Certificate::Open("a root, or a sine of something that is no sum of angles".to_owned()),
                 (false, false) => Certificate::Open(OTHER_WAYS.to_owned()),

@@ -24,6 +24,7 @@ mod equation;
 pub mod evidence;
 mod exactly;
 mod forced;
+mod formal;
 pub mod functions;
 pub mod generates;
 pub mod identity;

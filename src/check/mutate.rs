@@ -22,10 +22,10 @@ use crate::{Error, Result};
 
 use super::desk::Desk;
 use super::document::{Run, check_in, shown, wanted, with_desk};
+use super::pins::Pins;
 use super::reading::corrected;
 use super::repair::{Wrong, suggestions};
 use super::reprint;
-use super::pins::Pins;
 use super::trial::{Answer, Trial};
 use super::verdict::Verdict;
 
@@ -97,7 +97,16 @@ pub struct Repairs {
 impl Mutants {
     fn none(display: &Display, left_out: Option<String>) -> Self {
         let (id, line) = (shown(display), display.line);
-        Mutants { id, line, refuted: 0, refused: 0, equivalent: 0, survivors: Vec::new(), left_out, repairs: Repairs::default() }
+        Mutants {
+            id,
+            line,
+            refuted: 0,
+            refused: 0,
+            equivalent: 0,
+            survivors: Vec::new(),
+            left_out,
+            repairs: Repairs::default(),
+        }
     }
 
     /// How many there were.
@@ -308,7 +317,8 @@ fn noticed(run: &Run<'_>, desk: &Desk<'_>, at: usize, edit: &Edit) -> Result<Opt
     let start = desk.notes.equations[at].body.start;
     let mut text = desk.notes.source.text.clone();
     text.replace_range(edit.span.shifted(start).range(), &edit.replacement);
-    let found = parsed(desk.notes, text).and_then(|notes| super::document::first_unexpected(run, desk.claims, &notes, at));
+    let found =
+        parsed(desk.notes, text).and_then(|notes| super::document::first_unexpected(run, desk.claims, &notes, at));
     // What cannot be checked at all with the slip is noticed.
     Ok(found.unwrap_or(Some(Verdict::Unreadable)))
 }

@@ -105,8 +105,7 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     let mut tried = Vec::new();
     let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);
     let all = || Pool::of(desk.notes.equations.iter().map(|display| display.text.as_str()), symbols, macros, MISSING);
-    let pools: [&dyn Fn() -> Pool; 4] =
-        [&Pool::empty, &|| own().factors_only(), &|| all().factors_only(), &all];
+    let pools: [&dyn Fn() -> Pool; 4] = [&Pool::empty, &|| own().factors_only(), &|| all().factors_only(), &all];
     for pool in pools {
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
         edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));

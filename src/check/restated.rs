@@ -58,7 +58,9 @@ fn free_letters(link: &Link) -> Vec<IndexId> {
             let Node::Symbol { indices, .. } = &expr.node else { return };
             for index in indices {
                 match index {
-                    Index::Letter(letter) if link.free.contains(letter) && !found.contains(letter) => found.push(*letter),
+                    Index::Letter(letter) if link.free.contains(letter) && !found.contains(letter) => {
+                        found.push(*letter)
+                    }
                     _ => {}
                 }
             }

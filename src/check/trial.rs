@@ -11,17 +11,18 @@ use crate::notes::claims::{Claim, Holds};
 use crate::scalar::TERMS;
 use crate::source::Span;
 
+use super::certify::{self, Certificate};
 use super::desk::Desk;
 use super::document::shown;
 use super::draw::Reach;
-use super::certify::{self, Certificate};
 use super::ensemble::{Condition, Ensemble};
 use super::identity::{self, Context, FEWEST, Options, is_equality};
-use super::reading::for_each;
 use super::judge::{self, Link, Point};
-use super::{reprint, restated};
+use super::reading::for_each;
 use super::rules::Rule;
+use super::solved::is_never_zero;
 use super::verdict::{Part, Verdict};
+use super::{formal, reprint, restated};
 
 /// A text is refuted at one of so many states, before it is checked in full.
 const STATES: usize = 6;
@@ -68,7 +69,18 @@ impl<'d, 'a> Trial<'d, 'a> {
             let options = Options { points: points.min(desk.options.points), explain: false, ..desk.options };
             Desk { options, units: desk.units.clone(), ..*desk }
         };
-        let mut trial = Trial { desk, quick: with(FEWEST), full: with(desk.options.points), at, claim, now, topic, conditions, local, screens: Vec::new() };
+        let mut trial = Trial {
+            desk,
+            quick: with(FEWEST),
+            full: with(desk.options.points),
+            at,
+            claim,
+            now,
+            topic,
+            conditions,
+            local,
+            screens: Vec::new(),
+        };
         if is_plain(claim) {
             let all = now.statements.iter().enumerate();
             trial.screens = all
@@ -164,40 +176,45 @@ impl<'d, 'a> Trial<'d, 'a> {
         }
         for statements in original.iter().zip(&reading.statements) {
             let (Ok(was), Ok(is)) = statements else { return Ok(false) };
-            if was.members.len() != is.members.len() || !was.relations.iter().map(|r| r.0).eq(is.relations.iter().map(|r| r.0)) {
+            if was.members.len() != is.members.len()
+                || !was.relations.iter().map(|r| r.0).eq(is.relations.iter().map(|r| r.0))
+            {
                 return Ok(false);
             }
             let link = |s: &Statement, at: usize| self.desk.link(&s.members[at], s.relations[at].0, &s.members[at + 1]);
-            let alike = |at| matches!((link(was, at), link(is, at)), (Ok(a), Ok(b)) if restated::same_but_for_letters(&a, &b));
+            let alike =
+                |at| matches!((link(was, at), link(is, at)), (Ok(a), Ok(b)) if restated::same_but_for_letters(&a, &b));
             if (0..was.relations.len()).all(alike) {
                 continue;
             }
-            let changed = || was.members.iter().zip(&is.members).filter(|(a, b)| a != b);
             let mut same = true;
-            for (a, b) in changed() {
-                // What is of another type is another thing.
-                let link = self.desk.link(a, Relation::Equal, b);
-                same &= match link {
-                    Ok(link) => self.implied(&[], &link)?,
-                    Err(_) => false,
-                };
+            for (a, b) in was.members.iter().zip(&is.members).filter(|(a, b)| a != b) {
+                same = same && self.is_same(a, b)?;
             }
-            if same {
-                continue;
-            }
-            for at in 0..was.relations.len() {
-                if was.members[at..=at + 1] == is.members[at..=at + 1] {
-                    continue;
-                }
-                let link = |s: &Statement| self.desk.link(&s.members[at], Relation::Equal, &s.members[at + 1]);
-                let relation = was.relations[at].0;
-                let exact = is_equality(relation) || relation == Relation::Approximately;
-                if !exact || !self.implied(&[Condition::of(link(was)?, true)], &link(is)?)? {
-                    return Ok(false);
-                }
+            let symbols = &self.desk.model.symbols;
+            let never_zero = |factor: &Expr| is_never_zero(self.desk.model, factor);
+            let follows = |at: usize| {
+                let null = was.members[at + 1].is_null() && is.members[at + 1].is_null();
+                null && formal::vanishes_with(&is.members[at], &was.members[at], symbols, &never_zero)
+            };
+            if !same && !(0..was.relations.len()).all(|at| is.members[at] == was.members[at] || follows(at)) {
+                return Ok(false);
             }
         }
         Ok(true)
+    }
+
+    /// Whether two formulas are proved to be one: whatever their symbols mean, or as they are meant, or where the
+    /// hypotheses of the claim hold.
+    fn is_same(&self, a: &Expr, b: &Expr) -> Result<bool> {
+        if formal::same(a, b, &self.desk.model.symbols) {
+            return Ok(true);
+        }
+        // What is of another type is another thing.
+        match self.desk.link(a, Relation::Equal, b) {
+            Ok(link) => Ok(self.implied(&[], &link)? || self.implied(&self.conditions, &link)?),
+            Err(_) => Ok(false),
+        }
     }
 
     /// Whether a link is an identity where some hypotheses hold.
@@ -233,12 +250,12 @@ impl<'d, 'a> Trial<'d, 'a> {
         reading.statements.iter().zip(&self.screens).enumerate().any(|(n, (statement, screen))| {
             let (Ok(statement), Some(screen)) = (statement, screen) else { return false };
             let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == n).collect();
-            let defines = |at: usize| {
-                introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0)
-            };
-            let checked = statement.relations.iter().enumerate().filter(|(at, (relation, _))| {
-                is_tested(*relation) && !defines(*at)
-            });
+            let defines = |at: usize| introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0);
+            let checked = statement
+                .relations
+                .iter()
+                .enumerate()
+                .filter(|(at, (relation, _))| is_tested(*relation) && !defines(*at));
             checked.into_iter().any(|(at, (relation, _))| {
                 let link = self.desk.link(&statement.members[at], *relation, &statement.members[at + 1]);
                 link.is_ok_and(|link| refuted(&link, screen))

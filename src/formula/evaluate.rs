@@ -174,11 +174,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 differentiate(&mut value, *order)?;
                 value
             }
-            Node::Norm(inner) => Value::Scalar(match self.value(inner)? {
-                Value::Scalar(x) => x.abs(),
-                Value::Vector(v) => (v.x * v.x + v.y * v.y + v.z * v.z).sqrt(),
-                Value::Matrix(_) => return Err(Unavailable::Operation("the norm of a matrix")),
-            }),
+            Node::Norm(inner) => Value::Scalar(self.norm(inner, true)?),
             Node::Cross(a, b) => {
                 let (a, b) = (self.vector(a)?, self.vector(b)?);
                 Value::Vector(a.cross(&b))
@@ -410,12 +406,26 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         self.environment.symbol_to(*member, &[], terms)
     }
 
+    /// The norm of a vector; of a number its absolute value, or where its sign does not matter the number itself.
+    fn norm(&mut self, inner: &Expr, sign_matters: bool) -> Evaluated<D> {
+        match self.value(inner)? {
+            Value::Scalar(x) => Ok(if sign_matters { x.abs() } else { x }),
+            Value::Vector(v) => Ok((v.x * v.x + v.y * v.y + v.z * v.z).sqrt()),
+            Value::Matrix(_) => Err(Unavailable::Operation("the norm of a matrix")),
+        }
+    }
+
     fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<D> {
         if base.node == Node::Euler {
             return Ok(self.scalar(exponent)?.exp());
         }
-        let x = self.scalar(base)?;
-        Ok(match constant_exponent(exponent) {
+        let constant = constant_exponent(exponent);
+        let x = match (&base.node, constant) {
+            // An even power of an absolute value asks for no sign.
+            (Node::Norm(inner), Some(n)) if n % 2.0 == 0.0 => self.norm(inner, false)?,
+            _ => self.scalar(base)?,
+        };
+        Ok(match constant {
             Some(n) if n.fract() == 0.0 && n.abs() <= 64.0 => x.powi(n as i32),
             Some(0.5) => x.sqrt(),
             Some(n) => x.powf(n),

@@ -153,7 +153,8 @@ impl Finder<'_> {
             same && (base.eq_ignore_ascii_case(&own) || entry.angle && entry.varies && other.angle && other.varies)
         };
         // Where a slip is undone, an accent may have been lost that made of it another kind of thing.
-        let mended = |other: &Entry| self.pool.is_some() && letter(&other.name) == own && other.slots.len() == entry.slots.len();
+        let mended =
+            |other: &Entry| self.pool.is_some() && letter(&other.name) == own && other.slots.len() == entry.slots.len();
         self.symbols
             .iter()
             .filter(|(_, other)| other.name != entry.name && !other.squared && (alike(other) || mended(other)))
@@ -229,7 +230,8 @@ impl Finder<'_> {
         let in_place = |token: &str| letter(token).is_some() || matches!(token, "1" | "2" | "3" | "4");
         let mut others: Vec<(Span, String)> = Vec::new();
         for (text, span) in tokens.iter().filter(|(text, _)| in_place(text)) {
-            let same = |other: &IndexId| letter(text).is_some_and(|own| own != *other && self.symbols.same_range(own, *other));
+            let same =
+                |other: &IndexId| letter(text).is_some_and(|own| own != *other && self.symbols.same_range(own, *other));
             let all = (0..self.symbols.indices.len()).map(IndexId);
             others.extend(all.filter(same).map(|other| (*span, self.symbols.indices[other.0].letter.clone())));
             let values = ["1", "2", "3"].into_iter().filter(|value| value != text && letter(text).is_none());

@@ -91,7 +91,8 @@ impl Finder<'_> {
             [function, argument] if is_function(function) => argument.span,
             _ => factor.span(),
         };
-        let all: Vec<Vec<Span>> = terms.iter().map(|term| self.factors(term.items).iter().map(place).collect()).collect();
+        let all: Vec<Vec<Span>> =
+            terms.iter().map(|term| self.factors(term.items).iter().map(place).collect()).collect();
         let mut tried = 0;
         for (at, factors) in all.iter().enumerate() {
             for open in factors {

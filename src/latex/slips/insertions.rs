@@ -117,7 +117,12 @@ impl Finder<'_> {
             if !is_vector(factor) {
                 continue;
             }
-            for at in factors.iter().filter(|factor| is_vector(self.slice(factor.span()))).map(Factor::span).collect::<Vec<_>>() {
+            for at in factors
+                .iter()
+                .filter(|factor| is_vector(self.slice(factor.span())))
+                .map(Factor::span)
+                .collect::<Vec<_>>()
+            {
                 for operator in ["\\times", "\\cdot"] {
                     self.edit(Slip::Factor, Span::at(at.start), format!("{factor} {operator} "));
                     self.edit(Slip::Factor, Span::at(at.end), format!(" {operator} {factor}"));
@@ -139,7 +144,8 @@ impl Finder<'_> {
 
 /// Whether a factor looks like a vector, or like a product of them in parentheses.
 fn is_vector(text: &str) -> bool {
-    ["\\vec", "\\hat", "\\mathbf", "\\dot{\\vec", "("].iter().any(|start| text.starts_with(start)) || text.contains("\\vec")
+    ["\\vec", "\\hat", "\\mathbf", "\\dot{\\vec", "("].iter().any(|start| text.starts_with(start))
+        || text.contains("\\vec")
 }
 
 /// The lists that an item holds.

@@ -105,7 +105,9 @@ pub(super) fn is_big(item: &Item) -> bool {
 
 /// `\sin` and the like, with a power perhaps.
 pub(super) fn is_function(item: &Item) -> bool {
-    command(item).and_then(|name| name.strip_prefix('\\')).is_some_and(|name| crate::formula::tree::Function::named(name).is_some())
+    command(item)
+        .and_then(|name| name.strip_prefix('\\'))
+        .is_some_and(|name| crate::formula::tree::Function::named(name).is_some())
 }
 
 /// The formulas of a list, each as its terms.
@@ -167,7 +169,8 @@ impl Finder<'_> {
             }
             let start = at;
             at += 1;
-            let takes = is_function(item) || self.is_rotation(item) && matches!(items.get(at), Some(Item { layout: Layout::Fence(..), .. }));
+            let takes = is_function(item)
+                || self.is_rotation(item) && matches!(items.get(at), Some(Item { layout: Layout::Fence(..), .. }));
             if takes {
                 at += items[at..].iter().take_while(|next| is_space(next)).count();
                 at = (at + 1).min(items.len());

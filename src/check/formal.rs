@@ -1,0 +1,160 @@
+//! Whether two formulas are one whatever their symbols mean: each symbol, with its indices and derivatives, is a number, a
+//! vector or a matrix drawn from a field, and nothing is known of it.
+//!
+//! So x·y + y·x is 2xy, |−r|² is r², and Σ_ab I_ba ω_a ω_b is Σ_ab I_ab ω_a ω_b; that I is symmetric is not known here.
+//! What holds so holds for every meaning, and needs no state of any system.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use nalgebra::{DMatrix, Vector3};
+
+use crate::formula::evaluate::{Environment, Unavailable, evaluate_to};
+use crate::formula::{Expr, IndexId, Kind, Node, SymbolId, Symbols, Value};
+use crate::scalar::field::{Large, Modulus};
+use crate::scalar::{Modular, Series, TERMS};
+
+use super::certify::{self, Certificate, at_one_point};
+use super::judge;
+
+/// So many points are used.
+const POINTS: u64 = 2;
+
+/// A family whose number is not fixed has so many members.
+const MEMBERS: u8 = 3;
+
+/// Whether two formulas are one, or are made in one way of formulas that are.
+pub(super) fn same(a: &Expr, b: &Expr, symbols: &Symbols) -> bool {
+    a == b || is_identity(a, b, symbols) || {
+        let (mut outer_a, mut outer_b) = (a.clone(), b.clone());
+        let blank = |expr: &mut Expr| {
+            expr.children_mut().into_iter().for_each(|child| *child = Expr::integer(0, child.span));
+        };
+        blank(&mut outer_a);
+        blank(&mut outer_b);
+        let (inner_a, inner_b) = (a.children(), b.children());
+        let alike = || inner_a.iter().zip(&inner_b).all(|(a, b)| same(a, b, symbols));
+        outer_a == outer_b && !inner_a.is_empty() && inner_a.len() == inner_b.len() && alike()
+    }
+}
+
+/// Whether two formulas agree in numbers of which nothing is known.
+pub(super) fn is_identity(a: &Expr, b: &Expr, symbols: &Symbols) -> bool {
+    let mut free: Vec<IndexId> = Vec::new();
+    for side in [a, b] {
+        let Ok((_, found)) = crate::formula::shape::bind(side.clone(), symbols) else { return false };
+        free = crate::formula::shape::union(&free, &found.free);
+    }
+    let (mut log2, mut finest) = (0.0, 1);
+    for seed in 1..=POINTS {
+        let differences = || {
+            let drawn = Drawn::<Large> { symbols, values: RefCell::default() };
+            drawn.differences(a, b, &free).map_err(|_| "a symbol without a value".to_owned())
+        };
+        let most_bits = Modular::<Large>::most_bits();
+        match at_one_point(&differences, true, seed << 32, &mut finest, most_bits) {
+            Certificate::Identity(bound) => log2 += bound,
+            _ => return false,
+        }
+    }
+    log2 <= certify::FALSE_ACCEPT_LOG2
+}
+
+/// Symbols with random values.
+struct Drawn<'s, F: Modulus> {
+    symbols: &'s Symbols,
+    values: RefCell<HashMap<(SymbolId, Vec<u8>), Value<Series<Modular<F>>>>>,
+}
+
+impl<F: Modulus> Drawn<'_, F> {
+    fn differences(&self, a: &Expr, b: &Expr, free: &[IndexId]) -> Result<Vec<Modular<F>>, Unavailable> {
+        let mut indices: Vec<(IndexId, u8)> = free.iter().map(|id| (*id, 1)).collect();
+        let mut all = Vec::new();
+        loop {
+            let (a, b) = (evaluate_to(1, a, self, &indices)?, evaluate_to(1, b, self, &indices)?);
+            let (a, b) = judge::pair(a, b);
+            all.extend(a.into_iter().zip(b).map(|(a, b)| a - b));
+            let mut carried = true;
+            for (id, value) in &mut indices {
+                *value += 1;
+                carried = *value > self.count(*id)?;
+                if !carried {
+                    break;
+                }
+                *value = 1;
+            }
+            if carried {
+                return Ok(all);
+            }
+        }
+    }
+
+    /// A number; one that does not vary is not more than its value.
+    fn number(varies: bool) -> Series<Modular<F>> {
+        if !varies {
+            return Series::constant(Modular::drawn());
+        }
+        let derivative = |k: usize| if k == 0 { Modular::drawn() } else { Modular::drawn_plain() };
+        Series::from_derivatives(&(0..TERMS).map(derivative).collect::<Vec<_>>())
+    }
+}
+
+impl<F: Modulus> Environment<Series<Modular<F>>> for Drawn<'_, F> {
+    fn symbols(&self) -> &Symbols {
+        self.symbols
+    }
+
+    fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Series<Modular<F>>>, Unavailable> {
+        let entry = self.symbols.entry(id);
+        if entry.slots.len() != indices.len() {
+            return Err(Unavailable::Symbol(id));
+        }
+        if let ([at], Some(_)) = (indices, entry.members.first()) {
+            let member = entry.members.get(usize::from(*at) - 1).ok_or(Unavailable::Symbol(id))?;
+            return self.symbol(*member, &[]);
+        }
+        if let Some(known) = self.values.borrow().get(&(id, indices.to_vec())) {
+            return Ok(known.clone());
+        }
+        let value = match entry.kind {
+            Kind::Scalar => Value::Scalar(Self::number(entry.varies)),
+            Kind::Vector => Value::Vector(Vector3::from_fn(|_, _| Self::number(entry.varies))),
+            Kind::Matrix => Value::Matrix(DMatrix::from_fn(3, 3, |_, _| Self::number(entry.varies))),
+            Kind::Rotation => return Err(Unavailable::Symbol(id)),
+        };
+        self.values.borrow_mut().insert((id, indices.to_vec()), value.clone());
+        Ok(value)
+    }
+
+    fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
+        let entry = &self.symbols.indices[index.0];
+        Ok(if entry.count.is_some() { MEMBERS } else { entry.upper })
+    }
+}
+
+/// Whether one formula vanishes wherever another does, whatever their symbols mean: it is a multiple of it, by a symbol
+/// or over one that `is_never_zero`, or its rate.
+pub(super) fn vanishes_with(
+    it: &Expr,
+    other: &Expr,
+    symbols: &Symbols,
+    is_never_zero: &impl Fn(&Expr) -> bool,
+) -> bool {
+    let times = |a: &Expr, b: &Expr| Expr::new(Node::Product(vec![a.clone(), b.clone()]), a.span);
+    let one = Expr::integer(1, it.span);
+    let mut factors = vec![one.clone(), one.clone().negated(), Expr::integer(2, it.span)];
+    for formula in [it, other] {
+        formula.walk(&mut |inner| {
+            if matches!(inner.node, Node::Symbol { .. }) && !factors.contains(inner) {
+                factors.push(inner.clone());
+            }
+        });
+    }
+    let rate = Expr::new(Node::TimeDerivative(1, Box::new(other.clone())), other.span);
+    let divisors = std::iter::once(&one).chain(factors[3..].iter().filter(|factor| is_never_zero(factor)));
+    let multiple = |divisor: &Expr| {
+        let left = times(divisor, it);
+        factors.iter().any(|factor| is_identity(&left, &times(factor, other), symbols))
+    };
+    is_identity(it, &rate, symbols) || divisors.into_iter().any(multiple)
+}
