@@ -145,6 +145,15 @@ impl<B: Number> Jets<B> {
 
     /// The same, known to no more than so many terms.
     pub fn series_to(&self, at: usize, terms: usize) -> Option<Series<B>> {
+        self.of(at, |series| Some(series.truncated(terms)))
+    }
+
+    /// The k-th derivative of one of them, if it is known.
+    pub fn rate(&self, at: usize, k: usize) -> Option<B> {
+        self.of(at, |series| series.rate(k))
+    }
+
+    fn of<T>(&self, at: usize, take: impl FnOnce(&Series<B>) -> Option<T>) -> Option<T> {
         let mut known = self.series.borrow_mut();
         if known.is_empty() {
             known.resize(self.numbers.len() / self.jet, None);
@@ -153,7 +162,7 @@ impl<B: Number> Jets<B> {
         if slot.is_none() {
             *slot = self.numbers.get(at * self.jet..(at + 1) * self.jet).map(Series::from_derivatives);
         }
-        slot.as_ref().map(|series| series.truncated(terms))
+        take(slot.as_ref()?)
     }
 }
 

@@ -8,7 +8,7 @@
 //! A certificate never stands alone: it is asked for when numbers have agreed, so that ranges, branches of roots and the
 //! twins are theirs to judge.
 
-use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, IndexId, Node, Relation, SymbolId, Value, text};
 use crate::mechanics::Elimination;
 use crate::notes::claims::Range;
@@ -89,11 +89,11 @@ pub fn certify_solutions(
         let mut all = Vec::new();
         for branch in branches {
             let Value::Scalar(root) =
-                evaluate_to(1, branch, scene, &[]).map_err(|reason| unavailable(&reason, context))?
+                scene.now(branch, &[]).map_err(|reason| unavailable(&reason, context))?
             else {
                 return Err("a solution that is no number".to_owned());
             };
-            scene.set_only(&[(unknown, Series::constant(root.value()))]);
+            scene.set_only(&[(unknown, Series::constant(root))]);
             let found = differences(target, scene);
             scene.set_only(&[]);
             all.extend(found?);
@@ -132,8 +132,8 @@ fn differences(link: &Link, scene: &Scene<'_, Modular>) -> Differences {
     let mut all = Vec::new();
     let reason = |reason: Unavailable| unavailable_in(&reason, scene.model());
     loop {
-        let lhs = evaluate_to(1, &link.lhs, scene, &indices).map_err(reason)?;
-        let rhs = evaluate_to(1, &link.rhs, scene, &indices).map_err(reason)?;
+        let lhs = scene.now(&link.lhs, &indices).map_err(reason)?;
+        let rhs = scene.now(&link.rhs, &indices).map_err(reason)?;
         let (a, b) = judge::pair(lhs, rhs);
         all.extend(a.into_iter().zip(b).map(|(a, b)| a - b));
         if !judge::advance(&mut indices, scene).map_err(reason)? {

@@ -147,6 +147,21 @@ impl<B: Number> Hidden<B> {
     }
 }
 
+/// The positions and masses of so many particles; nothing where they are no vectors and numbers.
+fn masses_at<D: Number>(
+    count: u8,
+    at: impl Fn(u8) -> Result<(Value<D>, Value<D>), Unavailable>,
+) -> Result<Option<Nodes<D>>, Unavailable> {
+    let mut points = Vec::new();
+    for value in 1..=count {
+        match at(value)? {
+            (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
+            _ => return Ok(None),
+        }
+    }
+    Ok(Some(Nodes { points }))
+}
+
 impl<B: Number> Scene<'_, B> {
     fn continuum(&self, region: SymbolId) -> Result<(usize, &Continuum), Unavailable> {
         match self.model.meaning(region) {
@@ -352,15 +367,19 @@ impl<B: Number> Scene<'_, B> {
         if let (Some(known), true) = (known, alone) {
             return Ok(known);
         }
-        let mut points = Vec::new();
-        for value in 1..=self.count(label)? {
-            let at = [(label, value)];
-            match (evaluate_to(terms, positions, self, &at)?, evaluate_to(terms, masses, self, &at)?) {
-                (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
-                _ => return Err(Unavailable::Symbol(id)),
+        let count = self.count(label)?;
+        let tensor = match terms {
+            1 => {
+                let now = |formula: &Expr, at: &[_]| self.instant(formula, at);
+                let points = masses_at(count, |value| Ok((now(positions, &[(label, value)])?, now(masses, &[(label, value)])?)));
+                inertia_tensor(&points?.ok_or(Unavailable::Symbol(id))?).map(|x| Series::of_value(x.0))
             }
-        }
-        let tensor = inertia_tensor(&Nodes { points });
+            terms => {
+                let series = |formula: &Expr, at: &[_]| evaluate_to(terms, formula, self, at);
+                let points = masses_at(count, |value| Ok((series(positions, &[(label, value)])?, series(masses, &[(label, value)])?)));
+                inertia_tensor(&points?.ok_or(Unavailable::Symbol(id))?)
+            }
+        };
         if alone {
             self.tensors.borrow_mut().push((masses.clone(), positions.clone(), terms, tensor));
         }

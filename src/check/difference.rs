@@ -11,7 +11,7 @@
 use nalgebra::DMatrix;
 
 use crate::derive::{self, Class, Letter};
-use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Index, IndexId, Kind, Node, SymbolId, Value, text};
 use crate::latex::typeset;
 use crate::mechanics::{Elimination, solve_by};
@@ -181,8 +181,8 @@ fn entries<B: Number>(link: &Link, scene: &Scene<'_, B>) -> Result<Vec<(B, B)>, 
     let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
     let mut all = Vec::new();
     loop {
-        let lhs = evaluate_to(1, &link.lhs, scene, &indices)?;
-        let rhs = evaluate_to(1, &link.rhs, scene, &indices)?;
+        let lhs = scene.now(&link.lhs, &indices)?;
+        let rhs = scene.now(&link.rhs, &indices)?;
         let (a, b) = judge::pair(lhs, rhs);
         all.extend(a.into_iter().zip(b));
         if !judge::advance(&mut indices, scene)? {
@@ -192,8 +192,8 @@ fn entries<B: Number>(link: &Link, scene: &Scene<'_, B>) -> Result<Vec<(B, B)>, 
 }
 
 fn value(formula: &Expr, scene: &Scene<'_, Measured>) -> Option<Measured> {
-    match evaluate_to(1, formula, scene, &[]) {
-        Ok(Value::Scalar(value)) => Some(value.value()).filter(|value| value.value.is_finite()),
+    match scene.now(formula, &[]) {
+        Ok(Value::Scalar(value)) => Some(value).filter(|value| value.value.is_finite()),
         _ => None,
     }
 }

@@ -4,7 +4,6 @@
 //! equality is solved, under the hypotheses, as one of them is.
 
 use crate::Result;
-use crate::formula::evaluate::evaluate_to;
 use crate::formula::{Expr, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Series};
@@ -74,9 +73,9 @@ pub(super) fn states<'m>(
         let difference = lhs.clone().minus(rhs.clone());
         let mut family = Family::new(context.model, &setting, &[difference]);
         let beside = |scene: &Scene<'_, Measured>| {
-            let sides = (evaluate_to(1, lhs, scene, &[]), evaluate_to(1, rhs, scene, &[]));
+            let sides = (scene.now(lhs, &[]), scene.now(rhs, &[]));
             let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = sides else { return None };
-            Some(BESIDE * (a.value().magnitude + b.value().magnitude))
+            Some(BESIDE * (a.magnitude + b.magnitude))
         };
         for (scene, base) in ensemble.scenes.iter().zip(&ensemble.bases).take(FROM) {
             let Some(beside) = beside(scene) else { break };
@@ -107,11 +106,11 @@ pub(super) fn states<'m>(
 /// Whether the sides of a comparison are far from equal at a state.
 fn is_clear((lhs, rhs): &Comparison, scene: &Scene<'_, Measured>) -> bool {
     let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) =
-        (evaluate_to(1, lhs, scene, &[]), evaluate_to(1, rhs, scene, &[]))
+        (scene.now(lhs, &[]), scene.now(rhs, &[]))
     else {
         return false;
     };
-    let difference = (a - b).value();
+    let difference = a - b;
     difference.value.abs() > CLEAR * difference.magnitude
 }
 

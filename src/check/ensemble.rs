@@ -596,20 +596,30 @@ fn difference_to<B: Number>(
     let mut indices: Vec<(IndexId, u8)> = condition.free.iter().map(|id| (*id, 1)).collect();
     let terms = if condition.throughout { terms } else { 1 };
     let mut all = Vec::new();
+    let (lhs, rhs) = (&condition.lhs, &condition.rhs);
     loop {
-        let side = |side: &Expr| evaluate_to(terms, side, scene, &indices);
-        let (lhs, rhs) = (side(&condition.lhs)?, side(&condition.rhs)?);
-        match (lhs, rhs) {
-            (Value::Vector(a), Value::Vector(b)) if condition.relation == Relation::Proportional => {
-                all.extend(a.cross(&b).iter());
-            }
-            (Value::Scalar(a), Value::Scalar(b)) => all.push(a - b),
-            (a, b) if a.shape() == b.shape() => all.extend(a.entries().iter().zip(b.entries()).map(|(a, b)| *a - b)),
-            (a, _) if condition.rhs.is_zero() => all.extend(a.entries()),
-            _ => return Err(Unavailable::Operation("a condition between different shapes")),
+        if terms == 1 {
+            let sides = (scene.instant(lhs, &indices)?, scene.instant(rhs, &indices)?);
+            all.extend(apart(sides, condition)?.into_iter().map(|x| Series::of_value(x.0)));
+        } else {
+            let side = |side: &Expr| evaluate_to(terms, side, scene, &indices);
+            all.extend(apart((side(lhs)?, side(rhs)?), condition)?);
         }
         if all.len() >= entries || !judge::advance(&mut indices, scene)? {
             return Ok(all);
         }
     }
+}
+
+/// What should vanish of two sides for a condition to hold: their difference, or the product of vectors that are parallel.
+fn apart<D: Number>((lhs, rhs): (Value<D>, Value<D>), condition: &Condition) -> Result<Vec<D>, Unavailable> {
+    Ok(match (lhs, rhs) {
+        (Value::Vector(a), Value::Vector(b)) if condition.relation == Relation::Proportional => {
+            a.cross(&b).iter().copied().collect()
+        }
+        (Value::Scalar(a), Value::Scalar(b)) => vec![a - b],
+        (a, b) if a.shape() == b.shape() => a.entries().iter().zip(b.entries()).map(|(a, b)| *a - b).collect(),
+        (a, _) if condition.rhs.is_zero() => a.entries(),
+        _ => return Err(Unavailable::Operation("a condition between different shapes")),
+    })
 }

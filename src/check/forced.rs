@@ -4,7 +4,6 @@
 //! to hold. So where a symbol that was declared to vary has one value at all states, and no hypothesis says so outright,
 //! a claim about it is not tested. A hypothesis says it outright if it speaks of nothing else: θ = π/2, \cos θ = 0.
 
-use crate::formula::evaluate::evaluate_to;
 use crate::formula::{Expr, Index, Node, Relation, SymbolId, text};
 
 use super::ensemble::{Condition, Ensemble};
@@ -106,8 +105,8 @@ fn values(symbol: SymbolId, scene: &super::scene::Scene<'_, crate::scalar::Measu
     let mut at: Vec<_> = letters.iter().map(|letter| (*letter, 1)).collect();
     let mut numbers = Vec::new();
     loop {
-        let value = evaluate_to(1, &itself, scene, &at).ok()?;
-        numbers.extend(value.entries().iter().map(|entry| entry.value().value));
+        let value = scene.now(&itself, &at).ok()?;
+        numbers.extend(value.entries().iter().map(|entry| entry.value));
         if !judge::advance(&mut at, scene).ok()? {
             return Some(numbers);
         }

@@ -27,6 +27,7 @@ mod forced;
 pub mod functions;
 pub mod generates;
 pub mod identity;
+mod instant;
 pub mod judge;
 mod laws;
 pub mod limit;

@@ -13,14 +13,15 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use rustc_hash::FxHashMap;
 
 use crate::Result;
-use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate, evaluate_to};
+use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate};
 use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
 use crate::mechanics::{Elimination, Frame, Nodes, Quantities, rotations};
 use crate::notes::claims::Turning;
-use crate::scalar::{Number, Series, TERMS};
+use crate::scalar::{Instant, Number, Series, TERMS};
 
 use super::base::Base;
 use super::crowd::{Crowd, Place};
+use super::instant::first;
 use super::model::{FrameQuantity, Meaning, Model, Quantity};
 use super::rules::{Action, Rule};
 
@@ -36,8 +37,11 @@ pub struct Mode {
 /// A symbol and the values of its indices.
 type Member = (SymbolId, [u8; 3]);
 
-/// What was computed: of each member, and whether the particles that stand in for others were meant; how many terms.
-type Memo<B> = FxHashMap<(Member, bool), (usize, Box<Value<Series<B>>>)>;
+/// What a value is kept under: the member, and whether the particles that stand in for others were meant.
+type Key = (Member, bool);
+
+/// What was computed, and to how many terms.
+type Memo<B> = FxHashMap<Key, (usize, Box<Value<Series<B>>>)>;
 
 /// Masses, positions, how many terms were asked for, and the inertia tensor.
 type Tensor<B> = (Expr, Expr, usize, Matrix3<Series<B>>);
@@ -65,6 +69,8 @@ pub struct Scene<'m, B: Number> {
     rules: Arc<[Rule]>,
     overrides: Vec<(SymbolId, Value<Series<B>>)>,
     quantities: OnceCell<Option<Quantities<Series<B>>>>,
+    /// The same, as values alone.
+    quantities_now: OnceCell<Option<Quantities<Instant<B>>>>,
     /// The frame that turns, known to so many terms as its place here says.
     frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
     /// Its angular velocity, likewise.
@@ -85,6 +91,8 @@ pub struct Scene<'m, B: Number> {
     pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
     memo: RefCell<Memo<B>>,
+    /// The same where the value alone was asked for.
+    values: RefCell<FxHashMap<Key, Value<Instant<B>>>>,
 }
 
 impl<'m, B: Number> Scene<'m, B> {
@@ -136,6 +144,7 @@ impl<'m, B: Number> Scene<'m, B> {
             rules: rules.clone(),
             overrides: Vec::new(),
             quantities: OnceCell::new(),
+            quantities_now: OnceCell::new(),
             frames: std::array::from_fn(|_| OnceCell::new()),
             angular_velocities: std::array::from_fn(|_| OnceCell::new()),
             place: RefCell::new(Place::default()),
@@ -146,6 +155,7 @@ impl<'m, B: Number> Scene<'m, B> {
             cubatures: RefCell::new(FxHashMap::default()),
             tensors: RefCell::new(Vec::new()),
             memo: RefCell::new(FxHashMap::default()),
+            values: RefCell::new(FxHashMap::default()),
         })
     }
 
@@ -193,6 +203,28 @@ impl<'m, B: Number> Scene<'m, B> {
             Some(world.quantities(self.time(), q, &v, &self.parameters()))
         };
         self.quantities.get_or_init(compute).as_ref()
+    }
+
+    /// The same as values alone.
+    fn quantities_now(&self) -> Option<&Quantities<Instant<B>>> {
+        let compute = || {
+            let world = self.model.world.as_ref()?;
+            let derivative = |order: usize| -> Option<Vec<_>> {
+                self.coordinates.iter().map(|q| q.rate(order).map(Instant)).collect()
+            };
+            let parameters: Vec<_> =
+                self.model.parameters.iter().map(|place| Instant(self.base.constants[*place][0])).collect();
+            Some(world.quantities(Instant(self.base.time), &derivative(0)?, &derivative(1)?, &parameters))
+        };
+        self.quantities_now.get_or_init(compute).as_ref()
+    }
+
+    /// What the world says of a quantity, as a value alone, where it is one of those that it gives all at once.
+    pub(super) fn quantity_now(&self, quantity: Quantity, indices: &[u8]) -> Option<Value<Instant<B>>> {
+        match quantity {
+            Quantity::SpaceAxes | Quantity::EffectivePotential => None,
+            quantity => one_of(self.quantities_now()?, quantity, indices),
+        }
     }
 
     /// The Euler–Lagrange residuals of the world at this state, one a coordinate.
@@ -252,37 +284,17 @@ impl<'m, B: Number> Scene<'m, B> {
         if quantity == Quantity::SpaceAxes {
             return Ok(Value::Vector(self.unit(place(0)?)));
         }
-        let all = self.quantities().ok_or_else(none)?;
-        Ok(match quantity {
-            Quantity::Lagrangian => Value::Scalar(all.lagrangian),
-            Quantity::KineticEnergy => Value::Scalar(all.kinetic.ok_or_else(none)?),
-            Quantity::PotentialEnergy => Value::Scalar(all.potential.ok_or_else(none)?),
-            Quantity::Energy => Value::Scalar(all.energy),
-            Quantity::Momentum(i) => Value::Scalar(*all.momenta.get(i).ok_or_else(none)?),
-            Quantity::EffectivePotential => {
-                let world = self.model.world.as_ref().ok_or_else(none)?;
-                let v = self.velocities();
-                let (time, parameters) = (self.time(), self.parameters());
-                let value = match self.elimination {
-                    Elimination::Pivots => world.effective_potential(time, &self.coordinates, &v, &parameters),
-                    Elimination::Cramer => world.effective_potential_exactly(time, &self.coordinates, &v, &parameters),
-                };
-                Value::Scalar(value.map_err(|_| none())?)
-            }
-            Quantity::RotationMatrix => {
-                let r = all.orientation.as_ref().ok_or_else(none)?;
-                match indices {
-                    [] => matrix(r),
-                    _ => Value::Scalar(r[(place(0)?, place(1)?)]),
-                }
-            }
-            Quantity::AngularVelocity => match indices {
-                [] => Value::Vector(all.angular_velocity.ok_or_else(none)?),
-                _ => Value::Scalar(all.body_rates.as_ref().ok_or_else(none)?[place(0)?]),
-            },
-            Quantity::BodyAxes => Value::Vector(all.orientation.as_ref().ok_or_else(none)?.row(place(0)?).transpose()),
-            Quantity::SpaceAxes => Value::Vector(self.unit(place(0)?)),
-        })
+        if quantity == Quantity::EffectivePotential {
+            let world = self.model.world.as_ref().ok_or_else(none)?;
+            let v = self.velocities();
+            let (time, parameters) = (self.time(), self.parameters());
+            let value = match self.elimination {
+                Elimination::Pivots => world.effective_potential(time, &self.coordinates, &v, &parameters),
+                Elimination::Cramer => world.effective_potential_exactly(time, &self.coordinates, &v, &parameters),
+            };
+            return value.map(Value::Scalar).map_err(|_| none());
+        }
+        self.quantities().and_then(|all| one_of(all, quantity, indices)).ok_or_else(none)
     }
 
     /// A symbol after the first `upto` rules, of which so many terms are used.
@@ -296,7 +308,7 @@ impl<'m, B: Number> Scene<'m, B> {
         let wrong = Unavailable::Operation("a sum of different shapes");
         let target = match &rule.action {
             Action::Equals(formula) => {
-                let value = evaluate_to(terms, formula, self, &letters)?;
+                let value = self.formula_to(terms, formula, &letters)?;
                 match (self.model.symbols.entry(id).kind, value) {
                     (Kind::Vector, Value::Scalar(zero)) => Value::Vector(Vector3::from_element(zero)),
                     (_, value) => value,
@@ -308,7 +320,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 let image = if *sign == Sign::Minus { image.map(|x| -x) } else { image };
                 before()?.plus(image).ok_or(wrong.clone())?.map(|x| x * 0.5)
             }
-            Action::Parallel(along) => match (before()?, evaluate_to(terms, along, self, &letters)?) {
+            Action::Parallel(along) => match (before()?, self.formula_to(terms, along, &letters)?) {
                 (Value::Vector(v), Value::Vector(a)) => {
                     let square = a.dot(&a);
                     match square.value().is_zero() {
@@ -365,7 +377,7 @@ impl<'m, B: Number> Scene<'m, B> {
             let enough = |value: &Value<Series<B>>| value.entries().iter().all(|x| x.known() > next - order);
             if values.is_empty() || !values.iter().all(enough) {
                 self.following.borrow_mut().push((rule.symbol, known.clone()));
-                self.memo.borrow_mut().clear();
+                self.forget_values();
                 let found: Result<Members<B>, Unavailable> = members
                     .iter()
                     .map(|member| {
@@ -375,7 +387,7 @@ impl<'m, B: Number> Scene<'m, B> {
                     })
                     .collect();
                 self.following.borrow_mut().pop();
-                self.memo.borrow_mut().clear();
+                self.forget_values();
                 values = found?;
             }
             for (known, value) in known.iter_mut().zip(&values) {
@@ -404,10 +416,15 @@ impl<'m, B: Number> Scene<'m, B> {
 
     /// Forgets what was computed for other values.
     fn forget(&self) {
-        self.memo.borrow_mut().clear();
+        self.forget_values();
         self.followed.borrow_mut().clear();
         self.cubatures.borrow_mut().clear();
         self.tensors.borrow_mut().clear();
+    }
+
+    fn forget_values(&self) {
+        self.memo.borrow_mut().clear();
+        self.values.borrow_mut().clear();
     }
 
     /// The index values of every member of a family there is here.
@@ -424,7 +441,8 @@ impl<'m, B: Number> Scene<'m, B> {
         Ok(members)
     }
 
-    fn place_of(&self, id: SymbolId, indices: &[u8]) -> usize {
+    /// Where a member of a family stands among the others.
+    pub(super) fn place_of(&self, id: SymbolId, indices: &[u8]) -> usize {
         let symbols = &self.model.symbols;
         let upper = |letter: &IndexId| usize::from(symbols.indices[letter.0].upper);
         let slots = &symbols.entry(id).slots;
@@ -472,7 +490,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 if let Some(crowd) = self.crowd.borrow().as_ref().filter(|crowd| crowd.stands_in_partly()) {
                     self.crowded.set(self.model.depends_on(formula, &crowd.symbols()));
                 }
-                let value = evaluate_to(terms, formula, self, &free);
+                let value = self.formula_to(terms, formula, &free);
                 self.crowded.set(outer);
                 value
             }
@@ -521,6 +539,60 @@ impl<'m, B: Number> Scene<'m, B> {
         costly && self.place.borrow().is_default()
     }
 
+    /// What a symbol is kept under, if it is.
+    pub(super) fn key(&self, id: SymbolId, indices: &[u8]) -> Option<Key> {
+        if indices.len() > 3 || self.is_replaced(id) || !self.keeps(id) {
+            return None;
+        }
+        let mut values = [0; 3];
+        values[..indices.len()].copy_from_slice(indices);
+        Some(((id, values), self.crowded.get()))
+    }
+
+    /// The value that is kept, or else what is computed now.
+    pub(super) fn remember(
+        &self,
+        key: Key,
+        compute: impl FnOnce() -> Result<Value<Instant<B>>, Unavailable>,
+    ) -> Result<Value<Instant<B>>, Unavailable> {
+        if let Some(value) = self.values.borrow().get(&key) {
+            return Ok(value.clone());
+        }
+        let known = self.memo.borrow().get(&key).map(|(_, value)| first(value));
+        let value = known.map_or_else(compute, Ok)?;
+        self.values.borrow_mut().insert(key, value.clone());
+        Ok(value)
+    }
+
+    /// The value of a symbol after all rules.
+    pub(super) fn ruled_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Instant<B>>, Unavailable> {
+        Ok(first(&self.ruled(id, indices, self.rules.len(), 1)?))
+    }
+
+    fn is_replaced(&self, id: SymbolId) -> bool {
+        self.overrides.iter().any(|(known, _)| *known == id)
+    }
+
+    /// Whether nothing stands in for what was drawn of a symbol, and no rule says what it is.
+    pub(super) fn is_as_drawn(&self, id: SymbolId) -> bool {
+        let alone = !self.crowded.get() && self.place.borrow().part.is_none();
+        alone && !self.is_replaced(id) && !self.rules.iter().any(|rule| rule.symbol == id)
+    }
+
+    /// How many derivatives are known of what is drawn, the value counted.
+    pub(super) fn terms(&self) -> usize {
+        self.terms
+    }
+
+    /// The matrix that an elementary rotation's symbol stands for.
+    pub(super) fn turned<D: Number>(&self, id: SymbolId, angle: D) -> Result<Matrix3<D>, Unavailable> {
+        match self.model.meaning(id) {
+            Some(Meaning::Rotation(axis, Turning::Axes)) => Ok(rotations::of_the_axes(*axis, angle)),
+            Some(Meaning::Rotation(axis, Turning::Vectors)) => Ok(rotations::of_the_vectors(*axis, angle)),
+            _ => Err(Unavailable::Symbol(id)),
+        }
+    }
+
     /// Whether no particles stand in for others, and none are being followed.
     pub(super) fn is_alone(&self) -> bool {
         self.crowd.borrow().is_none() && !self.is_following()
@@ -558,7 +630,29 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 }
 
-pub(super) fn matrix<B: Number>(m: &Matrix3<Series<B>>) -> Value<Series<B>> {
+/// One of the quantities that a world determines.
+fn one_of<D: Number>(all: &Quantities<D>, quantity: Quantity, indices: &[u8]) -> Option<Value<D>> {
+    let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1);
+    Some(match quantity {
+        Quantity::Lagrangian => Value::Scalar(all.lagrangian),
+        Quantity::KineticEnergy => Value::Scalar(all.kinetic?),
+        Quantity::PotentialEnergy => Value::Scalar(all.potential?),
+        Quantity::Energy => Value::Scalar(all.energy),
+        Quantity::Momentum(i) => Value::Scalar(*all.momenta.get(i)?),
+        Quantity::RotationMatrix => match indices {
+            [] => matrix(all.orientation.as_ref()?),
+            _ => Value::Scalar(all.orientation.as_ref()?[(place(0)?, place(1)?)]),
+        },
+        Quantity::AngularVelocity => match indices {
+            [] => Value::Vector(all.angular_velocity?),
+            _ => Value::Scalar(all.body_rates.as_ref()?[place(0)?]),
+        },
+        Quantity::BodyAxes => Value::Vector(all.orientation.as_ref()?.row(place(0)?).transpose()),
+        Quantity::EffectivePotential | Quantity::SpaceAxes => return None,
+    })
+}
+
+pub(super) fn matrix<D: Number>(m: &Matrix3<D>) -> Value<D> {
     Value::Matrix(DMatrix::from_fn(3, 3, |i, j| m[(i, j)]))
 }
 
@@ -581,16 +675,16 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
         if let Some((_, value)) = self.overrides.iter().find(|(known, _)| *known == id) {
             return cut_clone(value);
         }
-        if indices.len() > 3 || !self.keeps(id) {
+        let Some(key) = self.key(id, indices) else {
             let mut value = self.ruled(id, indices, self.rules.len(), terms);
             if let Ok(value) = &mut value {
                 cut(value);
             }
             return value;
+        };
+        if terms == 1 {
+            return self.kept_value(id, indices);
         }
-        let mut values = [0; 3];
-        values[..indices.len()].copy_from_slice(indices);
-        let key = ((id, values), self.crowded.get());
         if let Some((_, value)) = self.memo.borrow().get(&key).filter(|(known, _)| *known >= terms) {
             return cut_clone(value);
         }
@@ -633,10 +727,6 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     }
 
     fn rotation(&self, id: SymbolId, angle: Series<B>) -> Result<Matrix3<Series<B>>, Unavailable> {
-        match self.model.meaning(id) {
-            Some(Meaning::Rotation(axis, Turning::Axes)) => Ok(rotations::of_the_axes(*axis, angle)),
-            Some(Meaning::Rotation(axis, Turning::Vectors)) => Ok(rotations::of_the_vectors(*axis, angle)),
-            _ => Err(Unavailable::Symbol(id)),
-        }
+        self.turned(id, angle)
     }
 }

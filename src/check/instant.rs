@@ -1,0 +1,149 @@
+//! Values of formulas at the instant of a state, where nothing of how they vary is asked for.
+//!
+//! A state knows everything as a series in time, and a claim is mostly about values alone. So a formula is evaluated over
+//! numbers of one coefficient ([`Instant`]); only beneath a dot, or d/dt, series are asked for again.
+
+use nalgebra::Vector3;
+
+use crate::formula::evaluate::{Body, Environment, Unavailable, differentiate, evaluate_to};
+use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
+use crate::scalar::{Instant, Number, Series};
+
+use super::model::Meaning;
+use super::scene::Scene;
+
+/// A value, or why there is none.
+type Valued<B> = Result<Value<Instant<B>>, Unavailable>;
+
+/// A state, of which values alone are wanted.
+struct Now<'s, 'm, B: Number>(&'s Scene<'m, B>);
+
+/// What a series is at the instant.
+pub(super) fn first<B: Number>(value: &Value<Series<B>>) -> Value<Instant<B>> {
+    value.each(|x| Instant(x.value()))
+}
+
+/// The same as a series of which no more is known.
+fn lifted<B: Number>(value: &Value<Instant<B>>) -> Value<Series<B>> {
+    value.each(|x| Series::of_value(x.0))
+}
+
+impl<B: Number> Scene<'_, B> {
+    /// The value of a formula whose free indices have these values.
+    ///
+    /// # Errors
+    /// When something in it has no value.
+    pub fn now(&self, formula: &Expr, indices: &[(IndexId, u8)]) -> Result<Value<B>, Unavailable> {
+        Ok(self.instant(formula, indices)?.each(|x| x.0))
+    }
+
+    /// The same, to go on with.
+    pub(super) fn instant(&self, formula: &Expr, indices: &[(IndexId, u8)]) -> Valued<B> {
+        evaluate_to(1, formula, &Now(self), indices)
+    }
+
+    /// A formula of which so many terms are used.
+    pub(super) fn formula_to(
+        &self,
+        terms: usize,
+        formula: &Expr,
+        indices: &[(IndexId, u8)],
+    ) -> Result<Value<Series<B>>, Unavailable> {
+        match terms {
+            1 => Ok(lifted(&self.instant(formula, indices)?)),
+            terms => evaluate_to(terms, formula, self, indices),
+        }
+    }
+
+    /// A symbol that is kept, of which the value is used.
+    pub(super) fn kept_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Series<B>>, Unavailable> {
+        Ok(lifted(&Now(self).symbol_to(id, indices, 1)?))
+    }
+
+    /// The derivative of a symbol, of any order, where it is drawn and nothing stands in for it.
+    fn drawn(&self, id: SymbolId, indices: &[u8], order: u8) -> Option<Value<Instant<B>>> {
+        let model = self.model();
+        let order = usize::from(order);
+        let place = || self.place_of(id, indices);
+        let numbers = |pick: &dyn Fn(usize) -> Option<B>| {
+            let pick = |at: usize| pick(at).map(Instant);
+            Some(match model.symbols.entry(id).kind {
+                Kind::Vector => {
+                    let first = 3 * place();
+                    Value::Vector(Vector3::new(pick(first)?, pick(first + 1)?, pick(first + 2)?))
+                }
+                _ => Value::Scalar(pick(place())?),
+            })
+        };
+        match model.meaning(id)? {
+            Meaning::Coordinate(i) => Some(Value::Scalar(Instant(self.coordinates().get(*i)?.rate(order)?))),
+            Meaning::Constant(i) if order == 0 => numbers(&|at| self.base.constants[*i].get(at).copied()),
+            Meaning::Varying(i) if order < self.terms() => numbers(&|at| self.base.varying[*i].rate(at, order)),
+            Meaning::World(quantity) if order == 0 => self.quantity_now(*quantity, indices),
+            Meaning::Density(at) if order == 0 => Some(Value::Scalar(Instant(self.density(*at)?.value()))),
+            Meaning::Point if order == 0 => Some(Value::Vector(self.point()?.map(|x| Instant(x.value())))),
+            _ => None,
+        }
+    }
+}
+
+impl<B: Number> Now<'_, '_, B> {
+    /// A derivative, by the series of the symbol.
+    fn by_series(&self, id: SymbolId, indices: &[u8], order: u8) -> Valued<B> {
+        let mut value = self.0.symbol_to(id, indices, 1 + usize::from(order))?;
+        differentiate(&mut value, order)?;
+        Ok(first(&value))
+    }
+
+    fn derived(&self, id: SymbolId, indices: &[u8], order: u8) -> Valued<B> {
+        match self.0.is_as_drawn(id) {
+            true => self.0.drawn(id, indices, order).map_or_else(|| self.by_series(id, indices, order), Ok),
+            false => self.by_series(id, indices, order),
+        }
+    }
+}
+
+impl<B: Number> Environment<Instant<B>> for Now<'_, '_, B> {
+    fn symbols(&self) -> &Symbols {
+        self.0.symbols()
+    }
+
+    fn symbol(&self, id: SymbolId, indices: &[u8]) -> Valued<B> {
+        match self.0.key(id, indices) {
+            None => self.derived(id, indices, 0),
+            Some(key) => self.0.remember(key, || self.0.ruled_value(id, indices)),
+        }
+    }
+
+    fn rate_to(&self, id: SymbolId, indices: &[u8], order: u8, _terms: usize) -> Valued<B> {
+        self.derived(id, indices, order)
+    }
+
+    fn derivative(&self, order: u8, formula: &Expr, indices: &[(IndexId, u8)]) -> Option<Valued<B>> {
+        let value = evaluate_to(1 + usize::from(order), formula, self.0, indices);
+        Some(value.and_then(|mut value| {
+            differentiate(&mut value, order)?;
+            Ok(first(&value))
+        }))
+    }
+
+    fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
+        self.0.count(index)
+    }
+
+    fn integral(&self, region: SymbolId, body: Body<'_, Instant<B>>) -> Valued<B> {
+        Ok(first(&self.0.integral(region, &mut || Ok(lifted(&body()?)))?))
+    }
+
+    fn shrinking(&self, region: SymbolId, body: Body<'_, Instant<B>>) -> Valued<B> {
+        Ok(first(&self.0.shrinking(region, &mut || Ok(lifted(&body()?)))?))
+    }
+
+    fn count_within(&self, region: SymbolId) -> Result<u8, Unavailable> {
+        self.0.count_within(region)
+    }
+
+    fn rotation(&self, id: SymbolId, angle: Instant<B>) -> Result<nalgebra::Matrix3<Instant<B>>, Unavailable> {
+        self.0.turned(id, angle)
+    }
+}
