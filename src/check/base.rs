@@ -1,14 +1,15 @@
 //! The numbers that fix a state, in their order, and what they are put together to.
 
 use std::cell::{OnceCell, RefCell};
+use std::ops::Range;
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::SymbolId;
 use crate::mechanics;
 use crate::mechanics::rotations::euler_angles;
-use crate::notes::claims::Range;
-use crate::scalar::{Number, Series, TERMS};
+use crate::notes::claims;
+use crate::scalar::{Instant, Number, Series, TERMS};
 
 use super::model::{Frame, Model, Variable};
 use super::scene::Mode;
@@ -21,7 +22,7 @@ pub struct Slot {
     /// The order of the derivative.
     pub order: usize,
     /// Where it is drawn from.
-    pub range: Range,
+    pub range: claims::Range,
     /// Whether it is a constant.
     pub constant: bool,
     /// Whether it is one of many of its kind: of a vector, a family, a body.
@@ -29,9 +30,9 @@ pub struct Slot {
 }
 
 /// Numbers of one kind: so many, each with so many derivatives.
-struct Group {
+struct Group<'m> {
     symbol: Option<SymbolId>,
-    range: Range,
+    range: &'m claims::Range,
     constant: bool,
     numbers: usize,
     derivatives: usize,
@@ -39,29 +40,22 @@ struct Group {
 
 /// The groups of a base, in order: time, constants, what is fixed in the frame and its direction, continua; coordinates,
 /// free functions and the angles of the frame with their derivatives.
-fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group> {
+fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group<'_>> {
+    const ANY: &claims::Range = &claims::Range::Any;
+    const POSITIVE: &claims::Range = &claims::Range::Positive;
+    const ANGLE: &claims::Range = &claims::Range::Angle;
+    const WITHIN: &claims::Range = &claims::Range::Interval { low: -0.3, high: 0.3, low_open: false, high_open: false };
     let fixed = |symbol, range, numbers| Group { symbol, range, constant: true, numbers, derivatives: 0 };
-    let moving = |variable: &Variable, derivatives| Group {
-        symbol: Some(variable.symbol),
-        range: variable.range.clone(),
-        constant: false,
-        numbers: variable.numbers,
-        derivatives,
-    };
-    let time = [Group { constant: false, ..fixed(None, Range::Any, 1) }];
-    let constants = model.constants.iter().map(move |c| fixed(Some(c.symbol), c.range.clone(), c.numbers));
-    let rigid = model.rigid.iter().map(move |rigid| fixed(Some(rigid.symbol), Range::Any, 3 * rigid.members));
-    let direction = (model.frame == Some(Frame::FixedDirection)).then(|| fixed(None, Range::Any, 3));
+    fn moving(variable: &Variable, derivatives: usize) -> Group<'_> {
+        let Variable { symbol, range, numbers, .. } = variable;
+        Group { symbol: Some(*symbol), range, constant: false, numbers: *numbers, derivatives }
+    }
+    let time = [Group { constant: false, ..fixed(None, ANY, 1) }];
+    let constants = model.constants.iter().map(move |c| fixed(Some(c.symbol), &c.range, c.numbers));
+    let rigid = model.rigid.iter().map(move |rigid| fixed(Some(rigid.symbol), ANY, 3 * rigid.members));
+    let direction = (model.frame == Some(Frame::FixedDirection)).then(|| fixed(None, ANY, 3));
     let continua = model.continua.iter().flat_map(move |_| {
-        let within = |half: f64| Range::Interval { low: -half, high: half, low_open: false, high_open: false };
-        let ranges = [
-            (Range::Positive, 1),
-            (within(0.3), 9),
-            (Range::Positive, 3),
-            (Range::Any, 3),
-            (Range::Angle, 3),
-            (within(0.3), 3),
-        ];
+        let ranges = [(POSITIVE, 1), (WITHIN, 9), (POSITIVE, 3), (ANY, 3), (ANGLE, 3), (WITHIN, 3)];
         ranges.map(|(range, numbers)| fixed(None, range, numbers))
     });
     let on_shell = mode.on_shell && model.world.is_some();
@@ -69,7 +63,7 @@ fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group> {
     let varying = model.varying.iter().map(move |v| moving(v, mode.order));
     let angles = model.frame.map(|frame| Group {
         symbol: None,
-        range: Range::Angle,
+        range: ANGLE,
         constant: false,
         numbers: if frame == Frame::Free { 3 } else { 1 },
         derivatives: (mode.order + 1).min(TERMS - 1),
@@ -84,7 +78,7 @@ pub fn slots(model: &Model, mode: Mode) -> Vec<Slot> {
     for Group { symbol, range, constant, numbers, derivatives } in groups(model, mode) {
         for _ in 0..numbers {
             for order in 0..=derivatives {
-                let range = if order == 0 { range.clone() } else { Range::Any };
+                let range = if order == 0 { range.clone() } else { claims::Range::Any };
                 let one_of_many = numbers > 1 || symbol.is_none();
                 slots.push(Slot { symbol, order, range, constant, one_of_many });
             }
@@ -106,64 +100,36 @@ pub fn direction(model: &Model) -> Option<std::ops::Range<usize>> {
 
 /// A base, sorted by what its numbers are.
 pub struct Base<B> {
+    /// All of them, in their order.
+    numbers: Vec<B>,
     /// The time.
     pub time: B,
-    /// The numbers of each constant.
-    pub constants: Vec<Vec<B>>,
-    /// The components, along the frame, of what is fixed in it.
-    pub rigid: Vec<Vec<B>>,
+    /// Where the numbers of each constant stand.
+    constants: Vec<Range<usize>>,
+    /// Where the components stand, along the frame, of what is fixed in it.
+    rigid: Vec<Range<usize>>,
     /// The direction that the frame turns about, of any length.
     pub direction: [B; 3],
     /// What fixes each continuum.
     pub continua: Vec<Hidden<B>>,
-    /// The derivatives of each coordinate: on shell no more than the first.
-    pub coordinates: Vec<Vec<B>>,
+    /// Where the derivatives of each coordinate stand: on shell no more than the first.
+    coordinates: Vec<Range<usize>>,
     /// The free functions of time.
-    pub varying: Vec<Jets<B>>,
+    varying: Vec<Jets>,
+    /// The same as functions of time, of those that were asked for.
+    series: RefCell<Vec<Option<Series<B>>>>,
     /// The angles of the frame.
     pub frame_angles: Vec<Series<B>>,
 }
 
 /// Numbers with their derivatives, one after the other.
-pub struct Jets<B> {
-    numbers: Vec<B>,
+struct Jets {
+    /// Where they stand in the base.
+    numbers: Range<usize>,
     /// How many belong to one.
     jet: usize,
-    /// The same as functions of time, of those that were asked for.
-    series: RefCell<Vec<Option<Series<B>>>>,
-}
-
-impl<B: Number> Jets<B> {
-    fn new(numbers: &[B], jet: usize) -> Self {
-        Jets { numbers: numbers.to_vec(), jet, series: RefCell::new(Vec::new()) }
-    }
-
-    /// One of them as a function of time.
-    pub fn series(&self, at: usize) -> Option<Series<B>> {
-        self.series_to(at, TERMS)
-    }
-
-    /// The same, known to no more than so many terms.
-    pub fn series_to(&self, at: usize, terms: usize) -> Option<Series<B>> {
-        self.of(at, |series| Some(series.truncated(terms)))
-    }
-
-    /// The k-th derivative of one of them, if it is known.
-    pub fn rate(&self, at: usize, k: usize) -> Option<B> {
-        self.of(at, |series| series.rate(k))
-    }
-
-    fn of<T>(&self, at: usize, take: impl FnOnce(&Series<B>) -> Option<T>) -> Option<T> {
-        let mut known = self.series.borrow_mut();
-        if known.is_empty() {
-            known.resize(self.numbers.len() / self.jet, None);
-        }
-        let slot = known.get_mut(at)?;
-        if slot.is_none() {
-            *slot = self.numbers.get(at * self.jet..(at + 1) * self.jet).map(Series::from_derivatives);
-        }
-        take(slot.as_ref()?)
-    }
+    /// The place of the first among all functions of time.
+    first: usize,
 }
 
 /// What fixes a continuum of which nothing is said: a density that varies, sizes, a place, an orientation.
@@ -182,7 +148,25 @@ pub struct Hidden<B> {
     turned: OnceCell<Matrix3<B>>,
 }
 
+/// As many numbers as there should be; what is missing is not a number.
+fn few<B: Number, const N: usize>(numbers: &[B]) -> [B; N] {
+    std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
+}
+
 impl<B: Number> Hidden<B> {
+    /// Put together from its groups of numbers.
+    fn of([density, coefficients, edges, middle, angles, point]: [&[B]; 6]) -> Self {
+        let ([first], others): ([B; 1], [B; 9]) = (few(density), few(coefficients));
+        Hidden {
+            density: std::array::from_fn(|k| if k == 0 { first } else { others[k - 1] }),
+            edges: few(edges),
+            middle: Vector3::from(few(middle)),
+            angles: few(angles),
+            point: few(point),
+            turned: OnceCell::new(),
+        }
+    }
+
     /// Q, which turns it from its canonical position.
     pub fn turned(&self) -> &Matrix3<B> {
         let [phi, theta, psi] = self.angles;
@@ -194,50 +178,85 @@ impl<B: Number> Base<B> {
     /// Sorts the numbers of a base; what is missing is not a number.
     pub fn of(model: &Model, mode: Mode, numbers: &[B]) -> Self {
         let mut groups = groups(model, mode);
-        let mut rest = numbers;
+        let mut done = 0;
         // Group after group, number after number, derivative after derivative.
         let mut next = || {
             let (count, jet) = groups.next().map_or((0, 1), |group| (group.numbers, group.derivatives + 1));
-            let (numbers, more) = rest.split_at((count * jet).min(rest.len()));
-            rest = more;
-            Jets::new(numbers, jet)
+            let first = done;
+            done = (done + count * jet).min(numbers.len());
+            (first..done, jet)
         };
-        fn few<B: Number, const N: usize>(jets: &Jets<B>) -> [B; N] {
-            std::array::from_fn(|i| jets.numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
-        }
-        let [time] = few(&next());
-        let constants = model.constants.iter().map(|_| next().numbers).collect();
-        let rigid = model.rigid.iter().map(|_| next().numbers).collect();
+        let [time] = few(&numbers[next().0]);
+        let constants = model.constants.iter().map(|_| next().0).collect();
+        let rigid = model.rigid.iter().map(|_| next().0).collect();
         let direction = match model.frame {
-            Some(Frame::FixedDirection) => few(&next()),
+            Some(Frame::FixedDirection) => few(&numbers[next().0]),
             _ => [B::zero(); 3],
         };
-        let hidden = |_| {
-            let (middle_density, coefficients) = (next(), next());
-            let [first] = few(&middle_density);
-            let others: [B; 9] = few(&coefficients);
-            let density = std::array::from_fn(|k| if k == 0 { first } else { others[k - 1] });
-            let (edges, middle, angles, point) = (next(), next(), next(), next());
-            Hidden {
-                density,
-                edges: few(&edges),
-                middle: Vector3::from(few(&middle)),
-                angles: few(&angles),
-                point: few(&point),
-                turned: OnceCell::new(),
-            }
+        let continua = model.continua.iter().map(|_| Hidden::of(std::array::from_fn(|_| &numbers[next().0]))).collect();
+        let coordinates = model.coordinates.iter().map(|_| next().0).collect();
+        let mut first = 0;
+        let mut jets = |_| {
+            let (numbers, jet) = next();
+            let jets = Jets { numbers, jet, first };
+            first += jets.numbers.len() / jet;
+            jets
         };
-        let continua = model.continua.iter().map(hidden).collect();
-        let coordinates = model.coordinates.iter().map(|_| next().numbers).collect();
-        let varying = model.varying.iter().map(|_| next()).collect();
+        let varying = model.varying.iter().map(&mut jets).collect();
         let frame_angles = match model.frame {
             Some(_) => {
-                let angles = next();
-                (0..angles.numbers.len() / angles.jet).filter_map(|at| angles.series(at)).collect()
+                let (angles, jet) = next();
+                numbers[angles].chunks_exact(jet).map(Series::from_derivatives).collect()
             }
             None => Vec::new(),
         };
-        Base { time, constants, rigid, direction, continua, coordinates, varying, frame_angles }
+        let (numbers, series) = (numbers.to_vec(), RefCell::new(Vec::new()));
+        Base { numbers, time, constants, rigid, direction, continua, coordinates, varying, series, frame_angles }
+    }
+
+    /// The numbers of a constant.
+    pub fn constant(&self, i: usize) -> &[B] {
+        &self.numbers[self.constants[i].clone()]
+    }
+
+    /// The components, along the frame, of what is fixed in it.
+    pub fn rigid(&self, i: usize) -> &[B] {
+        &self.numbers[self.rigid[i].clone()]
+    }
+
+    /// The derivatives of each coordinate: on shell no more than the first.
+    pub fn coordinates(&self) -> impl Iterator<Item = &[B]> {
+        self.coordinates.iter().map(|jet| &self.numbers[jet.clone()])
+    }
+
+    /// One of the numbers of a free function of time, as a series known to no more than so many terms.
+    pub fn varying(&self, i: usize, at: usize, terms: usize) -> Option<Series<B>> {
+        self.as_series(i, at, |series| Some(series.truncated(terms)))
+    }
+
+    /// The k-th derivative of one of the numbers of a free function of time, if it is known.
+    pub fn rate(&self, i: usize, at: usize, k: usize) -> Option<B> {
+        self.as_series(i, at, |series| series.rate(k))
+    }
+
+    fn as_series<T>(&self, i: usize, at: usize, take: impl FnOnce(&Series<B>) -> Option<T>) -> Option<T> {
+        let Jets { numbers, jet, first } = &self.varying[i];
+        let mut known = self.series.borrow_mut();
+        if known.is_empty() {
+            known.resize(self.varying.last().map_or(0, |last| last.first + last.numbers.len() / last.jet), None);
+        }
+        let derivatives = self.numbers[numbers.clone()].get(at * jet..(at + 1) * jet)?;
+        take(known.get_mut(first + at)?.get_or_insert_with(|| Series::from_derivatives(derivatives)))
+    }
+
+    /// The axes of the frame that turns by these numbers, at the instant.
+    pub fn axes(&self, frame: Frame) -> Option<Matrix3<Instant<B>>> {
+        let angle = |angle: &Series<B>| Instant(angle.value());
+        match (frame, self.frame_angles.as_slice()) {
+            (Frame::Free, [phi, theta, psi]) => Some(euler_angles(angle(phi), angle(theta), angle(psi))),
+            (Frame::FixedDirection, [by]) => mechanics::axes_about(self.direction, angle(by), Instant).ok(),
+            _ => None,
+        }
     }
 
     /// The frame that turns by these numbers, its angles known to so many terms.

@@ -16,7 +16,7 @@ use crate::scalar::field::{Large, at_a_point, false_accept_log2};
 use crate::scalar::{Modular, Series, rational};
 
 use super::base;
-use super::draw::Draw;
+use super::draw::{Draw, Reach};
 use super::ensemble::{Ensemble, Row, Solver};
 use super::identity::Context;
 use super::judge::{self, Link};
@@ -88,9 +88,7 @@ pub fn certify_solutions(
     decide(&formulas, context, ensemble, |scene| {
         let mut all = Vec::new();
         for branch in branches {
-            let Value::Scalar(root) =
-                scene.now(branch, &[]).map_err(|reason| unavailable(&reason, context))?
-            else {
+            let Value::Scalar(root) = scene.now(branch, &[]).map_err(|reason| unavailable(&reason, context))? else {
                 return Err("a solution that is no number".to_owned());
             };
             scene.set_only(&[(unknown, Series::constant(root))]);
@@ -166,9 +164,12 @@ fn decide(
         return Certificate::Open(reason);
     }
     let mut draw = Draw::new(context.options.seed, &format!("{}/{}/field", context.topic, ensemble.mode.on_shell));
-    let mut exactly = Exactly { solver, plan: Vec::new(), finest: 1 };
+    let mut exactly = Exactly { solver, plan: Vec::new(), finest: 1, anywhere: Vec::new(), idle: Vec::new() };
     if solver.equalities().next().is_some()
-        && let Err(reason) = exactly.rehearse(draw.seed(), &ensemble.bases[0])
+        && let Err(reason) = {
+            exactly.anywhere = anywhere(context, ensemble);
+            exactly.rehearse(draw.seed(), &ensemble.bases[0])
+        }
     {
         return Certificate::Open(reason);
     }
@@ -233,6 +234,18 @@ pub(super) fn outside(formulas: &[&Expr], solver: &Solver<'_>, ensemble: &Ensemb
     reason.map(str::to_owned)
 }
 
+/// Numbers drawn for the slots of an ensemble and moved onto nothing; whole numbers are those of its first state.
+fn anywhere(context: &Context<'_>, ensemble: &Ensemble<'_>) -> Vec<f64> {
+    let slots = &ensemble.solver.slots;
+    let mut base = Draw::new(context.options.seed, &format!("{}/anywhere", context.topic)).base(slots, Reach::Declared);
+    for ((number, slot), known) in base.iter_mut().zip(slots).zip(&ensemble.bases[0]) {
+        if matches!(slot.range, Range::Integer { .. }) {
+            *number = *known;
+        }
+    }
+    base
+}
+
 /// Makes three numbers the components of a unit vector, by the stereographic projection of the first two.
 fn unit_vector(direction: &mut [Modular]) {
     let [x, y, z] = direction else { return };
@@ -249,6 +262,10 @@ struct Exactly<'s, 'm> {
     plan: Vec<(Row, usize)>,
     /// The least common denominator of multiples of angles.
     finest: u64,
+    /// Numbers that obey no hypothesis: there nothing is at rest by accident.
+    anywhere: Vec<f64>,
+    /// The numbers that a row was found not to depend on.
+    idle: Vec<(Row, Vec<usize>)>,
 }
 
 const NOT_SOLVED: &str = "hypotheses that are not linear in a number of their own, so that they are not solved exactly";
@@ -402,6 +419,17 @@ impl<'m> Exactly<'_, 'm> {
         Ok(Some(()))
     }
 
+    /// Those of some numbers that a row does not depend on: most have nothing to do with it, and doubles tell it sooner.
+    fn idle(&mut self, row: Row, slots: &[usize]) -> Vec<usize> {
+        if let Some((_, idle)) = self.idle.iter().find(|(known, _)| *known == row) {
+            return idle.clone();
+        }
+        let idle: Vec<usize> =
+            slots.iter().copied().filter(|slot| !self.solver.depends(&self.anywhere, row, *slot)).collect();
+        self.idle.push((row, idle.clone()));
+        idle
+    }
+
     /// Finds a number to solve a row for, whose value is known, such that the rows before it hold still.
     fn extend(&mut self, base: &mut Vec<Modular>, (row, value): (Row, Modular), rows: &[Row]) -> Result<(), String> {
         let known = self.solver.plan.iter().filter(|(planned, _)| *planned == row).map(|(_, slot)| *slot);
@@ -411,7 +439,8 @@ impl<'m> Exactly<'_, 'm> {
         };
         let candidates: Vec<usize> = known.chain((1..base.len()).rev()).filter(free).take(CANDIDATES).collect();
         let before: Vec<Row> = rows.iter().copied().take_while(|other| *other != row).collect();
-        for slot in candidates {
+        let idle = self.idle(row, &candidates);
+        for slot in candidates.into_iter().filter(|slot| !idle.contains(slot)) {
             let mut moved = base.clone();
             if self.put(&mut moved, (row, value), slot)?.is_none() {
                 continue;

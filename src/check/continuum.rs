@@ -88,8 +88,7 @@ fn approach(link: &Link, at: usize, scene: &Scene<'_, Measured>) -> Result<(f64,
     let mut limits: Vec<f64> = Vec::new();
     for (n, k) in CUTS.into_iter().enumerate() {
         scene.populate(scene.cut(at, k)?);
-        let sides =
-            scene.now(&link.lhs, &[]).and_then(|lhs| Ok((lhs, scene.now(&link.rhs, &[])?)));
+        let sides = scene.now(&link.lhs, &[]).and_then(|lhs| Ok((lhs, scene.now(&link.rhs, &[])?)));
         scene.depopulate();
         let (lhs, rhs) = sides?;
         let (lhs, rhs) = pair(lhs, rhs);

@@ -371,12 +371,15 @@ impl<B: Number> Scene<'_, B> {
         let tensor = match terms {
             1 => {
                 let now = |formula: &Expr, at: &[_]| self.instant(formula, at);
-                let points = masses_at(count, |value| Ok((now(positions, &[(label, value)])?, now(masses, &[(label, value)])?)));
+                let points =
+                    masses_at(count, |value| Ok((now(positions, &[(label, value)])?, now(masses, &[(label, value)])?)));
                 inertia_tensor(&points?.ok_or(Unavailable::Symbol(id))?).map(|x| Series::of_value(x.0))
             }
             terms => {
                 let series = |formula: &Expr, at: &[_]| evaluate_to(terms, formula, self, at);
-                let points = masses_at(count, |value| Ok((series(positions, &[(label, value)])?, series(masses, &[(label, value)])?)));
+                let points = masses_at(count, |value| {
+                    Ok((series(positions, &[(label, value)])?, series(masses, &[(label, value)])?))
+                });
                 inertia_tensor(&points?.ok_or(Unavailable::Symbol(id))?)
             }
         };

@@ -299,9 +299,9 @@ fn letter(model: &Model, at: usize, slot: &Slot, n: usize) -> Option<Letter> {
 fn exchange(model: &Model, mode: Mode, base: &mut [Symbol], coordinates: &[usize], momenta: &[Symbol]) -> Option<()> {
     let (Some(world), false) = (&model.world, coordinates.is_empty()) else { return Some(()) };
     let sorted = Base::of(model, mode, base);
-    let part = |order: usize| sorted.coordinates.iter().map(|jet| jet.get(order).copied()).collect::<Option<Vec<_>>>();
+    let part = |order: usize| sorted.coordinates().map(|jet| jet.get(order).copied()).collect::<Option<Vec<_>>>();
     let (q, mut v) = (part(0)?, part(1)?);
-    let parameters: Vec<Symbol> = model.parameters.iter().map(|place| sorted.constants[*place][0]).collect();
+    let parameters: Vec<Symbol> = model.parameters.iter().map(|place| sorted.constant(*place)[0]).collect();
     coordinates.iter().for_each(|i| v[*i] = Symbol::from(0.0));
     let at_rest = world.quantities(sorted.time, &q, &v, &parameters).momenta;
     let mass = world.mass_matrix(sorted.time, &q, &v, &parameters);

@@ -6,7 +6,7 @@
 use crate::Result;
 use crate::formula::{Expr, Value};
 use crate::notes::claims::Range;
-use crate::scalar::{Measured, Series};
+use crate::scalar::{Measured, Series, TERMS};
 
 use super::ensemble::{Condition, Ensemble, Family, Setting};
 use super::identity::{Context, is_equality};
@@ -105,9 +105,7 @@ pub(super) fn states<'m>(
 
 /// Whether the sides of a comparison are far from equal at a state.
 fn is_clear((lhs, rhs): &Comparison, scene: &Scene<'_, Measured>) -> bool {
-    let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) =
-        (scene.now(lhs, &[]), scene.now(rhs, &[]))
-    else {
+    let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = (scene.now(lhs, &[]), scene.now(rhs, &[])) else {
         return false;
     };
     let difference = a - b;
@@ -122,13 +120,14 @@ fn numbers(scene: &Scene<'_, Measured>) -> Vec<(Range, f64)> {
         let rate = |order| Some((range(order), series.nth_derivative_value(order)?.value));
         (0..series.known()).filter_map(rate).collect()
     };
-    let constants = model.constants.iter().zip(&scene.base.constants);
-    let constants = constants.flat_map(|(c, numbers)| numbers.iter().map(|x| (c.range.clone(), x.value)));
+    let constants = model.constants.iter().enumerate();
+    let constants = constants.flat_map(|(i, c)| scene.base.constant(i).iter().map(|x| (c.range.clone(), x.value)));
     let coordinates = model.coordinates.iter().zip(scene.coordinates());
     let coordinates = coordinates.flat_map(|(q, series)| rates(&q.range, series));
-    let varying = model.varying.iter().zip(&scene.base.varying);
-    let varying = varying.flat_map(|(f, jets)| {
-        (0..f.numbers).filter_map(|at| jets.series(at)).flat_map(|series| rates(&f.range, &series))
+    let varying = model.varying.iter().enumerate();
+    let varying = varying.flat_map(|(i, f)| {
+        let series = (0..f.numbers).filter_map(move |at| scene.base.varying(i, at, TERMS));
+        series.flat_map(|series| rates(&f.range, &series))
     });
     constants.chain(coordinates).chain(varying).collect()
 }

@@ -246,6 +246,8 @@ pub struct Solver<'m> {
     accepted: usize,
     /// Whether there is more to solve than is solved.
     hopeless: bool,
+    /// How many derivatives the hypotheses need that are solved.
+    terms: usize,
 }
 
 /// States that differ from others in the values of some quantities and in nothing else that is free.
@@ -303,7 +305,8 @@ impl<'m> Solver<'m> {
         let (found, explicit) = rules(model, setting.local, &conditions);
         let slots = slots(model, mode);
         let (rules, plan) = (found.into(), Vec::new());
-        Solver {
+        let terms = 0;
+        let mut solver = Solver {
             model,
             mode,
             reach: setting.reach,
@@ -314,7 +317,10 @@ impl<'m> Solver<'m> {
             plan,
             accepted: 0,
             hopeless: false,
-        }
+            terms,
+        };
+        solver.terms = solver.needed();
+        solver
     }
 
     /// Which of the conditions are rules.
@@ -426,8 +432,7 @@ impl<'m> Solver<'m> {
         self.scene(&base, self.mode.order + 1)
     }
 
-    /// How many derivatives the hypotheses need that are solved.
-    fn terms(&self) -> usize {
+    fn needed(&self) -> usize {
         let throughout = self.equalities().any(|(_, condition)| condition.throughout);
         let sides = self.equalities().flat_map(|(_, condition)| [&condition.lhs, &condition.rhs]);
         let highest = sides.map(|side| derivatives(side, self.model)).max().unwrap_or(0);
@@ -505,8 +510,13 @@ impl<'m> Solver<'m> {
     fn column(&self, base: &[f64], slot: usize, rows: &[Row]) -> Result<Option<Vec<Dual64>>> {
         let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
         dual[slot].eps = 1.0;
-        let values = self.values(&self.scene(&dual, self.terms())?, rows);
+        let values = self.values(&self.scene(&dual, self.terms)?, rows);
         Ok(values.filter(|values| values.iter().all(|value| value.re.is_finite() && value.eps.is_finite())))
+    }
+
+    /// Whether the value of a row changes with a number, at a base where nothing keeps it from doing so by accident.
+    pub(super) fn depends(&self, base: &[f64], row: Row, slot: usize) -> bool {
+        !matches!(self.column(base, slot, &[row]), Ok(Some(column)) if column.iter().all(|value| value.eps == 0.0))
     }
 
     fn is_linear(&self, base: &[f64], row: Row, slot: usize) -> Result<bool> {
@@ -514,7 +524,7 @@ impl<'m> Solver<'m> {
         for step in [0.0, 0.5, 1.0] {
             let mut moved = base.to_vec();
             moved[slot] += step;
-            let Some(value) = self.values(&self.scene(&moved, self.terms())?, &[row]) else { return Ok(false) };
+            let Some(value) = self.values(&self.scene(&moved, self.terms)?, &[row]) else { return Ok(false) };
             values.push(value[0]);
         }
         let bend: f64 = values[0] - 2.0 * values[1] + values[2];

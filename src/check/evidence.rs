@@ -111,6 +111,9 @@ pub fn unseen(link: &Link, scenes: &[Scene<'_, Measured>]) -> Option<String> {
     let all: Vec<&Expr> = terms(&link.lhs).into_iter().chain(terms(&link.rhs)).collect();
     let (mut seen, mut there) = (vec![false; all.len()], vec![false; all.len()]);
     for scene in scenes {
+        if seen.iter().all(|seen| *seen) {
+            return None;
+        }
         let values: Option<Vec<Measured>> = all
             .iter()
             .map(|term| match scene.now(term, &[]) {

@@ -38,10 +38,11 @@ pub(super) fn of_formulas(formulas: &[&Expr], context: &Context<'_>, ensemble: &
     let is_free =
         |symbol: &SymbolId| !outright.contains(symbol) && !context.local.iter().any(|rule| rule.symbol == *symbol);
     drawn(formulas, model).into_iter().filter(is_free).find(|symbol| {
-        let values: Option<Vec<Vec<f64>>> = ensemble.scenes.iter().map(|scene| values(*symbol, scene)).collect();
-        let Some((first, others)) = values.as_deref().and_then(<[_]>::split_first) else { return false };
+        let Some((first, others)) = ensemble.scenes.split_first() else { return false };
+        let Some(first) = values(*symbol, first).filter(|first| !first.is_empty()) else { return false };
         let one = |(a, b): (&f64, &f64)| (a - b).abs() <= ONE_VALUE * (1.0 + a.abs());
-        !first.is_empty() && others.iter().all(|other| first.iter().zip(other).all(one)) && !is_narrow(*symbol, model)
+        let same = |other| values(*symbol, other).is_some_and(|other| first.iter().zip(&other).all(one));
+        others.iter().all(same) && !is_narrow(*symbol, model)
     })
 }
 

@@ -9,7 +9,7 @@ use crate::formula::evaluate::{Body, Environment, Unavailable, differentiate, ev
 use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
 use crate::scalar::{Instant, Number, Series};
 
-use super::model::Meaning;
+use super::model::{FrameQuantity, Meaning};
 use super::scene::Scene;
 
 /// A value, or why there is none.
@@ -61,7 +61,7 @@ impl<B: Number> Scene<'_, B> {
     }
 
     /// The derivative of a symbol, of any order, where it is drawn and nothing stands in for it.
-    fn drawn(&self, id: SymbolId, indices: &[u8], order: u8) -> Option<Value<Instant<B>>> {
+    pub(super) fn drawn(&self, id: SymbolId, indices: &[u8], order: u8) -> Option<Value<Instant<B>>> {
         let model = self.model();
         let order = usize::from(order);
         let place = || self.place_of(id, indices);
@@ -77,9 +77,16 @@ impl<B: Number> Scene<'_, B> {
         };
         match model.meaning(id)? {
             Meaning::Coordinate(i) => Some(Value::Scalar(Instant(self.coordinates().get(*i)?.rate(order)?))),
-            Meaning::Constant(i) if order == 0 => numbers(&|at| self.base.constants[*i].get(at).copied()),
-            Meaning::Varying(i) if order < self.terms() => numbers(&|at| self.base.varying[*i].rate(at, order)),
+            Meaning::Constant(i) if order == 0 => numbers(&|at| self.base.constant(*i).get(at).copied()),
+            Meaning::Varying(i) if order < self.terms() => numbers(&|at| self.base.rate(*i, at, order)),
             Meaning::World(quantity) if order == 0 => self.quantity_now(*quantity, indices),
+            Meaning::Frame(FrameQuantity::Axes) if order == 0 => {
+                Some(Value::Vector(self.axes()?.row(usize::from(*indices.first()?) - 1).transpose()))
+            }
+            Meaning::Rigid(i) if order == 0 && model.rigid[*i].about.is_none() => {
+                let Value::Vector(fixed) = numbers(&|at| self.base.rigid(*i).get(at).copied())? else { return None };
+                Some(Value::Vector(self.axes()?.transpose() * fixed))
+            }
             Meaning::Density(at) if order == 0 => Some(Value::Scalar(Instant(self.density(*at)?.value()))),
             Meaning::Point if order == 0 => Some(Value::Vector(self.point()?.map(|x| Instant(x.value())))),
             _ => None,

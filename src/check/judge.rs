@@ -181,10 +181,7 @@ fn test_knowing(
 }
 
 /// The numbers of two sides; a literal 0 or 1 takes the shape of the other side.
-pub fn pair<B: crate::scalar::Number>(
-    lhs: Value<B>,
-    rhs: Value<B>,
-) -> (Vec<B>, Vec<B>) {
+pub fn pair<B: crate::scalar::Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, Vec<B>) {
     use crate::formula::shape::Shape;
     let (a_shape, b_shape) = (lhs.shape(), rhs.shape());
     let (a, b) = (lhs.entries(), rhs.entries());

@@ -173,9 +173,7 @@ impl<'a> Steps<'a> {
         let mut last = None;
         for k in 0..=LAST {
             let Some(scene) = self.scene(k) else { continue };
-            let (Value::Scalar(a), Value::Scalar(b)) =
-                (scene.now(&link.lhs, &[])?, scene.now(&link.rhs, &[])?)
-            else {
+            let (Value::Scalar(a), Value::Scalar(b)) = (scene.now(&link.lhs, &[])?, scene.now(&link.rhs, &[])?) else {
                 return Err(Unavailable::Operation("a limit of something that is no number"));
             };
             if !a.value.is_finite() || !b.value.is_finite() {

@@ -73,6 +73,8 @@ pub struct Scene<'m, B: Number> {
     quantities_now: OnceCell<Option<Quantities<Instant<B>>>>,
     /// The frame that turns, known to so many terms as its place here says.
     frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
+    /// The same at the instant.
+    axes: OnceCell<Option<Box<Matrix3<Instant<B>>>>>,
     /// Its angular velocity, likewise.
     angular_velocities: [OnceCell<AngularVelocity<B>>; TERMS + 1],
     /// Where in a continuum the formula at hand is evaluated.
@@ -127,13 +129,13 @@ impl<'m, B: Number> Scene<'m, B> {
         let base = Base::of(model, mode, base);
         let coordinates = match &model.world {
             Some(world) if mode.on_shell => {
-                let q: Vec<B> = base.coordinates.iter().map(|jet| jet[0]).collect();
-                let v: Vec<B> = base.coordinates.iter().map(|jet| jet[1]).collect();
-                let parameters: Vec<B> = model.parameters.iter().map(|place| base.constants[*place][0]).collect();
+                let q: Vec<B> = base.coordinates().map(|jet| jet[0]).collect();
+                let v: Vec<B> = base.coordinates().map(|jet| jet[1]).collect();
+                let parameters: Vec<B> = model.parameters.iter().map(|place| base.constant(*place)[0]).collect();
                 let order = mode.order.min(terms - 1).max(1);
                 world.motion_by(elimination, base.time, &q, &v, &parameters, order)?
             }
-            _ => base.coordinates.iter().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
+            _ => base.coordinates().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
         };
         Ok(Scene {
             model,
@@ -146,6 +148,7 @@ impl<'m, B: Number> Scene<'m, B> {
             quantities: OnceCell::new(),
             quantities_now: OnceCell::new(),
             frames: std::array::from_fn(|_| OnceCell::new()),
+            axes: OnceCell::new(),
             angular_velocities: std::array::from_fn(|_| OnceCell::new()),
             place: RefCell::new(Place::default()),
             crowd: RefCell::new(None),
@@ -213,7 +216,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 self.coordinates.iter().map(|q| q.rate(order).map(Instant)).collect()
             };
             let parameters: Vec<_> =
-                self.model.parameters.iter().map(|place| Instant(self.base.constants[*place][0])).collect();
+                self.model.parameters.iter().map(|place| Instant(self.base.constant(*place)[0])).collect();
             Some(world.quantities(Instant(self.base.time), &derivative(0)?, &derivative(1)?, &parameters))
         };
         self.quantities_now.get_or_init(compute).as_ref()
@@ -233,7 +236,7 @@ impl<'m, B: Number> Scene<'m, B> {
         let derivative = |order: usize| -> Option<Vec<B>> {
             self.coordinates.iter().map(|q| q.nth_derivative_value(order)).collect()
         };
-        let parameters: Vec<B> = self.model.parameters.iter().map(|place| self.base.constants[*place][0]).collect();
+        let parameters: Vec<B> = self.model.parameters.iter().map(|place| self.base.constant(*place)[0]).collect();
         let (q, v, a) = (derivative(0)?, derivative(1)?, derivative(2)?);
         Some(world.euler_lagrange(self.base.time, &q, &v, &parameters, &a))
     }
@@ -257,7 +260,7 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn parameters(&self) -> Vec<Series<B>> {
-        self.model.parameters.iter().map(|place| self.constant(self.base.constants[*place][0])).collect()
+        self.model.parameters.iter().map(|place| self.constant(self.base.constant(*place)[0])).collect()
     }
 
     /// The document's frame, of which so many terms are used; there may be more.
@@ -269,6 +272,16 @@ impl<'m, B: Number> Scene<'m, B> {
             Some(known) => known.as_deref(),
             None => self.frames.get(terms)?.get_or_init(compute).as_deref(),
         }
+    }
+
+    /// The axes of the document's frame at the instant, as rows.
+    pub(super) fn axes(&self) -> Option<&Matrix3<Instant<B>>> {
+        let known = || self.frames[1..].iter().find_map(|frame| frame.get()?.as_ref());
+        let compute = || match known() {
+            Some(frame) => Some(Box::new(frame.orientation().map(|entry| Instant(entry.value())))),
+            None => self.base.axes(self.model.frame?).map(Box::new),
+        };
+        self.axes.get_or_init(compute).as_deref()
     }
 
     /// The angular velocity of the document's frame, of which so many terms are used; there may be more.
@@ -476,10 +489,10 @@ impl<'m, B: Number> Scene<'m, B> {
         let fixed = |numbers: &[B]| self.numbers(id, indices, |at| numbers.get(at).map(|x| self.constant(*x)));
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
-            Meaning::Constant(i) => fixed(&self.base.constants[*i]),
+            Meaning::Constant(i) => fixed(self.base.constant(*i)),
             Meaning::Varying(i) => {
                 let known = self.terms.min(terms);
-                self.numbers(id, indices, |at| self.base.varying[*i].series_to(at, known))
+                self.numbers(id, indices, |at| self.base.varying(*i, at, known))
             }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
@@ -511,7 +524,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 Ok(Value::Vector(self.frame(terms).ok_or_else(none)?.orientation().row(at).transpose()))
             }
             Meaning::Rigid(i) => {
-                let Value::Vector(fixed) = fixed(&self.base.rigid[*i])? else { return Err(none()) };
+                let Value::Vector(fixed) = fixed(self.base.rigid(*i))? else { return Err(none()) };
                 let orientation = self.frame(terms).ok_or_else(none)?.orientation().map(|entry| entry.truncated(terms));
                 let turned = orientation.transpose() * fixed;
                 match self.model.rigid[*i].about {
@@ -566,7 +579,8 @@ impl<'m, B: Number> Scene<'m, B> {
 
     /// The value of a symbol after all rules.
     pub(super) fn ruled_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Instant<B>>, Unavailable> {
-        Ok(first(&self.ruled(id, indices, self.rules.len(), 1)?))
+        let direct = if self.is_as_drawn(id) { self.drawn(id, indices, 0) } else { None };
+        direct.map_or_else(|| Ok(first(&self.ruled(id, indices, self.rules.len(), 1)?)), Ok)
     }
 
     fn is_replaced(&self, id: SymbolId) -> bool {

@@ -150,9 +150,9 @@ fn survivor(
                     return false;
                 }
                 // Another branch is a solution too; then the printed one is the twin of that.
-                let other = branches.iter().any(|other| {
-                    matches!(scene.now(other, &[]), Ok(Value::Scalar(r)) if judge::vanishes(r - value))
-                });
+                let other = branches
+                    .iter()
+                    .any(|other| matches!(scene.now(other, &[]), Ok(Value::Scalar(r)) if judge::vanishes(r - value)));
                 !other && matches!(put_in(target, unknown, value, scene), Ok(Point::Holds(_) | Point::Useless))
             });
             if survives {

@@ -122,10 +122,18 @@ pub fn evaluate_to<D: Moving>(
     Evaluator { environment, indices: free.to_vec(), terms, number: std::marker::PhantomData }.value(expr)
 }
 
+/// The value of a literal; most have one digit.
+fn literal(text: &str) -> Option<f64> {
+    match text.as_bytes() {
+        [digit @ b'0'..=b'9'] => Some(f64::from(digit - b'0')),
+        _ => text.parse().ok(),
+    }
+}
+
 /// The exact value of an exponent that holds numbers only.
 pub fn constant_exponent(expr: &Expr) -> Option<f64> {
     match &expr.node {
-        Node::Number(text) => text.parse().ok(),
+        Node::Number(text) => literal(text),
         Node::Sum(terms) => terms.iter().try_fold(0.0, |sum, term| {
             let value = constant_exponent(&term.expr)?;
             Some(if term.sign == Sign::Plus { sum + value } else { sum - value })
@@ -148,9 +156,7 @@ type Evaluated<T> = Result<T, Unavailable>;
 impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         Ok(match &expr.node {
-            Node::Number(text) => {
-                Value::Scalar(constant(text.parse().map_err(|_| Unavailable::Operation("a number"))?))
-            }
+            Node::Number(text) => Value::Scalar(constant(literal(text).ok_or(Unavailable::Operation("a number"))?)),
             Node::Pi => Value::Scalar(constant(std::f64::consts::PI)),
             Node::Euler => Value::Scalar(constant(std::f64::consts::E)),
             Node::Symbol { id, indices, dots } => return self.symbol(*id, indices, *dots),

@@ -90,21 +90,31 @@ pub(crate) fn solve_by<D: Number>(
 /// When M is singular, ill-conditioned or not finite; the message has the condition number.
 pub(crate) fn solve<D: Number>(what: &str, matrix: DMatrix<D>, right: Vec<D>) -> Result<Vec<D>> {
     let condition = condition_number(&matrix.map(|entry| entry.re()));
-    let refused = || {
-        let message = if condition.is_nan() {
-            format!("the {what} is not finite here")
-        } else if condition.is_finite() {
-            format!("the {what} is too ill-conditioned to invert: condition number {condition:.1e}")
-        } else {
-            format!("the {what} is singular: condition number ∞")
-        };
-        Error::new(message).help("a velocity that L does not depend on, or a place where the coordinates degenerate")
-    };
     if condition.is_nan() || condition > MAX_CONDITION {
-        return Err(refused());
+        return Err(refused(what, condition));
     }
-    let solution = LU::<D, Dyn>::new(matrix).map_err(|_| refused())?.solve(&DVector::from_vec(right));
+    eliminate(what, matrix, right).map_err(|_| refused(what, condition))
+}
+
+/// Solves M x = b, where it is known that M is no worse than [`solve`] allows.
+///
+/// # Errors
+/// When M is singular.
+pub(crate) fn eliminate<D: Number>(what: &str, matrix: DMatrix<D>, right: Vec<D>) -> Result<Vec<D>> {
+    let solution =
+        LU::<D, Dyn>::new(matrix).map_err(|_| refused(what, f64::INFINITY))?.solve(&DVector::from_vec(right));
     Ok(solution.iter().copied().collect())
+}
+
+fn refused(what: &str, condition: f64) -> Error {
+    let message = if condition.is_nan() {
+        format!("the {what} is not finite here")
+    } else if condition.is_finite() {
+        format!("the {what} is too ill-conditioned to invert: condition number {condition:.1e}")
+    } else {
+        format!("the {what} is singular: condition number ∞")
+    };
+    Error::new(message).help("a velocity that L does not depend on, or a place where the coordinates degenerate")
 }
 
 #[cfg(test)]
