@@ -28,6 +28,9 @@ use super::scene::{Mode, Scene};
 /// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
 const THROUGHOUT: usize = 3;
 
+/// More states than these are seldom asked for.
+const USUAL: usize = 128;
+
 /// So many equations are solved at most; hypotheses about whole families are rules instead.
 const MOST: usize = 24;
 
@@ -91,7 +94,7 @@ impl<'m> Ensemble<'m> {
     pub fn draw(model: &'m Model, setting: &Setting<'_>, points: usize, draw: &mut Draw) -> Result<Self> {
         let mode = setting.mode;
         let mut solver = Solver::new(model, setting);
-        let (mut scenes, mut bases, mut tried) = (Vec::new(), Vec::new(), 0);
+        let (mut scenes, mut bases, mut tried) = (Vec::with_capacity(points.min(USUAL)), Vec::new(), 0);
         let mut failure: Option<Error> = None;
         while scenes.len() < points && tried < 4 * points + 32 && !solver.hopeless {
             tried += 1;

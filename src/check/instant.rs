@@ -4,6 +4,7 @@
 //! numbers of one coefficient ([`Instant`]); only beneath a dot, or d/dt, series are asked for again.
 
 use nalgebra::Vector3;
+use num_traits::{One, Zero};
 
 use crate::formula::evaluate::{Body, Environment, Unavailable, differentiate, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
@@ -80,17 +81,40 @@ impl<B: Number> Scene<'_, B> {
             Meaning::Constant(i) if order == 0 => numbers(&|at| self.base.constant(*i).get(at).copied()),
             Meaning::Varying(i) if order < self.terms() => numbers(&|at| self.base.rate(*i, at, order)),
             Meaning::World(quantity) if order == 0 => self.quantity_now(*quantity, indices),
-            Meaning::Frame(FrameQuantity::Axes) if order == 0 => {
-                Some(Value::Vector(self.axes()?.row(usize::from(*indices.first()?) - 1).transpose()))
+            Meaning::Defined(formula) if order == 0 && self.is_uncrowded() => {
+                let letters = model.symbols.entry(id).slots.iter().map(|(_, letter)| *letter);
+                let free: Vec<(IndexId, u8)> = letters.zip(indices.iter().copied()).collect();
+                self.instant(formula, &free).ok()
             }
-            Meaning::Rigid(i) if order == 0 && model.rigid[*i].about.is_none() => {
+            Meaning::FixedAxis(k) if order == 0 => {
+                Some(Value::Vector(Vector3::from_fn(|i, _| if i == *k { Instant::one() } else { Instant::zero() })))
+            }
+            Meaning::Frame(FrameQuantity::Axes) if order == 0 => {
+                Some(Value::Vector(self.axes(0)?.row(usize::from(*indices.first()?) - 1).transpose()))
+            }
+            Meaning::Frame(FrameQuantity::AngularVelocity) if order == 0 => Some(Value::Vector(self.turns()?)),
+            Meaning::Rigid(i) => {
                 let Value::Vector(fixed) = numbers(&|at| self.base.rigid(*i).get(at).copied())? else { return None };
-                Some(Value::Vector(self.axes()?.transpose() * fixed))
+                let turned = self.axes(order)?.transpose() * fixed;
+                let moved = match model.rigid[*i].about {
+                    None => turned,
+                    Some(about) => self.about(about, order)? + turned,
+                };
+                Some(Value::Vector(moved.map(|x| Instant(Series::rate_of(x.0, order)))))
             }
             Meaning::Density(at) if order == 0 => Some(Value::Scalar(Instant(self.density(*at)?.value()))),
             Meaning::Point if order == 0 => Some(Value::Vector(self.point()?.map(|x| Instant(x.value())))),
             _ => None,
         }
+    }
+}
+
+impl<B: Number> Scene<'_, B> {
+    /// The coefficients, of an order, of the point that a body turns about.
+    fn about(&self, point: SymbolId, order: usize) -> Option<Vector3<Instant<B>>> {
+        let Value::Vector(series) = self.symbol_to(point, &[], order + 1).ok()? else { return None };
+        let of = |x: &Series<B>| x.coefficient(order).map(Instant);
+        Some(Vector3::new(of(&series.x)?, of(&series.y)?, of(&series.z)?))
     }
 }
 

@@ -73,8 +73,10 @@ pub struct Scene<'m, B: Number> {
     quantities_now: OnceCell<Option<Quantities<Instant<B>>>>,
     /// The frame that turns, known to so many terms as its place here says.
     frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
-    /// The same at the instant.
-    axes: OnceCell<Option<Box<Matrix3<Instant<B>>>>>,
+    /// Its axes' coefficients of each order.
+    axes: [OnceCell<Option<Box<Matrix3<Instant<B>>>>>; TERMS],
+    /// Its angular velocity at the instant.
+    turns: OnceCell<Option<Vector3<Instant<B>>>>,
     /// Its angular velocity, likewise.
     angular_velocities: [OnceCell<AngularVelocity<B>>; TERMS + 1],
     /// Where in a continuum the formula at hand is evaluated.
@@ -148,7 +150,8 @@ impl<'m, B: Number> Scene<'m, B> {
             quantities: OnceCell::new(),
             quantities_now: OnceCell::new(),
             frames: std::array::from_fn(|_| OnceCell::new()),
-            axes: OnceCell::new(),
+            axes: std::array::from_fn(|_| OnceCell::new()),
+            turns: OnceCell::new(),
             angular_velocities: std::array::from_fn(|_| OnceCell::new()),
             place: RefCell::new(Place::default()),
             crowd: RefCell::new(None),
@@ -274,14 +277,36 @@ impl<'m, B: Number> Scene<'m, B> {
         }
     }
 
-    /// The axes of the document's frame at the instant, as rows.
-    pub(super) fn axes(&self) -> Option<&Matrix3<Instant<B>>> {
+    /// The coefficients, of an order, of the axes of the document's frame, as rows: of order 0 the axes at the instant.
+    pub(super) fn axes(&self, order: usize) -> Option<&Matrix3<Instant<B>>> {
         let known = || self.frames[1..].iter().find_map(|frame| frame.get()?.as_ref());
-        let compute = || match known() {
-            Some(frame) => Some(Box::new(frame.orientation().map(|entry| Instant(entry.value())))),
-            None => self.base.axes(self.model.frame?).map(Box::new),
+        let compute = || {
+            let frame = match order {
+                0 if known().is_none() => return self.base.axes(self.model.frame?).map(Box::new),
+                0 => known()?,
+                order if order < self.terms => self.frame(order + 1)?,
+                _ => return None,
+            };
+            let all = frame.orientation();
+            let is_there = all.iter().all(|entry| entry.coefficient(order).is_some());
+            is_there.then(|| Box::new(all.map(|entry| Instant(entry.coefficient(order).unwrap_or(B::zero())))))
         };
-        self.axes.get_or_init(compute).as_deref()
+        self.axes.get(order)?.get_or_init(compute).as_deref()
+    }
+
+    /// The angular velocity of the document's frame at the instant.
+    pub(super) fn turns(&self) -> Option<Vector3<Instant<B>>> {
+        let compute = || {
+            let frame = self.frame(2)?;
+            let rate = self.axes(1)?.map(|entry| Instant(Series::rate_of(entry.0, 1)));
+            Some(rotations::angular_velocity(&frame.orientation().map(|entry| Instant(entry.value())), &rate))
+        };
+        *self.turns.get_or_init(compute)
+    }
+
+    /// Whether no particles stand in for those of a family.
+    pub(super) fn is_uncrowded(&self) -> bool {
+        self.crowd.borrow().is_none()
     }
 
     /// The angular velocity of the document's frame, of which so many terms are used; there may be more.

@@ -119,7 +119,10 @@ pub fn evaluate_to<D: Moving>(
     environment: &impl Environment<D>,
     free: &[(IndexId, u8)],
 ) -> Result<Value<D>, Unavailable> {
-    Evaluator { environment, indices: free.to_vec(), terms, number: std::marker::PhantomData }.value(expr)
+    // Where there are indices, sums over more are likely.
+    let mut indices = Vec::with_capacity(if free.is_empty() { 0 } else { free.len() + 2 });
+    indices.extend_from_slice(free);
+    Evaluator { environment, indices, terms, number: std::marker::PhantomData }.value(expr)
 }
 
 /// The value of a literal; most have one digit.
@@ -213,7 +216,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 Value::Scalar(a.x * b.x + a.y * b.y + a.z * b.z)
             }
             Node::Matrix(rows) => {
-                let mut entries = Vec::new();
+                let mut entries = Vec::with_capacity(rows.iter().map(Vec::len).sum());
                 for entry in rows.iter().flatten() {
                     entries.push(self.scalar(entry)?);
                 }
@@ -387,7 +390,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             return match symbols.extents(id).as_slice() {
                 [_] => Ok(Value::Vector(Vector3::new(member(&[1])?, member(&[2])?, member(&[3])?))),
                 [rows, columns] => {
-                    let mut entries = Vec::new();
+                    let mut entries = Vec::with_capacity(usize::from(*rows) * usize::from(*columns));
                     for i in 1..=*rows {
                         for j in 1..=*columns {
                             entries.push(member(&[i, j])?);

@@ -74,6 +74,11 @@ impl<B: Number> Series<B> {
         Series::build(1, 1, |_, _| value)
     }
 
+    /// The k-th coefficient, if it is known and may differ from zero.
+    pub fn coefficient(&self, k: usize) -> Option<B> {
+        (k < self.known() && k < self.length()).then(|| self.coefficients[k])
+    }
+
     /// The value of the k-th of the derivatives that [`derivative`](Self::derivative) takes one after the other, to the
     /// last digit; `None` if it is not known.
     pub fn rate(&self, k: usize) -> Option<B> {
@@ -83,7 +88,12 @@ impl<B: Number> Series<B> {
         if k >= self.length() {
             return Some((0..k).fold(*self, |rate, _| rate.derivative()).value());
         }
-        Some((1..=k).rev().fold(self.coefficients[k], |coefficient, j| coefficient * j as f64))
+        Some(Self::rate_of(self.coefficients[k], k))
+    }
+
+    /// The value of the k-th derivative of what has this k-th coefficient, likewise to the last digit.
+    pub fn rate_of(coefficient: B, k: usize) -> B {
+        (1..=k).rev().fold(coefficient, |coefficient, j| coefficient * j as f64)
     }
 
     /// The series of the time derivative; it knows one order less.
