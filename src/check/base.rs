@@ -2,6 +2,7 @@
 
 use std::cell::{OnceCell, RefCell};
 use std::ops::Range;
+use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -98,28 +99,18 @@ pub fn direction(model: &Model) -> Option<std::ops::Range<usize>> {
     Some(first..first + 3)
 }
 
-/// A base, sorted by what its numbers are.
-pub struct Base<B> {
-    /// All of them, in their order.
-    numbers: Vec<B>,
-    /// The time.
-    pub time: B,
-    /// Where the numbers of each constant stand.
+/// Where in a base the numbers of each symbol stand: the same for all states of a mode.
+pub struct Layout {
+    time: Range<usize>,
     constants: Vec<Range<usize>>,
-    /// Where the components stand, along the frame, of what is fixed in it.
     rigid: Vec<Range<usize>>,
-    /// The direction that the frame turns about, of any length.
-    pub direction: [B; 3],
-    /// What fixes each continuum.
-    pub continua: Vec<Hidden<B>>,
-    /// Where the derivatives of each coordinate stand: on shell no more than the first.
+    direction: Option<Range<usize>>,
+    continua: Vec<[Range<usize>; 6]>,
     coordinates: Vec<Range<usize>>,
-    /// The free functions of time.
     varying: Vec<Jets>,
-    /// The same as functions of time, of those that were asked for.
-    series: RefCell<Vec<Option<Series<B>>>>,
-    /// The angles of the frame.
-    pub frame_angles: Vec<Series<B>>,
+    angles: Option<Jets>,
+    /// How many numbers there are, and how many free functions of time.
+    counts: (usize, usize),
 }
 
 /// Numbers with their derivatives, one after the other.
@@ -130,6 +121,53 @@ struct Jets {
     jet: usize,
     /// The place of the first among all functions of time.
     first: usize,
+}
+
+impl Layout {
+    /// Of the states of a mode.
+    pub fn of(model: &Model, mode: Mode) -> Arc<Self> {
+        let mut groups = groups(model, mode);
+        let (mut done, mut functions) = (0, 0);
+        // Group after group, number after number, derivative after derivative.
+        let mut jets = || {
+            let (count, jet) = groups.next().map_or((0, 1), |group| (group.numbers, group.derivatives + 1));
+            done += count * jet;
+            Jets { numbers: done - count * jet..done, jet, first: 0 }
+        };
+        let mut next = || jets().numbers;
+        let time = next();
+        let constants = model.constants.iter().map(|_| next()).collect();
+        let rigid = model.rigid.iter().map(|_| next()).collect();
+        let direction = (model.frame == Some(Frame::FixedDirection)).then(&mut next);
+        let continua = model.continua.iter().map(|_| std::array::from_fn(|_| next())).collect();
+        let coordinates = model.coordinates.iter().map(|_| next()).collect();
+        let function = |variable: &Variable| {
+            let first = functions;
+            functions += variable.numbers;
+            Jets { first, ..jets() }
+        };
+        let varying = model.varying.iter().map(function).collect();
+        let angles = model.frame.map(|_| jets());
+        let counts = (done, functions);
+        Arc::new(Layout { time, constants, rigid, direction, continua, coordinates, varying, angles, counts })
+    }
+}
+
+/// A base, sorted by what its numbers are.
+pub struct Base<B> {
+    /// All of them, in their order.
+    numbers: Vec<B>,
+    layout: Arc<Layout>,
+    /// The time.
+    pub time: B,
+    /// The direction that the frame turns about, of any length.
+    pub direction: [B; 3],
+    /// What fixes each continuum.
+    pub continua: Vec<Hidden<B>>,
+    /// The free functions of time, of those that were asked for.
+    series: RefCell<Vec<Option<Series<B>>>>,
+    /// The angles of the frame.
+    pub frame_angles: Vec<Series<B>>,
 }
 
 /// What fixes a continuum of which nothing is said: a density that varies, sizes, a place, an orientation.
@@ -176,57 +214,33 @@ impl<B: Number> Hidden<B> {
 
 impl<B: Number> Base<B> {
     /// Sorts the numbers of a base; what is missing is not a number.
-    pub fn of(model: &Model, mode: Mode, numbers: &[B]) -> Self {
-        let mut groups = groups(model, mode);
-        let mut done = 0;
-        // Group after group, number after number, derivative after derivative.
-        let mut next = || {
-            let (count, jet) = groups.next().map_or((0, 1), |group| (group.numbers, group.derivatives + 1));
-            let first = done;
-            done = (done + count * jet).min(numbers.len());
-            (first..done, jet)
-        };
-        let [time] = few(&numbers[next().0]);
-        let constants = model.constants.iter().map(|_| next().0).collect();
-        let rigid = model.rigid.iter().map(|_| next().0).collect();
-        let direction = match model.frame {
-            Some(Frame::FixedDirection) => few(&numbers[next().0]),
-            _ => [B::zero(); 3],
-        };
-        let continua = model.continua.iter().map(|_| Hidden::of(std::array::from_fn(|_| &numbers[next().0]))).collect();
-        let coordinates = model.coordinates.iter().map(|_| next().0).collect();
-        let mut first = 0;
-        let mut jets = |_| {
-            let (numbers, jet) = next();
-            let jets = Jets { numbers, jet, first };
-            first += jets.numbers.len() / jet;
-            jets
-        };
-        let varying = model.varying.iter().map(&mut jets).collect();
-        let frame_angles = match model.frame {
-            Some(_) => {
-                let (angles, jet) = next();
-                numbers[angles].chunks_exact(jet).map(Series::from_derivatives).collect()
-            }
-            None => Vec::new(),
-        };
-        let (numbers, series) = (numbers.to_vec(), RefCell::new(Vec::new()));
-        Base { numbers, time, constants, rigid, direction, continua, coordinates, varying, series, frame_angles }
+    pub fn of(layout: &Arc<Layout>, numbers: &[B]) -> Self {
+        let mut numbers = numbers.to_vec();
+        numbers.resize(layout.counts.0, B::from(f64::NAN));
+        let part = |range: &Range<usize>| &numbers[range.clone()];
+        let [time] = few(part(&layout.time));
+        let direction = layout.direction.as_ref().map_or([B::zero(); 3], |range| few(part(range)));
+        let continua = layout.continua.iter().map(|ranges| Hidden::of(ranges.each_ref().map(part))).collect();
+        let series =
+            |angles: &Jets| part(&angles.numbers).chunks_exact(angles.jet).map(Series::from_derivatives).collect();
+        let frame_angles = layout.angles.as_ref().map_or(Vec::new(), series);
+        let (layout, series) = (layout.clone(), RefCell::new(Vec::new()));
+        Base { numbers, layout, time, direction, continua, series, frame_angles }
     }
 
     /// The numbers of a constant.
     pub fn constant(&self, i: usize) -> &[B] {
-        &self.numbers[self.constants[i].clone()]
+        &self.numbers[self.layout.constants[i].clone()]
     }
 
     /// The components, along the frame, of what is fixed in it.
     pub fn rigid(&self, i: usize) -> &[B] {
-        &self.numbers[self.rigid[i].clone()]
+        &self.numbers[self.layout.rigid[i].clone()]
     }
 
     /// The derivatives of each coordinate: on shell no more than the first.
     pub fn coordinates(&self) -> impl Iterator<Item = &[B]> {
-        self.coordinates.iter().map(|jet| &self.numbers[jet.clone()])
+        self.layout.coordinates.iter().map(|jet| &self.numbers[jet.clone()])
     }
 
     /// One of the numbers of a free function of time, as a series known to no more than so many terms.
@@ -240,12 +254,10 @@ impl<B: Number> Base<B> {
     }
 
     fn as_series<T>(&self, i: usize, at: usize, take: impl FnOnce(&Series<B>) -> Option<T>) -> Option<T> {
-        let Jets { numbers, jet, first } = &self.varying[i];
-        let mut known = self.series.borrow_mut();
-        if known.is_empty() {
-            known.resize(self.varying.last().map_or(0, |last| last.first + last.numbers.len() / last.jet), None);
-        }
+        let Jets { numbers, jet, first } = &self.layout.varying[i];
         let derivatives = self.numbers[numbers.clone()].get(at * jet..(at + 1) * jet)?;
+        let mut known = self.series.borrow_mut();
+        known.resize(self.layout.counts.1, None);
         take(known.get_mut(first + at)?.get_or_insert_with(|| Series::from_derivatives(derivatives)))
     }
 

@@ -17,12 +17,13 @@ use crate::scalar::{Modular, Series, rational};
 
 use super::base;
 use super::draw::{Draw, Reach};
-use super::ensemble::{Ensemble, Row, Solver};
+use super::ensemble::Ensemble;
 use super::identity::Context;
 use super::judge::{self, Link};
 use super::model::{Meaning, Model, ParticleQuantity};
 use super::rules::Action;
 use super::scene::Scene;
+use super::solver::{Row, Solver};
 use super::verdict::{Finding, Verdict};
 
 /// The probability of a false certificate is at most two to this power.

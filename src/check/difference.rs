@@ -18,7 +18,7 @@ use crate::mechanics::{Elimination, solve_by};
 use crate::notes::claims::Range;
 use crate::scalar::{Graph, Measured, Number, Symbol};
 
-use super::base::{Base, Slot, slots};
+use super::base::{Base, Layout, Slot, slots};
 use super::certify;
 use super::ensemble::Ensemble;
 use super::identity::{Context, derivatives, is_equality};
@@ -156,7 +156,15 @@ impl<'a> Failed<'a> {
         let fixed = &ensemble.bases[*at];
         let alphabet = Alphabet::new(model, mode, fixed);
         let record = || {
-            let scene = Scene::by(Elimination::Cramer, 3, model, mode, &alphabet.base(), &ensemble.rules).ok()?;
+            let scene = Scene::by(
+                Elimination::Cramer,
+                3,
+                model,
+                mode,
+                (&Layout::of(model, mode), &alphabet.base()),
+                &ensemble.rules,
+            )
+            .ok()?;
             scene.euler_lagrange()?.get(coordinate).copied()
         };
         let (graph, residual) = Graph::record(record).ok()?;
@@ -298,7 +306,7 @@ fn letter(model: &Model, at: usize, slot: &Slot, n: usize) -> Option<Letter> {
 /// quadratic in them this is wrong, and what comes of it is not shown.
 fn exchange(model: &Model, mode: Mode, base: &mut [Symbol], coordinates: &[usize], momenta: &[Symbol]) -> Option<()> {
     let (Some(world), false) = (&model.world, coordinates.is_empty()) else { return Some(()) };
-    let sorted = Base::of(model, mode, base);
+    let sorted = Base::of(&Layout::of(model, mode), base);
     let part = |order: usize| sorted.coordinates().map(|jet| jet.get(order).copied()).collect::<Option<Vec<_>>>();
     let (q, mut v) = (part(0)?, part(1)?);
     let parameters: Vec<Symbol> = model.parameters.iter().map(|place| sorted.constant(*place)[0]).collect();

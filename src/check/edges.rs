@@ -8,10 +8,11 @@ use crate::formula::{Expr, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Series, TERMS};
 
-use super::ensemble::{Condition, Ensemble, Family, Setting};
+use super::ensemble::{Condition, Ensemble, Setting};
 use super::identity::{Context, is_equality};
 use super::judge::Link;
 use super::scene::Scene;
+use super::solver::Family;
 
 /// From so many states the edge is looked for.
 const FROM: usize = 4;

@@ -109,7 +109,8 @@ pub fn unseen(link: &Link, scenes: &[Scene<'_, Measured>]) -> Option<String> {
         return None;
     }
     let all: Vec<&Expr> = terms(&link.lhs).into_iter().chain(terms(&link.rhs)).collect();
-    let (mut seen, mut there) = (vec![false; all.len()], vec![false; all.len()]);
+    // A literal zero is not there, and need not be seen.
+    let (mut seen, mut there): (Vec<bool>, Vec<bool>) = all.iter().map(|term| (term.is_null(), false)).unzip();
     for scene in scenes {
         if seen.iter().all(|seen| *seen) {
             return None;

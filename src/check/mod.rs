@@ -43,6 +43,7 @@ mod rules;
 pub mod scene;
 mod sentences;
 mod small;
+mod solver;
 pub mod solves;
 pub mod twins;
 pub mod units;

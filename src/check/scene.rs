@@ -19,7 +19,7 @@ use crate::mechanics::{Elimination, Frame, Nodes, Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Instant, Number, Series, TERMS};
 
-use super::base::Base;
+use super::base::{Base, Layout};
 use super::crowd::{Crowd, Place};
 use super::instant::first;
 use super::model::{FrameQuantity, Meaning, Model, Quantity};
@@ -105,18 +105,11 @@ impl<'m, B: Number> Scene<'m, B> {
     /// # Errors
     /// When the mass matrix is singular there.
     pub fn new(model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
-        Scene::knowing(mode.order + 1, model, mode, base, rules)
+        Scene::by(Elimination::Pivots, mode.order + 1, model, mode, (&Layout::of(model, mode), base), rules)
     }
 
-    /// The same state, of which no more than so many derivatives are known, the value counted.
-    ///
-    /// # Errors
-    /// When the mass matrix is singular there.
-    pub fn knowing(terms: usize, model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
-        Scene::by(Elimination::Pivots, terms, model, mode, base, rules)
-    }
-
-    /// The same state, the mass matrix inverted in the given way.
+    /// The same state, of which no more than so many derivatives are known, the value counted, and the mass matrix
+    /// inverted in the given way.
     ///
     /// # Errors
     /// When it cannot be.
@@ -125,10 +118,10 @@ impl<'m, B: Number> Scene<'m, B> {
         terms: usize,
         model: &'m Model,
         mode: Mode,
-        base: &[B],
+        (layout, base): (&Arc<Layout>, &[B]),
         rules: &Arc<[Rule]>,
     ) -> Result<Self> {
-        let base = Base::of(model, mode, base);
+        let base = Base::of(layout, base);
         let coordinates = match &model.world {
             Some(world) if mode.on_shell => {
                 let q: Vec<B> = base.coordinates().map(|jet| jet[0]).collect();
@@ -751,7 +744,7 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     }
 
     fn integral(&self, region: SymbolId, body: Body<'_, Series<B>>) -> Valued<B> {
-        self.integrate(region, body)
+        self.integrate(region, body, |x| self.constant(x))
     }
 
     fn shrinking(&self, region: SymbolId, body: Body<'_, Series<B>>) -> Valued<B> {

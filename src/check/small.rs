@@ -10,10 +10,11 @@ use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, Value};
 use crate::scalar::Measured;
 
-use super::ensemble::{Family, Setting};
+use super::ensemble::Setting;
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{Failure, Link, pair};
 use super::scene::Scene;
+use super::solver::Family;
 use super::twins::twins;
 use super::verdict::{Finding, Verdict};
 
