@@ -72,10 +72,10 @@ impl<B: Number> Crowd<B> {
     }
 
     /// The member of a family, if they stand in for it.
-    pub fn member(&self, id: SymbolId, indices: &[u8]) -> Option<Value<Series<B>>> {
+    pub fn member(&self, id: SymbolId, indices: &[u8]) -> Option<&Value<Series<B>>> {
         let (_, members) = self.members.iter().find(|(known, _)| *known == id)?;
         match indices {
-            [at] => members.get(usize::from(*at).wrapping_sub(1)).cloned(),
+            [at] => members.get(usize::from(*at).wrapping_sub(1)),
             _ => None,
         }
     }

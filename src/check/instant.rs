@@ -61,10 +61,19 @@ impl<B: Number> Scene<'_, B> {
         Ok(lifted(&Now(self).symbol_to(id, indices, 1)?))
     }
 
-    /// The derivative of a symbol, of any order, where it is drawn and nothing stands in for it.
+    /// The value of a symbol without indices.
+    pub(super) fn value(&self, id: SymbolId) -> Valued<B> {
+        Now(self).symbol(id, &[])
+    }
+
+    /// The derivative of a symbol, of any order, by its meaning alone, or by the particle that stands in for it; nothing
+    /// where series are needed for it.
     pub(super) fn drawn(&self, id: SymbolId, indices: &[u8], order: u8) -> Option<Value<Instant<B>>> {
         let model = self.model();
         let order = usize::from(order);
+        if let Some(member) = self.stand_in(id, indices, |value| (order == 0).then(|| first(value))) {
+            return member;
+        }
         let place = || self.place_of(id, indices);
         let numbers = |pick: &dyn Fn(usize) -> Option<B>| {
             let pick = |at: usize| pick(at).map(Instant);
@@ -127,10 +136,8 @@ impl<B: Number> Now<'_, '_, B> {
     }
 
     fn derived(&self, id: SymbolId, indices: &[u8], order: u8) -> Valued<B> {
-        match self.0.is_as_drawn(id) {
-            true => self.0.drawn(id, indices, order).map_or_else(|| self.by_series(id, indices, order), Ok),
-            false => self.by_series(id, indices, order),
-        }
+        let direct = if self.0.is_free(id) { self.0.drawn(id, indices, order) } else { None };
+        direct.map_or_else(|| self.by_series(id, indices, order), Ok)
     }
 }
 

@@ -496,12 +496,7 @@ impl<'m, B: Number> Scene<'m, B> {
     fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let entry = self.model.symbols.entry(id);
-        if self.crowded.get()
-            && let Some(member) = self.crowd.borrow().as_ref().and_then(|crowd| crowd.member(id, indices))
-        {
-            return Ok(member);
-        }
-        if let Some(member) = self.place.borrow().part.as_ref().and_then(|part| part.crowd.member(id, indices)) {
+        if let Some(member) = self.stand_in(id, indices, Value::clone) {
             return Ok(member);
         }
         let fixed = |numbers: &[B]| self.numbers(id, indices, |at| numbers.get(at).map(|x| self.constant(*x)));
@@ -597,7 +592,7 @@ impl<'m, B: Number> Scene<'m, B> {
 
     /// The value of a symbol after all rules.
     pub(super) fn ruled_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Instant<B>>, Unavailable> {
-        let direct = if self.is_as_drawn(id) { self.drawn(id, indices, 0) } else { None };
+        let direct = if self.is_free(id) { self.drawn(id, indices, 0) } else { None };
         direct.map_or_else(|| Ok(first(&self.ruled(id, indices, self.rules.len(), 1)?)), Ok)
     }
 
@@ -605,10 +600,19 @@ impl<'m, B: Number> Scene<'m, B> {
         self.overrides.iter().any(|(known, _)| *known == id)
     }
 
-    /// Whether nothing stands in for what was drawn of a symbol, and no rule says what it is.
-    pub(super) fn is_as_drawn(&self, id: SymbolId) -> bool {
-        let alone = !self.crowded.get() && self.place.borrow().part.is_none();
-        alone && !self.is_replaced(id) && !self.rules.iter().any(|rule| rule.symbol == id)
+    /// Whether a symbol was given no value of its own, and no rule says what it is.
+    pub(super) fn is_free(&self, id: SymbolId) -> bool {
+        !self.is_replaced(id) && !self.rules.iter().any(|rule| rule.symbol == id)
+    }
+
+    /// What is made of the particle that stands in for a member of a family, if one does.
+    pub(super) fn stand_in<T>(&self, id: SymbolId, indices: &[u8], take: impl Fn(&Value<Series<B>>) -> T) -> Option<T> {
+        let crowd = self.crowd.borrow();
+        let everywhere = crowd.as_ref().filter(|_| self.crowded.get());
+        everywhere.and_then(|crowd| crowd.member(id, indices)).map(&take).or_else(|| {
+            let place = self.place.borrow();
+            place.part.as_ref().and_then(|part| part.crowd.member(id, indices)).map(&take)
+        })
     }
 
     /// How many derivatives are known of what is drawn, the value counted.
@@ -737,8 +741,8 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
             return Ok(crowd.len());
         }
         let Some(count) = entry.count else { return Ok(entry.upper) };
-        match self.symbol_to(count, &[], 1)? {
-            Value::Scalar(n) => Ok((n.value().re() as u8).clamp(1, entry.upper)),
+        match self.value(count)? {
+            Value::Scalar(n) => Ok((n.0.re() as u8).clamp(1, entry.upper)),
             _ => Err(Unavailable::Symbol(count)),
         }
     }
