@@ -23,6 +23,7 @@ pub mod ensemble;
 mod equation;
 pub mod evidence;
 mod exactly;
+mod following;
 mod forced;
 pub mod functions;
 pub mod generates;

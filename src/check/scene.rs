@@ -14,7 +14,7 @@ use rustc_hash::FxHashMap;
 
 use crate::Result;
 use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate};
-use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
+use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
 use crate::mechanics::{Elimination, Frame, Nodes, Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Instant, Number, Series, TERMS};
@@ -47,13 +47,16 @@ type Memo<B> = FxHashMap<Key, (usize, Box<Value<Series<B>>>)>;
 type Tensor<B> = (Expr, Expr, usize, Matrix3<Series<B>>);
 
 /// The values of all members of a family, in order.
-type Members<B> = Vec<Value<Series<B>>>;
+pub(super) type Members<B> = Vec<Value<Series<B>>>;
 
 /// A value, or why there is none.
-type Valued<B> = Result<Value<Series<B>>, Unavailable>;
+pub(super) type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 
 /// How fast the frame turns, if there is one.
 type AngularVelocity<B> = Option<Box<Vector3<Series<B>>>>;
+
+/// Coefficients of the axes of a frame, if there is one.
+type Axes<B> = Option<Box<Matrix3<Instant<B>>>>;
 
 /// The nodes of bodies.
 type Cubatures<B> = FxHashMap<(usize, usize), Arc<Nodes<B>>>;
@@ -66,7 +69,7 @@ pub struct Scene<'m, B: Number> {
     terms: usize,
     pub(super) base: Base<B>,
     coordinates: Vec<Series<B>>,
-    rules: Arc<[Rule]>,
+    pub(super) rules: Arc<[Rule]>,
     overrides: Vec<(SymbolId, Value<Series<B>>)>,
     quantities: OnceCell<Option<Quantities<Series<B>>>>,
     /// The same, as values alone.
@@ -74,7 +77,7 @@ pub struct Scene<'m, B: Number> {
     /// The frame that turns, known to so many terms as its place here says.
     frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
     /// Its axes' coefficients of each order.
-    axes: [OnceCell<Option<Box<Matrix3<Instant<B>>>>>; TERMS],
+    axes: [OnceCell<Axes<B>>; TERMS],
     /// Its angular velocity at the instant.
     turns: OnceCell<Option<Vector3<Instant<B>>>>,
     /// Its angular velocity, likewise.
@@ -86,9 +89,9 @@ pub struct Scene<'m, B: Number> {
     /// Whether the formula at hand means them.
     crowded: Cell<bool>,
     /// Symbols that follow a law, with what is known of them while their next derivatives are being found.
-    following: RefCell<Vec<(SymbolId, Members<B>)>>,
+    pub(super) following: RefCell<Vec<(SymbolId, Members<B>)>>,
     /// The same when all is found.
-    followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
+    pub(super) followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
     /// Nodes of continua, of a degree.
     pub(super) cubatures: RefCell<Cubatures<B>>,
     /// Inertia tensors of masses at positions.
@@ -328,123 +331,6 @@ impl<'m, B: Number> Scene<'m, B> {
         self.quantities().and_then(|all| one_of(all, quantity, indices)).ok_or_else(none)
     }
 
-    /// A symbol after the first `upto` rules, of which so many terms are used.
-    fn ruled(&self, id: SymbolId, indices: &[u8], upto: usize, terms: usize) -> Valued<B> {
-        let Some(at) = self.rules[..upto].iter().rposition(|rule| rule.symbol == id) else {
-            return self.raw(id, indices, terms);
-        };
-        let rule = &self.rules[at];
-        let before = || self.ruled(id, indices, at, terms);
-        let letters: Vec<(IndexId, u8)> = rule.letters.iter().copied().zip(indices.iter().copied()).collect();
-        let wrong = Unavailable::Operation("a sum of different shapes");
-        let target = match &rule.action {
-            Action::Equals(formula) => {
-                let value = self.formula_to(terms, formula, &letters)?;
-                match (self.model.symbols.entry(id).kind, value) {
-                    (Kind::Vector, Value::Scalar(zero)) => Value::Vector(Vector3::from_element(zero)),
-                    (_, value) => value,
-                }
-            }
-            Action::Symmetric { permutation, sign } => {
-                let permuted: Vec<u8> = permutation.iter().map(|at| indices[*at]).collect();
-                let image = self.ruled(id, &permuted, at, terms)?;
-                let image = if *sign == Sign::Minus { image.map(|x| -x) } else { image };
-                before()?.plus(image).ok_or(wrong.clone())?.map(|x| x * 0.5)
-            }
-            Action::Parallel(along) => match (before()?, self.formula_to(terms, along, &letters)?) {
-                (Value::Vector(v), Value::Vector(a)) => {
-                    let square = a.dot(&a);
-                    match square.value().is_zero() {
-                        true => Value::Vector(Vector3::zeros()),
-                        false => Value::Vector(a * (v.dot(&a) / square)),
-                    }
-                }
-                _ => return Err(wrong),
-            },
-            Action::Follows { order, formula } => {
-                let place = self.place_of(id, indices);
-                let member = self.follow(rule, usize::from(*order), formula, (at, place))?;
-                return member.ok_or(Unavailable::Symbol(id));
-            }
-            // What joins families acts through the crowd that stands in for them.
-            Action::Union(..) => return before(),
-        };
-        if rule.throughout || !self.model.symbols.entry(id).varies {
-            return Ok(target);
-        }
-        // At the instant only: the value is the target's, the derivatives are its own.
-        let own = before()?;
-        let shift = target.plus(own.clone().map(|x| -x)).ok_or(wrong.clone())?;
-        own.plus(shift.map(|x| Series::constant(x.value()))).ok_or(wrong)
-    }
-
-    /// A member, by its place, of a symbol that follows from its lower derivatives, by these and by what its rule says
-    /// of the next: all members are found together.
-    fn follow(
-        &self,
-        rule: &Rule,
-        order: usize,
-        formula: &Expr,
-        (at, place): (usize, usize),
-    ) -> Result<Option<Value<Series<B>>>, Unavailable> {
-        if let Some((_, partial)) = self.following.borrow().iter().find(|(id, _)| *id == rule.symbol) {
-            return Ok(partial.get(place).cloned());
-        }
-        if let Some(known) = self.followed.borrow().get(&rule.symbol) {
-            return Ok(known.get(place).cloned());
-        }
-        let members = self.every_member(rule.symbol)?;
-        let mut known: Members<B> = Vec::new();
-        let mut terms = 0;
-        for member in &members {
-            let free = self.ruled(rule.symbol, member, at, ALL)?;
-            terms = terms.max(free.entries().first().map_or(0, Series::known));
-            known.push(free.map(|x| x.truncated(order)));
-        }
-        let wrong = || Unavailable::Operation("a sum of different shapes");
-        let mut values: Members<B> = Vec::new();
-        for next in order..terms {
-            // What was found with fewer derivatives may reach further.
-            let enough = |value: &Value<Series<B>>| value.entries().iter().all(|x| x.known() > next - order);
-            if values.is_empty() || !values.iter().all(enough) {
-                self.following.borrow_mut().push((rule.symbol, known.clone()));
-                self.forget_values();
-                let found: Result<Members<B>, Unavailable> = members
-                    .iter()
-                    .map(|member| {
-                        let letters: Vec<(IndexId, u8)> =
-                            rule.letters.iter().copied().zip(member.iter().copied()).collect();
-                        evaluate(formula, self, &letters)
-                    })
-                    .collect();
-                self.following.borrow_mut().pop();
-                self.forget_values();
-                values = found?;
-            }
-            for (known, value) in known.iter_mut().zip(&values) {
-                let (old, new) = (known.entries(), value.entries());
-                let zero = Series::constant(B::zero());
-                let mut entries = old.iter().enumerate().map(|(k, x)| {
-                    let value = new.get(k).or(new.first()).unwrap_or(&zero);
-                    let mut jet: Vec<B> = (0..next).filter_map(|n| x.nth_derivative_value(n)).collect();
-                    jet.extend(value.nth_derivative_value(next - order));
-                    Series::from_derivatives(&jet)
-                });
-                let mut take = || entries.next().ok_or_else(wrong);
-                *known = match known {
-                    Value::Scalar(_) => Value::Scalar(take()?),
-                    Value::Vector(_) => Value::Vector(Vector3::new(take()?, take()?, take()?)),
-                    Value::Matrix(_) => return Err(wrong()),
-                };
-            }
-        }
-        let member = known.get(place).cloned();
-        if self.following.borrow().is_empty() {
-            self.followed.borrow_mut().insert(rule.symbol, known);
-        }
-        Ok(member)
-    }
-
     /// Forgets what was computed for other values.
     fn forget(&self) {
         self.forget_values();
@@ -453,23 +339,9 @@ impl<'m, B: Number> Scene<'m, B> {
         self.tensors.borrow_mut().clear();
     }
 
-    fn forget_values(&self) {
+    pub(super) fn forget_values(&self) {
         self.memo.borrow_mut().clear();
         self.values.borrow_mut().clear();
-    }
-
-    /// The index values of every member of a family there is here.
-    fn every_member(&self, id: SymbolId) -> Result<Vec<Vec<u8>>, Unavailable> {
-        let mut members = vec![Vec::new()];
-        for (_, letter) in &self.model.symbols.entry(id).slots {
-            // As many as there is room for, so that the place of a member does not depend on the count.
-            let count = self.model.symbols.indices[letter.0].upper;
-            members = members
-                .into_iter()
-                .flat_map(|member: Vec<u8>| (1..=count).map(move |value| [member.as_slice(), &[value]].concat()))
-                .collect();
-        }
-        Ok(members)
     }
 
     /// Where a member of a family stands among the others.
@@ -493,7 +365,7 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     /// A symbol by its meaning alone, of which so many terms are used.
-    fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
+    pub(super) fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let entry = self.model.symbols.entry(id);
         if let Some(member) = self.stand_in(id, indices, Value::clone) {
