@@ -1,14 +1,16 @@
 //! The numbers that fix a state, in their order, and what they are put together to.
 
 use std::cell::{OnceCell, RefCell};
+use std::ops::Range;
+use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::SymbolId;
 use crate::mechanics;
 use crate::mechanics::rotations::euler_angles;
-use crate::notes::claims::Range;
-use crate::scalar::{Number, Series, TERMS};
+use crate::notes::claims;
+use crate::scalar::{Instant, Number, Series, TERMS};
 
 use super::model::{Frame, Model, Variable};
 use super::scene::Mode;
@@ -21,7 +23,7 @@ pub struct Slot {
     /// The order of the derivative.
     pub order: usize,
     /// Where it is drawn from.
-    pub range: Range,
+    pub range: claims::Range,
     /// Whether it is a constant.
     pub constant: bool,
     /// Whether it is one of many of its kind: of a vector, a family, a body.
@@ -29,9 +31,9 @@ pub struct Slot {
 }
 
 /// Numbers of one kind: so many, each with so many derivatives.
-struct Group {
+struct Group<'m> {
     symbol: Option<SymbolId>,
-    range: Range,
+    range: &'m claims::Range,
     constant: bool,
     numbers: usize,
     derivatives: usize,
@@ -39,29 +41,22 @@ struct Group {
 
 /// The groups of a base, in order: time, constants, what is fixed in the frame and its direction, continua; coordinates,
 /// free functions and the angles of the frame with their derivatives.
-fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group> {
+fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group<'_>> {
+    const ANY: &claims::Range = &claims::Range::Any;
+    const POSITIVE: &claims::Range = &claims::Range::Positive;
+    const ANGLE: &claims::Range = &claims::Range::Angle;
+    const WITHIN: &claims::Range = &claims::Range::Interval { low: -0.3, high: 0.3, low_open: false, high_open: false };
     let fixed = |symbol, range, numbers| Group { symbol, range, constant: true, numbers, derivatives: 0 };
-    let moving = |variable: &Variable, derivatives| Group {
-        symbol: Some(variable.symbol),
-        range: variable.range.clone(),
-        constant: false,
-        numbers: variable.numbers,
-        derivatives,
-    };
-    let time = [Group { constant: false, ..fixed(None, Range::Any, 1) }];
-    let constants = model.constants.iter().map(move |c| fixed(Some(c.symbol), c.range.clone(), c.numbers));
-    let rigid = model.rigid.iter().map(move |rigid| fixed(Some(rigid.symbol), Range::Any, 3 * rigid.members));
-    let direction = (model.frame == Some(Frame::FixedDirection)).then(|| fixed(None, Range::Any, 3));
+    fn moving(variable: &Variable, derivatives: usize) -> Group<'_> {
+        let Variable { symbol, range, numbers, .. } = variable;
+        Group { symbol: Some(*symbol), range, constant: false, numbers: *numbers, derivatives }
+    }
+    let time = [Group { constant: false, ..fixed(None, ANY, 1) }];
+    let constants = model.constants.iter().map(move |c| fixed(Some(c.symbol), &c.range, c.numbers));
+    let rigid = model.rigid.iter().map(move |rigid| fixed(Some(rigid.symbol), ANY, 3 * rigid.members));
+    let direction = (model.frame == Some(Frame::FixedDirection)).then(|| fixed(None, ANY, 3));
     let continua = model.continua.iter().flat_map(move |_| {
-        let within = |half: f64| Range::Interval { low: -half, high: half, low_open: false, high_open: false };
-        let ranges = [
-            (Range::Positive, 1),
-            (within(0.3), 9),
-            (Range::Positive, 3),
-            (Range::Any, 3),
-            (Range::Angle, 3),
-            (within(0.3), 3),
-        ];
+        let ranges = [(POSITIVE, 1), (WITHIN, 9), (POSITIVE, 3), (ANY, 3), (ANGLE, 3), (WITHIN, 3)];
         ranges.map(|(range, numbers)| fixed(None, range, numbers))
     });
     let on_shell = mode.on_shell && model.world.is_some();
@@ -69,7 +64,7 @@ fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group> {
     let varying = model.varying.iter().map(move |v| moving(v, mode.order));
     let angles = model.frame.map(|frame| Group {
         symbol: None,
-        range: Range::Angle,
+        range: ANGLE,
         constant: false,
         numbers: if frame == Frame::Free { 3 } else { 1 },
         derivatives: (mode.order + 1).min(TERMS - 1),
@@ -84,7 +79,7 @@ pub fn slots(model: &Model, mode: Mode) -> Vec<Slot> {
     for Group { symbol, range, constant, numbers, derivatives } in groups(model, mode) {
         for _ in 0..numbers {
             for order in 0..=derivatives {
-                let range = if order == 0 { range.clone() } else { Range::Any };
+                let range = if order == 0 { range.clone() } else { claims::Range::Any };
                 let one_of_many = numbers > 1 || symbol.is_none();
                 slots.push(Slot { symbol, order, range, constant, one_of_many });
             }
@@ -104,57 +99,75 @@ pub fn direction(model: &Model) -> Option<std::ops::Range<usize>> {
     Some(first..first + 3)
 }
 
+/// Where in a base the numbers of each symbol stand: the same for all states of a mode.
+pub struct Layout {
+    time: Range<usize>,
+    constants: Vec<Range<usize>>,
+    rigid: Vec<Range<usize>>,
+    direction: Option<Range<usize>>,
+    continua: Vec<[Range<usize>; 6]>,
+    coordinates: Vec<Range<usize>>,
+    varying: Vec<Jets>,
+    angles: Option<Jets>,
+    /// How many numbers there are, and how many free functions of time.
+    counts: (usize, usize),
+}
+
+/// Numbers with their derivatives, one after the other.
+struct Jets {
+    /// Where they stand in the base.
+    numbers: Range<usize>,
+    /// How many belong to one.
+    jet: usize,
+    /// The place of the first among all functions of time.
+    first: usize,
+}
+
+impl Layout {
+    /// Of the states of a mode.
+    pub fn of(model: &Model, mode: Mode) -> Arc<Self> {
+        let mut groups = groups(model, mode);
+        let (mut done, mut functions) = (0, 0);
+        // Group after group, number after number, derivative after derivative.
+        let mut jets = || {
+            let (count, jet) = groups.next().map_or((0, 1), |group| (group.numbers, group.derivatives + 1));
+            done += count * jet;
+            Jets { numbers: done - count * jet..done, jet, first: 0 }
+        };
+        let mut next = || jets().numbers;
+        let time = next();
+        let constants = model.constants.iter().map(|_| next()).collect();
+        let rigid = model.rigid.iter().map(|_| next()).collect();
+        let direction = (model.frame == Some(Frame::FixedDirection)).then(&mut next);
+        let continua = model.continua.iter().map(|_| std::array::from_fn(|_| next())).collect();
+        let coordinates = model.coordinates.iter().map(|_| next()).collect();
+        let function = |variable: &Variable| {
+            let first = functions;
+            functions += variable.numbers;
+            Jets { first, ..jets() }
+        };
+        let varying = model.varying.iter().map(function).collect();
+        let angles = model.frame.map(|_| jets());
+        let counts = (done, functions);
+        Arc::new(Layout { time, constants, rigid, direction, continua, coordinates, varying, angles, counts })
+    }
+}
+
 /// A base, sorted by what its numbers are.
 pub struct Base<B> {
+    /// All of them, in their order.
+    numbers: Vec<B>,
+    layout: Arc<Layout>,
     /// The time.
     pub time: B,
-    /// The numbers of each constant.
-    pub constants: Vec<Vec<B>>,
-    /// The components, along the frame, of what is fixed in it.
-    pub rigid: Vec<Vec<B>>,
     /// The direction that the frame turns about, of any length.
     pub direction: [B; 3],
     /// What fixes each continuum.
     pub continua: Vec<Hidden<B>>,
-    /// The derivatives of each coordinate: on shell no more than the first.
-    pub coordinates: Vec<Vec<B>>,
-    /// The free functions of time.
-    pub varying: Vec<Jets<B>>,
+    /// The free functions of time, of those that were asked for.
+    series: RefCell<Vec<Option<Series<B>>>>,
     /// The angles of the frame.
     pub frame_angles: Vec<Series<B>>,
-}
-
-/// Numbers with their derivatives, one after the other.
-pub struct Jets<B> {
-    numbers: Vec<B>,
-    /// How many belong to one.
-    jet: usize,
-    /// The same as functions of time, of those that were asked for.
-    series: RefCell<Vec<Option<Series<B>>>>,
-}
-
-impl<B: Number> Jets<B> {
-    fn new(numbers: &[B], jet: usize) -> Self {
-        Jets { numbers: numbers.to_vec(), jet, series: RefCell::new(Vec::new()) }
-    }
-
-    /// One of them as a function of time.
-    pub fn series(&self, at: usize) -> Option<Series<B>> {
-        self.series_to(at, TERMS)
-    }
-
-    /// The same, known to no more than so many terms.
-    pub fn series_to(&self, at: usize, terms: usize) -> Option<Series<B>> {
-        let mut known = self.series.borrow_mut();
-        if known.is_empty() {
-            known.resize(self.numbers.len() / self.jet, None);
-        }
-        let slot = known.get_mut(at)?;
-        if slot.is_none() {
-            *slot = self.numbers.get(at * self.jet..(at + 1) * self.jet).map(Series::from_derivatives);
-        }
-        slot.as_ref().map(|series| series.truncated(terms))
-    }
 }
 
 /// What fixes a continuum of which nothing is said: a density that varies, sizes, a place, an orientation.
@@ -173,7 +186,25 @@ pub struct Hidden<B> {
     turned: OnceCell<Matrix3<B>>,
 }
 
+/// As many numbers as there should be; what is missing is not a number.
+fn few<B: Number, const N: usize>(numbers: &[B]) -> [B; N] {
+    std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
+}
+
 impl<B: Number> Hidden<B> {
+    /// Put together from its groups of numbers.
+    fn of([density, coefficients, edges, middle, angles, point]: [&[B]; 6]) -> Self {
+        let ([first], others): ([B; 1], [B; 9]) = (few(density), few(coefficients));
+        Hidden {
+            density: std::array::from_fn(|k| if k == 0 { first } else { others[k - 1] }),
+            edges: few(edges),
+            middle: Vector3::from(few(middle)),
+            angles: few(angles),
+            point: few(point),
+            turned: OnceCell::new(),
+        }
+    }
+
     /// Q, which turns it from its canonical position.
     pub fn turned(&self) -> &Matrix3<B> {
         let [phi, theta, psi] = self.angles;
@@ -183,52 +214,61 @@ impl<B: Number> Hidden<B> {
 
 impl<B: Number> Base<B> {
     /// Sorts the numbers of a base; what is missing is not a number.
-    pub fn of(model: &Model, mode: Mode, numbers: &[B]) -> Self {
-        let mut groups = groups(model, mode);
-        let mut rest = numbers;
-        // Group after group, number after number, derivative after derivative.
-        let mut next = || {
-            let (count, jet) = groups.next().map_or((0, 1), |group| (group.numbers, group.derivatives + 1));
-            let (numbers, more) = rest.split_at((count * jet).min(rest.len()));
-            rest = more;
-            Jets::new(numbers, jet)
-        };
-        fn few<B: Number, const N: usize>(jets: &Jets<B>) -> [B; N] {
-            std::array::from_fn(|i| jets.numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
+    pub fn of(layout: &Arc<Layout>, numbers: &[B]) -> Self {
+        let mut numbers = numbers.to_vec();
+        numbers.resize(layout.counts.0, B::from(f64::NAN));
+        let part = |range: &Range<usize>| &numbers[range.clone()];
+        let [time] = few(part(&layout.time));
+        let direction = layout.direction.as_ref().map_or([B::zero(); 3], |range| few(part(range)));
+        let continua = layout.continua.iter().map(|ranges| Hidden::of(ranges.each_ref().map(part))).collect();
+        let series =
+            |angles: &Jets| part(&angles.numbers).chunks_exact(angles.jet).map(Series::from_derivatives).collect();
+        let frame_angles = layout.angles.as_ref().map_or(Vec::new(), series);
+        let (layout, series) = (layout.clone(), RefCell::new(Vec::new()));
+        Base { numbers, layout, time, direction, continua, series, frame_angles }
+    }
+
+    /// The numbers of a constant.
+    pub fn constant(&self, i: usize) -> &[B] {
+        &self.numbers[self.layout.constants[i].clone()]
+    }
+
+    /// The components, along the frame, of what is fixed in it.
+    pub fn rigid(&self, i: usize) -> &[B] {
+        &self.numbers[self.layout.rigid[i].clone()]
+    }
+
+    /// The derivatives of each coordinate: on shell no more than the first.
+    pub fn coordinates(&self) -> impl Iterator<Item = &[B]> {
+        self.layout.coordinates.iter().map(|jet| &self.numbers[jet.clone()])
+    }
+
+    /// One of the numbers of a free function of time, as a series known to no more than so many terms.
+    pub fn varying(&self, i: usize, at: usize, terms: usize) -> Option<Series<B>> {
+        self.as_series(i, at, |series| Some(series.truncated(terms)))
+    }
+
+    /// The k-th derivative of one of the numbers of a free function of time, if it is known.
+    pub fn rate(&self, i: usize, at: usize, k: usize) -> Option<B> {
+        self.as_series(i, at, |series| series.rate(k))
+    }
+
+    fn as_series<T>(&self, i: usize, at: usize, take: impl FnOnce(&Series<B>) -> Option<T>) -> Option<T> {
+        let Jets { numbers, jet, first } = &self.layout.varying[i];
+        let derivatives = self.numbers[numbers.clone()].get(at * jet..(at + 1) * jet)?;
+        let mut known = self.series.borrow_mut();
+        known.resize(self.layout.counts.1, None);
+        take(known.get_mut(first + at)?.get_or_insert_with(|| Series::from_derivatives(derivatives)))
+    }
+
+    /// The axes of the frame that turns by these numbers, at the instant.
+    pub fn axes(&self, frame: Frame) -> Option<Matrix3<Instant<B>>> {
+        let angle = |angle: &Series<B>| Instant(angle.value());
+        match (frame, self.frame_angles.as_slice()) {
+            (Frame::Free, [phi, theta, psi]) => Some(euler_angles(angle(phi), angle(theta), angle(psi))),
+            (Frame::FixedDirection, [by]) => mechanics::axes_about(self.direction, angle(by), Instant).ok(),
+            _ => None,
         }
-        let [time] = few(&next());
-        let constants = model.constants.iter().map(|_| next().numbers).collect();
-        let rigid = model.rigid.iter().map(|_| next().numbers).collect();
-        let direction = match model.frame {
-            Some(Frame::FixedDirection) => few(&next()),
-            _ => [B::zero(); 3],
-        };
-        let hidden = |_| {
-            let (middle_density, coefficients) = (next(), next());
-            let [first] = few(&middle_density);
-            let others: [B; 9] = few(&coefficients);
-            let density = std::array::from_fn(|k| if k == 0 { first } else { others[k - 1] });
-            let (edges, middle, angles, point) = (next(), next(), next(), next());
-            Hidden {
-                density,
-                edges: few(&edges),
-                middle: Vector3::from(few(&middle)),
-                angles: few(&angles),
-                point: few(&point),
-                turned: OnceCell::new(),
-            }
-        };
-        let continua = model.continua.iter().map(hidden).collect();
-        let coordinates = model.coordinates.iter().map(|_| next().numbers).collect();
-        let varying = model.varying.iter().map(|_| next()).collect();
-        let frame_angles = match model.frame {
-            Some(_) => {
-                let angles = next();
-                (0..angles.numbers.len() / angles.jet).filter_map(|at| angles.series(at)).collect()
-            }
-            None => Vec::new(),
-        };
-        Base { time, constants, rigid, direction, continua, coordinates, varying, frame_angles }
     }
 
     /// The frame that turns by these numbers, its angles known to so many terms.

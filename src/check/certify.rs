@@ -8,14 +8,14 @@
 //! A certificate never stands alone: it is asked for when numbers have agreed, so that ranges, branches of roots and the
 //! twins are theirs to judge.
 
-use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, IndexId, Node, SymbolId, Value, text};
 use crate::notes::claims::Range;
 use crate::scalar::field::{Large, Modulus, Second, at_a_point, false_accept_log2};
 use crate::scalar::{Modular, Series, rational};
 
 use super::draw::{Draw, last};
-use super::ensemble::{Ensemble, Solver};
+use super::ensemble::Ensemble;
 use super::evidence;
 use super::identity::Context;
 use super::judge::{self, Link};
@@ -23,6 +23,7 @@ use super::model::{Meaning, Model, ParticleQuantity};
 use super::rules::{Action, Rule};
 use super::scene::Scene;
 use super::solved::{OTHER_WAYS, Solved, is_never_zero};
+use super::solver::Solver;
 use super::verdict::{Finding, Verdict};
 
 /// The probability that two false sides are taken for one is at most two to this power: of an equation with a thousand parts
@@ -123,11 +124,11 @@ impl Claim for Solutions<'_> {
     fn differences<F: Modulus>(&self, scene: &mut Scene<'_, Modular<F>>) -> Differences<F> {
         let mut all = Vec::new();
         for branch in self.branches {
-            let found = evaluate_to(1, branch, scene, &[]).map_err(|reason| unavailable(&reason, scene.model()))?;
+            let found = scene.now(branch, &[]).map_err(|reason| unavailable(&reason, scene.model()))?;
             let Value::Scalar(root) = found else {
                 return Err("a solution that is no number".to_owned());
             };
-            all.extend(self.with(root.value(), scene)?);
+            all.extend(self.with(root, scene)?);
         }
         if self.all_of_them {
             all.extend(self.degree_exceeds(self.branches.len(), scene)?);
@@ -169,8 +170,8 @@ impl Claim for Link {
         let mut all = Vec::new();
         let reason = |reason: Unavailable| unavailable(&reason, scene.model());
         loop {
-            let lhs = evaluate_to(1, &self.lhs, scene, &indices).map_err(reason)?;
-            let rhs = evaluate_to(1, &self.rhs, scene, &indices).map_err(reason)?;
+            let lhs = scene.now(&self.lhs, &indices).map_err(reason)?;
+            let rhs = scene.now(&self.rhs, &indices).map_err(reason)?;
             let (a, b) = judge::pair(lhs, rhs);
             all.extend(a.into_iter().zip(b).map(|(a, b)| a - b));
             if !judge::advance(&mut indices, scene).map_err(reason)? {

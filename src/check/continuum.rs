@@ -5,7 +5,7 @@
 //! difference of the sides for vanishing cells is extrapolated, and nothing may be left of it.
 
 use crate::Result;
-use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, text};
 use crate::scalar::Measured;
 
@@ -94,8 +94,7 @@ fn approach(link: &Link, at: usize, scene: &Scene<'_, Measured>) -> Result<(f64,
     let mut limits: Vec<f64> = Vec::new();
     for (n, k) in CUTS.into_iter().enumerate() {
         scene.populate(scene.cut(at, k)?);
-        let sides =
-            evaluate_to(1, &link.lhs, scene, &[]).and_then(|lhs| Ok((lhs, evaluate_to(1, &link.rhs, scene, &[])?)));
+        let sides = scene.now(&link.lhs, &[]).and_then(|lhs| Ok((lhs, scene.now(&link.rhs, &[])?)));
         scene.depopulate();
         let (lhs, rhs) = sides?;
         let (lhs, rhs) = pair(lhs, rhs);

@@ -72,10 +72,10 @@ impl<B: Number> Crowd<B> {
     }
 
     /// The member of a family, if they stand in for it.
-    pub fn member(&self, id: SymbolId, indices: &[u8]) -> Option<Value<Series<B>>> {
+    pub fn member(&self, id: SymbolId, indices: &[u8]) -> Option<&Value<Series<B>>> {
         let (_, members) = self.members.iter().find(|(known, _)| *known == id)?;
         match indices {
-            [at] => members.get(usize::from(*at).wrapping_sub(1)).cloned(),
+            [at] => members.get(usize::from(*at).wrapping_sub(1)),
             _ => None,
         }
     }
@@ -145,6 +145,21 @@ impl<B: Number> Hidden<B> {
         let points = nodes.points.into_iter().map(|(x, w)| (along_x(x), w)).collect();
         Nodes { points }.turned(self.turned()).moved(around)
     }
+}
+
+/// The positions and masses of so many particles; nothing where they are no vectors and numbers.
+fn masses_at<D: Number>(
+    count: u8,
+    at: impl Fn(u8) -> Result<(Value<D>, Value<D>), Unavailable>,
+) -> Result<Option<Nodes<D>>, Unavailable> {
+    let mut points = Vec::new();
+    for value in 1..=count {
+        match at(value)? {
+            (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
+            _ => return Ok(None),
+        }
+    }
+    Ok(Some(Nodes { points }))
 }
 
 impl<B: Number> Scene<'_, B> {
@@ -233,12 +248,17 @@ impl<B: Number> Scene<'_, B> {
     }
 
     /// An integral over a continuum.
-    pub(super) fn integrate(&self, region: SymbolId, integrand: Integrand<'_, Series<B>>) -> Valued<B> {
+    pub(super) fn integrate<D: Number>(
+        &self,
+        region: SymbolId,
+        integrand: Integrand<'_, D>,
+        constant: impl Fn(B) -> D,
+    ) -> Result<Value<D>, Unavailable> {
         let (at, continuum) = self.continuum(region)?;
-        let (value, _) = self.sum_over_nodes(at, DEGREE, integrand)?;
+        let (value, _) = self.sum_over_nodes((at, DEGREE), integrand, &constant)?;
         if !continuum.solids.is_empty() {
-            let (finer, scale) = self.sum_over_nodes(at, FINER, integrand)?;
-            let same = |(a, b): (&Series<B>, &Series<B>)| (a.value().re() - b.value().re()).abs() <= 1e-10 * scale;
+            let (finer, scale) = self.sum_over_nodes((at, FINER), integrand, &constant)?;
+            let same = |(a, b): (&D, &D)| (a.re() - b.re()).abs() <= 1e-10 * scale;
             if !value.entries().iter().zip(&finer.entries()).all(same) {
                 return Err(Unavailable::Operation("an integral of something that is no polynomial of low degree"));
             }
@@ -247,12 +267,12 @@ impl<B: Number> Scene<'_, B> {
     }
 
     /// The sum over the nodes of a degree, and the magnitude of what was summed.
-    fn sum_over_nodes(
+    fn sum_over_nodes<D: Number>(
         &self,
-        at: usize,
-        degree: usize,
-        integrand: Integrand<'_, Series<B>>,
-    ) -> Result<(Value<Series<B>>, f64), Unavailable> {
+        (at, degree): (usize, usize),
+        integrand: Integrand<'_, D>,
+        constant: impl Fn(B) -> D,
+    ) -> Result<(Value<D>, f64), Unavailable> {
         let known = self.cubatures.borrow().get(&(at, degree)).cloned();
         let nodes = match known {
             Some(nodes) => nodes,
@@ -265,15 +285,15 @@ impl<B: Number> Scene<'_, B> {
             }
         };
         let outer = self.place.borrow_mut().point.take();
-        let mut total: Option<Value<Series<B>>> = None;
+        let mut total: Option<Value<D>> = None;
         let mut scale = 0.0;
         let mut failure = None;
         for &(x, weight) in &nodes.points {
             self.place.borrow_mut().point = Some((at, x));
             match integrand() {
                 Ok(value) => {
-                    let term = value.map(|y| y * self.constant(weight));
-                    scale += term.entries().iter().map(|entry| entry.value().re().abs()).sum::<f64>();
+                    let term = value.map(|y| y * constant(weight));
+                    scale += term.entries().iter().map(|entry| entry.re().abs()).sum::<f64>();
                     total = match total {
                         None => Some(term),
                         Some(total) => total.plus(term),
@@ -352,15 +372,22 @@ impl<B: Number> Scene<'_, B> {
         if let (Some(known), true) = (known, alone) {
             return Ok(known);
         }
-        let mut points = Vec::new();
-        for value in 1..=self.count(label)? {
-            let at = [(label, value)];
-            match (evaluate_to(terms, positions, self, &at)?, evaluate_to(terms, masses, self, &at)?) {
-                (Value::Vector(x), Value::Scalar(m)) => points.push((x, m)),
-                _ => return Err(Unavailable::Symbol(id)),
+        let count = self.count(label)?;
+        let tensor = match terms {
+            1 => {
+                let now = |formula: &Expr, at: &[_]| self.instant(formula, at);
+                let points =
+                    masses_at(count, |value| Ok((now(positions, &[(label, value)])?, now(masses, &[(label, value)])?)));
+                inertia_tensor(&points?.ok_or(Unavailable::Symbol(id))?).map(|x| Series::of_value(x.0))
             }
-        }
-        let tensor = inertia_tensor(&Nodes { points });
+            terms => {
+                let series = |formula: &Expr, at: &[_]| evaluate_to(terms, formula, self, at);
+                let points = masses_at(count, |value| {
+                    Ok((series(positions, &[(label, value)])?, series(masses, &[(label, value)])?))
+                });
+                inertia_tensor(&points?.ok_or(Unavailable::Symbol(id))?)
+            }
+        };
         if alone {
             self.tensors.borrow_mut().push((masses.clone(), positions.clone(), terms, tensor));
         }

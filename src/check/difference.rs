@@ -11,14 +11,14 @@
 use nalgebra::DMatrix;
 
 use crate::derive::{self, Class, Letter};
-use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Index, IndexId, Kind, Node, SymbolId, Value, text};
 use crate::latex::typeset;
 use crate::mechanics::{Elimination, solve_by};
 use crate::notes::claims::Range;
 use crate::scalar::{Graph, Measured, Number, Symbol};
 
-use super::base::{Base, Slot, slots};
+use super::base::{Base, Layout, Slot, slots};
 use super::certify;
 use super::ensemble::Ensemble;
 use super::identity::{Context, derivatives, is_equality};
@@ -156,7 +156,15 @@ impl<'a> Failed<'a> {
         let fixed = &ensemble.bases[*at];
         let alphabet = Alphabet::new(model, mode, fixed);
         let record = || {
-            let scene = Scene::by(Elimination::Cramer, 3, model, mode, &alphabet.base(), &ensemble.rules).ok()?;
+            let scene = Scene::by(
+                Elimination::Cramer,
+                3,
+                model,
+                mode,
+                (&Layout::of(model, mode), &alphabet.base()),
+                &ensemble.rules,
+            )
+            .ok()?;
             scene.euler_lagrange()?.get(coordinate).copied()
         };
         let (graph, residual) = Graph::record(record).ok()?;
@@ -181,8 +189,8 @@ fn entries<B: Number>(link: &Link, scene: &Scene<'_, B>) -> Result<Vec<(B, B)>, 
     let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
     let mut all = Vec::new();
     loop {
-        let lhs = evaluate_to(1, &link.lhs, scene, &indices)?;
-        let rhs = evaluate_to(1, &link.rhs, scene, &indices)?;
+        let lhs = scene.now(&link.lhs, &indices)?;
+        let rhs = scene.now(&link.rhs, &indices)?;
         let (a, b) = judge::pair(lhs, rhs);
         all.extend(a.into_iter().zip(b));
         if !judge::advance(&mut indices, scene)? {
@@ -192,8 +200,8 @@ fn entries<B: Number>(link: &Link, scene: &Scene<'_, B>) -> Result<Vec<(B, B)>, 
 }
 
 fn value(formula: &Expr, scene: &Scene<'_, Measured>) -> Option<Measured> {
-    match evaluate_to(1, formula, scene, &[]) {
-        Ok(Value::Scalar(value)) => Some(value.value()).filter(|value| value.value.is_finite()),
+    match scene.now(formula, &[]) {
+        Ok(Value::Scalar(value)) => Some(value).filter(|value| value.value.is_finite()),
         _ => None,
     }
 }
@@ -298,10 +306,10 @@ fn letter(model: &Model, at: usize, slot: &Slot, n: usize) -> Option<Letter> {
 /// quadratic in them this is wrong, and what comes of it is not shown.
 fn exchange(model: &Model, mode: Mode, base: &mut [Symbol], coordinates: &[usize], momenta: &[Symbol]) -> Option<()> {
     let (Some(world), false) = (&model.world, coordinates.is_empty()) else { return Some(()) };
-    let sorted = Base::of(model, mode, base);
-    let part = |order: usize| sorted.coordinates.iter().map(|jet| jet.get(order).copied()).collect::<Option<Vec<_>>>();
+    let sorted = Base::of(&Layout::of(model, mode), base);
+    let part = |order: usize| sorted.coordinates().map(|jet| jet.get(order).copied()).collect::<Option<Vec<_>>>();
     let (q, mut v) = (part(0)?, part(1)?);
-    let parameters: Vec<Symbol> = model.parameters.iter().map(|place| sorted.constants[*place][0]).collect();
+    let parameters: Vec<Symbol> = model.parameters.iter().map(|place| sorted.constant(*place)[0]).collect();
     coordinates.iter().for_each(|i| v[*i] = Symbol::from(0.0));
     let at_rest = world.quantities(sorted.time, &q, &v, &parameters).momenta;
     let mass = world.mass_matrix(sorted.time, &q, &v, &parameters);

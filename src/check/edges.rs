@@ -4,15 +4,15 @@
 //! equality is solved, under the hypotheses, as one of them is.
 
 use crate::Result;
-use crate::formula::evaluate::evaluate_to;
 use crate::formula::{Expr, Value};
 use crate::notes::claims::Range;
-use crate::scalar::{Measured, Series};
+use crate::scalar::{Measured, Series, TERMS};
 
-use super::ensemble::{Condition, Ensemble, Family, Setting};
+use super::ensemble::{Condition, Ensemble, Setting};
 use super::identity::{Context, is_equality};
 use super::judge::Link;
 use super::scene::Scene;
+use super::solver::Family;
 
 /// From so many states the edge is looked for.
 const FROM: usize = 4;
@@ -74,9 +74,9 @@ pub(super) fn states<'m>(
         let difference = lhs.clone().minus(rhs.clone());
         let mut family = Family::new(context.model, &setting, &[difference]);
         let beside = |scene: &Scene<'_, Measured>| {
-            let sides = (evaluate_to(1, lhs, scene, &[]), evaluate_to(1, rhs, scene, &[]));
+            let sides = (scene.now(lhs, &[]), scene.now(rhs, &[]));
             let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = sides else { return None };
-            Some(BESIDE * (a.value().magnitude + b.value().magnitude))
+            Some(BESIDE * (a.magnitude + b.magnitude))
         };
         for (scene, base) in ensemble.scenes.iter().zip(&ensemble.bases).take(FROM) {
             let Some(beside) = beside(scene) else { break };
@@ -106,12 +106,10 @@ pub(super) fn states<'m>(
 
 /// Whether the sides of a comparison are far from equal at a state.
 fn is_clear((lhs, rhs): &Comparison, scene: &Scene<'_, Measured>) -> bool {
-    let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) =
-        (evaluate_to(1, lhs, scene, &[]), evaluate_to(1, rhs, scene, &[]))
-    else {
+    let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = (scene.now(lhs, &[]), scene.now(rhs, &[])) else {
         return false;
     };
-    let difference = (a - b).value();
+    let difference = a - b;
     difference.value.abs() > CLEAR * difference.magnitude
 }
 
@@ -123,13 +121,14 @@ fn numbers(scene: &Scene<'_, Measured>) -> Vec<(Range, f64)> {
         let rate = |order| Some((range(order), series.nth_derivative_value(order)?.value));
         (0..series.known()).filter_map(rate).collect()
     };
-    let constants = model.constants.iter().zip(&scene.base.constants);
-    let constants = constants.flat_map(|(c, numbers)| numbers.iter().map(|x| (c.range.clone(), x.value)));
+    let constants = model.constants.iter().enumerate();
+    let constants = constants.flat_map(|(i, c)| scene.base.constant(i).iter().map(|x| (c.range.clone(), x.value)));
     let coordinates = model.coordinates.iter().zip(scene.coordinates());
     let coordinates = coordinates.flat_map(|(q, series)| rates(&q.range, series));
-    let varying = model.varying.iter().zip(&scene.base.varying);
-    let varying = varying.flat_map(|(f, jets)| {
-        (0..f.numbers).filter_map(|at| jets.series(at)).flat_map(|series| rates(&f.range, &series))
+    let varying = model.varying.iter().enumerate();
+    let varying = varying.flat_map(|(i, f)| {
+        let series = (0..f.numbers).filter_map(move |at| scene.base.varying(i, at, TERMS));
+        series.flat_map(|series| rates(&f.range, &series))
     });
     constants.chain(coordinates).chain(varying).collect()
 }

@@ -4,7 +4,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::Result;
-use crate::formula::evaluate::evaluate_to;
 use crate::formula::{Expr, Node, Relation, Value, text};
 use crate::scalar::Measured;
 
@@ -31,9 +30,9 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
     let ensemble = context.ensemble(mode, false, context.options.points.max(2 * coordinates.len() + 4))?;
     let mut rows: Vec<(Vec<f64>, f64, f64)> = Vec::new();
     for scene in &ensemble.scenes {
-        let sides = (evaluate_to(1, &link.lhs, scene, &[]), evaluate_to(1, &link.rhs, scene, &[]));
+        let sides = (scene.now(&link.lhs, &[]), scene.now(&link.rhs, &[]));
         let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = sides else { return Ok(None) };
-        let residual: Measured = (a - b).value();
+        let residual: Measured = a - b;
         let Some(equations) = scene.euler_lagrange() else { return Ok(None) };
         let scale = residual.magnitude + equations.iter().map(|e| e.magnitude).sum::<f64>();
         rows.push((equations.iter().map(|e| e.value).collect(), residual.value, scale));
@@ -127,12 +126,16 @@ pub fn unseen_inside(link: &Link, scenes: &[Scene<'_, Measured>]) -> Option<Stri
 
 /// Of terms that are added the first that cannot be seen beside the others at any state.
 fn hidden(all: &[&Expr], scenes: &[Scene<'_, Measured>]) -> Option<String> {
-    let (mut seen, mut there) = (vec![false; all.len()], vec![false; all.len()]);
+    // A literal zero is not there, and need not be seen.
+    let (mut seen, mut there): (Vec<bool>, Vec<bool>) = all.iter().map(|term| (term.is_null(), false)).unzip();
     for scene in scenes {
+        if seen.iter().all(|seen| *seen) {
+            return None;
+        }
         let values: Option<Vec<Measured>> = all
             .iter()
-            .map(|term| match evaluate_to(1, term, scene, &[]) {
-                Ok(Value::Scalar(value)) => Some(value.value()),
+            .map(|term| match scene.now(term, &[]) {
+                Ok(Value::Scalar(value)) => Some(value),
                 _ => None,
             })
             .collect();

@@ -4,7 +4,6 @@
 //! to hold. So where a symbol that was declared to vary has one value at all states, and no hypothesis says so outright,
 //! a claim about it is not tested. A hypothesis says it outright if it speaks of nothing else: θ = π/2, \cos θ = 0.
 
-use crate::formula::evaluate::evaluate_to;
 use crate::formula::{Expr, Index, Node, Relation, SymbolId, text};
 
 use super::ensemble::{Condition, Ensemble};
@@ -39,10 +38,11 @@ pub(super) fn of_formulas(formulas: &[&Expr], context: &Context<'_>, ensemble: &
     let is_free =
         |symbol: &SymbolId| !outright.contains(symbol) && !context.local.iter().any(|rule| rule.symbol == *symbol);
     drawn(formulas, model).into_iter().filter(is_free).find(|symbol| {
-        let values: Option<Vec<Vec<f64>>> = ensemble.scenes.iter().map(|scene| values(*symbol, scene)).collect();
-        let Some((first, others)) = values.as_deref().and_then(<[_]>::split_first) else { return false };
+        let Some((first, others)) = ensemble.scenes.split_first() else { return false };
+        let Some(first) = values(*symbol, first).filter(|first| !first.is_empty()) else { return false };
         let one = |(a, b): (&f64, &f64)| (a - b).abs() <= ONE_VALUE * (1.0 + a.abs());
-        !first.is_empty() && others.iter().all(|other| first.iter().zip(other).all(one)) && !is_narrow(*symbol, model)
+        let same = |other| values(*symbol, other).is_some_and(|other| first.iter().zip(&other).all(one));
+        others.iter().all(same) && !is_narrow(*symbol, model)
     })
 }
 
@@ -106,8 +106,8 @@ fn values(symbol: SymbolId, scene: &super::scene::Scene<'_, crate::scalar::Measu
     let mut at: Vec<_> = letters.iter().map(|letter| (*letter, 1)).collect();
     let mut numbers = Vec::new();
     loop {
-        let value = evaluate_to(1, &itself, scene, &at).ok()?;
-        numbers.extend(value.entries().iter().map(|entry| entry.value().value));
+        let value = scene.now(&itself, &at).ok()?;
+        numbers.extend(value.entries().iter().map(|entry| entry.value));
         if !judge::advance(&mut at, scene).ok()? {
             return Some(numbers);
         }

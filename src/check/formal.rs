@@ -72,7 +72,8 @@ impl<F: Modulus> Drawn<'_, F> {
         let mut all = Vec::new();
         loop {
             let (a, b) = (evaluate_to(1, a, self, &indices)?, evaluate_to(1, b, self, &indices)?);
-            let (a, b) = judge::pair(a, b);
+            let value = |value: Value<Series<Modular<F>>>| value.each(Series::value);
+            let (a, b) = judge::pair(value(a), value(b));
             all.extend(a.into_iter().zip(b).map(|(a, b)| a - b));
             let mut carried = true;
             for (id, value) in &mut indices {

@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::Result;
-use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::evaluate::Unavailable;
 use crate::formula::tree::Sign;
 use crate::formula::{Expr, Index, IndexId, Node, Relation, SymbolId, text};
 use crate::latex::typeset;
@@ -558,13 +558,13 @@ pub fn values(formulas: &[&Expr], scene: &Scene<'_, Measured>) -> Vec<(String, f
                 let member = Node::Symbol { id: *id, indices: indices.iter().map(at).collect(), dots: *dots };
                 let member = Expr::new(member, expr.span);
                 let name = typeset(&member, &model.symbols);
-                let Ok(value) = evaluate_to(1, &member, scene, &[]) else { return };
+                let Ok(value) = scene.now(&member, &[]) else { return };
                 let entries = value.entries();
                 for (axis, entry) in ["x", "y", "z"].iter().zip(&entries) {
                     let name = if entries.len() == 1 { name.clone() } else { format!("{name} {axis}") };
                     if entries.len() <= 3 && found.len() < MOST_SHOWN && !found.iter().any(|(known, _)| *known == name)
                     {
-                        found.push((name, entry.value().value));
+                        found.push((name, entry.value));
                     }
                 }
                 if !matches!(judge::advance(&mut labels, scene), Ok(true)) {

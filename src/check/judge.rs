@@ -6,9 +6,9 @@
 
 use approx::{AbsDiffEq, abs_diff_eq};
 
-use crate::formula::evaluate::{Environment, Unavailable, evaluate_to};
+use crate::formula::evaluate::{Environment, Unavailable};
 use crate::formula::{Expr, IndexId, Relation, Value};
-use crate::scalar::{Measured, Series};
+use crate::scalar::Measured;
 
 use super::scene::Scene;
 
@@ -99,8 +99,8 @@ pub fn holds(relation: Relation, difference: Measured) -> bool {
 
 /// The values of the two sides of a link at a state, for all values of its free indices: twins share one of them.
 pub struct Sides {
-    lhs: Vec<Value<Series<Measured>>>,
-    rhs: Vec<Value<Series<Measured>>>,
+    lhs: Vec<Value<Measured>>,
+    rhs: Vec<Value<Measured>>,
 }
 
 impl Sides {
@@ -109,8 +109,8 @@ impl Sides {
         let mut sides = Sides { lhs: Vec::new(), rhs: Vec::new() };
         let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
         loop {
-            sides.lhs.push(evaluate_to(1, &link.lhs, scene, &indices)?);
-            sides.rhs.push(evaluate_to(1, &link.rhs, scene, &indices)?);
+            sides.lhs.push(scene.now(&link.lhs, &indices)?);
+            sides.rhs.push(scene.now(&link.rhs, &indices)?);
             if !advance(&mut indices, scene)? {
                 return Ok(sides);
             }
@@ -142,7 +142,7 @@ pub fn test_twin(
 }
 
 /// The values of a side, for one after another of the values of the free indices.
-type Known<'a> = Option<&'a [Value<Series<Measured>>]>;
+type Known<'a> = Option<&'a [Value<Measured>]>;
 
 fn test_knowing(
     link: &Link,
@@ -155,7 +155,7 @@ fn test_knowing(
     for at in 0.. {
         let side = |expr: &Expr, known: Known<'_>, indices: &[(IndexId, u8)]| match known.and_then(|all| all.get(at)) {
             Some(value) => Ok(value.clone()),
-            None => evaluate_to(1, expr, scene, indices),
+            None => scene.now(expr, indices),
         };
         let (lhs, rhs) = (side(&link.lhs, known_lhs, &indices)?, side(&link.rhs, known_rhs, &indices)?);
         let label = |k: usize, shape| {
@@ -181,16 +181,10 @@ fn test_knowing(
 }
 
 /// The numbers of two sides; a literal 0 or 1 takes the shape of the other side.
-pub fn pair<B: crate::scalar::Number>(
-    lhs: Value<crate::scalar::Series<B>>,
-    rhs: Value<crate::scalar::Series<B>>,
-) -> (Vec<B>, Vec<B>) {
+pub fn pair<B: crate::scalar::Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, Vec<B>) {
     use crate::formula::shape::Shape;
     let (a_shape, b_shape) = (lhs.shape(), rhs.shape());
-    let numbers = |value: Value<crate::scalar::Series<B>>| -> Vec<B> {
-        value.entries().iter().map(crate::scalar::Series::value).collect()
-    };
-    let (a, b) = (numbers(lhs), numbers(rhs));
+    let (a, b) = (lhs.entries(), rhs.entries());
     let spread = |literal: B, shape: Shape| -> Vec<B> {
         match shape {
             Shape::Scalar => vec![literal],

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::Result;
 use crate::formula::SymbolId;
 use crate::formula::Value;
-use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::evaluate::Unavailable;
 use crate::scalar::{Measured, Series};
 
 use super::base::slots;
@@ -173,12 +173,9 @@ impl<'a> Steps<'a> {
         let mut last = None;
         for k in 0..=LAST {
             let Some(scene) = self.scene(k) else { continue };
-            let (Value::Scalar(a), Value::Scalar(b)) =
-                (evaluate_to(1, &link.lhs, &scene, &[])?, evaluate_to(1, &link.rhs, &scene, &[])?)
-            else {
+            let (Value::Scalar(a), Value::Scalar(b)) = (scene.now(&link.lhs, &[])?, scene.now(&link.rhs, &[])?) else {
                 return Err(Unavailable::Operation("a limit of something that is no number"));
             };
-            let (a, b) = (a.value(), b.value());
             if !a.value.is_finite() || !b.value.is_finite() {
                 continue;
             }

@@ -3,7 +3,7 @@
 //! `\vec F_{ij} = -\vec F_{ji}` is a symmetry, `\vec F_{ij} \propto \vec r_{ij}` a direction, and Newton's second law can
 //! be written as the value of one of its forces. Such a hypothesis about a vector, or about a family, becomes a [`Rule`]
 //! that the state follows whenever it is asked for the symbol: exactly, for all members, over any number, and with all
-//! derivatives where it holds throughout. The others are left to [`super::ensemble`], which moves numbers onto them.
+//! derivatives where it holds throughout. The others are left to [`super::solver`], which moves numbers onto them.
 
 use crate::formula::{Expr, Index, IndexId, Kind, Node, Relation, Sign, SymbolId, Term};
 use crate::source::Span;

@@ -13,14 +13,15 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use rustc_hash::FxHashMap;
 
 use crate::Result;
-use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate, evaluate_to};
-use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Symbols, Value};
+use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate};
+use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
 use crate::mechanics::{Elimination, Frame, Nodes, Quantities, rotations};
 use crate::notes::claims::Turning;
-use crate::scalar::{Number, Series, TERMS};
+use crate::scalar::{Instant, Number, Series, TERMS};
 
-use super::base::Base;
+use super::base::{Base, Layout};
 use super::crowd::{Crowd, Place};
+use super::instant::first;
 use super::model::{FrameQuantity, Meaning, Model, Quantity};
 use super::rules::{Action, Rule};
 
@@ -36,20 +37,26 @@ pub struct Mode {
 /// A symbol and the values of its indices.
 type Member = (SymbolId, [u8; 3]);
 
-/// What was computed: of each member, and whether the particles that stand in for others were meant; how many terms.
-type Memo<B> = FxHashMap<(Member, bool), (usize, Box<Value<Series<B>>>)>;
+/// What a value is kept under: the member, and whether the particles that stand in for others were meant.
+type Key = (Member, bool);
+
+/// What was computed, and to how many terms.
+type Memo<B> = FxHashMap<Key, (usize, Box<Value<Series<B>>>)>;
 
 /// Masses, positions, how many terms were asked for, and the inertia tensor.
 type Tensor<B> = (Expr, Expr, usize, Matrix3<Series<B>>);
 
 /// The values of all members of a family, in order.
-type Members<B> = Vec<Value<Series<B>>>;
+pub(super) type Members<B> = Vec<Value<Series<B>>>;
 
 /// A value, or why there is none.
-type Valued<B> = Result<Value<Series<B>>, Unavailable>;
+pub(super) type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 
 /// How fast the frame turns, if there is one.
 type AngularVelocity<B> = Option<Box<Vector3<Series<B>>>>;
+
+/// Coefficients of the axes of a frame, if there is one.
+type Axes<B> = Option<Box<Matrix3<Instant<B>>>>;
 
 /// The nodes of bodies.
 type Cubatures<B> = FxHashMap<(usize, usize), Arc<Nodes<B>>>;
@@ -62,11 +69,17 @@ pub struct Scene<'m, B: Number> {
     terms: usize,
     pub(super) base: Base<B>,
     coordinates: Vec<Series<B>>,
-    rules: Arc<[Rule]>,
+    pub(super) rules: Arc<[Rule]>,
     overrides: Vec<(SymbolId, Value<Series<B>>)>,
     quantities: OnceCell<Option<Quantities<Series<B>>>>,
+    /// The same, as values alone.
+    quantities_now: OnceCell<Option<Quantities<Instant<B>>>>,
     /// The frame that turns, known to so many terms as its place here says.
     frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
+    /// Its axes' coefficients of each order.
+    axes: [OnceCell<Axes<B>>; TERMS],
+    /// Its angular velocity at the instant.
+    turns: OnceCell<Option<Vector3<Instant<B>>>>,
     /// Its angular velocity, likewise.
     angular_velocities: [OnceCell<AngularVelocity<B>>; TERMS + 1],
     /// Where in a continuum the formula at hand is evaluated.
@@ -76,15 +89,17 @@ pub struct Scene<'m, B: Number> {
     /// Whether the formula at hand means them.
     crowded: Cell<bool>,
     /// Symbols that follow a law, with what is known of them while their next derivatives are being found.
-    following: RefCell<Vec<(SymbolId, Members<B>)>>,
+    pub(super) following: RefCell<Vec<(SymbolId, Members<B>)>>,
     /// The same when all is found.
-    followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
+    pub(super) followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
     /// Nodes of continua, of a degree.
     pub(super) cubatures: RefCell<Cubatures<B>>,
     /// Inertia tensors of masses at positions.
     pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
     memo: RefCell<Memo<B>>,
+    /// The same where the value alone was asked for.
+    values: RefCell<FxHashMap<Key, Value<Instant<B>>>>,
 }
 
 impl<'m, B: Number> Scene<'m, B> {
@@ -93,18 +108,11 @@ impl<'m, B: Number> Scene<'m, B> {
     /// # Errors
     /// When the mass matrix is singular there.
     pub fn new(model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
-        Scene::knowing(mode.order + 1, model, mode, base, rules)
+        Scene::by(Elimination::Pivots, mode.order + 1, model, mode, (&Layout::of(model, mode), base), rules)
     }
 
-    /// The same state, of which no more than so many derivatives are known, the value counted.
-    ///
-    /// # Errors
-    /// When the mass matrix is singular there.
-    pub fn knowing(terms: usize, model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
-        Scene::by(Elimination::Pivots, terms, model, mode, base, rules)
-    }
-
-    /// The same state, the mass matrix inverted in the given way.
+    /// The same state, of which no more than so many derivatives are known, the value counted, and the mass matrix
+    /// inverted in the given way.
     ///
     /// # Errors
     /// When it cannot be.
@@ -113,19 +121,19 @@ impl<'m, B: Number> Scene<'m, B> {
         terms: usize,
         model: &'m Model,
         mode: Mode,
-        base: &[B],
+        (layout, base): (&Arc<Layout>, &[B]),
         rules: &Arc<[Rule]>,
     ) -> Result<Self> {
-        let base = Base::of(model, mode, base);
+        let base = Base::of(layout, base);
         let coordinates = match &model.world {
             Some(world) if mode.on_shell => {
-                let q: Vec<B> = base.coordinates.iter().map(|jet| jet[0]).collect();
-                let v: Vec<B> = base.coordinates.iter().map(|jet| jet[1]).collect();
-                let parameters: Vec<B> = model.parameters.iter().map(|place| base.constants[*place][0]).collect();
+                let q: Vec<B> = base.coordinates().map(|jet| jet[0]).collect();
+                let v: Vec<B> = base.coordinates().map(|jet| jet[1]).collect();
+                let parameters: Vec<B> = model.parameters.iter().map(|place| base.constant(*place)[0]).collect();
                 let order = mode.order.min(terms - 1).max(1);
                 world.motion_by(elimination, base.time, &q, &v, &parameters, order)?
             }
-            _ => base.coordinates.iter().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
+            _ => base.coordinates().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
         };
         Ok(Scene {
             model,
@@ -136,7 +144,10 @@ impl<'m, B: Number> Scene<'m, B> {
             rules: rules.clone(),
             overrides: Vec::new(),
             quantities: OnceCell::new(),
+            quantities_now: OnceCell::new(),
             frames: std::array::from_fn(|_| OnceCell::new()),
+            axes: std::array::from_fn(|_| OnceCell::new()),
+            turns: OnceCell::new(),
             angular_velocities: std::array::from_fn(|_| OnceCell::new()),
             place: RefCell::new(Place::default()),
             crowd: RefCell::new(None),
@@ -146,6 +157,7 @@ impl<'m, B: Number> Scene<'m, B> {
             cubatures: RefCell::new(FxHashMap::default()),
             tensors: RefCell::new(Vec::new()),
             memo: RefCell::new(FxHashMap::default()),
+            values: RefCell::new(FxHashMap::default()),
         })
     }
 
@@ -195,13 +207,35 @@ impl<'m, B: Number> Scene<'m, B> {
         self.quantities.get_or_init(compute).as_ref()
     }
 
+    /// The same as values alone.
+    fn quantities_now(&self) -> Option<&Quantities<Instant<B>>> {
+        let compute = || {
+            let world = self.model.world.as_ref()?;
+            let derivative = |order: usize| -> Option<Vec<_>> {
+                self.coordinates.iter().map(|q| q.rate(order).map(Instant)).collect()
+            };
+            let parameters: Vec<_> =
+                self.model.parameters.iter().map(|place| Instant(self.base.constant(*place)[0])).collect();
+            Some(world.quantities(Instant(self.base.time), &derivative(0)?, &derivative(1)?, &parameters))
+        };
+        self.quantities_now.get_or_init(compute).as_ref()
+    }
+
+    /// What the world says of a quantity, as a value alone, where it is one of those that it gives all at once.
+    pub(super) fn quantity_now(&self, quantity: Quantity, indices: &[u8]) -> Option<Value<Instant<B>>> {
+        match quantity {
+            Quantity::SpaceAxes | Quantity::EffectivePotential => None,
+            quantity => one_of(self.quantities_now()?, quantity, indices),
+        }
+    }
+
     /// The Euler–Lagrange residuals of the world at this state, one a coordinate.
     pub fn euler_lagrange(&self) -> Option<Vec<B>> {
         let world = self.model.world.as_ref()?;
         let derivative = |order: usize| -> Option<Vec<B>> {
             self.coordinates.iter().map(|q| q.nth_derivative_value(order)).collect()
         };
-        let parameters: Vec<B> = self.model.parameters.iter().map(|place| self.base.constants[*place][0]).collect();
+        let parameters: Vec<B> = self.model.parameters.iter().map(|place| self.base.constant(*place)[0]).collect();
         let (q, v, a) = (derivative(0)?, derivative(1)?, derivative(2)?);
         Some(world.euler_lagrange(self.base.time, &q, &v, &parameters, &a))
     }
@@ -225,7 +259,7 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     fn parameters(&self) -> Vec<Series<B>> {
-        self.model.parameters.iter().map(|place| self.constant(self.base.constants[*place][0])).collect()
+        self.model.parameters.iter().map(|place| self.constant(self.base.constant(*place)[0])).collect()
     }
 
     /// The document's frame, of which so many terms are used; there may be more.
@@ -237,6 +271,38 @@ impl<'m, B: Number> Scene<'m, B> {
             Some(known) => known.as_deref(),
             None => self.frames.get(terms)?.get_or_init(compute).as_deref(),
         }
+    }
+
+    /// The coefficients, of an order, of the axes of the document's frame, as rows: of order 0 the axes at the instant.
+    pub(super) fn axes(&self, order: usize) -> Option<&Matrix3<Instant<B>>> {
+        let known = || self.frames[1..].iter().find_map(|frame| frame.get()?.as_ref());
+        let compute = || {
+            let frame = match order {
+                0 if known().is_none() => return self.base.axes(self.model.frame?).map(Box::new),
+                0 => known()?,
+                order if order < self.terms => self.frame(order + 1)?,
+                _ => return None,
+            };
+            let all = frame.orientation();
+            let is_there = all.iter().all(|entry| entry.coefficient(order).is_some());
+            is_there.then(|| Box::new(all.map(|entry| Instant(entry.coefficient(order).unwrap_or(B::zero())))))
+        };
+        self.axes.get(order)?.get_or_init(compute).as_deref()
+    }
+
+    /// The angular velocity of the document's frame at the instant.
+    pub(super) fn turns(&self) -> Option<Vector3<Instant<B>>> {
+        let compute = || {
+            let frame = self.frame(2)?;
+            let rate = self.axes(1)?.map(|entry| Instant(Series::rate_of(entry.0, 1)));
+            Some(rotations::angular_velocity(&frame.orientation().map(|entry| Instant(entry.value())), &rate))
+        };
+        *self.turns.get_or_init(compute)
+    }
+
+    /// Whether no particles stand in for those of a family.
+    pub(super) fn is_uncrowded(&self) -> bool {
+        self.crowd.borrow().is_none()
     }
 
     /// The angular velocity of the document's frame, of which so many terms are used; there may be more.
@@ -252,179 +318,34 @@ impl<'m, B: Number> Scene<'m, B> {
         if quantity == Quantity::SpaceAxes {
             return Ok(Value::Vector(self.unit(place(0)?)));
         }
-        let all = self.quantities().ok_or_else(none)?;
-        Ok(match quantity {
-            Quantity::Lagrangian => Value::Scalar(all.lagrangian),
-            Quantity::KineticEnergy => Value::Scalar(all.kinetic.ok_or_else(none)?),
-            Quantity::PotentialEnergy => Value::Scalar(all.potential.ok_or_else(none)?),
-            Quantity::Energy => Value::Scalar(all.energy),
-            Quantity::Momentum(i) => Value::Scalar(*all.momenta.get(i).ok_or_else(none)?),
-            Quantity::EffectivePotential => {
-                let world = self.model.world.as_ref().ok_or_else(none)?;
-                let v = self.velocities();
-                let (time, parameters) = (self.time(), self.parameters());
-                let value = match self.elimination {
-                    Elimination::Pivots => world.effective_potential(time, &self.coordinates, &v, &parameters),
-                    Elimination::Cramer => world.effective_potential_exactly(time, &self.coordinates, &v, &parameters),
-                };
-                Value::Scalar(value.map_err(|_| none())?)
-            }
-            Quantity::RotationMatrix => {
-                let r = all.orientation.as_ref().ok_or_else(none)?;
-                match indices {
-                    [] => matrix(r),
-                    _ => Value::Scalar(r[(place(0)?, place(1)?)]),
-                }
-            }
-            Quantity::AngularVelocity => match indices {
-                [] => Value::Vector(all.angular_velocity.ok_or_else(none)?),
-                _ => Value::Scalar(all.body_rates.as_ref().ok_or_else(none)?[place(0)?]),
-            },
-            Quantity::BodyAxes => Value::Vector(all.orientation.as_ref().ok_or_else(none)?.row(place(0)?).transpose()),
-            Quantity::SpaceAxes => Value::Vector(self.unit(place(0)?)),
-        })
-    }
-
-    /// A symbol after the first `upto` rules, of which so many terms are used.
-    fn ruled(&self, id: SymbolId, indices: &[u8], upto: usize, terms: usize) -> Valued<B> {
-        let Some(at) = self.rules[..upto].iter().rposition(|rule| rule.symbol == id) else {
-            return self.raw(id, indices, terms);
-        };
-        let rule = &self.rules[at];
-        let before = || self.ruled(id, indices, at, terms);
-        let letters: Vec<(IndexId, u8)> = rule.letters.iter().copied().zip(indices.iter().copied()).collect();
-        let wrong = Unavailable::Operation("a sum of different shapes");
-        let target = match &rule.action {
-            Action::Equals(formula) => {
-                let value = evaluate_to(terms, formula, self, &letters)?;
-                match (self.model.symbols.entry(id).kind, value) {
-                    (Kind::Vector, Value::Scalar(zero)) => Value::Vector(Vector3::from_element(zero)),
-                    (_, value) => value,
-                }
-            }
-            Action::Symmetric { permutation, sign } => {
-                let permuted: Vec<u8> = permutation.iter().map(|at| indices[*at]).collect();
-                let image = self.ruled(id, &permuted, at, terms)?;
-                let image = if *sign == Sign::Minus { image.map(|x| -x) } else { image };
-                before()?.plus(image).ok_or(wrong.clone())?.map(|x| x * 0.5)
-            }
-            Action::Parallel(along) => match (before()?, evaluate_to(terms, along, self, &letters)?) {
-                (Value::Vector(v), Value::Vector(a)) => {
-                    let square = a.dot(&a);
-                    match square.value().is_zero() {
-                        true => Value::Vector(Vector3::zeros()),
-                        false => Value::Vector(a * (v.dot(&a) / square)),
-                    }
-                }
-                _ => return Err(wrong),
-            },
-            Action::Follows { order, formula } => {
-                let place = self.place_of(id, indices);
-                let member = self.follow(rule, usize::from(*order), formula, (at, place))?;
-                return member.ok_or(Unavailable::Symbol(id));
-            }
-            // What joins families acts through the crowd that stands in for them.
-            Action::Union(..) => return before(),
-        };
-        if rule.throughout || !self.model.symbols.entry(id).varies {
-            return Ok(target);
+        if quantity == Quantity::EffectivePotential {
+            let world = self.model.world.as_ref().ok_or_else(none)?;
+            let v = self.velocities();
+            let (time, parameters) = (self.time(), self.parameters());
+            let value = match self.elimination {
+                Elimination::Pivots => world.effective_potential(time, &self.coordinates, &v, &parameters),
+                Elimination::Cramer => world.effective_potential_exactly(time, &self.coordinates, &v, &parameters),
+            };
+            return value.map(Value::Scalar).map_err(|_| none());
         }
-        // At the instant only: the value is the target's, the derivatives are its own.
-        let own = before()?;
-        let shift = target.plus(own.clone().map(|x| -x)).ok_or(wrong.clone())?;
-        own.plus(shift.map(|x| Series::constant(x.value()))).ok_or(wrong)
-    }
-
-    /// A member, by its place, of a symbol that follows from its lower derivatives, by these and by what its rule says
-    /// of the next: all members are found together.
-    fn follow(
-        &self,
-        rule: &Rule,
-        order: usize,
-        formula: &Expr,
-        (at, place): (usize, usize),
-    ) -> Result<Option<Value<Series<B>>>, Unavailable> {
-        if let Some((_, partial)) = self.following.borrow().iter().find(|(id, _)| *id == rule.symbol) {
-            return Ok(partial.get(place).cloned());
-        }
-        if let Some(known) = self.followed.borrow().get(&rule.symbol) {
-            return Ok(known.get(place).cloned());
-        }
-        let members = self.every_member(rule.symbol)?;
-        let mut known: Members<B> = Vec::new();
-        let mut terms = 0;
-        for member in &members {
-            let free = self.ruled(rule.symbol, member, at, ALL)?;
-            terms = terms.max(free.entries().first().map_or(0, Series::known));
-            known.push(free.map(|x| x.truncated(order)));
-        }
-        let wrong = || Unavailable::Operation("a sum of different shapes");
-        let mut values: Members<B> = Vec::new();
-        for next in order..terms {
-            // What was found with fewer derivatives may reach further.
-            let enough = |value: &Value<Series<B>>| value.entries().iter().all(|x| x.known() > next - order);
-            if values.is_empty() || !values.iter().all(enough) {
-                self.following.borrow_mut().push((rule.symbol, known.clone()));
-                self.memo.borrow_mut().clear();
-                let found: Result<Members<B>, Unavailable> = members
-                    .iter()
-                    .map(|member| {
-                        let letters: Vec<(IndexId, u8)> =
-                            rule.letters.iter().copied().zip(member.iter().copied()).collect();
-                        evaluate(formula, self, &letters)
-                    })
-                    .collect();
-                self.following.borrow_mut().pop();
-                self.memo.borrow_mut().clear();
-                values = found?;
-            }
-            for (known, value) in known.iter_mut().zip(&values) {
-                let (old, new) = (known.entries(), value.entries());
-                let zero = Series::constant(B::zero());
-                let mut entries = old.iter().enumerate().map(|(k, x)| {
-                    let value = new.get(k).or(new.first()).unwrap_or(&zero);
-                    let mut jet: Vec<B> = (0..next).filter_map(|n| x.nth_derivative_value(n)).collect();
-                    jet.extend(value.nth_derivative_value(next - order));
-                    Series::from_derivatives(&jet)
-                });
-                let mut take = || entries.next().ok_or_else(wrong);
-                *known = match known {
-                    Value::Scalar(_) => Value::Scalar(take()?),
-                    Value::Vector(_) => Value::Vector(Vector3::new(take()?, take()?, take()?)),
-                    Value::Matrix(_) => return Err(wrong()),
-                };
-            }
-        }
-        let member = known.get(place).cloned();
-        if self.following.borrow().is_empty() {
-            self.followed.borrow_mut().insert(rule.symbol, known);
-        }
-        Ok(member)
+        self.quantities().and_then(|all| one_of(all, quantity, indices)).ok_or_else(none)
     }
 
     /// Forgets what was computed for other values.
     fn forget(&self) {
-        self.memo.borrow_mut().clear();
+        self.forget_values();
         self.followed.borrow_mut().clear();
         self.cubatures.borrow_mut().clear();
         self.tensors.borrow_mut().clear();
     }
 
-    /// The index values of every member of a family there is here.
-    fn every_member(&self, id: SymbolId) -> Result<Vec<Vec<u8>>, Unavailable> {
-        let mut members = vec![Vec::new()];
-        for (_, letter) in &self.model.symbols.entry(id).slots {
-            // As many as there is room for, so that the place of a member does not depend on the count.
-            let count = self.model.symbols.indices[letter.0].upper;
-            members = members
-                .into_iter()
-                .flat_map(|member: Vec<u8>| (1..=count).map(move |value| [member.as_slice(), &[value]].concat()))
-                .collect();
-        }
-        Ok(members)
+    pub(super) fn forget_values(&self) {
+        self.memo.borrow_mut().clear();
+        self.values.borrow_mut().clear();
     }
 
-    fn place_of(&self, id: SymbolId, indices: &[u8]) -> usize {
+    /// Where a member of a family stands among the others.
+    pub(super) fn place_of(&self, id: SymbolId, indices: &[u8]) -> usize {
         let symbols = &self.model.symbols;
         let upper = |letter: &IndexId| usize::from(symbols.indices[letter.0].upper);
         let slots = &symbols.entry(id).slots;
@@ -444,24 +365,19 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 
     /// A symbol by its meaning alone, of which so many terms are used.
-    fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
+    pub(super) fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let entry = self.model.symbols.entry(id);
-        if self.crowded.get()
-            && let Some(member) = self.crowd.borrow().as_ref().and_then(|crowd| crowd.member(id, indices))
-        {
-            return Ok(member);
-        }
-        if let Some(member) = self.place.borrow().part.as_ref().and_then(|part| part.crowd.member(id, indices)) {
+        if let Some(member) = self.stand_in(id, indices, Value::clone) {
             return Ok(member);
         }
         let fixed = |numbers: &[B]| self.numbers(id, indices, |at| numbers.get(at).map(|x| self.constant(*x)));
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates[*i])),
-            Meaning::Constant(i) => fixed(&self.base.constants[*i]),
+            Meaning::Constant(i) => fixed(self.base.constant(*i)),
             Meaning::Varying(i) => {
                 let known = self.terms.min(terms);
-                self.numbers(id, indices, |at| self.base.varying[*i].series_to(at, known))
+                self.numbers(id, indices, |at| self.base.varying(*i, at, known))
             }
             Meaning::Time => Ok(Value::Scalar(self.time())),
             Meaning::World(quantity) => self.quantity(*quantity, id, indices),
@@ -472,7 +388,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 if let Some(crowd) = self.crowd.borrow().as_ref().filter(|crowd| crowd.stands_in_partly()) {
                     self.crowded.set(self.model.depends_on(formula, &crowd.symbols()));
                 }
-                let value = evaluate_to(terms, formula, self, &free);
+                let value = self.formula_to(terms, formula, &free);
                 self.crowded.set(outer);
                 value
             }
@@ -493,7 +409,7 @@ impl<'m, B: Number> Scene<'m, B> {
                 Ok(Value::Vector(self.frame(terms).ok_or_else(none)?.orientation().row(at).transpose()))
             }
             Meaning::Rigid(i) => {
-                let Value::Vector(fixed) = fixed(&self.base.rigid[*i])? else { return Err(none()) };
+                let Value::Vector(fixed) = fixed(self.base.rigid(*i))? else { return Err(none()) };
                 let orientation = self.frame(terms).ok_or_else(none)?.orientation().map(|entry| entry.truncated(terms));
                 let turned = orientation.transpose() * fixed;
                 match self.model.rigid[*i].about {
@@ -519,6 +435,70 @@ impl<'m, B: Number> Scene<'m, B> {
             matches!(self.model.meaning(id), Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_)))
                 || self.rules.iter().any(|rule| rule.symbol == id);
         costly && self.place.borrow().is_default()
+    }
+
+    /// What a symbol is kept under, if it is.
+    pub(super) fn key(&self, id: SymbolId, indices: &[u8]) -> Option<Key> {
+        if indices.len() > 3 || self.is_replaced(id) || !self.keeps(id) {
+            return None;
+        }
+        let mut values = [0; 3];
+        values[..indices.len()].copy_from_slice(indices);
+        Some(((id, values), self.crowded.get()))
+    }
+
+    /// The value that is kept, or else what is computed now.
+    pub(super) fn remember(
+        &self,
+        key: Key,
+        compute: impl FnOnce() -> Result<Value<Instant<B>>, Unavailable>,
+    ) -> Result<Value<Instant<B>>, Unavailable> {
+        if let Some(value) = self.values.borrow().get(&key) {
+            return Ok(value.clone());
+        }
+        let known = self.memo.borrow().get(&key).map(|(_, value)| first(value));
+        let value = known.map_or_else(compute, Ok)?;
+        self.values.borrow_mut().insert(key, value.clone());
+        Ok(value)
+    }
+
+    /// The value of a symbol after all rules.
+    pub(super) fn ruled_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Instant<B>>, Unavailable> {
+        let direct = if self.is_free(id) { self.drawn(id, indices, 0) } else { None };
+        direct.map_or_else(|| Ok(first(&self.ruled(id, indices, self.rules.len(), 1)?)), Ok)
+    }
+
+    fn is_replaced(&self, id: SymbolId) -> bool {
+        self.overrides.iter().any(|(known, _)| *known == id)
+    }
+
+    /// Whether a symbol was given no value of its own, and no rule says what it is.
+    pub(super) fn is_free(&self, id: SymbolId) -> bool {
+        !self.is_replaced(id) && !self.rules.iter().any(|rule| rule.symbol == id)
+    }
+
+    /// What is made of the particle that stands in for a member of a family, if one does.
+    pub(super) fn stand_in<T>(&self, id: SymbolId, indices: &[u8], take: impl Fn(&Value<Series<B>>) -> T) -> Option<T> {
+        let crowd = self.crowd.borrow();
+        let everywhere = crowd.as_ref().filter(|_| self.crowded.get());
+        everywhere.and_then(|crowd| crowd.member(id, indices)).map(&take).or_else(|| {
+            let place = self.place.borrow();
+            place.part.as_ref().and_then(|part| part.crowd.member(id, indices)).map(&take)
+        })
+    }
+
+    /// How many derivatives are known of what is drawn, the value counted.
+    pub(super) fn terms(&self) -> usize {
+        self.terms
+    }
+
+    /// The matrix that an elementary rotation's symbol stands for.
+    pub(super) fn turned<D: Number>(&self, id: SymbolId, angle: D) -> Result<Matrix3<D>, Unavailable> {
+        match self.model.meaning(id) {
+            Some(Meaning::Rotation(axis, Turning::Axes)) => Ok(rotations::of_the_axes(*axis, angle)),
+            Some(Meaning::Rotation(axis, Turning::Vectors)) => Ok(rotations::of_the_vectors(*axis, angle)),
+            _ => Err(Unavailable::Symbol(id)),
+        }
     }
 
     /// Whether no particles stand in for others, and none are being followed.
@@ -558,7 +538,29 @@ impl<'m, B: Number> Scene<'m, B> {
     }
 }
 
-pub(super) fn matrix<B: Number>(m: &Matrix3<Series<B>>) -> Value<Series<B>> {
+/// One of the quantities that a world determines.
+fn one_of<D: Number>(all: &Quantities<D>, quantity: Quantity, indices: &[u8]) -> Option<Value<D>> {
+    let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1);
+    Some(match quantity {
+        Quantity::Lagrangian => Value::Scalar(all.lagrangian),
+        Quantity::KineticEnergy => Value::Scalar(all.kinetic?),
+        Quantity::PotentialEnergy => Value::Scalar(all.potential?),
+        Quantity::Energy => Value::Scalar(all.energy),
+        Quantity::Momentum(i) => Value::Scalar(*all.momenta.get(i)?),
+        Quantity::RotationMatrix => match indices {
+            [] => matrix(all.orientation.as_ref()?),
+            _ => Value::Scalar(all.orientation.as_ref()?[(place(0)?, place(1)?)]),
+        },
+        Quantity::AngularVelocity => match indices {
+            [] => Value::Vector(all.angular_velocity?),
+            _ => Value::Scalar(all.body_rates.as_ref()?[place(0)?]),
+        },
+        Quantity::BodyAxes => Value::Vector(all.orientation.as_ref()?.row(place(0)?).transpose()),
+        Quantity::EffectivePotential | Quantity::SpaceAxes => return None,
+    })
+}
+
+pub(super) fn matrix<D: Number>(m: &Matrix3<D>) -> Value<D> {
     Value::Matrix(DMatrix::from_fn(3, 3, |i, j| m[(i, j)]))
 }
 
@@ -581,16 +583,16 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
         if let Some((_, value)) = self.overrides.iter().find(|(known, _)| *known == id) {
             return cut_clone(value);
         }
-        if indices.len() > 3 || !self.keeps(id) {
+        let Some(key) = self.key(id, indices) else {
             let mut value = self.ruled(id, indices, self.rules.len(), terms);
             if let Ok(value) = &mut value {
                 cut(value);
             }
             return value;
+        };
+        if terms == 1 {
+            return self.kept_value(id, indices);
         }
-        let mut values = [0; 3];
-        values[..indices.len()].copy_from_slice(indices);
-        let key = ((id, values), self.crowded.get());
         if let Some((_, value)) = self.memo.borrow().get(&key).filter(|(known, _)| *known >= terms) {
             return cut_clone(value);
         }
@@ -611,14 +613,14 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
             return Ok(crowd.len());
         }
         let Some(count) = entry.count else { return Ok(entry.upper) };
-        match self.symbol_to(count, &[], 1)? {
-            Value::Scalar(n) => Ok((n.value().re() as u8).clamp(1, entry.upper)),
+        match self.value(count)? {
+            Value::Scalar(n) => Ok((n.0.re() as u8).clamp(1, entry.upper)),
             _ => Err(Unavailable::Symbol(count)),
         }
     }
 
     fn integral(&self, region: SymbolId, body: Body<'_, Series<B>>) -> Valued<B> {
-        self.integrate(region, body)
+        self.integrate(region, body, |x| self.constant(x))
     }
 
     fn shrinking(&self, region: SymbolId, body: Body<'_, Series<B>>) -> Valued<B> {
@@ -633,10 +635,6 @@ impl<B: Number> Environment<Series<B>> for Scene<'_, B> {
     }
 
     fn rotation(&self, id: SymbolId, angle: Series<B>) -> Result<Matrix3<Series<B>>, Unavailable> {
-        match self.model.meaning(id) {
-            Some(Meaning::Rotation(axis, Turning::Axes)) => Ok(rotations::of_the_axes(*axis, angle)),
-            Some(Meaning::Rotation(axis, Turning::Vectors)) => Ok(rotations::of_the_vectors(*axis, angle)),
-            _ => Err(Unavailable::Symbol(id)),
-        }
+        self.turned(id, angle)
     }
 }

@@ -6,14 +6,15 @@
 //! shell too, says nothing.
 
 use crate::Result;
-use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, Value};
 use crate::scalar::Measured;
 
-use super::ensemble::{Family, Setting};
+use super::ensemble::Setting;
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{Failure, Link, pair};
 use super::scene::Scene;
+use super::solver::Family;
 use super::twins::twins;
 use super::verdict::{Finding, Verdict};
 
@@ -129,8 +130,8 @@ fn families<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bo
     let mut family = Family::new(context.model, &setting, small);
     let mut found = Vec::new();
     for (scene, base) in ensemble.scenes.iter().zip(&ensemble.bases) {
-        let value = |expr: &Expr| match evaluate_to(1, expr, scene, &[]) {
-            Ok(Value::Scalar(value)) => Some(value.value().value),
+        let value = |expr: &Expr| match scene.now(expr, &[]) {
+            Ok(Value::Scalar(value)) => Some(value.value),
             _ => None,
         };
         let Some(values) = small.iter().map(value).collect::<Option<Vec<f64>>>() else { continue };
@@ -150,7 +151,7 @@ impl Shrinkage<'_> {
     /// Whether the difference of the sides falls as this power at least, in the last steps or on the whole.
     fn falls(&self, link: &Link, least: f64) -> bool {
         let at = |scene: &Scene<'_, Measured>| -> Option<f64> {
-            let sides = pair(evaluate_to(1, &link.lhs, scene, &[]).ok()?, evaluate_to(1, &link.rhs, scene, &[]).ok()?);
+            let sides = pair(scene.now(&link.lhs, &[]).ok()?, scene.now(&link.rhs, &[]).ok()?);
             Some(sides.0.iter().zip(&sides.1).map(|(a, b)| (a.value - b.value).abs()).fold(0.0, f64::max))
         };
         let ends = self.scenes.first().and_then(at).zip(self.scenes.last().and_then(at));
@@ -164,7 +165,7 @@ impl Shrinkage<'_> {
         let mut errors: Vec<f64> = Vec::new();
         let mut last = None;
         for scene in &self.scenes {
-            let (lhs, rhs) = pair(evaluate_to(1, &link.lhs, scene, &[])?, evaluate_to(1, &link.rhs, scene, &[])?);
+            let (lhs, rhs) = pair(scene.now(&link.lhs, &[])?, scene.now(&link.rhs, &[])?);
             let (mut error, mut noise) = (0.0_f64, 0.0_f64);
             for (a, b) in lhs.into_iter().zip(rhs) {
                 let difference = (a.value - b.value).abs();

@@ -17,7 +17,8 @@ use crate::scalar::{DualNum, Modular};
 
 use super::base::{self, Slot};
 use super::draw::contains;
-use super::ensemble::{Condition, Row, Solver};
+use super::ensemble::Condition;
+use super::solver::{Row, Solver};
 use super::model::{Meaning, Model};
 use super::scene::Scene;
 

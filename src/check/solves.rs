@@ -4,7 +4,6 @@
 //! real root. Roots are counted by the signs of the equation on a grid of both signs that is logarithmic in the unknown.
 
 use crate::Result;
-use crate::formula::evaluate::evaluate_to;
 use crate::formula::{Expr, SymbolId, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Series};
@@ -66,8 +65,8 @@ fn put_in_and_count(
         let scene = &mut ensemble.scenes[at];
         let mut roots = Vec::new();
         for branch in branches {
-            match evaluate_to(1, branch, scene, &[]) {
-                Ok(Value::Scalar(root)) if root.value().value.is_finite() => roots.push(root.value()),
+            match scene.now(branch, &[]) {
+                Ok(Value::Scalar(root)) if root.value.is_finite() => roots.push(root),
                 Ok(_) => {}
                 Err(reason) => return Ok(context.unavailable(&reason)),
             }
@@ -146,15 +145,14 @@ fn survivor(
         for twin in twins(&link, context.model) {
             let survives = used.iter().all(|at| {
                 let scene = &mut scenes[*at];
-                let Ok(Value::Scalar(root)) = evaluate_to(1, &twin.link.rhs, scene, &[]) else { return false };
-                let value = root.value();
+                let Ok(Value::Scalar(value)) = scene.now(&twin.link.rhs, &[]) else { return false };
                 if !contains(&context.model.range(unknown), value.value) {
                     return false;
                 }
                 // Another branch is a solution too; then the printed one is the twin of that.
-                let other = branches.iter().any(|other| {
-                    matches!(evaluate_to(1, other, scene, &[]), Ok(Value::Scalar(r)) if judge::vanishes(r.value() - value))
-                });
+                let other = branches
+                    .iter()
+                    .any(|other| matches!(scene.now(other, &[]), Ok(Value::Scalar(r)) if judge::vanishes(r - value)));
                 !other && matches!(put_in(target, unknown, value, scene), Ok(Point::Holds(_) | Point::Useless))
             });
             if survives {
@@ -198,8 +196,8 @@ fn count_roots(target: &Link, unknown: SymbolId, scene: &mut Scene<'_, Measured>
     let range = scene.model().range(unknown);
     let roots = roots_on_the_grid(&range, |x| {
         scene.set_only(&[(unknown, Series::from_derivatives(&[Measured::new(x)]))]);
-        match (evaluate_to(1, &target.lhs, scene, &[]), evaluate_to(1, &target.rhs, scene, &[])) {
-            (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) => (a - b).value().value,
+        match (scene.now(&target.lhs, &[]), scene.now(&target.rhs, &[])) {
+            (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) => (a - b).value,
             _ => f64::NAN,
         }
     });

@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use num_dual::Dual;
 
-use crate::scalar::{Measured, Number, Series};
+use crate::scalar::{Instant, Measured, Number, Series};
 
 use super::symbols::{Kind, SymbolId, Symbols};
 use super::tree::{Expr, Function, Index, IndexId, LeftOut, Node, Sign, Term};
@@ -43,6 +43,7 @@ impl<B: Number> Moving for Series<B> {
     }
 }
 
+impl<B: Number> Moving for Instant<B> {}
 impl Moving for f64 {}
 impl Moving for Measured {}
 impl<B: Number> Moving for Dual<B> {}
@@ -56,6 +57,21 @@ pub trait Environment<D: Moving> {
     /// The same where no more than so many terms of it are used; there may be more.
     fn symbol_to(&self, id: SymbolId, indices: &[u8], _terms: usize) -> Result<Value<D>, Unavailable> {
         self.symbol(id, indices)
+    }
+    /// The derivative of a symbol, of an order above 0, of which no more than so many terms are used.
+    fn rate_to(&self, id: SymbolId, indices: &[u8], order: u8, terms: usize) -> Result<Value<D>, Unavailable> {
+        let mut value = self.symbol_to(id, indices, terms.saturating_add(order.into()))?;
+        differentiate(&mut value, order)?;
+        Ok(value)
+    }
+    /// The derivative of a formula, where numbers know none of their own and this knows how to get it.
+    fn derivative(
+        &self,
+        _order: u8,
+        _formula: &Expr,
+        _indices: &[(IndexId, u8)],
+    ) -> Option<Result<Value<D>, Unavailable>> {
+        None
     }
     /// How many values an index takes here.
     fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
@@ -103,13 +119,24 @@ pub fn evaluate_to<D: Moving>(
     environment: &impl Environment<D>,
     free: &[(IndexId, u8)],
 ) -> Result<Value<D>, Unavailable> {
-    Evaluator { environment, indices: free.to_vec(), terms, number: std::marker::PhantomData }.value(expr)
+    // Where there are indices, sums over more are likely.
+    let mut indices = Vec::with_capacity(if free.is_empty() { 0 } else { free.len() + 2 });
+    indices.extend_from_slice(free);
+    Evaluator { environment, indices, terms, number: std::marker::PhantomData }.value(expr)
+}
+
+/// The value of a literal; most have one digit.
+fn literal(text: &str) -> Option<f64> {
+    match text.as_bytes() {
+        [digit @ b'0'..=b'9'] => Some(f64::from(digit - b'0')),
+        _ => text.parse().ok(),
+    }
 }
 
 /// The exact value of an exponent that holds numbers only.
 pub fn constant_exponent(expr: &Expr) -> Option<f64> {
     match &expr.node {
-        Node::Number(text) => text.parse().ok(),
+        Node::Number(text) => literal(text),
         Node::Sum(terms) => terms.iter().try_fold(0.0, |sum, term| {
             let value = constant_exponent(&term.expr)?;
             Some(if term.sign == Sign::Plus { sum + value } else { sum - value })
@@ -132,12 +159,10 @@ type Evaluated<T> = Result<T, Unavailable>;
 impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         Ok(match &expr.node {
-            Node::Number(text) => {
-                Value::Scalar(constant(text.parse().map_err(|_| Unavailable::Operation("a number"))?))
-            }
+            Node::Number(text) => Value::Scalar(constant(literal(text).ok_or(Unavailable::Operation("a number"))?)),
             Node::Pi => Value::Scalar(constant(std::f64::consts::PI)),
             Node::Euler => Value::Scalar(constant(std::f64::consts::E)),
-            Node::Symbol { id, indices, dots } => return self.dotted(*id, indices, *dots),
+            Node::Symbol { id, indices, dots } => return self.symbol(*id, indices, *dots),
             Node::Sum(terms) => return self.sum(terms),
             Node::Product(factors) => return self.product(factors),
             Node::Quotient(a, b) => {
@@ -166,6 +191,9 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 _ => return Err(Unavailable::Operation("a function of several arguments")),
             },
             Node::TimeDerivative(order, inner) => {
+                if let Some(derivative) = self.environment.derivative(*order, inner, &self.indices) {
+                    return derivative;
+                }
                 let terms = self.terms;
                 self.terms = terms.saturating_add(usize::from(*order));
                 let value = self.value(inner);
@@ -184,7 +212,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
                 Value::Scalar(a.x * b.x + a.y * b.y + a.z * b.z)
             }
             Node::Matrix(rows) => {
-                let mut entries = Vec::new();
+                let mut entries = Vec::with_capacity(rows.iter().map(Vec::len).sum());
                 for entry in rows.iter().flatten() {
                     entries.push(self.scalar(entry)?);
                 }
@@ -238,16 +266,6 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     }
 
     // What formulas are mostly made of has functions of its own, not inlined: so the frame of each is small.
-
-    #[inline(never)]
-    fn dotted(&mut self, id: SymbolId, indices: &[Index], dots: u8) -> Evaluated<Value<D>> {
-        if dots == 0 {
-            return self.symbol(id, indices, self.terms);
-        }
-        let mut value = self.symbol(id, indices, self.terms.saturating_add(usize::from(dots)))?;
-        differentiate(&mut value, dots)?;
-        Ok(value)
-    }
 
     #[inline(never)]
     fn sum(&mut self, terms: &[Term]) -> Evaluated<Value<D>> {
@@ -356,18 +374,19 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    fn symbol(&self, id: SymbolId, indices: &[Index], terms: usize) -> Evaluated<Value<D>> {
+    #[inline(never)]
+    fn symbol(&self, id: SymbolId, indices: &[Index], dots: u8) -> Evaluated<Value<D>> {
         let symbols = self.environment.symbols();
         let entry = symbols.entry(id);
         if indices.is_empty() && !entry.slots.is_empty() && entry.kind == Kind::Scalar {
-            let member = |indices: &[u8]| match self.member(id, indices, terms)? {
+            let member = |indices: &[u8]| match self.member(id, indices, dots)? {
                 Value::Scalar(value) => Ok(value),
                 _ => Err(Unavailable::Symbol(id)),
             };
             return match symbols.extents(id).as_slice() {
                 [_] => Ok(Value::Vector(Vector3::new(member(&[1])?, member(&[2])?, member(&[3])?))),
                 [rows, columns] => {
-                    let mut entries = Vec::new();
+                    let mut entries = Vec::with_capacity(usize::from(*rows) * usize::from(*columns));
                     for i in 1..=*rows {
                         for j in 1..=*columns {
                             entries.push(member(&[i, j])?);
@@ -380,22 +399,22 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
         // Most symbols have few indices: those need no list.
         match indices {
-            [] => self.member(id, &[], terms),
-            [i] => self.member(id, &[self.index(*i)?], terms),
-            [i, j] => self.member(id, &[self.index(*i)?, self.index(*j)?], terms),
+            [] => self.member(id, &[], dots),
+            [i] => self.member(id, &[self.index(*i)?], dots),
+            [i, j] => self.member(id, &[self.index(*i)?, self.index(*j)?], dots),
             _ => {
                 let values: Evaluated<Vec<u8>> = indices.iter().map(|index| self.index(*index)).collect();
-                self.member(id, &values?, terms)
+                self.member(id, &values?, dots)
             }
         }
     }
 
     /// A symbol for given values of its indices; of a family that was put together, the member of that name.
-    fn member(&self, id: SymbolId, indices: &[u8], terms: usize) -> Evaluated<Value<D>> {
+    fn member(&self, id: SymbolId, indices: &[u8], dots: u8) -> Evaluated<Value<D>> {
         let symbols = self.environment.symbols();
         let entry = symbols.entry(id);
         if entry.members.is_empty() {
-            return self.environment.symbol_to(id, indices, terms);
+            return self.dotted(id, indices, dots);
         }
         let extents = symbols.extents(id);
         let place = indices
@@ -403,7 +422,14 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             .zip(&extents)
             .fold(0, |place, (index, extent)| place * usize::from(*extent) + usize::from(*index) - 1);
         let member = entry.members.get(place).ok_or(Unavailable::Symbol(id))?;
-        self.environment.symbol_to(*member, &[], terms)
+        self.dotted(*member, &[], dots)
+    }
+
+    fn dotted(&self, id: SymbolId, indices: &[u8], dots: u8) -> Evaluated<Value<D>> {
+        match dots {
+            0 => self.environment.symbol_to(id, indices, self.terms),
+            dots => self.environment.rate_to(id, indices, dots, self.terms),
+        }
     }
 
     /// The norm of a vector; of a number its absolute value, or where its sign does not matter the number itself.
@@ -451,7 +477,7 @@ fn constant<D: Number>(value: f64) -> D {
 }
 
 /// Takes the time derivative so many times.
-fn differentiate<D: Moving>(value: &mut Value<D>, order: u8) -> Evaluated<()> {
+pub fn differentiate<D: Moving>(value: &mut Value<D>, order: u8) -> Evaluated<()> {
     for _ in 0..order {
         let mut known = true;
         value.for_each(|entry| match entry.rate() {

@@ -66,6 +66,17 @@ impl<D: Number> Value<D> {
         }
     }
 
+    /// The same of other numbers, each made of one of these.
+    pub fn each<E: Number>(&self, f: impl Fn(&D) -> E) -> Value<E> {
+        match self {
+            Value::Scalar(value) => Value::Scalar(f(value)),
+            Value::Vector(vector) => Value::Vector(Vector3::new(f(&vector.x), f(&vector.y), f(&vector.z))),
+            Value::Matrix(matrix) => {
+                Value::Matrix(DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| f(&matrix[(i, j)])))
+            }
+        }
+    }
+
     /// Changes every number in it.
     pub fn for_each(&mut self, f: impl FnMut(&mut D)) {
         match self {

@@ -28,6 +28,26 @@ pub struct Frame<B: Number> {
     orientation: Matrix3<Series<B>>,
 }
 
+/// The axes, as rows, that were turned by `angle` about a direction; `constant` makes what angles are of its components.
+///
+/// # Errors
+/// When the direction is 0 or not finite.
+pub fn axes_about<B: Number, D: Number>(
+    direction: [B; 3],
+    angle: D,
+    constant: impl FnMut(B) -> D,
+) -> Result<Matrix3<D>> {
+    let [x, y, z] = direction;
+    let length = (x * x + y * y + z * z).sqrt();
+    let unit = direction.map(|component| component / length);
+    // NaN alone differs from itself; numbers of a field have no size to ask for
+    #[allow(clippy::eq_op)]
+    if length.is_zero() || unit.iter().any(|component| component != component) {
+        return Err(Error::new("the axis of a rotation has no direction").help("give three numbers, not all 0"));
+    }
+    Ok(rodrigues(&Vector3::from(unit.map(constant)), angle).transpose())
+}
+
 impl<B: Number> Frame<B> {
     /// A frame that turns freely: R = R_z(ψ) R_y(θ) R_z(φ) with the z–y–z Euler angles φ, θ, ψ in radians.
     pub fn freely([phi, theta, psi]: [Series<B>; 3]) -> Self {
@@ -40,16 +60,7 @@ impl<B: Number> Frame<B> {
     /// # Errors
     /// When the direction is 0 or not finite.
     pub fn about(direction: [B; 3], angle: Series<B>) -> Result<Self> {
-        let [x, y, z] = direction;
-        let length = (x * x + y * y + z * z).sqrt();
-        let unit = direction.map(|component| component / length);
-        // NaN alone differs from itself; numbers of a field have no size to ask for
-        #[allow(clippy::eq_op)]
-        if length.is_zero() || unit.iter().any(|component| component != component) {
-            return Err(Error::new("the axis of a rotation has no direction").help("give three numbers, not all 0"));
-        }
-        let axis = Vector3::from(unit.map(Series::constant));
-        Ok(Frame { orientation: rodrigues(&axis, angle).transpose() })
+        Ok(Frame { orientation: axes_about(direction, angle, Series::constant)? })
     }
 
     /// R(t): row a has the components of êₐ in the fixed axes, so R takes fixed components to those along the frame.

@@ -34,7 +34,7 @@ mod world;
 
 pub use accelerator::Accelerator;
 pub use bodies::{Body, Nodes};
-pub use frames::Frame;
+pub use frames::{Frame, axes_about};
 pub use lagrangian::{Lagrangian, State};
 pub(crate) use linear::solve_by;
 pub use linear::{Elimination, MAX_CONDITION, condition_number};

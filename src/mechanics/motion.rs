@@ -50,7 +50,7 @@ where
     L: Lagrangian<N, P>,
     D: Number,
 {
-    let q = complete(&at.q, &at.v, order, |q, v| {
+    let q = complete(&at.q, &at.v, order, |q, v, _| {
         let state = State {
             time: Series::time(at.time),
             q: std::array::from_fn(|i| q[i]),
@@ -62,12 +62,13 @@ where
     Ok(std::array::from_fn(|i| q[i]))
 }
 
-/// Taylor's recursion: what is known of q and q̇ gives one more order of q̈, hence of q, until `order` is reached.
+/// Taylor's recursion: what is known of q and q̇ gives one more order of q̈, hence of q, until `order` is reached. The
+/// accelerations are told how many derivatives of q are known; their values are always the same.
 pub(super) fn complete<D: Number>(
     q: &[D],
     v: &[D],
     order: usize,
-    accelerations: impl Fn(&[Series<D>], &[Series<D>]) -> Result<Vec<Series<D>>>,
+    accelerations: impl Fn(&[Series<D>], &[Series<D>], usize) -> Result<Vec<Series<D>>>,
 ) -> Result<Vec<Series<D>>> {
     if order >= TERMS {
         let most = TERMS - 1;
@@ -80,7 +81,7 @@ pub(super) fn complete<D: Number>(
         let v: Vec<_> = q.iter().map(Series::derivative).collect();
         // q̈ can be known to one order less than q̇: spare the rest
         let q: Vec<_> = q.iter().map(|q| q.truncated(known - 1)).collect();
-        for (known_so_far, a) in derivatives.iter_mut().zip(accelerations(&q, &v)?) {
+        for (known_so_far, a) in derivatives.iter_mut().zip(accelerations(&q, &v, known)?) {
             known_so_far.push(a.nth_derivative_value(known - 2).unwrap_or(D::from(f64::NAN)));
         }
     }

@@ -211,19 +211,14 @@ impl World {
     /// # Errors
     /// When the mass matrix is singular or ill-conditioned; the message has the condition number.
     pub fn accelerations<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<Vec<D>> {
-        self.accelerations_by(Elimination::Pivots, time, q, v, parameters)
+        let (mass, right) = self.to_solve(time, q, v, parameters);
+        linear::solve("mass matrix", mass, right)
     }
 
-    fn accelerations_by<D: Number>(
-        &self,
-        elimination: Elimination,
-        time: D,
-        q: &[D],
-        v: &[D],
-        parameters: &[D],
-    ) -> Result<Vec<D>> {
+    /// The mass matrix and the right side of M a = −h.
+    fn to_solve<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> (DMatrix<D>, Vec<D>) {
         let (mass, bias) = self.dynamics(&self.inputs(time, q, v, parameters));
-        linear::solve_by(elimination, "mass matrix", mass, bias.iter().map(|&h| -h).collect())
+        (mass, bias.iter().map(|&h| -h).collect())
     }
 
     /// The motion through a state on shell: each coordinate with its time derivatives up to `order`.
@@ -256,7 +251,14 @@ impl World {
     ) -> Result<Vec<Series<D>>> {
         let time = Series::time(time);
         let parameters: Vec<_> = parameters.iter().copied().map(Series::constant).collect();
-        motion::complete(q, v, order, |q, v| self.accelerations_by(elimination, time, q, v, &parameters))
+        motion::complete(q, v, order, |q, v, known| {
+            let (mass, right) = self.to_solve(time, q, v, &parameters);
+            match (elimination, known) {
+                // the first look at its condition is at all of its values
+                (Elimination::Pivots, 3..) => linear::eliminate("mass matrix", mass, right),
+                _ => linear::solve_by(elimination, "mass matrix", mass, right),
+            }
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Numbers to evaluate on. Each is a [`num_dual::DualNum`], so that one Rust function of mechanics, or one formula read
 //! from the notes, runs over all of them: `f64` and num-dual's own dual numbers, a Taylor series in time ([`Series`]),
-//! a value that remembers its rounding ([`Measured`]), a node of a graph ([`Symbol`]).
+//! one value of it ([`Instant`]), a value that remembers its rounding ([`Measured`]), a node of a graph ([`Symbol`]).
 //!
 //! A new number implements the dozen functions of [`Arithmetic`] and calls the macro `dual_number!`; nothing else.
 //! This floor knows nothing of mechanics, formulas or files.
@@ -9,6 +9,7 @@ pub use num_dual::DualNum;
 
 mod arithmetic;
 pub mod field;
+mod instant;
 mod measured;
 mod polynomial;
 pub mod rational;
@@ -17,6 +18,7 @@ mod symbol;
 
 pub use arithmetic::{Arithmetic, Function};
 pub use field::Modular;
+pub use instant::Instant;
 pub use measured::Measured;
 pub use polynomial::simplify_all;
 pub use rational::Ratio;
@@ -74,6 +76,17 @@ mod tests {
             prop_assert!((fifth - series.nth_derivative_value(5).unwrap()).abs() <= 1e-12 * (1.0 + fifth.abs()));
             // the twin: an order off is noticed
             prop_assert!(which == 13 || derivatives[2] != derivatives[3]);
+        }
+
+        #[test]
+        fn an_instant_is_the_first_coefficient_of_a_series(t in 0.2..1.2_f64, which in 0..14_usize) {
+            let t = Measured::new(t);
+            let (series, instant) = (function(which, Series::constant(t)), function(which, Instant(t)));
+            let (a, b) = (series.value(), instant.0);
+            prop_assert_eq!((a.value, a.magnitude), (b.value, b.magnitude), "function {}", which);
+            // the twin: a plain number finds a power, and how large its rounding is, in another way
+            let plain = function(which, t);
+            prop_assert!(which != 3 || (plain.value, plain.magnitude) != (b.value, b.magnitude));
         }
 
         #[test]

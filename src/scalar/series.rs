@@ -69,6 +69,33 @@ impl<B: Number> Series<B> {
         (k < self.known()).then(|| self.coefficients[k] * factorial)
     }
 
+    /// Of which the value is known and nothing else.
+    pub fn of_value(value: B) -> Self {
+        Series::build(1, 1, |_, _| value)
+    }
+
+    /// The k-th coefficient, if it is known and may differ from zero.
+    pub fn coefficient(&self, k: usize) -> Option<B> {
+        (k < self.known() && k < self.length()).then(|| self.coefficients[k])
+    }
+
+    /// The value of the k-th of the derivatives that [`derivative`](Self::derivative) takes one after the other, to the
+    /// last digit; `None` if it is not known.
+    pub fn rate(&self, k: usize) -> Option<B> {
+        if k >= self.known() {
+            return None;
+        }
+        if k >= self.length() {
+            return Some((0..k).fold(*self, |rate, _| rate.derivative()).value());
+        }
+        Some(Self::rate_of(self.coefficients[k], k))
+    }
+
+    /// The value of the k-th derivative of what has this k-th coefficient, likewise to the last digit.
+    pub fn rate_of(coefficient: B, k: usize) -> B {
+        (1..=k).rev().fold(coefficient, |coefficient, j| coefficient * j as f64)
+    }
+
     /// The series of the time derivative; it knows one order less.
     ///
     /// ```
@@ -360,6 +387,7 @@ dual_number!(Series<B: Number>);
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Measured;
     use num_dual::DualNum;
 
     #[test]
@@ -405,6 +433,22 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_rate_is_the_value_of_a_derivative() {
+        let t = Series::time(Measured::new(0.7));
+        for x in [t, t * t - t * 2.0, t.sin() * t.truncated(4), Series::constant(Measured::new(1.3))] {
+            let mut derivative = x;
+            for k in 0..x.known() {
+                let (rate, expected) = (x.rate(k).unwrap(), derivative.value());
+                assert_eq!((rate.value, rate.magnitude), (expected.value, expected.magnitude));
+                derivative = derivative.derivative();
+            }
+            assert!(x.rate(x.known()).is_none());
+        }
+        // the twin: it is no coefficient
+        assert_eq!((t * t).rate(2).unwrap().value, 2.0);
     }
 
     #[test]

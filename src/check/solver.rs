@@ -1,0 +1,440 @@
+//! How states are moved onto the hypotheses of a claim.
+//!
+//! Each hypothesis that is no rule is solved for one number of the base, by Newton's method with derivatives from dual
+//! numbers. Which row is solved for which number is the *plan*; it is found at the first state that works, by pivoting,
+//! and kept for the others. A state counts when every hypothesis is then seen to hold.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+use num_dual::Dual64;
+
+use crate::formula::evaluate::{Unavailable, evaluate_to};
+use crate::formula::{Expr, IndexId, Node, Relation, Value};
+use crate::mechanics::Elimination;
+use crate::scalar::{Measured, Number, Series};
+use crate::{Error, Result};
+
+use super::base::{Layout, Slot, slots};
+use super::draw::{Reach, contains};
+use super::ensemble::{Condition, Setting};
+use super::identity::derivatives;
+use super::judge;
+use super::model::Model;
+use super::motion::order;
+use super::rules::{Rule, rules};
+use super::scene::{Mode, Scene};
+
+/// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
+const THROUGHOUT: usize = 3;
+
+/// So many equations are solved at most; hypotheses about whole families are rules instead.
+const MOST: usize = 24;
+
+/// How states are moved onto the hypotheses of a claim.
+pub struct Solver<'m> {
+    pub(super) model: &'m Model,
+    pub(super) mode: Mode,
+    reach: Reach,
+    pub(super) conditions: Vec<Condition>,
+    /// Which of the conditions are rules, and so need no solving.
+    explicit: Vec<bool>,
+    pub(super) rules: Arc<[Rule]>,
+    /// What a base consists of.
+    pub(super) slots: Vec<Slot>,
+    /// Which row is solved for which slot; found at the first state that works.
+    pub(super) plan: Vec<(Row, usize)>,
+    /// How many states were accepted.
+    accepted: usize,
+    /// Whether there is more to solve than is solved.
+    pub(super) hopeless: bool,
+    /// How many derivatives the hypotheses need that are solved.
+    terms: usize,
+    layout: Arc<Layout>,
+}
+
+/// States that differ from others in the values of some quantities and in nothing else that is free.
+pub struct Family<'m> {
+    solver: Solver<'m>,
+    /// How many of the last conditions are the quantities' values.
+    quantities: usize,
+}
+
+impl<'m> Family<'m> {
+    /// Of these quantities, under a setting.
+    pub fn new(model: &'m Model, setting: &Setting<'_>, quantities: &[Expr]) -> Self {
+        let value = |quantity: &Expr| Condition {
+            lhs: quantity.clone(),
+            relation: Relation::Equal,
+            rhs: Expr::integer(0, quantity.span),
+            free: Vec::new(),
+            throughout: false,
+        };
+        let conditions: Vec<Condition> =
+            setting.conditions.iter().cloned().chain(quantities.iter().map(value)).collect();
+        let solver = Solver::new(model, &Setting { conditions: &conditions, ..setting.clone() });
+        Family { solver, quantities: quantities.len() }
+    }
+
+    /// The state near a base at which the quantities have these values, if there is one.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular there.
+    pub fn at(&mut self, base: &[f64], values: &[f64]) -> Result<Option<Scene<'m, Measured>>> {
+        let laws: usize = match self.solver.mode.on_shell {
+            true => self.solver.model.laws.iter().map(|law| law.conditions.len()).sum(),
+            false => 0,
+        };
+        let end = self.solver.conditions.len() - laws;
+        let conditions = &mut self.solver.conditions[end - self.quantities..end];
+        for (condition, value) in conditions.iter_mut().zip(values) {
+            let number = Expr::new(Node::Number(format!("{:e}", value.abs())), condition.lhs.span);
+            condition.rhs = if *value < 0.0 { number.negated() } else { number };
+        }
+        Ok(self.solver.state(base.to_vec())?.map(|(_, scene)| scene))
+    }
+}
+
+/// The `derivative`-th time derivative of the `condition`-th hypothesis, one entry of it.
+pub(super) type Row = (usize, usize, usize);
+
+impl<'m> Solver<'m> {
+    /// For states that obey a setting.
+    pub(super) fn new(model: &'m Model, setting: &Setting<'_>) -> Self {
+        let mode = setting.mode;
+        let mut conditions = setting.conditions.to_vec();
+        if mode.on_shell {
+            conditions.extend(model.laws.iter().flat_map(|law| law.conditions.iter().cloned()));
+        }
+        let (found, explicit) = rules(model, setting.local, &conditions);
+        let slots = slots(model, mode);
+        let (rules, plan) = (found.into(), Vec::new());
+        let terms = 0;
+        let mut solver = Solver {
+            model,
+            mode,
+            reach: setting.reach,
+            conditions,
+            explicit,
+            rules,
+            slots,
+            plan,
+            accepted: 0,
+            hopeless: false,
+            terms,
+            layout: Layout::of(model, mode),
+        };
+        solver.terms = solver.needed();
+        solver
+    }
+
+    /// Which of the conditions are rules.
+    pub(super) fn explicit(&self) -> &[bool] {
+        &self.explicit
+    }
+
+    /// The hypotheses that are solved.
+    pub(super) fn equalities(&self) -> impl Iterator<Item = (usize, &Condition)> {
+        let is_equality = |c: &Condition| matches!(c.relation, Relation::Equal | Relation::Identical);
+        self.conditions.iter().enumerate().filter(move |(at, c)| is_equality(c) && !self.explicit[*at])
+    }
+
+    /// The values of rows over any number; `None` where one has none. Each hypothesis is evaluated once.
+    pub(super) fn values<B: Number>(&self, scene: &Scene<'m, B>, rows: &[Row]) -> Option<Vec<B>> {
+        let mut known: Vec<(usize, Vec<Series<B>>)> = Vec::new();
+        let mut values = Vec::with_capacity(rows.len());
+        for (at, derivative, entry) in rows {
+            if !known.iter().any(|(condition, _)| condition == at) {
+                let (mut terms, mut entries) = (0, 0);
+                for (_, derivative, entry) in rows.iter().filter(|(condition, ..)| condition == at) {
+                    (terms, entries) = (terms.max(derivative + 1), entries.max(entry + 1));
+                }
+                known.push((*at, difference_to((terms, entries), scene, &self.conditions[*at]).ok()?));
+            }
+            let (_, entries) = known.iter().find(|(condition, _)| condition == at)?;
+            values.push(entries.get(*entry)?.nth_derivative_value(*derivative)?);
+        }
+        Some(values)
+    }
+
+    fn scene<B: Number>(&self, base: &[B], terms: usize) -> Result<Scene<'m, B>> {
+        self.scene_by(Elimination::Pivots, base, terms)
+    }
+
+    /// The state of a base, the mass matrix inverted in the given way.
+    pub(super) fn scene_by<B: Number>(
+        &self,
+        elimination: Elimination,
+        base: &[B],
+        terms: usize,
+    ) -> Result<Scene<'m, B>> {
+        let scene = Scene::by(elimination, terms, self.model, self.mode, (&self.layout, base), &self.rules)?;
+        let joined = scene.join();
+        joined.map_err(|_| Error::new("families that are joined must be families of one label"))?;
+        Ok(scene)
+    }
+
+    /// The state near a base at which every hypothesis holds, if there is one.
+    pub(super) fn state(&mut self, base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
+        let Some((base, scene)) = self.solve(base)? else { return Ok(None) };
+        Ok(self.accepts(&scene).then_some((base, scene)))
+    }
+
+    /// Moves a base onto the equalities.
+    fn solve(&mut self, mut base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
+        if self.equalities().next().is_none() {
+            let scene = self.measured(&base)?;
+            return Ok(Some((base, scene)));
+        }
+        let drawn = base.clone();
+        if self.plan.is_empty() || self.newton(&mut base, &self.plan.clone())? {
+            return self.complete(base);
+        }
+        // Another number of particles may want another plan.
+        let known = std::mem::take(&mut self.plan);
+        let solved = self.complete(drawn);
+        if !matches!(solved, Ok(Some(_))) {
+            self.plan = known;
+        }
+        solved
+    }
+
+    /// Solves the rows that are not planned yet, from a base that obeys those that are.
+    fn complete(&mut self, mut base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
+        let mut scene = self.measured(&base)?;
+        let rows = self.rows(&scene);
+        if rows.len() > MOST {
+            self.hopeless = true;
+            return Ok(None);
+        }
+        let mut moved = false;
+        for (row, mut value) in rows {
+            if self.plan.iter().any(|(planned, _)| *planned == row) {
+                continue;
+            }
+            if moved {
+                let Some(values) = self.values(&scene, &[row]) else { return Ok(None) };
+                value = values[0];
+            }
+            if judge::vanishes(value) {
+                continue;
+            }
+            let Some(slot) = self.pivot(&base, row)? else { return Ok(None) };
+            let mut plan = self.plan.clone();
+            plan.push((row, slot));
+            if !self.newton(&mut base, &plan)? {
+                return Ok(None);
+            }
+            self.plan = plan;
+            scene = self.measured(&base)?;
+            moved = true;
+        }
+        Ok(Some((base, scene)))
+    }
+
+    fn measured(&self, base: &[f64]) -> Result<Scene<'m, Measured>> {
+        let base: Vec<Measured> = base.iter().map(|x| Measured::new(*x)).collect();
+        self.scene(&base, self.mode.order + 1)
+    }
+
+    fn needed(&self) -> usize {
+        let throughout = self.equalities().any(|(_, condition)| condition.throughout);
+        let sides = self.equalities().flat_map(|(_, condition)| [&condition.lhs, &condition.rhs]);
+        let highest = sides.map(|side| derivatives(side, self.model)).max().unwrap_or(0);
+        (highest + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
+    }
+
+    /// The rows of the hypotheses that are solved, with their values at a state.
+    pub(super) fn rows<B: Number>(&self, scene: &Scene<'m, B>) -> Vec<(Row, B)> {
+        let mut rows = Vec::new();
+        let differences: Vec<_> = self
+            .equalities()
+            .map(|(at, condition)| (at, condition, difference(scene, condition).unwrap_or_default()))
+            .collect();
+        for derivative in 0..=THROUGHOUT {
+            for (at, condition, entries) in &differences {
+                for (entry, value) in entries.iter().enumerate() {
+                    if let Some(value) = value.nth_derivative_value(derivative)
+                        && (derivative == 0 || condition.throughout)
+                    {
+                        rows.push(((*at, derivative, entry), value));
+                    }
+                }
+            }
+        }
+        rows
+    }
+
+    /// The slot to solve a row for, besides those of the plan: one in which it is linear, else of the highest class.
+    fn pivot(&self, base: &[f64], row: Row) -> Result<Option<usize>> {
+        let class = |slot: &Slot| match (slot.constant, slot.order) {
+            (true, _) => 0,
+            (false, order) => 1 + order,
+        };
+        let condition = &self.conditions[row.0];
+        let sides = [&condition.lhs, &condition.rhs];
+        // What nothing but drawn symbols is made of depends on those in it, and on no higher derivatives.
+        let moves = self.mode.on_shell && self.model.world.is_some();
+        let plain = sides.iter().all(|side| self.model.is_plain(side)) && self.rules.is_empty() && !moves;
+        let concerns = |slot: &Slot| {
+            let Some(symbol) = slot.symbol else { return !plain };
+            let highest = sides.iter().filter_map(|side| order(self.model, side, symbol)).max();
+            !plain || highest.is_some_and(|highest| slot.order <= usize::from(highest) + row.1)
+        };
+        let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
+        candidates.retain(|at| !self.plan.iter().any(|(_, taken)| taken == at) && concerns(&self.slots[*at]));
+        candidates.sort_by_key(|at| std::cmp::Reverse((class(&self.slots[*at]), *at)));
+        let rows: Vec<Row> = self.plan.iter().map(|(row, _)| *row).chain([row]).collect();
+        let mut columns = Vec::new();
+        for (_, slot) in &self.plan {
+            let Some(column) = self.column(base, *slot, &rows)? else { return Ok(None) };
+            columns.push(column);
+        }
+        let mut other = None;
+        for slot in candidates {
+            let Some(column) = self.column(base, slot, &rows)? else { continue };
+            if column.iter().all(|value| value.eps == 0.0) {
+                continue;
+            }
+            let all = |i: usize, j: usize| columns.get(j).unwrap_or(&column)[i].eps;
+            let jacobian = DMatrix::from_fn(rows.len(), rows.len(), all);
+            let scale: f64 = jacobian.row_iter().map(|row| row.norm()).product();
+            let determinant = jacobian.determinant().abs();
+            if scale == 0.0 || determinant.is_nan() || determinant < 1e-7 * scale {
+                continue;
+            }
+            if self.is_linear(base, row, slot)? {
+                return Ok(Some(slot));
+            }
+            other = other.or(Some(slot));
+        }
+        Ok(other)
+    }
+
+    /// Rows, with their derivatives by a slot.
+    fn column(&self, base: &[f64], slot: usize, rows: &[Row]) -> Result<Option<Vec<Dual64>>> {
+        let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
+        dual[slot].eps = 1.0;
+        let values = self.values(&self.scene(&dual, self.terms)?, rows);
+        Ok(values.filter(|values| values.iter().all(|value| value.re.is_finite() && value.eps.is_finite())))
+    }
+
+    /// Whether the value of a row changes with a number, at a base where nothing keeps it from doing so by accident.
+    pub(super) fn depends(&self, base: &[f64], row: Row, slot: usize) -> bool {
+        !matches!(self.column(base, slot, &[row]), Ok(Some(column)) if column.iter().all(|value| value.eps == 0.0))
+    }
+
+    fn is_linear(&self, base: &[f64], row: Row, slot: usize) -> Result<bool> {
+        let mut values = Vec::new();
+        for step in [0.0, 0.5, 1.0] {
+            let mut moved = base.to_vec();
+            moved[slot] += step;
+            let Some(value) = self.values(&self.scene(&moved, self.terms)?, &[row]) else { return Ok(false) };
+            values.push(value[0]);
+        }
+        let bend: f64 = values[0] - 2.0 * values[1] + values[2];
+        Ok(bend.abs() <= 1e-9 * values.iter().map(|v: &f64| v.abs()).sum::<f64>())
+    }
+
+    /// The planned rows and their derivatives by the planned slots.
+    fn linearised(&self, base: &[f64], plan: &[(Row, usize)]) -> Result<Option<(DMatrix<f64>, DVector<f64>)>> {
+        let n = plan.len();
+        let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
+        let (mut jacobian, mut values) = (DMatrix::zeros(n, n), DVector::zeros(n));
+        for (j, (_, slot)) in plan.iter().enumerate() {
+            let Some(column) = self.column(base, *slot, &rows)? else { return Ok(None) };
+            for (i, value) in column.iter().enumerate() {
+                jacobian[(i, j)] = value.eps;
+                values[i] = value.re;
+            }
+        }
+        Ok(Some((jacobian, values)))
+    }
+
+    fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<bool> {
+        for _ in 0..30 {
+            let Some((jacobian, values)) = self.linearised(base, plan)? else { return Ok(false) };
+            let Some(step) = jacobian.lu().solve(&values) else { return Ok(false) };
+            let mut largest = 0.0_f64;
+            for ((_, slot), step) in plan.iter().zip(step.iter()) {
+                base[*slot] -= step;
+                largest = largest.max(step.abs() / (1.0 + base[*slot].abs()));
+            }
+            if largest.is_nan() || largest > 1e6 {
+                return Ok(false);
+            }
+            if largest < 1e-15 {
+                break;
+            }
+        }
+        let in_range = |slot: usize| self.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
+        Ok(plan.iter().all(|(_, slot)| in_range(*slot)))
+    }
+
+    /// Whether every hypothesis holds at a state.
+    fn accepts(&mut self, scene: &Scene<'m, Measured>) -> bool {
+        // Rules hold by what they are, unless one undoes another: that shows at once.
+        let all = self.accepted < 2;
+        let to_check = self.conditions.iter().zip(&self.explicit).filter(|(_, is_rule)| all || !**is_rule);
+        for (condition, _) in to_check {
+            let Ok(entries) = difference(scene, condition) else { return false };
+            let holds = entries.iter().all(|entry| match condition.relation {
+                Relation::Equal | Relation::Identical | Relation::Proportional => {
+                    let derivatives = if condition.throughout { entry.known().min(THROUGHOUT + 1) } else { 1 };
+                    (0..derivatives).all(|k| entry.nth_derivative_value(k).is_some_and(judge::vanishes))
+                }
+                relation => judge::holds(relation, entry.value()),
+            });
+            if !holds {
+                return false;
+            }
+        }
+        self.accepted += 1;
+        true
+    }
+}
+
+/// lhs − rhs, entry by entry, for all values of the free indices; with the derivatives that are made to vanish.
+pub(super) fn difference<B: Number>(
+    scene: &Scene<'_, B>,
+    condition: &Condition,
+) -> Result<Vec<Series<B>>, Unavailable> {
+    difference_to((THROUGHOUT + 1, usize::MAX), scene, condition)
+}
+
+/// The same where no more than so many terms are used, of so many entries.
+fn difference_to<B: Number>(
+    (terms, entries): (usize, usize),
+    scene: &Scene<'_, B>,
+    condition: &Condition,
+) -> Result<Vec<Series<B>>, Unavailable> {
+    let mut indices: Vec<(IndexId, u8)> = condition.free.iter().map(|id| (*id, 1)).collect();
+    let terms = if condition.throughout { terms } else { 1 };
+    let mut all = Vec::new();
+    let (lhs, rhs) = (&condition.lhs, &condition.rhs);
+    loop {
+        if terms == 1 {
+            let sides = (scene.instant(lhs, &indices)?, scene.instant(rhs, &indices)?);
+            all.extend(apart(sides, condition)?.into_iter().map(|x| Series::of_value(x.0)));
+        } else {
+            let side = |side: &Expr| evaluate_to(terms, side, scene, &indices);
+            all.extend(apart((side(lhs)?, side(rhs)?), condition)?);
+        }
+        if all.len() >= entries || !judge::advance(&mut indices, scene)? {
+            return Ok(all);
+        }
+    }
+}
+
+/// What should vanish of two sides for a condition to hold: their difference, or the product of vectors that are parallel.
+fn apart<D: Number>((lhs, rhs): (Value<D>, Value<D>), condition: &Condition) -> Result<Vec<D>, Unavailable> {
+    Ok(match (lhs, rhs) {
+        (Value::Vector(a), Value::Vector(b)) if condition.relation == Relation::Proportional => {
+            a.cross(&b).iter().copied().collect()
+        }
+        (Value::Scalar(a), Value::Scalar(b)) => vec![a - b],
+        (a, b) if a.shape() == b.shape() => a.entries().iter().zip(b.entries()).map(|(a, b)| *a - b).collect(),
+        (a, _) if condition.rhs.is_zero() => a.entries(),
+        _ => return Err(Unavailable::Operation("a condition between different shapes")),
+    })
+}
