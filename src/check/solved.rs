@@ -6,6 +6,7 @@
 //! what obeys the hypothesis is still of one piece; but a further hypothesis could cut it into several, so that no other may
 //! come after it. What cannot be told is not certified.
 
+use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::marker::PhantomData;
 
@@ -16,11 +17,11 @@ use crate::scalar::field::{Modulus, at_a_point};
 use crate::scalar::{DualNum, Modular};
 
 use super::base::{self, Slot};
-use super::draw::contains;
+use super::draw::{Draw, Reach, contains};
 use super::ensemble::Condition;
-use super::solver::{Row, Solver};
 use super::model::{Meaning, Model};
 use super::scene::Scene;
+use super::solver::{Row, Solver};
 
 /// So many numbers are tried to solve a hypothesis for.
 const CANDIDATES: usize = 40;
@@ -60,6 +61,10 @@ pub(super) struct Solved<'s, 'm, F> {
     may_vanish: bool,
     /// Whether the hypotheses hold.
     obeys: bool,
+    /// Numbers that obey no hypothesis: there nothing is at rest by accident.
+    anywhere: Vec<f64>,
+    /// Of each row that was asked about, the numbers that it does not depend on.
+    idle: RefCell<Vec<(Row, Vec<bool>)>>,
     field: PhantomData<F>,
 }
 
@@ -97,7 +102,10 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
 
     /// States that obey no hypotheses.
     pub fn without_hypotheses(solver: &'s Solver<'m>, whole: Vec<(usize, f64)>) -> Self {
-        Solved { solver, whole, plan: Vec::new(), may_vanish: false, obeys: false, field: PhantomData }
+        let mut anywhere = Draw::new(1, "anywhere").base(&solver.slots, Reach::Declared);
+        whole.iter().for_each(|(at, value)| anywhere[*at] = *value);
+        let (plan, idle) = (Vec::new(), RefCell::default());
+        Solved { solver, whole, plan, may_vanish: false, obeys: false, anywhere, idle, field: PhantomData }
     }
 
     /// Whether there was anything to solve.
@@ -210,6 +218,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         let known = self.solver.plan.iter().filter(|(planned, _)| *planned == row).map(|(_, slot)| *slot);
         let candidates: Vec<usize> =
             known.chain((1..base.len()).rev()).filter(|slot| self.is_open(*slot)).take(CANDIDATES).collect();
+        let candidates: Vec<usize> = candidates.into_iter().filter(|slot| !self.is_idle(row, *slot)).collect();
         let before: Vec<Row> = rows.iter().copied().take_while(|other| *other != row).collect();
         let (mut chosen, mut reason, mut asked) = (None, NOT_SOLVED, 0);
         for slot in candidates {
@@ -242,6 +251,16 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         self.plan.push((row, slot));
         *base = moved;
         Ok(())
+    }
+
+    /// Whether a row has nothing to do with a number; doubles tell that at once.
+    fn is_idle(&self, row: Row, slot: usize) -> bool {
+        let mut known = self.idle.borrow_mut();
+        if !known.iter().any(|(other, _)| *other == row) {
+            let slots = 0..self.anywhere.len();
+            known.push((row, slots.map(|slot| !self.solver.depends(&self.anywhere, row, slot)).collect()));
+        }
+        known.iter().any(|(other, idle)| *other == row && idle[slot])
     }
 
     /// Whether a number can still be moved.
@@ -290,7 +309,9 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
             }
         }
         let mut found = Zeros::Nowhere;
-        for at in (0..base.len()).filter(|at| *at != slot && self.is_open(*at)) {
+        // What is planned moves with a number, and may move the row.
+        let is_idle = |at| self.plan.is_empty() && self.is_idle(row, at);
+        for at in (0..base.len()).filter(|at| *at != slot && self.is_open(*at) && !is_idle(*at)) {
             let other = self.moved(base, at, self.drawn_at(at))?;
             let ratio = self.slope(&other, row, slot)? / slope;
             if (ratio - 1.0).vanishes() {
