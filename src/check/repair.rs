@@ -104,7 +104,9 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     let (symbols, macros) = (&desk.model.symbols, &desk.model.macros);
     let mut tried = Vec::new();
     let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);
-    let all = || Pool::of(desk.notes.equations.iter().map(|display| display.text.as_str()), symbols, macros, MISSING);
+    let others = || desk.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
+    let texts = || std::iter::once(wrong.text).chain(others().map(|(_, display)| display.text.as_str()));
+    let all = || Pool::of(texts(), symbols, macros, MISSING);
     let pools: [&dyn Fn() -> Pool; 4] = [&Pool::empty, &|| own().factors_only(), &|| all().factors_only(), &all];
     for pool in pools {
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());

@@ -41,6 +41,9 @@ impl Finder<'_> {
             let inner = self.slice(fence.inner).to_owned();
             if matches!(last.layout, Layout::Fence(..)) {
                 self.edit(Slip::Parenthesis, fence.whole, inner.clone());
+                if self.pool.is_some() {
+                    self.edit(Slip::Exponent, fence.whole, format!("\\sqrt{{{inner}}}"));
+                }
             }
             for cut in self.places(fence.items).into_iter().filter(|cut| *cut < fence.inner.end) {
                 let (kept, out) = inner.split_at(cut - fence.inner.start);
@@ -93,6 +96,17 @@ impl Finder<'_> {
         };
         let all: Vec<Vec<Span>> =
             terms.iter().map(|term| self.factors(term.items).iter().map(place).collect()).collect();
+        // A power that stands on the last factor alone, put on the sum.
+        for (at, term) in terms.iter().enumerate() {
+            for last in terms[at + 1..].iter().filter_map(|later| later.items.last()) {
+                if let Layout::Scripts { nucleus, sup: Some(sup), sub, .. } = &last.layout {
+                    let base = sub.as_ref().map_or(nucleus.span, |sub| nucleus.span.to(sub.span));
+                    let sum = self.slice(Span::new(term.span().start, base.end));
+                    let gathered = format!("({sum})^{}", self.slice(sup.span));
+                    self.edit(Slip::Exponent, Span::new(term.span().start, last.span.end), gathered);
+                }
+            }
+        }
         let mut tried = 0;
         for (at, factors) in all.iter().enumerate() {
             for open in factors {

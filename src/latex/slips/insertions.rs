@@ -42,7 +42,7 @@ impl Pool {
             let finder = Finder { text, symbols, pool: None, edits: Vec::new() };
             finder.gather(&items, &mut counts);
         }
-        for number in ["2", "\\frac{1}{2}"] {
+        for number in ["2", "\\frac{1}{2}", "4", "3"] {
             counts.factors.entry(number.to_owned()).or_insert(1);
         }
         let sorted = |counts: HashMap<String, usize>| {
@@ -62,7 +62,7 @@ impl Pool {
 }
 
 /// Longer factors are not put in.
-const LONGEST: usize = 60;
+const LONGEST: usize = 120;
 
 impl Finder<'_> {
     fn gather(&self, items: &[Item], counts: &mut Counts) {
@@ -79,7 +79,7 @@ impl Finder<'_> {
                 let all = self.factors(term.items);
                 for factor in &all {
                     let first = &factor.items[0];
-                    if !is_big(first) && !matches!(first.layout, Layout::Number(_)) && all.len() > 1 {
+                    if !is_big(first) && all.len() > 1 {
                         count(&mut counts.factors, factor.span());
                     }
                     if is_function(first) {
@@ -135,7 +135,7 @@ impl Finder<'_> {
     pub(super) fn insert_terms(&mut self, terms: &[Term<'_>]) {
         let (Some(pool), Some(last)) = (self.pool, terms.last()) else { return };
         for term in &pool.terms {
-            for sign in ["+", "-"] {
+            for sign in ["+", "-", "\\pm"] {
                 self.edit(Slip::Term, Span::at(last.span().end), format!(" {sign} {term}"));
             }
         }

@@ -296,7 +296,12 @@ impl Finder<'_> {
     fn double_term(&mut self, term: &Term<'_>) {
         let sign = term.sign.map_or("+", |sign| self.slice(sign.span));
         let twice = format!(" {sign} {}", self.slice(term.span()));
-        self.edit(Slip::Doubled, Span::at(term.span().end), twice);
+        self.edit(self.doubling(Slip::Term), Span::at(term.span().end), twice);
+    }
+
+    /// The slip that typing something a second time is; where slips are undone, a second one is rarely what is wanting.
+    fn doubling(&self, loss: Slip) -> Slip {
+        if self.pool.is_some() { loss } else { Slip::Doubled }
     }
 
     fn relation(&mut self, item: &Item) {
@@ -326,7 +331,7 @@ impl Finder<'_> {
             let is_number = matches!(factor.items[0].layout, Layout::Number(_));
             if !is_number && !is_big(&factor.items[0]) {
                 let twice = format!(" {}", self.slice(factor.span()));
-                self.edit(Slip::Doubled, Span::at(factor.span().end), twice);
+                self.edit(self.doubling(Slip::Factor), Span::at(factor.span().end), twice);
             }
             let Some(before) = at.checked_sub(1).map(|before| &factors[before]) else { continue };
             let swapped = Span::new(before.span().start, factor.span().end);
