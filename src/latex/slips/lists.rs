@@ -208,7 +208,10 @@ impl Finder<'_> {
                 if terms.len() > 1 {
                     self.drop_term(&terms, at);
                 }
-                self.double_term(term);
+                // Of two terms that are one, an author writes twice the term: so none is mended by a second one.
+                if self.pool.is_none() {
+                    self.double_term(term);
+                }
                 self.term(term);
             }
             self.enclose(&terms);
