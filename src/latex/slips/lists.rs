@@ -3,7 +3,7 @@
 use crate::formula::Kind;
 use crate::source::Span;
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
 use super::{Finder, Slip};
@@ -204,7 +204,7 @@ impl Finder<'_> {
                 if self.is_null(term) {
                     continue;
                 }
-                self.sign(term);
+                self.sign(term, at == 0);
                 if terms.len() > 1 {
                     self.drop_term(&terms, at);
                 }
@@ -240,13 +240,15 @@ impl Finder<'_> {
         })
     }
 
-    fn sign(&mut self, term: &Term<'_>) {
+    /// Slips in the sign of a term; one that stands first needs no plus.
+    fn sign(&mut self, term: &Term<'_>, is_first: bool) {
         let Some(sign) = term.sign else {
             self.edit(Slip::Sign, Span::at(term.span().start), "-");
             return;
         };
         let others: &[&str] = match self.slice(sign.span) {
             "+" => &["-"],
+            "-" if is_first => &[""],
             "-" => &["+"],
             "\\pm" => &["+", "-", "\\mp"],
             "\\mp" => &["+", "-", "\\pm"],
@@ -308,9 +310,14 @@ impl Finder<'_> {
                 self.drop_factor(&factors, at);
             }
             let is_number = matches!(factor.items[0].layout, Layout::Number(_));
-            if !is_number && !is_big(&factor.items[0]) {
-                let twice = format!(" {}", self.slice(factor.span()));
-                self.edit(Slip::Factor, Span::at(factor.span().end), twice);
+            match self.place_of_a_power(factor) {
+                // Of a factor that is missing beside its like, an author has lost the power.
+                Some(at) if self.pool.is_some() => self.edit(Slip::Exponent, Span::at(at), "^2"),
+                _ if is_number || is_big(&factor.items[0]) => {}
+                _ => {
+                    let twice = format!(" {}", self.slice(factor.span()));
+                    self.edit(Slip::Factor, Span::at(factor.span().end), twice);
+                }
             }
             let Some(before) = at.checked_sub(1).map(|before| &factors[before]) else { continue };
             let swapped = Span::new(before.span().start, factor.span().end);
@@ -330,6 +337,25 @@ impl Finder<'_> {
         if self.pool.is_some() {
             self.insert_factors(&factors);
         }
+    }
+
+    /// Where a power is put on a factor that has none: after a name or a parenthesis, or after a function before its argument.
+    fn place_of_a_power(&self, factor: &Factor<'_>) -> Option<usize> {
+        let first = &factor.items[0];
+        let bare = match &first.layout {
+            Layout::Scripts { sup, primes, .. } => sup.is_none() && *primes == 0,
+            Layout::Fence(delimiter, _) => matches!(delimiter, Delimiter::Round | Delimiter::Square),
+            _ => true,
+        };
+        let takes = match factor.items {
+            [only] => {
+                let is_name = names::printed(only, None).is_some() && !self.is_matrix(factor);
+                is_name || matches!(only.layout, Layout::Fence(..))
+            }
+            [function, ..] => is_function(function),
+            [] => false,
+        };
+        (bare && takes).then_some(first.span.end)
     }
 
     fn drop_factor(&mut self, factors: &[Factor<'_>], at: usize) {
