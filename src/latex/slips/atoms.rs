@@ -139,7 +139,9 @@ impl Finder<'_> {
         if let Layout::Scripts { sub: Some(sub), .. } = &item.layout
             && self.inside(item, sub).is_some()
         {
-            self.indices(sub, found.is_some());
+            // A component of a vector, `\omega_1` beside `\vec\omega`, is known without being declared.
+            let is_known = found.is_some() || self.symbols.derived.contains_key(&printed.name.to_string());
+            self.indices(sub, is_known);
         }
     }
 

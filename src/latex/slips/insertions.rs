@@ -95,7 +95,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Each factor of the pool put into a term: before it, after it, and after what acts on all that follows; a
+    /// Each factor of the pool put into a term: before it, after it if it is no number, and after what acts on all that follows; a
     /// vector before and after a vector, too.
     pub(super) fn insert_factors(&mut self, factors: &[Factor<'_>]) {
         let Some(pool) = self.pool else { return };
@@ -113,7 +113,10 @@ impl Finder<'_> {
             for at in &before {
                 self.edit(Slip::Factor, Span::at(*at), format!("{factor} \\, "));
             }
-            self.edit(Slip::Factor, Span::at(end), format!(" \\, {factor}"));
+            // A number stands before what it multiplies.
+            if !is_number(factor) {
+                self.edit(Slip::Factor, Span::at(end), format!(" \\, {factor}"));
+            }
             if !is_vector(factor) {
                 continue;
             }
@@ -140,6 +143,12 @@ impl Finder<'_> {
             }
         }
     }
+}
+
+/// Whether a factor is a number or a fraction of numbers.
+fn is_number(text: &str) -> bool {
+    let digits = text.strip_prefix("\\frac").unwrap_or(text);
+    digits.chars().all(|c| c.is_ascii_digit() || matches!(c, '{' | '}' | ' '))
 }
 
 /// Whether a factor looks like a vector, or like a product of them in parentheses.

@@ -3,7 +3,7 @@
 use crate::formula::Kind;
 use crate::source::Span;
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
 use super::{Finder, Slip};
@@ -222,7 +222,10 @@ impl Finder<'_> {
                 if terms.len() > 1 {
                     self.drop_term(&terms, at);
                 }
-                self.double_term(term);
+                // Of two terms that are one, an author writes twice the term: so none is mended by a second one.
+                if self.pool.is_none() {
+                    self.double_term(term);
+                }
                 self.term(term);
             }
             self.enclose(&terms);
@@ -251,6 +254,7 @@ impl Finder<'_> {
         })
     }
 
+    /// Slips in the sign of a term; one that stands first needs no plus.
     fn sign(&mut self, term: &Term<'_>, is_first: bool) {
         let Some(sign) = term.sign else {
             self.edit(Slip::Sign, Span::at(term.span().start), "-");
@@ -296,7 +300,7 @@ impl Finder<'_> {
     fn double_term(&mut self, term: &Term<'_>) {
         let sign = term.sign.map_or("+", |sign| self.slice(sign.span));
         let twice = format!(" {sign} {}", self.slice(term.span()));
-        self.edit(self.doubling(Slip::Term), Span::at(term.span().end), twice);
+        self.edit(Slip::Doubled, Span::at(term.span().end), twice);
     }
 
     /// The slip that typing something a second time is; where slips are undone, a second one is rarely what is wanting.
@@ -329,9 +333,14 @@ impl Finder<'_> {
                 self.drop_factor(&factors, at);
             }
             let is_number = matches!(factor.items[0].layout, Layout::Number(_));
-            if !is_number && !is_big(&factor.items[0]) {
-                let twice = format!(" {}", self.slice(factor.span()));
-                self.edit(self.doubling(Slip::Factor), Span::at(factor.span().end), twice);
+            match self.place_of_a_power(factor) {
+                // Of a factor that is missing beside its like, an author has lost the power.
+                Some(at) if self.pool.is_some() => self.edit(Slip::Exponent, Span::at(at), "^2"),
+                _ if is_number || is_big(&factor.items[0]) => {}
+                _ => {
+                    let twice = format!(" {}", self.slice(factor.span()));
+                    self.edit(self.doubling(Slip::Factor), Span::at(factor.span().end), twice);
+                }
             }
             let Some(before) = at.checked_sub(1).map(|before| &factors[before]) else { continue };
             let swapped = Span::new(before.span().start, factor.span().end);
@@ -351,6 +360,25 @@ impl Finder<'_> {
         if self.pool.is_some() {
             self.insert_factors(&factors);
         }
+    }
+
+    /// Where a power is put on a factor that has none: after a name or a parenthesis, or after a function before its argument.
+    fn place_of_a_power(&self, factor: &Factor<'_>) -> Option<usize> {
+        let first = &factor.items[0];
+        let bare = match &first.layout {
+            Layout::Scripts { sup, primes, .. } => sup.is_none() && *primes == 0,
+            Layout::Fence(delimiter, _) => matches!(delimiter, Delimiter::Round | Delimiter::Square),
+            _ => true,
+        };
+        let takes = match factor.items {
+            [only] => {
+                let is_name = names::printed(only, None).is_some() && !self.is_matrix(factor);
+                is_name || matches!(only.layout, Layout::Fence(..))
+            }
+            [function, ..] => is_function(function),
+            [] => false,
+        };
+        (bare && takes).then_some(first.span.end)
     }
 
     fn drop_factor(&mut self, factors: &[Factor<'_>], at: usize) {
