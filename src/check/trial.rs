@@ -5,7 +5,7 @@
 //! refuted. What does not gets the full check, twins and certificate and all. The states only ever refute.
 
 use crate::Result;
-use crate::formula::{Expr, Relation, Statement, SymbolId};
+use crate::formula::{Expr, Index, Node, Relation, Statement, SymbolId};
 use crate::latex::{Introduced, Reading, read_display};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::TERMS;
@@ -18,6 +18,7 @@ use super::draw::Reach;
 use super::ensemble::{Condition, Ensemble};
 use super::identity::{self, Context, FEWEST, Options, is_equality};
 use super::judge::{self, Link, Point};
+use super::model::Meaning;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::solved::is_never_zero;
@@ -207,7 +208,8 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// Whether two formulas are proved to be one: whatever their symbols mean, or as they are meant, or where the
     /// hypotheses of the claim hold.
     fn is_same(&self, a: &Expr, b: &Expr) -> Result<bool> {
-        if formal::same(a, b, &self.desk.model.symbols) {
+        let symbols = &self.desk.model.symbols;
+        if formal::same(a, b, symbols) || formal::same(&self.opened(a), &self.opened(b), symbols) {
             return Ok(true);
         }
         // What is of another type is another thing.
@@ -215,6 +217,38 @@ impl<'d, 'a> Trial<'d, 'a> {
             Ok(link) => Ok(self.implied(&[], &link)? || self.implied(&self.conditions, &link)?),
             Err(_) => Ok(false),
         }
+    }
+
+    /// A formula with what is defined written out, and with the right sides of hypotheses that hold throughout in the
+    /// places of their left sides.
+    fn opened(&self, expr: &Expr) -> Expr {
+        let by_hypothesis = |expr: &Expr| {
+            let known = |c: &&Condition| c.throughout && is_equality(c.relation) && c.lhs == *expr;
+            self.conditions.iter().find(known).map(|condition| condition.rhs.clone())
+        };
+        if let Some(other) = by_hypothesis(expr) {
+            return other;
+        }
+        let model = self.desk.model;
+        if let Node::Symbol { id, indices, dots } = &expr.node
+            && let Some(Meaning::Defined(formula)) = model.meaning(*id)
+            && model
+                .symbols
+                .entry(*id)
+                .slots
+                .iter()
+                .map(|(_, letter)| Index::Letter(*letter))
+                .eq(indices.iter().copied())
+        {
+            let formula = self.opened(formula);
+            return match dots {
+                0 => formula,
+                dots => Expr::new(Node::TimeDerivative(*dots, Box::new(formula)), expr.span),
+            };
+        }
+        let mut opened = expr.clone();
+        opened.children_mut().into_iter().for_each(|child| *child = self.opened(child));
+        opened
     }
 
     /// Whether a link is an identity where some hypotheses hold.
