@@ -152,7 +152,9 @@ fn an_edit_stays_within_its_display() {
             let end = start + equation.latex.len();
             for repair in &equation.repairs {
                 assert!(
-                    start <= repair.span.start && repair.span.end <= end && page.text.matches(&equation.latex).count() == 1,
+                    start <= repair.span.start
+                        && repair.span.end <= end
+                        && page.text.matches(&equation.latex).count() == 1,
                     "{} ({}): {repair:?} is not within {start}..{end}",
                     page.path.display(),
                     equation.id
