@@ -15,6 +15,8 @@ mod damage;
 mod derive;
 #[path = "cli/formulas.rs"]
 mod formulas;
+#[path = "cli/mutate.rs"]
+mod mutate;
 #[path = "cli/reprint.rs"]
 mod reprint;
 

@@ -12,6 +12,8 @@ mod atoms;
 mod fences;
 mod insertions;
 mod lists;
+#[cfg(test)]
+mod tests;
 
 use std::collections::HashSet;
 
