@@ -71,7 +71,9 @@ impl Desk<'_> {
         }
         let (display, reading) = (&self.notes.equations[at], &self.readings[at]);
         let wrong = Wrong { at, text: &display.text, reading, claim, places: places(&equation, display.body) };
-        if is_wrong(&equation) {
+        // What it assumes may need a name that is lost with another display: then no text can be judged.
+        let is_judged = self.conditions(claim).is_ok() && self.local(claim).is_ok();
+        if is_wrong(&equation) && is_judged {
             let found = suggestions(self, &wrong)?;
             equation.repairs = in_file(self, &wrong, display.body.start, found);
         }
