@@ -1,6 +1,7 @@
 //! A whole document: its displays read in order, its claims tied to them, each equation judged.
 
 use std::collections::HashMap;
+use std::path::Path;
 use std::sync::Arc;
 
 use rayon::prelude::*;
@@ -9,10 +10,12 @@ use crate::formula::SymbolId;
 use crate::latex::Macros;
 use crate::notes::address::Address;
 use crate::notes::claims::{Claim, Claims};
-use crate::notes::document::Numbered;
+use crate::notes::document::{Kind, Numbered};
 use crate::notes::{Display, Notes};
 use crate::systems::Registry;
 use crate::{Error, Result};
+
+use crate::source::Source;
 
 use super::desk::Desk;
 use super::identity::Options;
@@ -68,7 +71,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         };
         let equation = |at: usize| {
             let found = desk.equation(at, desk.assigned[at]).or_else(|error| desk.excused(at, error))?;
-            desk.with_repairs(at, desk.without_lost_laws(found, None))
+            desk.with_repairs(run, at, desk.without_lost_laws(found, None))
         };
         let sentence = |(at, sentence)| {
             let found = sentences::check(&desk, at, sentence);
@@ -121,6 +124,13 @@ pub(super) fn first_unexpected(run: &Run<'_>, claims: &Claims, notes: &Notes, at
         }
         Ok(None)
     })
+}
+
+/// Another text of the same notes.
+pub(super) fn retyped(notes: &Notes, text: String) -> Result<Notes> {
+    let path = &notes.source.path;
+    let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a kind of notes")))?;
+    Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)
 }
 
 /// The displays that are to be checked, by their places.

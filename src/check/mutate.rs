@@ -7,21 +7,19 @@
 //! What defines a name, or is a law, cannot be wrong by itself. A slip in it counts as noticed when something else in the
 //! document is no longer as it should be: the whole document is checked with it.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use crate::Result;
 use crate::formula::Expr;
 use crate::latex::slips::{self, Edit, Slip};
 use crate::notes::claims::{Claim, Claims};
-use crate::notes::document::Kind;
 use crate::notes::{Display, Notes};
 use crate::source::{Source, Span};
-use crate::{Error, Result};
 
 use super::desk::Desk;
-use super::document::{Run, check_in, shown, wanted, with_desk};
+use super::document::{Run, check_in, retyped, shown, wanted, with_desk};
 use super::pins::Pins;
 use super::reading::corrected;
 use super::repair::{Wrong, suggestions};
@@ -173,14 +171,7 @@ fn mended(claims: &Claims, notes: &Notes) -> Result<(Claims, Notes)> {
         text.replace_range(display.body.range(), &body);
     }
     claims.equations.iter_mut().for_each(|(_, claim)| claim.errata.clear());
-    Ok((claims, parsed(notes, text)?))
-}
-
-/// Another text of the same notes.
-fn parsed(notes: &Notes, text: String) -> Result<Notes> {
-    let path = &notes.source.path;
-    let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a kind of notes")))?;
-    Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)
+    Ok((claims, retyped(notes, text)?))
 }
 
 fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String], repair: bool) -> Result<Mutants> {
@@ -204,8 +195,11 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String], repair:
         desk.source.slice(span) == &display.text[edit.span.range()]
     };
     let edits: Vec<Edit> = edits.into_iter().filter(real).collect();
-    let pins: Vec<Pins<'_, '_>> =
-        desk.readings[at].introduced.iter().map(|introduced| Pins::of(desk, introduced)).collect::<Result<_>>()?;
+    let pins: Vec<Pins<'_, '_>> = desk.readings[at]
+        .introduced
+        .iter()
+        .map(|introduced| Pins::of(desk, introduced, false))
+        .collect::<Result<_>>()?;
     let judged: Result<Vec<Vec<(Fate, String)>>> = edits
         .par_chunks(SHARE)
         .map(|share| {
@@ -318,7 +312,7 @@ fn noticed(run: &Run<'_>, desk: &Desk<'_>, at: usize, edit: &Edit) -> Result<Opt
     let mut text = desk.notes.source.text.clone();
     text.replace_range(edit.span.shifted(start).range(), &edit.replacement);
     let found =
-        parsed(desk.notes, text).and_then(|notes| super::document::first_unexpected(run, desk.claims, &notes, at));
+        retyped(desk.notes, text).and_then(|notes| super::document::first_unexpected(run, desk.claims, &notes, at));
     // What cannot be checked at all with the slip is noticed.
     Ok(found.unwrap_or(Some(Verdict::Unreadable)))
 }

@@ -51,12 +51,13 @@ pub(super) struct Pins<'d, 'a> {
 }
 
 impl<'d, 'a> Pins<'d, 'a> {
-    /// Of a name that a display introduces. What is assumed of the name itself is no help, since other states would obey
-    /// it if the name meant something else.
+    /// Of a name that a display introduces: the equations that hold, and those that fail as well where it is the definition
+    /// that may be wrong. What is assumed of the name itself is no help, since other states would obey it if the name meant
+    /// something else.
     ///
     /// # Errors
     /// When the world's mass matrix is singular, or for a claim that does not fit the notes.
-    pub fn of(desk: &'d Desk<'a>, introduced: &Introduced) -> Result<Self> {
+    pub fn of(desk: &'d Desk<'a>, introduced: &Introduced, failing: bool) -> Result<Self> {
         let symbol = introduced.symbol;
         let (uses, _) = desk.uses(introduced)?;
         let assumed = |conditions: &[Condition]| {
@@ -78,6 +79,8 @@ impl<'d, 'a> Pins<'d, 'a> {
                 reach: Reach::Declared,
                 local: &local,
             };
+            let mut fails = None;
+            let mut holds = false;
             for on_shell in [false, true] {
                 if on_shell && (by_law || !desk.model.has_motion()) {
                     continue;
@@ -85,12 +88,17 @@ impl<'d, 'a> Pins<'d, 'a> {
                 let mut mode = context.mode(on_shell, &[&link.lhs, &link.rhs, &introduced.formula]);
                 mode.order = (mode.order + 1).min(crate::scalar::TERMS - 1);
                 let ensemble = context.ensemble(mode, false, STATES)?;
-                if run(&link, &ensemble.scenes).is_ok_and(|o| o.failure.is_none() && o.points > 0) {
-                    let (bases, rules) = (ensemble.bases, ensemble.rules.clone());
-                    pins.push(Pin { link, mode, bases, rules });
+                let found = run(&link, &ensemble.scenes).is_ok_and(|o| o.failure.is_none() && o.points > 0);
+                let (bases, rules) = (ensemble.bases, ensemble.rules.clone());
+                let pin = Pin { link: link.clone(), mode, bases, rules };
+                if found {
+                    pins.push(pin);
+                    holds = true;
                     break;
                 }
+                fails = Some(pin);
             }
+            pins.extend(fails.filter(|_| failing && !holds));
         }
         Ok(Pins { desk, symbol, pins })
     }

@@ -9,12 +9,14 @@
 use rayon::prelude::*;
 
 use crate::Result;
-use crate::latex::Reading;
 use crate::latex::slips::{self, Edit, Pool, Slip};
+use crate::latex::{Introduced, Reading};
 use crate::notes::claims::Claim;
 use crate::source::Span;
 
 use super::desk::Desk;
+use super::document::{Run, first_unexpected, retyped};
+use super::pins::Pins;
 use super::reprint;
 use super::trial::{Answer, Trial};
 use super::verdict::{Equation, Part, Repair, Verdict};
@@ -63,7 +65,7 @@ impl Desk<'_> {
     ///
     /// # Errors
     /// As for a check of the equation.
-    pub(super) fn with_repairs(&self, at: usize, mut equation: Equation) -> Result<Equation> {
+    pub(super) fn with_repairs(&self, run: &Run<'_>, at: usize, mut equation: Equation) -> Result<Equation> {
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
         if equation.ok || claim.expect.is_some() || !claim.errata.is_empty() {
@@ -76,8 +78,69 @@ impl Desk<'_> {
         if is_wrong(&equation) && is_judged {
             let found = suggestions(self, &wrong)?;
             equation.repairs = in_file(self, &wrong, display.body.start, found);
+            if equation.repairs.is_empty() {
+                equation.repairs = self.repairs_of_definitions(run, at)?;
+            }
         }
         Ok(equation)
+    }
+
+    /// The edits of a definition that a wrong equation stands on, with which the whole document passes.
+    fn repairs_of_definitions(&self, run: &Run<'_>, at: usize) -> Result<Vec<Repair>> {
+        let members = || self.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let used = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
+        for (other, display) in self.notes.equations.iter().enumerate().filter(|(other, _)| *other != at) {
+            let (reading, none) = (&self.readings[other], Claim::default());
+            let claim = self.assigned[other].unwrap_or(&none);
+            if claim.expect.is_some() || !claim.errata.is_empty() || !reading.introduced.iter().any(used) {
+                continue;
+            }
+            let wrong = Wrong { at: other, text: &display.text, reading, claim, places: Vec::new() };
+            let found = self.redefinitions(run, &wrong)?;
+            if !found.is_empty() {
+                return Ok(in_file(self, &wrong, display.body.start, found));
+            }
+        }
+        Ok(Vec::new())
+    }
+
+    /// The edits of a display that defines something, with which all that uses the name holds, and the document passes.
+    fn redefinitions(&self, run: &Run<'_>, wrong: &Wrong<'_>) -> Result<Vec<Suggestion>> {
+        let (symbols, macros) = (&self.model.symbols, &self.model.macros);
+        let introduced = &wrong.reading.introduced;
+        let pins: Vec<Pins<'_, '_>> = introduced.iter().map(|new| Pins::of(self, new, true)).collect::<Result<_>>()?;
+        let trial = Trial::new(self, wrong.at, wrong.reading, wrong.claim)?;
+        let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING).factors_only();
+        let start = self.notes.equations[wrong.at].body.start;
+        for pool in [Pool::empty(), own()] {
+            let mut found = Vec::new();
+            for edit in slips::corrections(wrong.text, symbols, macros, &pool) {
+                let text = edit.applied(wrong.text);
+                let Some(formulas) = trial.redefines(&text) else { continue };
+                let mut changed =
+                    introduced.iter().zip(&formulas).zip(&pins).filter(|((was, is), _)| was.formula != **is);
+                let Some(((_, formula), holds)) = changed.next() else { continue };
+                if holds.notice(formula) || changed.any(|((_, formula), holds)| holds.notice(formula)) {
+                    continue;
+                }
+                let mut file = self.notes.source.text.clone();
+                file.replace_range(edit.span.shifted(start).range(), &edit.replacement);
+                let passes = retyped(self.notes, file)
+                    .and_then(|notes| first_unexpected(run, self.claims, &notes, wrong.at))
+                    .is_ok_and(|unexpected| unexpected.is_none());
+                if passes {
+                    found.push(Suggestion { edit, reading: wrong.reading.clone(), verdict: Verdict::Definition });
+                }
+                if found.len() == OFFERED {
+                    break;
+                }
+            }
+            if !found.is_empty() {
+                found.sort_by_key(|suggestion| likelihood(wrong, suggestion));
+                return Ok(found);
+            }
+        }
+        Ok(Vec::new())
     }
 }
 
