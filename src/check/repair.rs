@@ -9,6 +9,7 @@
 use rayon::prelude::*;
 
 use crate::Result;
+use crate::formula::{Statement, Symbols};
 use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::latex::{Introduced, Reading};
 use crate::notes::claims::Claim;
@@ -16,8 +17,8 @@ use crate::source::Span;
 
 use super::desk::Desk;
 use super::document::{Run, first_unexpected, retyped};
+use super::formal;
 use super::pins::Pins;
-use super::reprint;
 use super::trial::{Answer, Trial};
 use super::verdict::{Equation, Part, Repair, Verdict};
 
@@ -172,7 +173,7 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     let others = || desk.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
     let texts = || std::iter::once(wrong.text).chain(others().map(|(_, display)| display.text.as_str()));
     let all = || Pool::of(texts(), symbols, macros, MISSING);
-    let pools: [&dyn Fn() -> Pool; 4] = [&Pool::empty, &|| own().factors_only(), &|| all().factors_only(), &all];
+    let pools: [&dyn Fn() -> Pool; 3] = [&|| own().factors_only(), &|| all().factors_only(), &all];
     for pool in pools {
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
         edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
@@ -182,7 +183,7 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
             found.sort_by_key(|suggestion| likelihood(wrong, suggestion));
             let mut distinct: Vec<Suggestion> = Vec::new();
             for suggestion in found {
-                if !distinct.iter().any(|known| reprint::reads_alike(&known.reading, &suggestion.reading)) {
+                if !distinct.iter().any(|known| is_one(&known.reading, &suggestion.reading, symbols)) {
                     distinct.push(suggestion);
                 }
             }
@@ -211,6 +212,15 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
     Ok(found?.into_iter().flatten().collect())
 }
 
+/// Whether two readings say the same, whatever their symbols mean, member for member.
+fn is_one(a: &Reading, b: &Reading, symbols: &Symbols) -> bool {
+    let same = |(a, b): (&Statement, &Statement)| {
+        a.members.len() == b.members.len() && a.members.iter().zip(&b.members).all(|(a, b)| formal::same(a, b, symbols))
+    };
+    let (a, b): (Vec<_>, Vec<_>) = (a.statements.iter().flatten().collect(), b.statements.iter().flatten().collect());
+    a.len() == b.len() && a.into_iter().zip(b).all(same)
+}
+
 fn worst(parts: &[Part]) -> Verdict {
     parts.iter().map(|part| part.finding.verdict).max_by_key(|verdict| verdict.severity()).unwrap_or(Verdict::Verified)
 }
@@ -218,6 +228,10 @@ fn worst(parts: &[Part]) -> Verdict {
 /// What ranks a suggestion: the kind of slip, how much of the text it changes, and where.
 fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, usize, usize) {
     let Edit { span, replacement, slip } = &suggestion.edit;
+    // A minus before a whole side is wanting less often than a sign is wrong, and on the right more often than on the left.
+    if *slip == Slip::Sign && span.start == span.end {
+        return (Slip::Fraction, 0, wrong.text.len() - span.start);
+    }
     let old = &wrong.text[span.range()];
     let same = old.bytes().zip(replacement.bytes()).take_while(|(a, b)| a == b).count();
     let longest = old.len().max(replacement.len());

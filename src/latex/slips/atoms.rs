@@ -1,7 +1,7 @@
 //! Slips in a single thing: a name, its index, its dots and accents; a number; a function; a fraction; a power.
 
 use crate::formula::symbols::{Entry, Name};
-use crate::formula::{Index, IndexId};
+use crate::formula::{Index, IndexId, SymbolId};
 use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
@@ -19,7 +19,7 @@ impl Finder<'_> {
             self.name(item, &printed);
         }
         match &item.layout {
-            Layout::Number(digits) => self.number(item.span, digits),
+            Layout::Number(digits) => self.number(item.span, digits, None),
             Layout::Command(command) => self.function(item.span, command),
             Layout::Group(items) | Layout::Fence(_, items) if items.iter().all(|inner| inner.span != item.span) => {
                 self.list(items);
@@ -35,8 +35,17 @@ impl Finder<'_> {
                     let swapped = format!("\\frac{}{}", braced(b.span), braced(a.span));
                     self.edit(Slip::Fraction, item.span, swapped);
                 }
-                self.argument(item, a);
-                self.argument(item, b);
+                match (number_of(a), number_of(b)) {
+                    // A fraction of two numbers is not mended into 1.
+                    (Some((n, over)), Some((m, under))) if self.pool.is_some() => {
+                        self.number(over, n, Some(m));
+                        self.number(under, m, Some(n));
+                    }
+                    _ => {
+                        self.argument(item, a);
+                        self.argument(item, b);
+                    }
+                }
             }
             Layout::Root(_, inner) => {
                 self.argument(item, inner);
@@ -67,11 +76,12 @@ impl Finder<'_> {
         }
     }
 
-    fn number(&mut self, span: Span, digits: &str) {
+    fn number(&mut self, span: Span, digits: &str, but: Option<&str>) {
         let Ok(n) = digits.parse::<u32>() else { return };
         let mut others = vec![n.saturating_mul(2), n.saturating_add(1)];
         others.extend((n % 2 == 0).then_some(n / 2));
         others.extend(n.checked_sub(1));
+        others.retain(|other| but != Some(other.to_string().as_str()));
         for other in others {
             self.edit(Slip::Number, span, other.to_string());
         }
@@ -120,7 +130,7 @@ impl Finder<'_> {
             }
         }
         let varies = found.as_ref().is_none_or(|(id, _)| self.symbols.entry(*id).varies);
-        if (varies || self.pool.is_some()) && printed.dots == 0 {
+        if varies && printed.dots == 0 {
             let nucleus = nucleus(item);
             let text = self.slice(nucleus.span).to_owned();
             self.edit(Slip::Dot, nucleus.span, format!("\\dot{{{text}}}"));
@@ -146,7 +156,7 @@ impl Finder<'_> {
     }
 
     /// The symbols that could be meant where this one stands.
-    fn siblings(&self, entry: &Entry, printed: &Printed<'_>) -> Vec<crate::formula::SymbolId> {
+    fn siblings(&self, entry: &Entry, printed: &Printed<'_>) -> Vec<SymbolId> {
         let letter = |name: &Name| unaccented(name).base;
         let own = letter(&entry.name);
         let alike = |other: &Entry| {
@@ -157,9 +167,15 @@ impl Finder<'_> {
         // Where a slip is undone, an accent may have been lost that made of it another kind of thing.
         let mended =
             |other: &Entry| self.pool.is_some() && letter(&other.name) == own && other.slots.len() == entry.slots.len();
+        // Or it stands for another thing of its kind that the display is about.
+        let present = |id: SymbolId, other: &Entry| {
+            let known = self.pool.is_some_and(|pool| pool.names.contains(&id));
+            known && other.kind == entry.kind && other.slots.len() == entry.slots.len()
+        };
         self.symbols
             .iter()
-            .filter(|(_, other)| other.name != entry.name && !other.squared && (alike(other) || mended(other)))
+            .filter(|(_, other)| other.name != entry.name && !other.squared)
+            .filter(|(id, other)| alike(other) || mended(other) || present(*id, other))
             .filter(|(_, other)| other.name != printed.name && other.measure.is_none())
             .map(|(id, _)| id)
             .collect()
@@ -167,7 +183,8 @@ impl Finder<'_> {
 
     /// The names of the document that an unknown one may have been meant for: with its letter, or with its subscript.
     fn near(&self, name: &Name) -> Vec<Name> {
-        let letter = |name: &Name| unaccented(name).base;
+        // `\\varphi` and `\\phi` are one letter to many.
+        let letter = |name: &Name| unaccented(name).base.replace("\\var", "\\");
         let own = letter(name);
         let alike = |other: &Name| {
             letter(other).eq_ignore_ascii_case(&own) || !name.subscript.is_empty() && other.subscript == name.subscript
@@ -258,6 +275,18 @@ fn starts_with_d(item: &Item) -> bool {
         Layout::Group(items) => items.first().is_some_and(starts_with_d),
         Layout::Scripts { nucleus, .. } => starts_with_d(nucleus),
         _ => false,
+    }
+}
+
+/// The number that an argument is, and where it stands.
+fn number_of(item: &Item) -> Option<(&str, Span)> {
+    match &item.layout {
+        Layout::Number(digits) => Some((digits, item.span)),
+        Layout::Group(items) => match items.as_slice() {
+            [only] => number_of(only),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

@@ -45,6 +45,15 @@ impl Finder<'_> {
                     self.edit(Slip::Exponent, fence.whole, format!("\\sqrt{{{inner}}}"));
                 }
             }
+            if self.pool.is_some()
+                && let Some(Item { layout: Layout::Scripts { nucleus, sub, sup: Some(sup), .. }, .. }) =
+                    fence.items.last()
+            {
+                let base = sub.as_ref().map_or(nucleus.span, |sub| nucleus.span.to(sub.span));
+                let (kept, power) = (self.slice(Span::new(fence.inner.start, base.end)), self.slice(sup.span));
+                let moved = format!("{open}{kept}{close}^{power}");
+                self.edit(Slip::Exponent, fence.whole, moved);
+            }
             for cut in self.places(fence.items).into_iter().filter(|cut| *cut < fence.inner.end) {
                 let (kept, out) = inner.split_at(cut - fence.inner.start);
                 let moved = format!("{open}{}{close} {}", kept.trim_end(), out.trim_start());

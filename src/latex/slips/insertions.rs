@@ -2,11 +2,12 @@
 
 use std::collections::HashMap;
 
-use crate::formula::Symbols;
+use crate::formula::{SymbolId, Symbols};
 use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
 use super::super::macros::Macros;
+use super::super::names;
 use super::super::reader::typeset_items;
 use super::lists::{Factor, Term, formulas, is_big, is_function};
 use super::{Finder, Slip};
@@ -18,6 +19,8 @@ pub struct Pool {
     terms: Vec<String>,
     /// `\sin`, `\cos^2`: what may stand before a name.
     functions: Vec<String>,
+    /// The symbols that stand there.
+    pub(super) names: Vec<SymbolId>,
 }
 
 /// The factors, terms and functions of texts, and how often each stands there.
@@ -26,6 +29,7 @@ struct Counts {
     factors: HashMap<String, usize>,
     terms: HashMap<String, usize>,
     functions: HashMap<String, usize>,
+    names: Vec<SymbolId>,
 }
 
 impl Pool {
@@ -45,13 +49,16 @@ impl Pool {
         for number in ["2", "\\frac{1}{2}", "4", "3"] {
             counts.factors.entry(number.to_owned()).or_insert(1);
         }
+        for function in ["\\sin", "\\cos"] {
+            counts.functions.entry(function.to_owned()).or_insert(1);
+        }
         let sorted = |counts: HashMap<String, usize>| {
             let mut all: Vec<(String, usize)> = counts.into_iter().collect();
             all.sort_by(|(a, n), (b, m)| m.cmp(n).then(a.len().cmp(&b.len())).then(a.cmp(b)));
             all.into_iter().map(|(text, _)| text).take(most).collect()
         };
         let (factors, terms) = (sorted(counts.factors), sorted(counts.terms));
-        Pool { factors, terms, functions: sorted(counts.functions) }
+        Pool { factors, terms, functions: sorted(counts.functions), names: counts.names }
     }
 
     /// The factors alone.
@@ -89,6 +96,8 @@ impl Finder<'_> {
             }
         }
         for item in items {
+            let name = names::printed(item, None).and_then(|printed| self.symbols.find(&printed.name));
+            counts.names.extend(name.map(|(id, _)| id).filter(|id| !counts.names.contains(id)));
             for inner in insides(item) {
                 self.gather(inner, counts);
             }
@@ -110,8 +119,9 @@ impl Finder<'_> {
             }
         }
         for factor in &pool.factors {
+            let slip = if is_number(factor) { Slip::Number } else { Slip::Factor };
             for at in &before {
-                self.edit(Slip::Factor, Span::at(*at), format!("{factor} \\, "));
+                self.edit(slip, Span::at(*at), format!("{factor} \\, "));
             }
             // A number stands before what it multiplies.
             if !is_number(factor) {
@@ -146,7 +156,7 @@ impl Finder<'_> {
 }
 
 /// Whether a factor is a number or a fraction of numbers.
-fn is_number(text: &str) -> bool {
+pub(super) fn is_number(text: &str) -> bool {
     let digits = text.strip_prefix("\\frac").unwrap_or(text);
     digits.chars().all(|c| c.is_ascii_digit() || matches!(c, '{' | '}' | ' '))
 }

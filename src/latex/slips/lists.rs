@@ -6,7 +6,7 @@ use crate::source::Span;
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::{Finder, Slip};
+use super::{Finder, Slip, insertions};
 
 /// A term of a list: its sign, where one is printed, and its items.
 pub(super) struct Term<'i> {
@@ -345,6 +345,11 @@ impl Finder<'_> {
             let Some(before) = at.checked_sub(1).map(|before| &factors[before]) else { continue };
             let swapped = Span::new(before.span().start, factor.span().end);
             let (a, b) = (self.slice(before.span()).to_owned(), self.slice(factor.span()).to_owned());
+            match factor.operator.map(|operator| (operator.span, self.slice(operator.span))) {
+                Some((span, "\\times")) => self.edit(Slip::Order, span, "\\cdot"),
+                Some((span, "\\cdot")) => self.edit(Slip::Order, span, "\\times"),
+                _ => {}
+            }
             match factor.operator {
                 Some(operator) if is_times(operator) => {
                     self.edit(Slip::Order, swapped, format!("{b} {} {a}", self.slice(operator.span)));
@@ -393,7 +398,13 @@ impl Finder<'_> {
             other.is_some_and(|other| self.slice(other.span()) == self.slice(factor.span()))
         };
         let twice = same(at + 1) || at > 0 && same(at - 1);
-        self.edit(if twice { Slip::Doubled } else { Slip::Factor }, span, "");
+        let is_number = insertions::is_number(self.slice(factor.span()));
+        let slip = match (twice, is_number) {
+            (true, _) => Slip::Doubled,
+            (false, true) => Slip::Number,
+            (false, false) => Slip::Factor,
+        };
+        self.edit(slip, span, "");
         // The function alone, which leaves its argument.
         if is_function(&factor.items[0]) {
             self.edit(Slip::Function, factor.items[0].span, "");
