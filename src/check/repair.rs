@@ -16,7 +16,7 @@ use crate::notes::claims::Claim;
 use crate::source::Span;
 
 use super::desk::Desk;
-use super::document::{Run, first_unexpected, retyped};
+use super::document::{Run, first_unexpected, retyped, shown};
 use super::formal;
 use super::pins::Pins;
 use super::trial::{Answer, Trial};
@@ -173,7 +173,8 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     let others = || desk.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
     let texts = || std::iter::once(wrong.text).chain(others().map(|(_, display)| display.text.as_str()));
     let all = || Pool::of(texts(), symbols, macros, MISSING);
-    let pools: [&dyn Fn() -> Pool; 3] = [&|| own().factors_only(), &|| all().factors_only(), &all];
+    let lost = || all().with_terms(lost_terms(desk, wrong));
+    let pools: [&dyn Fn() -> Pool; 3] = [&|| own().factors_only(), &|| all().factors_only(), &lost];
     for pool in pools {
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
         edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
@@ -192,6 +193,32 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
         }
     }
     Ok(Vec::new())
+}
+
+/// What a display is off by, where that is a single term: it may be the term that was lost.
+fn lost_terms(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Vec<String> {
+    let display = &desk.notes.equations[wrong.at];
+    let topic = shown(display);
+    let Ok(parts) = desk.parts((wrong.at, display.body.start), wrong.reading, wrong.claim, &topic) else {
+        return Vec::new();
+    };
+    let differences = parts.into_iter().filter_map(|part| part.finding.difference);
+    differences.filter_map(|formula| single_term(&formula.latex).map(str::to_owned)).collect()
+}
+
+/// A formula without its sign, if it has one term.
+fn single_term(latex: &str) -> Option<&str> {
+    let term = latex.trim().trim_start_matches('-').trim();
+    let mut depth = 0;
+    for c in term.chars() {
+        match c {
+            '{' | '(' => depth += 1,
+            '}' | ')' => depth -= 1,
+            '+' | '-' if depth == 0 => return None,
+            _ => {}
+        }
+    }
+    Some(term)
 }
 
 /// The edits with which the display passes.

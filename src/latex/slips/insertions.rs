@@ -61,6 +61,12 @@ impl Pool {
         Pool { factors, terms, functions: sorted(counts.functions), names: counts.names }
     }
 
+    /// The same with more terms, tried before the others.
+    pub fn with_terms(mut self, terms: Vec<String>) -> Pool {
+        self.terms.splice(0..0, terms);
+        self
+    }
+
     /// The factors alone.
     pub fn factors_only(mut self) -> Pool {
         self.terms.clear();
@@ -86,8 +92,12 @@ impl Finder<'_> {
                 let all = self.factors(term.items);
                 for factor in &all {
                     let first = &factor.items[0];
-                    if !is_big(first) && all.len() > 1 {
+                    let is_name = factor.items.len() == 1 && names::printed(first, None).is_some();
+                    if !is_big(first) && (all.len() > 1 || is_name) {
                         count(&mut counts.factors, factor.span());
+                        for other in other_axes(self.slice(factor.span())) {
+                            counts.factors.entry(other).or_default();
+                        }
                     }
                     if is_function(first) {
                         count(&mut counts.functions, first.span);
@@ -159,6 +169,18 @@ impl Finder<'_> {
 pub(super) fn is_number(text: &str) -> bool {
     let digits = text.strip_prefix("\\frac").unwrap_or(text);
     digits.chars().all(|c| c.is_ascii_digit() || matches!(c, '{' | '}' | ' '))
+}
+
+/// A factor with one digit of three in its subscript, for the other two: λ₂ and λ₃ for λ₁.
+fn other_axes(text: &str) -> Vec<String> {
+    let is_axis = |c: &char| matches!(c, '1' | '2' | '3');
+    let mut digits = text.char_indices().filter(|(_, c)| c.is_ascii_digit());
+    let (Some((at, axis)), None) = (digits.next(), digits.next()) else { return Vec::new() };
+    if !is_axis(&axis) || !text[..at].trim_end_matches('{').ends_with('_') {
+        return Vec::new();
+    }
+    let others = ['1', '2', '3'].into_iter().filter(|other| *other != axis);
+    others.map(|other| format!("{}{other}{}", &text[..at], &text[at + 1..])).collect()
 }
 
 /// Whether a factor looks like a vector, or like a product of them in parentheses.
