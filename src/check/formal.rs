@@ -60,13 +60,13 @@ pub(super) fn is_identity(a: &Expr, b: &Expr, symbols: &Symbols) -> bool {
     log2 <= certify::FALSE_ACCEPT_LOG2
 }
 
-/// A value of which nothing is known.
-type Drawing<F> = Value<Series<Modular<F>>>;
+/// The values of symbols, by their indices.
+type Drawings<F> = HashMap<(SymbolId, Vec<u8>), Value<Series<Modular<F>>>>;
 
 /// Symbols with random values.
 struct Drawn<'s, F: Modulus> {
     symbols: &'s Symbols,
-    values: RefCell<HashMap<(SymbolId, Vec<u8>), Drawing<F>>>,
+    values: RefCell<Drawings<F>>,
 }
 
 impl<F: Modulus> Drawn<'_, F> {
