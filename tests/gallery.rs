@@ -59,8 +59,9 @@ impl Page {
 fn check(claims: &Claims, path: &Path, text: &str, only: Option<&str>) -> Document {
     let kind = Kind::of(path).expect("it is a kind of notes");
     let name = path.display().to_string();
-    let checked = Notes::parse(Arc::new(Source::new(name, text)), kind)
-        .and_then(|notes| check_document(claims, &notes, &Registry::standard(), Options { seed: 1, points: 24 }, only));
+    let checked = Notes::parse(Arc::new(Source::new(name, text)), kind).and_then(|notes| {
+        check_document(claims, &notes, &Registry::standard(), Options { seed: 1, points: 24, explain: true }, only)
+    });
     checked.unwrap_or_else(|error| panic!("{error}"))
 }
 
