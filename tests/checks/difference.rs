@@ -16,7 +16,7 @@ fn refuted(claims: &Json, latex: &str, claim: Json) -> Finding {
 
 /// A formula is the one that a person wrote down, and no longer.
 fn reads_as(shown: &str, written: &str) {
-    let answer = plain::equal(shown, written, &[], Options { seed: 1, points: 24 });
+    let answer = plain::equal(shown, written, &[], Options { seed: 1, points: 24, explain: true });
     let answer = answer.unwrap_or_else(|(_, fault)| panic!("{shown} or {written}: {}", fault.message));
     assert!(answer.finding.verdict.passes(), "{shown} is not {written}");
     let [shown, written] = answer.readings.map(|reading| reading.chars().count());

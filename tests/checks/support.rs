@@ -69,7 +69,7 @@ pub fn document(claims: &Json, notes: &str, registry: &Registry, only: Option<&s
     let claims = Arc::new(Source::new("claims.json", format!("{claims:#}")));
     let claims = Claims::parse(claims, Path::new("claims.json"))?;
     let notes = Notes::parse(Arc::new(Source::new("notes.md", notes)), Kind::Markdown)?;
-    check_document(&claims, &notes, registry, Options { seed: 1, points: 24 }, only)
+    check_document(&claims, &notes, registry, Options { seed: 1, points: 24, explain: true }, only)
 }
 
 /// The last of these displays, checked under a claim of its own.
