@@ -32,7 +32,7 @@ pub struct Options {
     pub seed: u64,
     /// How many usable states are asked for.
     pub points: usize,
-    /// Whether of what is refuted it is said by how much it is off, and what may have been meant.
+    /// Whether of what is refuted it is said by how much it is off, what may have been meant, and how the notes are mended.
     pub explain: bool,
 }
 

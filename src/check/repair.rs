@@ -69,7 +69,8 @@ impl Desk<'_> {
     pub(super) fn with_repairs(&self, run: &Run<'_>, at: usize, mut equation: Equation) -> Result<Equation> {
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
-        if equation.ok || claim.expect.is_some() || !claim.errata.is_empty() {
+        let is_known = claim.expect.is_some() || !claim.errata.is_empty();
+        if equation.ok || is_known || !self.options.explain {
             return Ok(equation);
         }
         let (display, reading) = (&self.notes.equations[at], &self.readings[at]);
