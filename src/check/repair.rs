@@ -9,7 +9,7 @@
 use rayon::prelude::*;
 
 use crate::Result;
-use crate::formula::{Statement, Symbols};
+use crate::formula::{Expr, Statement, Symbols};
 use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::latex::{Introduced, Reading};
 use crate::notes::claims::Claim;
@@ -230,7 +230,9 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
             let trial = Trial::new(desk, wrong.at, wrong.reading, wrong.claim)?;
             let mut passing = Vec::new();
             for edit in share {
-                if let Answer::Passes(reading, parts) = trial.of(&edit.applied(wrong.text))? {
+                if let Answer::Passes(reading, parts) = trial.of(&edit.applied(wrong.text))?
+                    && !is_empty(&reading, &desk.model.symbols)
+                {
                     passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts) });
                 }
             }
@@ -238,6 +240,13 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
         })
         .collect();
     Ok(found?.into_iter().flatten().collect())
+}
+
+/// Whether a member is zero whatever its symbols mean, and not written so: it is true, and says nothing.
+fn is_empty(reading: &Reading, symbols: &Symbols) -> bool {
+    let vanishes =
+        |member: &Expr| !member.is_null() && formal::is_identity(member, &Expr::integer(0, member.span), symbols);
+    reading.statements.iter().flatten().flat_map(|statement| &statement.members).any(vanishes)
 }
 
 /// Whether two readings say the same, whatever their symbols mean, member for member.

@@ -123,9 +123,9 @@ impl Finder<'_> {
         let found = self.symbols.find(&printed.name);
         if let Some((id, indices)) = &found {
             let entry = self.symbols.entry(*id);
-            for other in self.siblings(entry, printed) {
+            for (other, slip) in self.siblings(entry, printed) {
                 if let Some(spelled) = spelled(self.symbols.entry(other), indices, printed.dots, self.symbols) {
-                    self.edit(Slip::Symbol, own, spelled);
+                    self.edit(slip, own, spelled);
                 }
             }
         }
@@ -156,7 +156,7 @@ impl Finder<'_> {
     }
 
     /// The symbols that could be meant where this one stands.
-    fn siblings(&self, entry: &Entry, printed: &Printed<'_>) -> Vec<SymbolId> {
+    fn siblings(&self, entry: &Entry, printed: &Printed<'_>) -> Vec<(SymbolId, Slip)> {
         let letter = |name: &Name| unaccented(name).base;
         let own = letter(&entry.name);
         let alike = |other: &Entry| {
@@ -172,18 +172,20 @@ impl Finder<'_> {
             let known = self.pool.is_some_and(|pool| pool.names.contains(&id));
             known && other.kind == entry.kind && other.slots.len() == entry.slots.len()
         };
-        self.symbols
-            .iter()
-            .filter(|(_, other)| other.name != entry.name && !other.squared)
-            .filter(|(id, other)| alike(other) || mended(other) || present(*id, other))
-            .filter(|(_, other)| other.name != printed.name && other.measure.is_none())
-            .map(|(id, _)| id)
+        let slip = |id: SymbolId, other: &Entry| match alike(other) || mended(other) {
+            true => Some(Slip::Symbol),
+            false => present(id, other).then_some(Slip::Name),
+        };
+        let others = self.symbols.iter().filter(|(_, other)| !other.squared && other.measure.is_none());
+        others
+            .filter(|(_, other)| other.name != entry.name && other.name != printed.name)
+            .filter_map(|(id, other)| Some((id, slip(id, other)?)))
             .collect()
     }
 
     /// The names of the document that an unknown one may have been meant for: with its letter, or with its subscript.
     fn near(&self, name: &Name) -> Vec<Name> {
-        // `\\varphi` and `\\phi` are one letter to many.
+        // `\varphi` and `\phi` are one letter to many.
         let letter = |name: &Name| unaccented(name).base.replace("\\var", "\\");
         let own = letter(name);
         let alike = |other: &Name| {

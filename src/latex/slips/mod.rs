@@ -77,6 +77,8 @@ pub enum Slip {
     Parenthesis,
     /// < for >.
     Relation,
+    /// One symbol for another of its kind that is not like it.
+    Name,
     /// A factor left out or put in.
     Factor,
     /// A term left out or put in.
@@ -89,7 +91,7 @@ impl Slip {
         match self {
             Slip::Doubled => "doubled",
             Slip::Sign => "sign",
-            Slip::Symbol => "symbol",
+            Slip::Symbol | Slip::Name => "symbol",
             Slip::Index => "index",
             Slip::Dot => "dot",
             Slip::Number => "number",
