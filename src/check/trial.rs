@@ -195,7 +195,10 @@ impl<'d, 'a> Trial<'d, 'a> {
             let symbols = &self.desk.model.symbols;
             let never_zero = |factor: &Expr| is_never_zero(self.desk.model, factor);
             let follows = |at: usize| {
-                let null = was.members[at + 1].is_null() && is.members[at + 1].is_null();
+                // A multiple of what is no equality says something else.
+                let relation = was.relations[at].0;
+                let equal = is_equality(relation) || relation == Relation::Approximately;
+                let null = equal && was.members[at + 1].is_null() && is.members[at + 1].is_null();
                 null && formal::vanishes_with(&is.members[at], &was.members[at], symbols, &never_zero)
             };
             if !same && !(0..was.relations.len()).all(|at| is.members[at] == was.members[at] || follows(at)) {

@@ -58,7 +58,7 @@ fn of_kind(slip: Slip, text: &str) -> Vec<String> {
 }
 
 /// A slip, a formula, and what the slip makes of it.
-const OCCUR: [(Slip, &str, &str); 40] = [
+const OCCUR: [(Slip, &str, &str); 41] = [
     (Slip::Sign, "m + M", "m - M"),
     (Slip::Sign, "m - M", "m + M"),
     (Slip::Sign, "m + M", "-m + M"),
@@ -87,6 +87,7 @@ const OCCUR: [(Slip, &str, &str); 40] = [
     (Slip::Accent, "\\bar\\lambda x", "\\lambda x"),
     (Slip::Accent, "\\vec v", "v"),
     (Slip::Order, "\\vec\\omega \\times \\vec v", "\\vec v \\times \\vec\\omega"),
+    (Slip::Order, "\\vec\\omega \\cdot \\vec v", "\\vec\\omega \\times \\vec v"),
     (Slip::Order, "\\mathbf{R} \\mathbf{S}", "\\mathbf{S} \\mathbf{R}"),
     (Slip::Fraction, "\\frac{g}{l} x", "\\frac{l}{g} x"),
     (Slip::Parenthesis, "2 (m + M)", "2 m + M"),
@@ -95,10 +96,10 @@ const OCCUR: [(Slip, &str, &str); 40] = [
     (Slip::Relation, "m < M", "m > M"),
     (Slip::Relation, "m \\leq M", "m \\geq M"),
     (Slip::Factor, "m g x", "m x"),
-    (Slip::Factor, "m g x", "m g g x"),
+    (Slip::Doubled, "m g x", "m g g x"),
     (Slip::Factor, "\\vec\\omega \\cdot \\vec v", "\\vec v"),
     (Slip::Term, "m + M - x", "m - x"),
-    (Slip::Term, "m + M", "m + M + M"),
+    (Slip::Doubled, "m + M", "m + M + M"),
 ];
 
 #[test]
@@ -124,7 +125,6 @@ fn and_does_not_where_there_is_none() {
         (Slip::Function, "\\theta"),
         (Slip::Accent, "v"),
         (Slip::Order, "m M"),
-        (Slip::Order, "\\vec\\omega \\cdot \\vec v"),
         (Slip::Fraction, "m M"),
         (Slip::Parenthesis, "m + M"),
         (Slip::Relation, "m = M"),
@@ -238,6 +238,7 @@ fn are_sound(text: &str, symbols: &Symbols) -> Result<usize, String> {
     let pool = Pool::of([text].into_iter(), symbols, &macros, 12);
     let mut known = known(symbols);
     known.extend(commands(text));
+    known.extend(["\\sqrt", "\\sin", "\\cos", "\\times", "\\cdot", "\\frac", "\\pm", "\\mp"].map(str::to_owned));
     let all = slips(text, symbols, &macros).into_iter().chain(corrections(text, symbols, &macros, &pool));
     let mut count = 0;
     for edit in all {
