@@ -227,7 +227,7 @@ fn commands(text: &str) -> HashSet<String> {
 /// The commands that an edit may bring into a text.
 fn known(symbols: &Symbols) -> HashSet<String> {
     let own = "\\sin \\cos \\tan \\cot \\sinh \\cosh \\tanh \\frac \\dot \\ddot \\pm \\mp \\times \\cdot \\, \
-               \\lt \\gt \\le \\ge \\leq \\geq \\leqslant \\geqslant";
+               \\lt \\gt \\le \\ge \\leq \\geq \\leqslant \\geqslant \\sqrt";
     let names = symbols.iter().map(|(_, entry)| entry.name.to_string());
     names.flat_map(|name| commands(&name)).chain(own.split_whitespace().map(str::to_owned)).collect()
 }
@@ -238,7 +238,6 @@ fn are_sound(text: &str, symbols: &Symbols) -> Result<usize, String> {
     let pool = Pool::of([text].into_iter(), symbols, &macros, 12);
     let mut known = known(symbols);
     known.extend(commands(text));
-    known.extend(["\\sqrt", "\\sin", "\\cos", "\\times", "\\cdot", "\\frac", "\\pm", "\\mp"].map(str::to_owned));
     let all = slips(text, symbols, &macros).into_iter().chain(corrections(text, symbols, &macros, &pool));
     let mut count = 0;
     for edit in all {
