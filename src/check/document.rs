@@ -140,10 +140,14 @@ pub(super) fn wanted(notes: &Notes, assigned: &[Option<&Claim>], only: Option<&s
     (0..notes.equations.len()).filter(|at| chosen(&notes.equations[*at]) && claimed(*at)).collect()
 }
 
-/// How many equations and sentences [`check_in`] will report; 0 where the claims do not fit the notes.
+/// How many equations and sentences [`check_in`] will report.
 pub fn items(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
-    let equations = assign(claims, notes).map_or(0, |assigned| wanted(notes, &assigned, only).len());
-    equations + if only.is_some() { 0 } else { claims.sentences.len() }
+    equations(claims, notes, only) + if only.is_some() { 0 } else { claims.sentences.len() }
+}
+
+/// How many equations [`check_in`] will report; 0 where the claims do not fit the notes.
+pub fn equations(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
+    assign(claims, notes).map_or(0, |assigned| wanted(notes, &assigned, only).len())
 }
 
 /// Lays all that a document's equations need on a desk, and has them worked on.

@@ -16,6 +16,7 @@ use crate::scalar::{Modular, Series, TERMS};
 
 use super::certify::{self, Certificate, at_one_point};
 use super::judge;
+use super::model::{Meaning, Model};
 
 /// So many points are used.
 const POINTS: u64 = 2;
@@ -24,8 +25,8 @@ const POINTS: u64 = 2;
 const MEMBERS: u8 = 3;
 
 /// Whether two formulas are one, or are made in one way of formulas that are.
-pub(super) fn same(a: &Expr, b: &Expr, symbols: &Symbols) -> bool {
-    a == b || is_identity(a, b, symbols) || {
+pub(super) fn same(a: &Expr, b: &Expr, model: &Model) -> bool {
+    a == b || is_identity(a, b, model) || {
         let (mut outer_a, mut outer_b) = (a.clone(), b.clone());
         let blank = |expr: &mut Expr| {
             expr.children_mut().into_iter().for_each(|child| *child = Expr::integer(0, child.span));
@@ -33,22 +34,26 @@ pub(super) fn same(a: &Expr, b: &Expr, symbols: &Symbols) -> bool {
         blank(&mut outer_a);
         blank(&mut outer_b);
         let (inner_a, inner_b) = (a.children(), b.children());
-        let alike = || inner_a.iter().zip(&inner_b).all(|(a, b)| same(a, b, symbols));
+        let alike = || inner_a.iter().zip(&inner_b).all(|(a, b)| same(a, b, model));
+        // What is opposite is as large.
+        if let (Node::Norm(a), Node::Norm(b)) = (&a.node, &b.node) {
+            return same(a, b, model) || same(a, &Expr::clone(b).negated(), model);
+        }
         outer_a == outer_b && !inner_a.is_empty() && inner_a.len() == inner_b.len() && alike()
     }
 }
 
 /// Whether two formulas agree in numbers of which nothing is known.
-pub(super) fn is_identity(a: &Expr, b: &Expr, symbols: &Symbols) -> bool {
+pub(super) fn is_identity(a: &Expr, b: &Expr, model: &Model) -> bool {
     let mut free: Vec<IndexId> = Vec::new();
     for side in [a, b] {
-        let Ok((_, found)) = crate::formula::shape::bind(side.clone(), symbols) else { return false };
+        let Ok((_, found)) = crate::formula::shape::bind(side.clone(), &model.symbols) else { return false };
         free = crate::formula::shape::union(&free, &found.free);
     }
     let (mut log2, mut finest) = (0.0, 1);
     for seed in 1..=POINTS {
         let differences = || {
-            let drawn = Drawn::<Large> { symbols, values: RefCell::default() };
+            let drawn = Drawn::<Large> { model, values: RefCell::default() };
             drawn.differences(a, b, &free).map_err(|_| "a symbol without a value".to_owned())
         };
         let most_bits = Modular::<Large>::most_bits();
@@ -65,7 +70,7 @@ type Drawings<F> = HashMap<(SymbolId, Vec<u8>), Value<Series<Modular<F>>>>;
 
 /// Symbols with random values.
 struct Drawn<'s, F: Modulus> {
-    symbols: &'s Symbols,
+    model: &'s Model,
     values: RefCell<Drawings<F>>,
 }
 
@@ -93,7 +98,7 @@ impl<F: Modulus> Drawn<'_, F> {
         }
     }
 
-    /// A number; one that does not vary is not more than its value.
+    /// A number; a constant is not more than its value.
     fn number(varies: bool) -> Series<Modular<F>> {
         if !varies {
             return Series::constant(Modular::drawn());
@@ -105,11 +110,11 @@ impl<F: Modulus> Drawn<'_, F> {
 
 impl<F: Modulus> Environment<Series<Modular<F>>> for Drawn<'_, F> {
     fn symbols(&self) -> &Symbols {
-        self.symbols
+        &self.model.symbols
     }
 
     fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Series<Modular<F>>>, Unavailable> {
-        let entry = self.symbols.entry(id);
+        let entry = self.model.symbols.entry(id);
         if entry.slots.len() != indices.len() {
             return Err(Unavailable::Symbol(id));
         }
@@ -120,10 +125,11 @@ impl<F: Modulus> Environment<Series<Modular<F>>> for Drawn<'_, F> {
         if let Some(known) = self.values.borrow().get(&(id, indices.to_vec())) {
             return Ok(known.clone());
         }
+        let varies = !matches!(self.model.meaning(id), Some(Meaning::Constant(_)));
         let value = match entry.kind {
-            Kind::Scalar => Value::Scalar(Self::number(entry.varies)),
-            Kind::Vector => Value::Vector(Vector3::from_fn(|_, _| Self::number(entry.varies))),
-            Kind::Matrix => Value::Matrix(DMatrix::from_fn(3, 3, |_, _| Self::number(entry.varies))),
+            Kind::Scalar => Value::Scalar(Self::number(varies)),
+            Kind::Vector => Value::Vector(Vector3::from_fn(|_, _| Self::number(varies))),
+            Kind::Matrix => Value::Matrix(DMatrix::from_fn(3, 3, |_, _| Self::number(varies))),
             Kind::Rotation => return Err(Unavailable::Symbol(id)),
         };
         self.values.borrow_mut().insert((id, indices.to_vec()), value.clone());
@@ -131,19 +137,14 @@ impl<F: Modulus> Environment<Series<Modular<F>>> for Drawn<'_, F> {
     }
 
     fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
-        let entry = &self.symbols.indices[index.0];
+        let entry = &self.model.symbols.indices[index.0];
         Ok(if entry.count.is_some() { MEMBERS } else { entry.upper })
     }
 }
 
 /// Whether one formula vanishes wherever another does, whatever their symbols mean: it is a multiple of it, by a symbol
 /// or over one that `is_never_zero`, or its rate.
-pub(super) fn vanishes_with(
-    it: &Expr,
-    other: &Expr,
-    symbols: &Symbols,
-    is_never_zero: &impl Fn(&Expr) -> bool,
-) -> bool {
+pub(super) fn vanishes_with(it: &Expr, other: &Expr, model: &Model, is_never_zero: &impl Fn(&Expr) -> bool) -> bool {
     let times = |a: &Expr, b: &Expr| Expr::new(Node::Product(vec![a.clone(), b.clone()]), a.span);
     let one = Expr::integer(1, it.span);
     let mut factors = vec![one.clone(), one.clone().negated(), Expr::integer(2, it.span)];
@@ -158,7 +159,7 @@ pub(super) fn vanishes_with(
     let divisors = std::iter::once(&one).chain(factors[3..].iter().filter(|factor| is_never_zero(factor)));
     let multiple = |divisor: &Expr| {
         let left = times(divisor, it);
-        factors.iter().any(|factor| is_identity(&left, &times(factor, other), symbols))
+        factors.iter().any(|factor| is_identity(&left, &times(factor, other), model))
     };
-    is_identity(it, &rate, symbols) || divisors.into_iter().any(multiple)
+    is_identity(it, &rate, model) || divisors.into_iter().any(multiple)
 }

@@ -22,7 +22,7 @@ use super::desk::Desk;
 use super::document::{Run, check_in, retyped, shown, wanted, with_desk};
 use super::pins::Pins;
 use super::reading::corrected;
-use super::repair::{Wrong, suggestions};
+use super::repair::{Wrong, is_real, suggestions};
 use super::reprint;
 use super::trial::{Answer, Trial};
 use super::verdict::Verdict;
@@ -190,10 +190,7 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String], repair:
     }
     let edits = slips::slips(&display.text, &desk.model.symbols, &desk.model.macros);
     // An edit is of what stands in the file, and not of what was put in its place to be read.
-    let real = |edit: &Edit| {
-        let span = edit.span.shifted(display.body.start);
-        desk.source.slice(span) == &display.text[edit.span.range()]
-    };
+    let real = |edit: &Edit| is_real(desk, &display.text, edit, display.body.start);
     let edits: Vec<Edit> = edits.into_iter().filter(real).collect();
     let pins: Vec<Pins<'_, '_>> = desk.readings[at]
         .introduced

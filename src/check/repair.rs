@@ -9,7 +9,7 @@
 use rayon::prelude::*;
 
 use crate::Result;
-use crate::formula::{Expr, Statement, Symbols};
+use crate::formula::{Expr, Statement};
 use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::latex::{Introduced, Reading};
 use crate::notes::claims::Claim;
@@ -18,6 +18,7 @@ use crate::source::Span;
 use super::desk::Desk;
 use super::document::{Run, first_unexpected, retyped, shown};
 use super::formal;
+use super::model::Model;
 use super::pins::Pins;
 use super::trial::{Answer, Trial};
 use super::verdict::{Equation, Part, Repair, Verdict};
@@ -116,7 +117,8 @@ impl Desk<'_> {
         let start = self.notes.equations[wrong.at].body.start;
         for pool in [Pool::empty(), own()] {
             let mut found = Vec::new();
-            for edit in slips::corrections(wrong.text, symbols, macros, &pool) {
+            let edits = slips::corrections(wrong.text, symbols, macros, &pool);
+            for edit in edits.into_iter().filter(|edit| is_real(self, wrong.text, edit, start)) {
                 let text = edit.applied(wrong.text);
                 let Some(formulas) = trial.redefines(&text) else { continue };
                 let mut changed =
@@ -185,7 +187,7 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
             found.sort_by_key(|suggestion| likelihood(wrong, suggestion));
             let mut distinct: Vec<Suggestion> = Vec::new();
             for suggestion in found {
-                if !distinct.iter().any(|known| is_one(&known.reading, &suggestion.reading, symbols)) {
+                if !distinct.iter().any(|known| is_one(&known.reading, &suggestion.reading, desk.model)) {
                     distinct.push(suggestion);
                 }
             }
@@ -231,7 +233,7 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
             let mut passing = Vec::new();
             for edit in share {
                 if let Answer::Passes(reading, parts) = trial.of(&edit.applied(wrong.text))?
-                    && !is_empty(&reading, &desk.model.symbols)
+                    && !is_empty(&reading, desk.model)
                 {
                     passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts) });
                 }
@@ -243,16 +245,16 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
 }
 
 /// Whether a member is zero whatever its symbols mean, and not written so: it is true, and says nothing.
-fn is_empty(reading: &Reading, symbols: &Symbols) -> bool {
+fn is_empty(reading: &Reading, model: &Model) -> bool {
     let vanishes =
-        |member: &Expr| !member.is_null() && formal::is_identity(member, &Expr::integer(0, member.span), symbols);
+        |member: &Expr| !member.is_null() && formal::is_identity(member, &Expr::integer(0, member.span), model);
     reading.statements.iter().flatten().flat_map(|statement| &statement.members).any(vanishes)
 }
 
 /// Whether two readings say the same, whatever their symbols mean, member for member.
-fn is_one(a: &Reading, b: &Reading, symbols: &Symbols) -> bool {
+fn is_one(a: &Reading, b: &Reading, model: &Model) -> bool {
     let same = |(a, b): (&Statement, &Statement)| {
-        a.members.len() == b.members.len() && a.members.iter().zip(&b.members).all(|(a, b)| formal::same(a, b, symbols))
+        a.members.len() == b.members.len() && a.members.iter().zip(&b.members).all(|(a, b)| formal::same(a, b, model))
     };
     let (a, b): (Vec<_>, Vec<_>) = (a.statements.iter().flatten().collect(), b.statements.iter().flatten().collect());
     a.len() == b.len() && a.into_iter().zip(b).all(same)
@@ -275,15 +277,19 @@ fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, usize, usize
     (*slip, longest - same, span.start)
 }
 
+/// Whether what an edit changes stands in the file as it was read, in a text that starts there at `offset`.
+pub(super) fn is_real(desk: &Desk<'_>, text: &str, edit: &Edit, offset: usize) -> bool {
+    desk.source.slice(edit.span.shifted(offset)) == &text[edit.span.range()]
+}
+
 /// Suggestions as edits of the file in which the display's text starts at `offset`. What stands in the file in another
 /// way than it was read, between two displays of one number, is not touched.
 pub(super) fn in_file(desk: &Desk<'_>, wrong: &Wrong<'_>, offset: usize, found: Vec<Suggestion>) -> Vec<Repair> {
-    let real = |edit: &Edit| desk.source.slice(edit.span.shifted(offset)) == &wrong.text[edit.span.range()];
     let repair = |Suggestion { edit, verdict, .. }: Suggestion| Repair {
         span: edit.span.shifted(offset),
         replacement: edit.replacement,
         slip: edit.slip,
         verdict,
     };
-    found.into_iter().filter(|suggestion| real(&suggestion.edit)).map(repair).collect()
+    found.into_iter().filter(|found| is_real(desk, wrong.text, &found.edit, offset)).map(repair).collect()
 }

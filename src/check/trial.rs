@@ -192,16 +192,17 @@ impl<'d, 'a> Trial<'d, 'a> {
             for (a, b) in was.members.iter().zip(&is.members).filter(|(a, b)| a != b) {
                 same = same && self.is_same(a, b)?;
             }
-            let symbols = &self.desk.model.symbols;
-            let never_zero = |factor: &Expr| is_never_zero(self.desk.model, factor);
+            let model = self.desk.model;
+            let never_zero = |factor: &Expr| is_never_zero(model, factor);
             let follows = |at: usize| {
                 // A multiple of what is no equality says something else.
                 let relation = was.relations[at].0;
                 let equal = is_equality(relation) || relation == Relation::Approximately;
                 let null = equal && was.members[at + 1].is_null() && is.members[at + 1].is_null();
-                null && formal::vanishes_with(&is.members[at], &was.members[at], symbols, &never_zero)
+                null && formal::vanishes_with(&is.members[at], &was.members[at], model, &never_zero)
             };
-            if !same && !(0..was.relations.len()).all(|at| is.members[at] == was.members[at] || follows(at)) {
+            let kept = |at: usize| is.members[at..=at + 1] == was.members[at..=at + 1];
+            if !same && !(0..was.relations.len()).all(|at| kept(at) || follows(at)) {
                 return Ok(false);
             }
         }
@@ -211,8 +212,8 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// Whether two formulas are proved to be one: whatever their symbols mean, or as they are meant, or where the
     /// hypotheses of the claim hold.
     fn is_same(&self, a: &Expr, b: &Expr) -> Result<bool> {
-        let symbols = &self.desk.model.symbols;
-        if formal::same(a, b, symbols) || formal::same(&self.opened(a), &self.opened(b), symbols) {
+        let model = self.desk.model;
+        if formal::same(a, b, model) || formal::same(&self.opened(a), &self.opened(b), model) {
             return Ok(true);
         }
         // What is of another type is another thing.

@@ -52,11 +52,8 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     }
     let loaded: Vec<Result<Loaded>> = jobs.par_iter().map(load).collect();
     let equations = |loaded: &Loaded| match loaded {
-        Loaded::Own(claims, notes) => {
-            document::items(claims, notes, only)
-                - claims.sentences.len().min(if only.is_some() { 0 } else { usize::MAX })
-        }
-        _ => 0,
+        Loaded::Own(claims, notes) => document::equations(claims, notes, only),
+        Loaded::Reprint(..) | Loaded::Unclaimed(_) => 0,
     };
     let progress = Terminal::start(loaded.iter().flatten().map(equations).sum());
     let run = Run { registry, options, only, progress: &progress };

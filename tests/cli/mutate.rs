@@ -116,6 +116,16 @@ fn so_is_a_hypothesis() {
 }
 
 #[test]
+fn a_right_side_that_a_hypothesis_alone_makes_true_is_not_equivalent() {
+    let size = "$$\n|a| = |a x^2|\n\\tag{1}\n$$\n";
+    let desk_at_one = desk("mutate-right-side", size, json!({ "1": { "assume": ["x = 1"] } }));
+    assert!(survivors(&report(&desk_at_one)).contains(&("2".to_owned(), "3".to_owned())));
+    // The twin: where nothing is assumed, no slip is true but |-a|, which is the same.
+    let product = "$$\n|a| x^2 = |a x^2|\n\\tag{1}\n$$\n";
+    assert_eq!(survivors(&report(&desk("mutate-right-side-twin", product, json!({})))), Vec::new());
+}
+
+#[test]
 fn every_survivor_of_the_report_is_named_in_the_text_at_its_line_and_column() {
     let desk = with_range("mutate-named", &format!("{SQUARE}\n{NOT_NEGATIVE}"), "> 0", json!({}));
     let (report, run) = (report(&desk), mutate(&desk, &[]));
