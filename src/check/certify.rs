@@ -14,12 +14,13 @@ use crate::notes::claims::Range;
 use crate::scalar::field::{Large, Modulus, Second, at_a_point, false_accept_log2};
 use crate::scalar::{Modular, Series, rational};
 
+use super::any_body::{Generality, PRINCIPAL_AXES};
 use super::draw::{Draw, last};
 use super::ensemble::Ensemble;
 use super::evidence;
 use super::identity::Context;
 use super::judge::{self, Link};
-use super::model::{Meaning, Model, ParticleQuantity};
+use super::model::{Meaning, Model};
 use super::rules::{Action, Rule};
 use super::scene::Scene;
 use super::solved::{OTHER_WAYS, Solved, is_never_zero};
@@ -197,13 +198,20 @@ pub(super) fn decide(
     ensemble: &Ensemble<'_>,
     claim: &impl Claim,
 ) -> Certificate {
-    let found = reached(formulas, &ensemble.solver, ensemble).and_then(|reached| {
-        wholes(&ensemble.solver, &reached).ok_or_else(|| "whole numbers of so many values".to_owned())
-    });
+    let solver = &ensemble.solver;
+    let sides = solver.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]).collect::<Vec<_>>();
+    let generality = Generality::of(formulas, context.model, &ensemble.rules);
+    let hypotheses = Generality::of(&sides, context.model, &ensemble.rules);
+    let (Some(generality), Some(Generality::Themselves)) = (generality, hypotheses) else {
+        return Certificate::Open(PRINCIPAL_AXES.to_owned());
+    };
+    let found = reached(formulas, solver, ensemble)
+        .and_then(|reached| wholes(solver, &reached).ok_or_else(|| "whole numbers of so many values".to_owned()));
     let wholes = match found {
         Ok(wholes) => wholes,
         Err(reason) => return Certificate::Open(reason),
     };
+    let context = (context, generality);
     let one = Modular::<Large>::most_bits();
     match decide_in::<Large>(&wholes, context, ensemble, claim, one) {
         Certificate::Open(reason) if reason == TOO_LARGE => {}
@@ -222,7 +230,7 @@ pub(super) fn decide(
 /// Decides over one field, where coefficients have no more than so many bits.
 fn decide_in<F: Modulus>(
     wholes: &[Vec<(usize, f64)>],
-    context: &Context<'_>,
+    (context, generality): (&Context<'_>, Generality),
     ensemble: &Ensemble<'_>,
     claim: &impl Claim,
     most_bits: f64,
@@ -232,11 +240,17 @@ fn decide_in<F: Modulus>(
     let (mut worst, least) = (f64::NEG_INFINITY, POINTS.start().div_ceil(wholes.len()));
     for whole in wholes {
         let is_drawn = ensemble.bases.iter().any(|base| whole.iter().all(|(at, value)| base[*at] == *value));
-        let (solved, reason) = match Solved::<F>::new(solver, whole.clone(), draw.seed()) {
-            Ok(solved) => (solved, None),
+        let found = match generality {
+            // hypotheses are of the particles
+            Generality::AnyTensor => Err(PRINCIPAL_AXES.to_owned()),
+            _ => Solved::<F>::new(solver, whole.clone(), draw.seed()),
+        };
+        let (solved, reason) = match found {
+            Ok(solved) => (solved, (generality == Generality::AnyAxes).then(|| PRINCIPAL_AXES.to_owned())),
             // what holds without its hypotheses holds with them
             Err(reason) => (Solved::without_hypotheses(solver, whole.clone()), Some(reason)),
         };
+        let solved = solved.with(generality);
         match (at_points(&solved, &mut draw, least, claim, most_bits), reason) {
             (Certificate::Identity(log2), _) => worst = worst.max(log2),
             (_, Some(reason)) => return Certificate::Open(reason),
@@ -336,10 +350,7 @@ pub(super) fn reached(
             symbols.extend(&model.symbols.entry(id).members);
             match model.meaning(id) {
                 Some(Meaning::Defined(formula)) => waiting.push(formula),
-                Some(Meaning::Particles(quantity, _, masses, positions)) => {
-                    if *quantity != ParticleQuantity::InertiaTensor {
-                        reason = reason.or(Some("principal axes: their moments are the roots of a cubic"));
-                    }
+                Some(Meaning::Particles(_, _, masses, positions)) => {
                     waiting.extend([masses.as_ref(), positions.as_ref()]);
                 }
                 Some(Meaning::Region(_) | Meaning::Density(_) | Meaning::Point) => {

@@ -16,6 +16,7 @@ use crate::mechanics::{Body, Nodes};
 use crate::notes::claims::SolidKind;
 use crate::scalar::{Number, Series};
 
+use super::any_body::AnyBody;
 use super::base::Hidden;
 use super::model::{Continuum, Meaning, ParticleQuantity};
 use super::scene::{Scene, matrix};
@@ -405,13 +406,25 @@ impl<B: Number> Scene<'_, B> {
         let none = || Unavailable::Symbol(id);
         // Of axes and moments the value alone is known.
         let terms = if quantity == ParticleQuantity::InertiaTensor { terms } else { 1 };
-        let tensor = self.tensor((label, masses, positions), id, terms)?;
         let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
+        let of_body = self.body.as_ref().and_then(AnyBody::tensor);
+        let tensor = match of_body {
+            Some(tensor) => tensor.map(Series::of_value),
+            None => self.tensor((label, masses, positions), id, terms)?,
+        };
         if quantity == ParticleQuantity::InertiaTensor {
             return Ok(match indices {
                 [] => matrix(&tensor),
                 _ => Value::Scalar(tensor[(place(0)?, place(1)?)]),
             });
+        }
+        if let Some(body) = &self.body {
+            return match quantity {
+                ParticleQuantity::PrincipalMoments => {
+                    body.moment(place(0)?).map(|moment| Value::Scalar(Series::of_value(moment))).ok_or_else(none)
+                }
+                _ => Ok(Value::Vector(body.axis(place(0)?).map(Series::of_value))),
+            };
         }
         // Eigenvectors are found for plain numbers: how they vary is not known.
         let found = principal_axes(&tensor.map(|entry| entry.value().re())).map_err(|_| none())?;

@@ -18,6 +18,7 @@ use crate::mechanics::{Elimination, solve_by};
 use crate::notes::claims::Range;
 use crate::scalar::{Graph, Measured, Number, Symbol};
 
+use super::any_body::Generality;
 use super::base::{Base, Layout, Slot, slots};
 use super::certify;
 use super::ensemble::Ensemble;
@@ -72,6 +73,7 @@ impl<'a> Failed<'a> {
         let sides = [&link.lhs, &link.rhs];
         if ensemble.solver.equalities().next().is_some()
             || certify::reached(&sides, &ensemble.solver, &ensemble).is_err()
+            || Generality::of(&sides, context.model, &ensemble.rules) != Some(Generality::Themselves)
         {
             return None;
         }

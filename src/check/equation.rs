@@ -16,7 +16,7 @@ use super::pins::Use;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, exactly, generates, limit, restated, solves};
+use super::{definitions, exactly, gaps, generates, limit, restated, solves};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -240,14 +240,14 @@ impl Desk<'_> {
                 || claim.conserved.is_some();
             if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
                 if last && !says_more {
-                    findings.push(self.definition(first, context)?);
+                    findings.push((at, self.definition(first, context)?));
                 }
                 continue;
             }
             let here: Vec<&&Introduced> = introduced.iter().filter(|i| i.member == at + 1).collect();
             if !here.is_empty() {
                 for introduced in here.into_iter().filter(|_| last && !says_more) {
-                    findings.push(self.definition(introduced, context)?);
+                    findings.push((at, self.definition(introduced, context)?));
                 }
                 continue;
             }
@@ -256,7 +256,7 @@ impl Desk<'_> {
                 let dropped = self.formula(dropped)?;
                 if is_made_of(&dropped, &link.lhs) {
                     let message = "what is dropped is made of the left side, so nothing is checked";
-                    findings.push(context.finding(Verdict::Undecided, message));
+                    findings.push((at, context.finding(Verdict::Undecided, message)));
                     continue;
                 }
                 link.rhs = identity::with_dropped(&link.rhs, &dropped);
@@ -286,8 +286,12 @@ impl Desk<'_> {
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
                 _ => identity::check(&link, &context)?,
             };
-            findings.push(finding);
+            findings.push((at, finding));
         }
+        if claim.dropping.is_none() && claim.limit.is_none() && claim.continuum_limit_of.is_none() {
+            gaps::close(self, statement, &mut findings, context)?;
+        }
+        let findings = findings.into_iter().map(|(_, finding)| finding).collect();
         let mut parts = Vec::new();
         if let Some(mut finding) = merged(findings) {
             if finding.verdict.passes() {

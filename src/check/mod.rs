@@ -6,6 +6,7 @@
 //! made in [`ensemble`] (drawn, and moved onto the hypotheses), evaluated in [`scene`], judged in [`judge`]; and every
 //! pass is held against its [`twins`]. Where units are declared, [`units`] comes before all of these.
 
+mod any_body;
 mod base;
 mod branches;
 mod builder;
@@ -27,6 +28,7 @@ mod following;
 mod forced;
 mod formal;
 pub mod functions;
+mod gaps;
 pub mod generates;
 pub mod identity;
 mod instant;

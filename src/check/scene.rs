@@ -19,6 +19,7 @@ use crate::mechanics::{Elimination, Frame, Nodes, Quantities, rotations};
 use crate::notes::claims::Turning;
 use crate::scalar::{Instant, Number, Series, TERMS};
 
+use super::any_body::AnyBody;
 use super::base::{Base, Layout};
 use super::crowd::{Crowd, Place};
 use super::instant::first;
@@ -94,6 +95,8 @@ pub struct Scene<'m, B: Number> {
     pub(super) followed: RefCell<BTreeMap<SymbolId, Members<B>>>,
     /// Nodes of continua, of a degree.
     pub(super) cubatures: RefCell<Cubatures<B>>,
+    /// What stands in for particles whose principal axes are spoken of.
+    pub(super) body: Option<AnyBody<B>>,
     /// Inertia tensors of masses at positions.
     pub(super) tensors: RefCell<Vec<Tensor<B>>>,
     /// Values of defined and ruled symbols.
@@ -155,10 +158,17 @@ impl<'m, B: Number> Scene<'m, B> {
             following: RefCell::new(Vec::new()),
             followed: RefCell::new(BTreeMap::new()),
             cubatures: RefCell::new(FxHashMap::default()),
+            body: None,
             tensors: RefCell::new(Vec::new()),
             memo: RefCell::new(FxHashMap::default()),
             values: RefCell::new(FxHashMap::default()),
         })
+    }
+
+    /// Lets a body stand in for the particles whose principal axes are spoken of.
+    pub(super) fn set_body(&mut self, body: Option<AnyBody<B>>) {
+        self.body = body;
+        self.forget();
     }
 
     /// The model that the state belongs to.

@@ -16,6 +16,7 @@ use crate::notes::claims::Range;
 use crate::scalar::field::{Modulus, at_a_point};
 use crate::scalar::{DualNum, Modular};
 
+use super::any_body::{AnyBody, Generality};
 use super::base::{self, Slot};
 use super::draw::{Draw, Reach, contains};
 use super::ensemble::Condition;
@@ -61,6 +62,8 @@ pub(super) struct Solved<'s, 'm, F> {
     may_vanish: bool,
     /// Whether the hypotheses hold.
     obeys: bool,
+    /// What stands in for particles whose principal axes are spoken of; not by the hypotheses.
+    generality: Generality,
     /// Numbers that obey no hypothesis: there nothing is at rest by accident.
     anywhere: Vec<f64>,
     /// Of each row that was asked about, the numbers that it does not depend on.
@@ -105,7 +108,22 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         let mut anywhere = Draw::new(1, "anywhere").base(&solver.slots, Reach::Declared);
         whole.iter().for_each(|(at, value)| anywhere[*at] = *value);
         let (plan, idle) = (Vec::new(), RefCell::default());
-        Solved { solver, whole, plan, may_vanish: false, obeys: false, anywhere, idle, field: PhantomData }
+        Solved {
+            solver,
+            whole,
+            plan,
+            may_vanish: false,
+            obeys: false,
+            generality: Generality::Themselves,
+            anywhere,
+            idle,
+            field: PhantomData,
+        }
+    }
+
+    /// The same with particles that others stand in for.
+    pub fn with(self, generality: Generality) -> Self {
+        Solved { generality, ..self }
     }
 
     /// Whether there was anything to solve.
@@ -117,7 +135,8 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     pub fn scene(&self) -> Result<Scene<'m, Modular<F>>, String> {
         let mut base = self.drawn();
         self.follow(&mut base)?;
-        let scene = self.state(&base)?;
+        let mut scene = self.state(&base)?;
+        scene.set_body(AnyBody::drawn(self.generality));
         if !self.obeys {
             return Ok(scene);
         }
