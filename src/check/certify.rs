@@ -253,6 +253,7 @@ fn decide_in<F: Modulus>(
         let solved = solved.with(generality);
         match (at_points(&solved, &mut draw, least, claim, most_bits), reason) {
             (Certificate::Identity(log2), _) => worst = worst.max(log2),
+            (Certificate::Open(large), Some(_)) if large == TOO_LARGE => return Certificate::Open(large),
             (_, Some(reason)) => return Certificate::Open(reason),
             (Certificate::Differs, None) if !is_drawn => {
                 return Certificate::Open("a value of a whole number at which no state was drawn".to_owned());

@@ -1,9 +1,10 @@
 //! Rigid bodies, axes that turn, components along axes, and the tensor of inertia.
 
-use onshell::check::Verdict::{self, Refuted, Undecided, Unreadable, Verified};
+use onshell::check::Finding;
+use onshell::check::Verdict::{self, Certified, Refuted, Undecided, Unreadable, Verified};
 use serde_json::{Value as Json, json};
 
-use crate::support::{assuming, verdict};
+use crate::support::{assuming, equation, verdict, with};
 
 /// A rigid body whose axis passes through the point c and keeps its direction.
 fn body() -> Json {
@@ -155,6 +156,78 @@ fn principal_axes_are_axes_of_the_body() {
     assert_eq!(energy(r"\lambda_1"), Refuted);
     assert_eq!(of_the_top(r"\lambda_1 \leq \lambda_2 + \lambda_3"), Verified);
     assert_eq!(of_the_top(r"\lambda_1 \geq \lambda_2 + \lambda_3"), Refuted);
+}
+
+/// What is said of a claim about two bodies, each with its tensor, moments and axes.
+fn of_two_tops(latex: &str, claim: Json) -> Finding {
+    let mut claims = top();
+    claims["varies with time"][r"\vec s_i"] = json!(r"rigid, turning with \vec\omega about \vec 0");
+    for (name, meaning) in [
+        (r"\mathbb{J}", r"inertia tensor of m_i at \vec s_i"),
+        (r"\mu_a", r"principal moments of m_i at \vec s_i"),
+        (r"\hat s_a", r"principal axes of m_i at \vec s_i"),
+    ] {
+        claims["means"][name] = json!(meaning);
+    }
+    equation(&with(&claims, "define", json!({ "T": r"\frac12 \sum_i m_i |\dot{\vec r}_i|^2" })), &[latex], claim)
+        .finding
+}
+
+#[test]
+fn what_any_axes_or_any_tensor_obey_the_principal_ones_are_certified_to_obey() {
+    for (sound, near_miss) in [
+        (r"\mathbb{I} \hat e_2 = \lambda_2 \hat e_2", r"\mathbb{I} \hat e_2 = \lambda_1 \hat e_2"),
+        (
+            r"\sum_a \lambda_a \omega_a^2 = \vec\omega \cdot \mathbb{I} \vec\omega",
+            r"\sum_a \lambda_1 \omega_a^2 = \vec\omega \cdot \mathbb{I} \vec\omega",
+        ),
+        (r"\hat e_1 \times \hat e_2 = \hat e_3", r"\hat e_2 \times \hat e_1 = \hat e_3"),
+        // Of a chain whose sides a field cannot both have, each has its own partner.
+        (
+            r"T = \frac12 \vec\omega \cdot \mathbb{I} \vec\omega = \frac12 \sum_a \lambda_a \omega_a^2",
+            r"T = \frac12 \vec\omega \cdot \mathbb{I} \vec\omega = \sum_a \lambda_a \omega_a^2",
+        ),
+        (
+            r"\vec\omega \cdot \mathbb{I} \vec\omega = \sum_a \lambda_a \omega_a^2 = 2T",
+            r"\vec\omega \cdot \mathbb{I} \vec\omega = \sum_a \lambda_a \omega_a^2 = T",
+        ),
+    ] {
+        let found = of_two_tops(sound, json!({}));
+        assert_eq!(found.verdict, Certified, "{sound}: {found:?}");
+        assert!(found.false_accept_log2.is_some_and(|log2| log2 <= -80.0), "{sound}");
+        assert_eq!(of_two_tops(near_miss, json!({})).verdict, Refuted, "{near_miss}");
+    }
+    // More than a field can have in one link, or at all.
+    for open in [
+        r"T = \frac12 \sum_a \lambda_a \omega_a^2",
+        r"\sum_a (\lambda_a + \mu_a) = \sum_i 2 m_i (|\vec r_i|^2 + |\vec s_i|^2)",
+    ] {
+        assert_eq!(of_two_tops(open, json!({})).verdict, Verified, "{open}");
+    }
+    // The axes of one body say nothing of the other's tensor.
+    assert_eq!(of_two_tops(r"\mathbb{J} \hat e_2 = \mu_2 \hat e_2", json!({})).verdict, Refuted);
+    assert_eq!(of_two_tops(r"\mathbb{J} \hat s_2 = \mu_2 \hat s_2", json!({})).verdict, Certified);
+}
+
+#[test]
+fn a_hypothesis_about_a_vector_of_a_turned_body_is_solved_exactly() {
+    let spin = |factor: &str| {
+        format!(
+            r"\sum_i m_i \vec r_i \times \dot{{\vec r}}_i
+            = \sum_i m_i (\vec r_i - \vec a) \times (\dot{{\vec r}}_i - \vec\omega \times \vec a)
+            + {factor} \vec a \times \sum_i m_i \, \vec\omega \times \vec a"
+        )
+    };
+    let claims = with(&top(), "constants", json!({ "m_i": "> 0", r"\vec a": "any" }));
+    let found = |latex: &str, claim: Json| equation(&claims, &[latex], claim).finding;
+    let centered = json!({ "throughout": r"\sum_i m_i (\vec r_i - \vec a) = \vec 0" });
+    let at_instant = json!({ "assume": r"\sum_i m_i (\vec r_i - \vec a) = \vec 0" });
+    let sound = found(&spin(""), at_instant.clone());
+    assert_eq!(sound.verdict, Certified, "{sound:?}");
+    // The twins: another claim, and no hypothesis; and a center that rests and turns is at the origin.
+    assert_eq!(found(&spin("2"), at_instant).verdict, Refuted);
+    assert_eq!(found(&spin(""), json!({})).verdict, Refuted);
+    assert_ne!(found(&spin(""), centered).verdict, Certified);
 }
 
 #[test]
