@@ -398,7 +398,9 @@ pub(super) fn at_one_point<F: Modulus>(
         if !vanish {
             return match (account.opaque, is_free) {
                 (false, true) => Certificate::Differs,
-                (true, _) => Certificate::Open("a root, or a sine of something that is no sum of angles".to_owned()),
+                (true, _) => Certificate::Open(
+                    "a root, an exponential, a logarithm, or a sine of something that is no sum of angles".to_owned(),
+                ),
                 (false, false) => Certificate::Open(OTHER_WAYS.to_owned()),
             };
         }

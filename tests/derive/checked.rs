@@ -75,10 +75,6 @@ fn where_the_momenta_are_no_multiples_of_velocities_all_but_the_masses_pass() {
     }
 }
 
-/// What is derived and is not certified: the system, how its equation begins, and why no field decides it.
-const NOT_CERTIFIED: [(&str, &str, &str); 2] =
-    [("damped_oscillator", "", "an exponential"), ("shaken", "", "a logarithm")];
-
 /// Masses are introduced by their equations, which makes them definitions; that p = M q̇ is certified says what they are.
 /// Where the momenta are something else nothing prints their use, and they are left out.
 fn is_mass(latex: &str) -> bool {
@@ -99,11 +95,7 @@ fn what_is_derived_is_certified() {
         for (equation, latex) in checked(&subject, &displays).equations.iter().zip(&displays) {
             let finding = &equation.finding;
             let expected = if is_mass(latex) { Verdict::Definition } else { Verdict::Certified };
-            let known = NOT_CERTIFIED.iter().any(|(system, begins, why)| {
-                let reason = finding.not_certified_because.as_deref();
-                *system == subject.world.name() && latex.starts_with(begins) && reason.is_some_and(|r| r.contains(why))
-            });
-            if finding.verdict != expected && !known {
+            if finding.verdict != expected {
                 let reason = finding.not_certified_because.as_ref().unwrap_or(&finding.message);
                 open.push(format!("{}: {latex}: {} {reason}", subject.world.name(), finding.verdict.word()));
             }

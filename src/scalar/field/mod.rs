@@ -10,7 +10,9 @@
 //!   of the numerator's coefficients, which must stay below p lest one of them vanish in the field. Sine and cosine count
 //!   as the Laurent polynomials in e^{iθ} that they are.
 //!
-//! What a field cannot do (an exponential, a sign, an order) is noted, and nothing is concluded. A square root exists at
+//! Exponentials and logarithms are free numbers, related as their arguments are ([`exponentials`]).
+//!
+//! What a field cannot do (a sign, an order, an arc) is noted, and nothing is concluded. A square root exists at
 //! half of the points; its sign is free, so an identity with roots must hold for all choices of them. Until more than its
 //! square is asked for, neither matters.
 //!
@@ -18,6 +20,7 @@
 
 mod circle;
 mod denominators;
+mod exponentials;
 mod prime;
 mod session;
 #[cfg(test)]
@@ -513,10 +516,18 @@ impl<F: Modulus> Arithmetic for Modular<F> {
                 sine.over(cosine)
             }
             Function::Cbrt => Self::refused("a cube root"),
-            Function::Exp | Function::ExpM1 | Function::Sinh | Function::Cosh | Function::Tanh => {
-                Self::refused("an exponential")
+            Function::Exp => self.exponential(),
+            Function::ExpM1 => self.exponential().minus(Self::ONE),
+            Function::Sinh | Function::Cosh | Function::Tanh => {
+                let (up, down) = (self.exponential(), self.negated().exponential());
+                match function {
+                    Function::Sinh => up.minus(down).over(Self::constant(2.0)),
+                    Function::Cosh => up.plus(down).over(Self::constant(2.0)),
+                    _ => up.minus(down).over(up.plus(down)),
+                }
             }
-            Function::Ln | Function::Ln1p => Self::refused("a logarithm"),
+            Function::Ln => self.logarithm(),
+            Function::Ln1p => self.plus(Self::ONE).logarithm(),
             Function::Asin | Function::Acos | Function::Atan | Function::Asinh | Function::Acosh | Function::Atanh => {
                 Self::refused("an inverse function")
             }

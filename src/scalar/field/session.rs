@@ -10,6 +10,7 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use super::circle::{Point, drawn_bits, turn_bits};
 use super::denominators::{Bottom, Denominators, Size, accidents};
+use super::exponentials::Exponential;
 use super::prime::{Modulus, Residue};
 use super::{Modular, SIMPLE_NORM};
 use crate::scalar::rational::{Meant, Ratio, meant};
@@ -210,6 +211,8 @@ pub struct Session<F: Modulus> {
     signs: u32,
     /// The labels of arguments of which only the value is known.
     atoms: Vec<(Residue<F>, u128, Fraction)>,
+    /// Exponentials and logarithms that were met.
+    pub exponentials: Vec<Exponential<F>>,
     pi: Residue<F>,
     /// The reciprocals that were needed: one takes as long as two hundred products.
     reciprocals: FxHashMap<u128, Residue<F>>,
@@ -233,6 +236,7 @@ impl<F: Modulus> Session<F> {
             simple_degree: 0,
             signs,
             atoms: Vec::new(),
+            exponentials: Vec::new(),
             pi: Residue::ONE,
             reciprocals: FxHashMap::default(),
             account: Account { finest, ..Account::default() },
