@@ -62,6 +62,9 @@ impl Accelerator<'_> {
 
 /// What is missing is NaN.
 fn put(to: &mut [f64], from: &[f64]) {
+    if to.len() == from.len() {
+        return to.copy_from_slice(from);
+    }
     for (i, to) in to.iter_mut().enumerate() {
         *to = from.get(i).copied().unwrap_or(f64::NAN);
     }

@@ -128,6 +128,7 @@ fn run<S: Simd>(simd: S, program: &Program, registers: &mut Registers, inputs: &
             Action::MulAdd(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| a.mul_add(b, c)),
             Action::MulSub(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| a.mul_sub(b, c)),
             Action::SubMul(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| (-a).mul_add(b, c)),
+            Action::NegMulSub(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| (-a).mul_sub(b, c)),
             Action::Neg(a) => one(simd, at(a), out, |a| -a),
             Action::Apply(Function::Sqrt, a) => one(simd, at(a), out, |a| a.sqrt()),
             Action::Powi(a, n) => one_by_one(at(a), at(a), out, |a, _| a.powi(n)),
@@ -244,8 +245,9 @@ pub(in crate::mechanics) mod tests {
                 [x * y + p, x * y - p, p - x * y, x * p + y, x * p - y, y - x * p, x * y + sine, x * 3.0 + 2.0];
             let quotients = [x / y, p / y, x / p, (x * y).recip() * cosine, y.recip()];
             let others = [x - p, p - x, x + p, -(x + y), (x + y).sqrt(), y.powf(0.3), x.powi(20), y.exp(), x.atan2(y)];
+            let negations = [-(x - y), -(x * y + p), -(x * y - p), -(p - x * y), -(x * p), -(p - x), -(x * y)];
             let uniform = [p * p + 1.0, x, p, Symbol::from(2.5), x.atan2(p), (x * p) * (y * p), sine * cosine];
-            [&products[..], &quotients, &others, &uniform].concat()
+            [&products[..], &quotients, &others, &negations, &uniform].concat()
         })
         .unwrap();
         Tape::new(&graph, 3, &outputs)
@@ -333,7 +335,8 @@ pub(in crate::mechanics) mod tests {
                 Action::Div(a, b) => Action::Mul(a, b),
                 Action::MulAdd(a, b, c) => Action::MulSub(a, b, c),
                 Action::MulSub(a, b, c) => Action::SubMul(a, b, c),
-                Action::SubMul(a, b, c) => Action::MulAdd(a, b, c),
+                Action::SubMul(a, b, c) => Action::NegMulSub(a, b, c),
+                Action::NegMulSub(a, b, c) => Action::MulAdd(a, b, c),
                 Action::Neg(a) => Action::Add(a, a),
                 Action::Powi(a, n) => Action::Powi(a, n + 1),
                 Action::Powf(a, n) => Action::Powf(a, n + 0.1),

@@ -27,6 +27,8 @@ pub(super) enum Action {
     MulSub(u32, u32, u32),
     /// c − a b; a varies
     SubMul(u32, u32, u32),
+    /// −a b − c; a varies
+    NegMulSub(u32, u32, u32),
     Neg(u32),
     Powi(u32, i32),
     Powf(u32, f64),
@@ -47,6 +49,7 @@ impl Action {
             Action::MulAdd(a, b, c) => Action::MulAdd(place(a), place(b), place(c)),
             Action::MulSub(a, b, c) => Action::MulSub(place(a), place(b), place(c)),
             Action::SubMul(a, b, c) => Action::SubMul(place(a), place(b), place(c)),
+            Action::NegMulSub(a, b, c) => Action::NegMulSub(place(a), place(b), place(c)),
             Action::Neg(a) => Action::Neg(place(a)),
             Action::Powi(a, n) => Action::Powi(place(a), n),
             Action::Powf(a, n) => Action::Powf(place(a), n),
@@ -61,7 +64,10 @@ impl Action {
             Action::Add(a, b) | Action::Sub(a, b) | Action::Mul(a, b) | Action::Div(a, b) | Action::Atan2(a, b) => {
                 (a, Some(b), None)
             }
-            Action::MulAdd(a, b, c) | Action::MulSub(a, b, c) | Action::SubMul(a, b, c) => (a, Some(b), Some(c)),
+            Action::MulAdd(a, b, c)
+            | Action::MulSub(a, b, c)
+            | Action::SubMul(a, b, c)
+            | Action::NegMulSub(a, b, c) => (a, Some(b), Some(c)),
             Action::Neg(a) | Action::Powi(a, _) | Action::Powf(a, _) => (a, None, None),
             Action::Apply(_, a) | Action::SinCos(a, _) => (a, None, None),
         };
@@ -211,7 +217,7 @@ impl<'a> Writer<'a> {
                     None => Action::Add(a, c),
                 }
             }
-            Op::Neg(a) => Action::Neg(a),
+            Op::Neg(a) => self.negation(a),
             Op::Recip(a) => Action::Div(self.constant(1.0), a),
             Op::Powi(a, n) => Action::Powi(a, n),
             Op::Powf(a, n) => Action::Powf(a, n),
@@ -256,6 +262,23 @@ impl<'a> Writer<'a> {
             return Action::MulSub(x, y, self.place(b));
         }
         Action::Sub(self.place(a), self.place(b))
+    }
+
+    /// The sign goes into the step that made the number, if nobody else reads that.
+    fn negation(&mut self, a: u32) -> Action {
+        let action = match self.only_for_this(a) {
+            Some(Action::Sub(x, y)) => Action::Sub(y, x),
+            Some(Action::MulAdd(x, y, c)) => Action::NegMulSub(x, y, c),
+            Some(Action::MulSub(x, y, c)) => Action::SubMul(x, y, c),
+            Some(Action::SubMul(x, y, c)) => Action::MulSub(x, y, c),
+            Some(Action::Mul(x, y)) if y >= UNIFORM => {
+                let negated = self.also(Op::Neg(self.uniform_outputs[(y - UNIFORM) as usize]));
+                Action::Mul(x, self.uniform_place(negated))
+            }
+            _ => return Action::Neg(a),
+        };
+        self.written.remove(&a);
+        action
     }
 
     fn product(&mut self, a: u32, b: u32) -> Action {

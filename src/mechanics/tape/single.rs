@@ -23,6 +23,7 @@ impl Program {
                 Action::MulAdd(a, b, c) => at(a) * at(b) + at(c),
                 Action::MulSub(a, b, c) => at(a) * at(b) - at(c),
                 Action::SubMul(a, b, c) => at(c) - at(a) * at(b),
+                Action::NegMulSub(a, b, c) => -(at(a) * at(b)) - at(c),
                 Action::Neg(a) => -at(a),
                 Action::Powi(a, n) => at(a).powi(n),
                 Action::Powf(a, n) => at(a).powf(n),
