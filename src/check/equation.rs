@@ -7,6 +7,7 @@ use crate::notes::claims::{Claim, Conserved, Expect, Expected, Holds, Solved, Sp
 use crate::source::{Fault, Span};
 use crate::{Error, Result};
 
+use super::chain::Step;
 use super::desk::Desk;
 use super::document::shown;
 use super::draw::Reach;
@@ -100,6 +101,7 @@ impl Desk<'_> {
             because,
             parts: if parts.len() > 1 { parts } else { Vec::new() },
             repairs: Vec::new(),
+            follows_from: None,
         }
     }
 
@@ -227,7 +229,7 @@ impl Desk<'_> {
         context: &Context<'_>,
     ) -> Result<Vec<Part>> {
         let reading = text::statement(statement, &self.model.symbols);
-        let mut findings = Vec::new();
+        let (mut findings, mut steps) = (Vec::new(), Vec::new());
         for (at, (relation, place)) in statement.relations.iter().enumerate() {
             let last = at + 1 == statement.relations.len();
             if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
@@ -286,10 +288,16 @@ impl Desk<'_> {
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
                 _ => identity::check(&link, &context)?,
             };
-            findings.push(finding);
+            steps.push(Step { at, finding, relation: *relation });
         }
         let mut parts = Vec::new();
-        if let Some(mut finding) = merged(findings) {
+        let slips = match claim.dropping.is_none() && claim.continuum_limit_of.is_none() {
+            true => self.slips(statement, &mut steps, context)?,
+            false => Vec::new(),
+        };
+        findings.extend(steps.into_iter().map(|step| step.finding));
+        let one = if slips.len() > 1 { slips } else { slips.into_iter().chain(merged(findings)).take(1).collect() };
+        for mut finding in one {
             if finding.verdict.passes() {
                 finding.span = context.span;
             }

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::Error;
 use crate::check::plain::Answer;
-use crate::check::{Counterexample, Document, Equation, Finding, Formula, Repair, Report};
+use crate::check::{Counterexample, Document, Equation, Finding, Formula, Inherited, Repair, Report};
 use crate::formula::text::plain;
 
 /// The whole report.
@@ -50,6 +50,9 @@ fn equation(equation: &Equation) -> Value {
     if let Some(because) = &equation.because {
         fields.insert("because".to_owned(), json!(because));
     }
+    if let Some(Inherited { from, root }) = &equation.follows_from {
+        fields.insert("follows_from".to_owned(), json!({ "equation": from, "root": root }));
+    }
     if !equation.ok {
         fields.insert("repairs".to_owned(), equation.repairs.iter().map(repair).collect());
     }
@@ -72,6 +75,7 @@ fn repair(repair: &Repair) -> Value {
         "replacement": repair.replacement,
         "slip": repair.slip.word(),
         "verdict": repair.verdict.word(),
+        "step": repair.step,
     })
 }
 
@@ -90,6 +94,7 @@ fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String
         "counterexample": finding.counterexample.as_ref().map(counterexample),
         "difference": finding.difference.as_ref().map(formula),
         "derived": finding.derived.as_ref().map(formula),
+        "carried": finding.carried,
     });
     match fields {
         Value::Object(fields) => fields,
