@@ -244,7 +244,6 @@ pub(super) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -
         because: None,
         parts: Vec::new(),
         repairs: Vec::new(),
-        follows_from: None,
     }
 }
 

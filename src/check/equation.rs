@@ -101,7 +101,6 @@ impl Desk<'_> {
             because,
             parts: if parts.len() > 1 { parts } else { Vec::new() },
             repairs: Vec::new(),
-            follows_from: None,
         }
     }
 

@@ -164,7 +164,8 @@ fn is_wrong(equation: &Equation) -> bool {
 
 /// Where an equation is refuted, in the text of its display; what cannot be read may be wrong anywhere.
 fn places(equation: &Equation, body: Span) -> Vec<Span> {
-    let parts = equation.parts.iter().filter(|part| !part.ok).map(|part| &part.finding);
+    let own = |part: &&Part| !part.ok && part.finding.follows_from.is_none();
+    let parts = equation.parts.iter().filter(own).map(|part| &part.finding);
     let findings: Vec<_> = if equation.parts.is_empty() { vec![&equation.finding] } else { parts.collect() };
     if findings.iter().any(|finding| finding.verdict == Verdict::Unreadable) {
         return Vec::new();
@@ -277,6 +278,9 @@ fn steps(equation: &Equation, reading: &Reading, offset: usize) -> Vec<(usize, u
         let statement = statement.as_ref().ok()?;
         let here = |finding: &&&Finding| statement.span.shifted(offset).contains(finding.span);
         let (first, more) = (findings.iter().find(here)?, findings.iter().filter(here).count() > 1);
+        if first.follows_from.is_some() {
+            return None;
+        }
         let ends = |member: &Expr| member.span.end + offset == first.span.end;
         let member = statement.members.iter().position(ends).filter(|member| *member > 0)?;
         (first.carried > 0 || more).then_some((at, member))

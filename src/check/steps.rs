@@ -41,11 +41,11 @@ enum Standing {
 }
 
 /// What is found of a step.
-enum Told {
-    /// It follows from the false one at this place.
-    Follows(usize),
-    /// It does not, and is judged by itself; the false one is named if it certainly does not follow from it.
-    Own(Option<usize>),
+struct Told {
+    /// Of each place up to which it is wrong, the false step that it follows from, if it does.
+    wrong: Vec<(usize, Option<usize>)>,
+    /// A false step that it certainly does not follow from, where it follows from none.
+    other: Option<usize>,
 }
 
 impl Desk<'_> {
@@ -107,34 +107,53 @@ impl Desk<'_> {
             .collect::<Result<_>>()?;
         let mut roots: BTreeMap<usize, usize> = BTreeMap::new();
         for ((_, at), told) in pairs.iter().zip(&told) {
-            if let Told::Follows(from) = told {
-                let root = roots.get(from).copied().unwrap_or(*from);
+            if let Some(from) = told.from() {
+                let root = roots.get(&from).copied().unwrap_or(from);
                 roots.entry(*at).or_insert(root);
             }
         }
+        let name = |at: usize| shown(&self.notes.equations[at]);
         for ((_, at), told) in pairs.iter().zip(told) {
-            let name = |at: usize| shown(&self.notes.equations[at]);
-            let Some(equation) = found.get_mut(at) else { continue };
-            match told {
-                Told::Follows(from) if equation.follows_from.is_none() => {
-                    let root = roots.get(at).copied().unwrap_or(from);
-                    inherit(equation, Inherited { from: name(from), root: name(root) });
+            let start = self.notes.equations[*at].body.start;
+            let Some(equation) = found.get_mut(at).filter(|known| known.finding.follows_from.is_none()) else {
+                continue;
+            };
+            let inherited = |from: usize| {
+                let root = roots.get(&from).copied().unwrap_or(from);
+                Inherited { from: name(from), root: name(root) }
+            };
+            if let Some(from) = told.from() {
+                inherit(&mut equation.finding, inherited(from));
+                let wrong = equation.parts.iter_mut().filter(|part| !part.ok);
+                wrong.for_each(|part| inherit(&mut part.finding, inherited(from)));
+                continue;
+            }
+            for part in equation.parts.iter_mut().filter(|part| !part.ok) {
+                let mut here = told.wrong.iter().filter(|(end, _)| end + start == part.finding.span.end);
+                if let (Some((_, Some(from))), None) = (here.next(), here.next()) {
+                    inherit(&mut part.finding, inherited(*from));
                 }
-                Told::Own(Some(other)) if equation.follows_from.is_none() => {
-                    let not = match equation.finding.verdict.passes() {
-                        true => format!("; from ({}), as printed, it does not follow", name(other)),
-                        false => format!("; from ({}) it does not follow either", name(other)),
-                    };
-                    equation.finding.message.push_str(&not);
-                    let wrong = equation.parts.iter_mut().find(|part| !part.ok);
-                    wrong.into_iter().for_each(|part| part.finding.message.push_str(&not));
+            }
+            let own = equation.parts.iter_mut().find(|part| !part.ok && part.finding.follows_from.is_none());
+            if let Some(other) = told.other {
+                let not = match equation.finding.verdict.passes() {
+                    true => format!("; from ({}), as printed, it does not follow", name(other)),
+                    false => format!("; from ({}) it does not follow either", name(other)),
+                };
+                match own {
+                    Some(part) => part.finding.message.push_str(&not),
+                    None => equation.finding.message.push_str(&not),
                 }
-                _ => {}
+            }
+            if let Some(part) = equation.parts.iter().find(|part| !part.ok && part.finding.follows_from.is_none()) {
+                equation.finding = part.finding.clone();
             }
         }
         let is_step = |at: &usize| derivations.iter().any(|derivation| derivation.contains(at));
         let mended = work.par_iter().with_max_len(1).map(|at| match found.get(at).cloned() {
-            Some(equation) if is_step(at) && equation.follows_from.is_none() => self.with_repairs(run, *at, equation),
+            Some(equation) if is_step(at) && equation.finding.follows_from.is_none() => {
+                self.with_repairs(run, *at, equation)
+            }
             Some(equation) => Ok(equation),
             None => judge(*at),
         });
@@ -143,7 +162,8 @@ impl Desk<'_> {
 
     /// What is to be told of a step, from those before it.
     fn told(&self, found: &BTreeMap<usize, Equation>, before: &[usize], at: usize) -> Result<Told> {
-        let Some(equation) = found.get(&at) else { return Ok(Told::Own(None)) };
+        let mut told = Told { wrong: Vec::new(), other: None };
+        let Some(equation) = found.get(&at) else { return Ok(told) };
         let verdict = |at: &usize| found.get(at).map(|equation| (equation.finding.verdict, equation.ok));
         let is_false = |at: &usize| verdict(at) == Some((Verdict::Refuted, false)) && self.is_bare(*at);
         let wrong = equation.finding.verdict == Verdict::Refuted
@@ -151,24 +171,56 @@ impl Desk<'_> {
             && equation.parts.iter().all(|part| part.ok || part.finding.verdict == Verdict::Refuted);
         let right = equation.ok && equation.finding.verdict.holds();
         if !(wrong || right) || !self.may_follow(at) {
-            return Ok(Told::Own(None));
+            return Ok(told);
         }
-        let mut other = None;
         // Of what is true it is worth saying that the step before does not give it, and nothing else.
         let looked_back = if wrong { LOOKED_BACK } else { 1 };
+        let is_true = |at: &usize| verdict(at).is_some_and(|(verdict, ok)| ok && verdict.passes());
+        let mut open: Option<Vec<(Reading, Option<usize>)>> = None;
         for from in before.iter().rev().filter(|at| is_false(at)).take(looked_back) {
-            let true_ones = before
-                .iter()
-                .copied()
-                .filter(|at| verdict(at).is_some_and(|(verdict, ok)| ok && verdict.passes()) && self.is_bare(*at));
-            match self.standing(before, (*from, &true_ones.collect::<Vec<_>>()), at, wrong)? {
-                Standing::Follows if wrong => return Ok(Told::Follows(*from)),
-                Standing::Follows => {}
-                Standing::Differs => other = other.or(Some(*from)),
-                Standing::Open => {}
+            let known = match &mut open {
+                Some(known) => known,
+                none => none.insert(self.wrong_pieces(at, wrong)?.into_iter().map(|piece| (piece, None)).collect()),
+            };
+            let pieces: Vec<&Reading> = known.iter().map(|(piece, _)| piece).collect();
+            let standings = self.standings((before, &is_true), *from, (at, &pieces), wrong)?;
+            if standings.iter().all(|standing| *standing == Standing::Follows) {
+                // One line before it is enough.
+                known.iter_mut().for_each(|(_, known)| *known = Some(*from));
+                break;
+            }
+            for ((_, known), standing) in known.iter_mut().zip(standings) {
+                match standing {
+                    Standing::Follows => *known = known.or(Some(*from)),
+                    Standing::Differs if known.is_none() => told.other = told.other.or(Some(*from)),
+                    _ => {}
+                }
             }
         }
-        Ok(Told::Own(other))
+        if wrong {
+            let end = |piece: &Reading| piece.statements.iter().flatten().next().map(|s| s.span.end);
+            told.wrong = open.into_iter().flatten().filter_map(|(piece, from)| Some((end(&piece)?, from))).collect();
+        }
+        Ok(told)
+    }
+
+    /// The pieces of a display that are false; all of them, of one that is true.
+    fn wrong_pieces(&self, at: usize, wrong: bool) -> Result<Vec<Reading>> {
+        let none = Claim::default();
+        let claim = self.assigned[at].unwrap_or(&none);
+        let quiet = self.quiet();
+        let mut open = Vec::new();
+        for piece in pieces(&self.readings[at]) {
+            if !wrong || !quiet.holds(at, &piece, claim)?.0 {
+                open.push(piece);
+            }
+        }
+        Ok(open)
+    }
+
+    /// The same desk, without explanations.
+    fn quiet(&self) -> Desk<'_> {
+        Desk { options: Options { explain: false, ..self.options }, units: self.units.clone(), ..*self }
     }
 
     /// Whether a step claims what it prints, under hypotheses, and nothing else: then others may be held against it.
@@ -184,74 +236,81 @@ impl Desk<'_> {
         is_plain(&exact) && claim.errata.is_empty() && claim.expect.is_none() && claim.meanings.is_empty()
     }
 
-    /// How a step stands to a false one, as printed; `wrong` is whether it is false itself.
-    fn standing(
+    /// How pieces of a step stand to a false one, as printed; `wrong` is whether they are false themselves.
+    fn standings(
         &self,
-        before: &[usize],
-        (from, true_ones): (usize, &[usize]),
-        at: usize,
+        (before, is_true): (&[usize], &dyn Fn(&usize) -> bool),
+        from: usize,
+        (at, pieces): (usize, &[&Reading]),
         wrong: bool,
-    ) -> Result<Standing> {
+    ) -> Result<Vec<Standing>> {
+        let mut standings = vec![Standing::Open; pieces.len()];
         let none = Claim::default();
         let claim = |at: usize| self.assigned[at].unwrap_or(&none);
-        let (own, others) = (self.conditions(claim(at))?, self.conditions(claim(from))?);
+        let own = self.conditions(claim(at))?;
         let same = |a: &Condition, b: &Condition| {
             a.lhs == b.lhs && a.rhs == b.rhs && a.relation == b.relation && (a.throughout || !b.throughout)
         };
-        if !others.iter().all(|other| own.iter().any(|own| same(own, other))) {
-            return Ok(Standing::Open);
+        // What holds under hypotheses of its own says nothing where these do not hold.
+        let is_usable = |at: &usize| {
+            let conditions = self.conditions(claim(*at)).ok();
+            let granted = |all: Vec<Condition>| all.iter().all(|other| own.iter().any(|own| same(own, other)));
+            self.is_bare(*at) && conditions.is_some_and(granted)
+        };
+        if !is_usable(&from) {
+            return Ok(standings);
         }
-        let options = Options { explain: false, ..self.options };
-        let quiet = Desk { options, units: self.units.clone(), ..*self };
-        let mut open: Vec<Reading> = Vec::new();
-        for piece in pieces(&self.readings[at]) {
-            if !wrong || !quiet.holds(at, &piece, claim(at))?.0 {
-                open.push(piece);
-            }
-        }
-        if open.is_empty() {
-            return Ok(Standing::Open);
-        }
+        let before: Vec<usize> = before.iter().copied().filter(is_usable).collect();
+        let quiet = self.quiet();
         let aside = self.aside();
         let aside = Desk { model: &aside.model, units: self.units.clone(), ..quiet };
-        if wrong && aside.say_the_same(&open, from, &own)? {
-            return Ok(Standing::Follows);
+        for (standing, piece) in standings.iter_mut().zip(pieces) {
+            if wrong && aside.says_the_same(piece, from, &own)? {
+                *standing = Standing::Follows;
+            }
         }
-        let mut differs = false;
-        let printed = quiet.printed_world(before, from);
+        let printed = quiet.printed_world(&before, from);
         let is_world = printed.is_some();
-        let together: Vec<usize> = true_ones.iter().copied().chain([from]).collect();
-        let laws = [&[from] as &[usize], &together];
-        let laws = laws.into_iter().take(if wrong { 2 } else { 1 }).filter(|_| !is_world);
+        let equal = |at: &usize| {
+            let relations = self.readings[*at].statements.iter().flatten().flat_map(|statement| &statement.relations);
+            relations.into_iter().all(|(relation, _)| is_equality(*relation))
+        };
+        let true_ones = before.iter().copied().filter(|at| is_true(at) && equal(at));
+        let together: Vec<usize> = true_ones.chain([from]).collect();
+        let (alone, more) = ([from], usize::from(wrong));
+        let laws = [alone.as_slice(), &together].into_iter().take(more + usize::from(!is_world || wrong));
         for (n, premise) in printed.into_iter().chain(laws.filter_map(|steps| quiet.as_laws(steps))).enumerate() {
             let there = Desk { model: &premise.model, units: quiet.units.clone(), ..quiet };
-            match there.stands(at, &open, claim(at), &premise)? {
-                Standing::Follows => return Ok(Standing::Follows),
-                Standing::Differs => differs |= is_world || n == 0 && self.is_about_one_motion(from, &open),
-                Standing::Open => {}
+            for (standing, piece) in standings.iter_mut().zip(pieces).filter(|(known, _)| **known != Standing::Follows)
+            {
+                match there.stands(at, piece, claim(at), &premise)? {
+                    Standing::Differs if n > 0 || !is_world && !self.is_about_one_motion(from, piece) => {}
+                    Standing::Open => {}
+                    told => *standing = told,
+                }
             }
         }
-        Ok(if differs { Standing::Differs } else { Standing::Open })
+        Ok(standings)
     }
 
-    /// Whether pieces of a display hold in the world of a premise, which this desk is about.
-    fn stands(&self, at: usize, pieces: &[Reading], claim: &Claim, premise: &Premise) -> Result<Standing> {
-        let mut standing = Standing::Follows;
-        for piece in pieces {
-            // A world without states, as where the printed mass matrix is singular, decides nothing.
-            let Ok(true) = self.has_room(at, piece, claim, premise) else { return Ok(Standing::Open) };
-            match self.holds(at, piece, claim) {
-                Ok((true, _)) => {}
-                Ok((false, true)) => standing = Standing::Differs,
-                _ => return Ok(Standing::Open),
-            }
-        }
-        Ok(standing)
+    /// Whether a piece of a display holds in the world of a premise, which this desk is about.
+    fn stands(&self, at: usize, piece: &Reading, claim: &Claim, premise: &Premise) -> Result<Standing> {
+        // A world without states, as where the printed mass matrix is singular, decides nothing.
+        let Ok(true) = self.has_room(at, piece, claim, premise) else { return Ok(Standing::Open) };
+        Ok(match self.holds(at, piece, claim) {
+            Ok((true, _)) => Standing::Follows,
+            Ok((false, true)) => Standing::Differs,
+            _ => Standing::Open,
+        })
     }
 
     /// Whether a piece of a display passes; and whether it is refuted.
     fn holds(&self, at: usize, piece: &Reading, claim: &Claim) -> Result<(bool, bool)> {
         let display = &self.notes.equations[at];
+        // What is small concerns ≈ alone, and not every link of a chain has one.
+        let relations = || piece.statements.iter().flatten().flat_map(|statement| &statement.relations);
+        let exact = Claim { small: Vec::new(), order: None, ..claim.clone() };
+        let claim = if relations().any(|(relation, _)| !is_equality(*relation)) { claim } else { &exact };
         let parts = self.parts((at, display.body.start), piece, claim, &format!("{} step", shown(display)))?;
         let all = |is: &dyn Fn(Verdict) -> bool| parts.iter().all(|part| is(part.finding.verdict));
         Ok((all(&Verdict::passes), all(&|verdict| verdict == Verdict::Refuted)))
@@ -276,37 +335,25 @@ impl Desk<'_> {
         premise.leaves_the_state_free(&ensemble)
     }
 
-    /// Whether each piece is an equality of two things that are, member for member, those which a step sets equal.
-    fn say_the_same(&self, pieces: &[Reading], from: usize, conditions: &[Condition]) -> Result<bool> {
+    /// Whether a piece is an equality of two things that are, member for member, those which a step sets equal.
+    fn says_the_same(&self, piece: &Reading, from: usize, conditions: &[Condition]) -> Result<bool> {
+        let Some(Ok(Statement { members, relations, constant: None, .. })) = piece.statements.first() else {
+            return Ok(false);
+        };
+        let ([a, b], [(relation, _)]) = (members.as_slice(), relations.as_slice()) else { return Ok(false) };
         let one = |a: &Expr, b: &Expr| -> Result<bool> {
             let Ok(link) = self.link(a, Relation::Equal, b) else { return Ok(false) };
             Ok(a == b || self.always(&link, conditions)?)
         };
-        let mut printed = Vec::new();
-        for statement in self.readings[from].statements.iter().flatten() {
-            let links = statement.members.windows(2).zip(&statement.relations);
-            printed.extend(links.filter(|(_, (relation, _))| is_equality(*relation)).map(|(members, _)| members));
-        }
-        let says = |statement: &Statement| -> Result<bool> {
-            let ([a, b], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
-                return Ok(false);
-            };
-            if !is_equality(*relation) || statement.constant.is_some() {
-                return Ok(false);
-            }
-            for members in &printed {
-                if one(a, &members[0])? && one(b, &members[1])? || one(a, &members[1])? && one(b, &members[0])? {
+        for statement in self.readings[from].statements.iter().flatten().filter(|_| is_equality(*relation)) {
+            for (members, (relation, _)) in statement.members.windows(2).zip(&statement.relations) {
+                let (left, right) = (&members[0], &members[1]);
+                if is_equality(*relation) && (one(a, left)? && one(b, right)? || one(a, right)? && one(b, left)?) {
                     return Ok(true);
                 }
             }
-            Ok(false)
-        };
-        for statement in pieces.iter().flat_map(|piece| piece.statements.iter().flatten()) {
-            if !says(statement)? {
-                return Ok(false);
-            }
         }
-        Ok(true)
+        Ok(false)
     }
 
     /// Whether two formulas are one whatever moves.
@@ -324,12 +371,12 @@ impl Desk<'_> {
         Ok(identity::check(link, &context)?.verdict.holds())
     }
 
-    /// Whether a step gives the highest derivative of something that pieces of another speak of too.
-    fn is_about_one_motion(&self, from: usize, pieces: &[Reading]) -> bool {
+    /// Whether a step gives the highest derivative of something that a piece of another speaks of too.
+    fn is_about_one_motion(&self, from: usize, piece: &Reading) -> bool {
         let Some(premise) = self.as_laws(&[from]) else { return false };
         let conditions = premise.model.laws.iter().flat_map(|law| &law.conditions);
         let rules: Vec<_> = conditions.filter_map(|condition| motion::motion(&premise.model, condition)).collect();
-        let members = || pieces.iter().flat_map(|piece| piece.statements.iter().flatten()).flat_map(|s| &s.members);
+        let members = || piece.statements.iter().flatten().flat_map(|statement| &statement.members);
         rules.iter().any(|rule| {
             let order = |formula: &Expr| motion::order(&premise.model, formula, rule.symbol);
             let super::rules::Action::Follows { order: leading, .. } = &rule.action else { return false };
@@ -366,21 +413,22 @@ fn pieces(reading: &Reading) -> Vec<Reading> {
     pieces
 }
 
-/// Explains a false step by the one that it follows from.
-fn inherit(equation: &mut Equation, inherited: Inherited) {
+impl Told {
+    /// The one false step that all of it follows from.
+    fn from(&self) -> Option<usize> {
+        let (_, first) = self.wrong.first()?;
+        first.filter(|_| self.wrong.iter().all(|(_, from)| from == first))
+    }
+}
+
+/// Explains what is false by a step that it follows from.
+fn inherit(finding: &mut Finding, inherited: Inherited) {
     let Inherited { from, root } = &inherited;
     let message = match from == root {
         true => format!("it follows from ({from}), which is refuted: mend that"),
         false => format!("it follows from ({from}), and so from ({root}), which is refuted: mend that"),
     };
-    let explain = |finding: &mut Finding| {
-        if !finding.verdict.passes() {
-            let (verdict, span) = (finding.verdict, finding.span);
-            *finding =
-                Finding { points: finding.points, tried: finding.tried, ..Finding::new(verdict, span, &*message) };
-        }
-    };
-    explain(&mut equation.finding);
-    equation.parts.iter_mut().for_each(|part| explain(&mut part.finding));
-    equation.follows_from = Some(inherited);
+    let Finding { verdict, span, points, tried, .. } = *finding;
+    let follows_from = Some(inherited);
+    *finding = Finding { points, tried, follows_from, ..Finding::new(verdict, span, message) };
 }

@@ -148,6 +148,8 @@ pub struct Finding {
     pub derived: Option<Formula>,
     /// Of a chain with a wrong member: how many of the members after it follow from it.
     pub carried: usize,
+    /// Of a step that is false: the false one before it that it follows from.
+    pub follows_from: Option<Inherited>,
     /// The bytes of the notes that the finding is about.
     pub span: Span,
 }
@@ -167,6 +169,7 @@ impl Finding {
             difference: None,
             derived: None,
             carried: 0,
+            follows_from: None,
             span,
         }
     }
@@ -206,8 +209,6 @@ pub struct Equation {
     pub parts: Vec<Part>,
     /// Where it does not pass: the single edits with which it would, the likeliest first.
     pub repairs: Vec<Repair>,
-    /// Of a step that is false: the false one before it that it follows from.
-    pub follows_from: Option<Inherited>,
 }
 
 /// The equations that a false one follows from, by what they are called.

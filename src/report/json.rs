@@ -50,9 +50,6 @@ fn equation(equation: &Equation) -> Value {
     if let Some(because) = &equation.because {
         fields.insert("because".to_owned(), json!(because));
     }
-    if let Some(Inherited { from, root }) = &equation.follows_from {
-        fields.insert("follows_from".to_owned(), json!({ "equation": from, "root": root }));
-    }
     if !equation.ok {
         fields.insert("repairs".to_owned(), equation.repairs.iter().map(repair).collect());
     }
@@ -96,10 +93,11 @@ fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String
         "derived": finding.derived.as_ref().map(formula),
         "carried": finding.carried,
     });
-    match fields {
-        Value::Object(fields) => fields,
-        _ => Map::new(),
+    let Value::Object(mut fields) = fields else { return Map::new() };
+    if let Some(Inherited { from, root }) = &finding.follows_from {
+        fields.insert("follows_from".to_owned(), json!({ "equation": from, "root": root }));
     }
+    fields
 }
 
 fn counterexample(counterexample: &Counterexample) -> Value {

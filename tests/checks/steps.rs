@@ -31,7 +31,7 @@ use Step::{From, Open, Right, Wrong};
 fn steps(claims: &Json, displays: &[&str]) -> Vec<Step> {
     let said = derivation(claims, displays).equations.into_iter().map(|equation| {
         let own = equation.finding.counterexample.is_some();
-        match (&equation.follows_from, outcome(&equation.finding)) {
+        match (&equation.finding.follows_from, outcome(&equation.finding)) {
             (None, Verdict::Verified | Verdict::Definition) => Right,
             (None, Verdict::Refuted) if own => Wrong,
             (Some(inherited), Verdict::Refuted) => {
@@ -86,6 +86,17 @@ fn a_second_slip_is_a_second_finding() {
     assert!(message.contains("from (1) it does not follow either"), "{message}");
     // No repair makes it follow from what is false.
     assert!(found.equations[1].repairs.iter().all(|repair| repair.verdict.passes()), "{:?}", found.equations[1]);
+}
+
+#[test]
+fn of_a_chain_what_follows_is_explained_and_what_does_not_is_found() {
+    let chain = r"L = \frac12 m l^2 \dot\theta^2 - U = \frac12 m l^2 \dot\theta^2 - m g l \cos\theta = \frac12 m l^2 \dot\theta^2 - 3 m g l \cos\theta";
+    let found = derivation(&pendulum(), &[r"U = m g l \cos\theta", chain]);
+    let [_, lagrangian] = found.equations.as_slice() else { panic!("{found:?}") };
+    let from = lagrangian.parts.iter().map(|part| part.finding.follows_from.as_ref().map(|from| from.root.as_str()));
+    assert_eq!(from.collect::<Vec<_>>(), [Some("1"), None]);
+    assert_eq!(lagrangian.finding.follows_from, None);
+    assert!(lagrangian.finding.counterexample.is_some() && lagrangian.repairs.is_empty(), "{lagrangian:?}");
 }
 
 #[test]
@@ -204,6 +215,18 @@ fn a_step_under_fewer_hypotheses_does_not_follow() {
 }
 
 #[test]
+fn what_is_true_under_hypotheses_is_put_beside_a_slip_only_under_these() {
+    let displays = ["E = U", "E = T - U", "T = 2U"];
+    let rest = json!({ "assume": r"\dot\theta = 0" });
+    let with_last = |last: Json| {
+        let claims = with(&pendulum(), "equations", json!({ "1": rest, "3": last }));
+        steps(&claims, &displays).pop()
+    };
+    assert_eq!(with_last(json!({})), Some(Wrong));
+    assert_eq!(with_last(rest.clone()), Some(From("2")));
+}
+
+#[test]
 fn a_slip_that_is_known_excuses_no_other() {
     let claims = with(&pendulum(), "equations", json!({ "1": { "expect": "refuted", "because": "the sign" } }));
     let slip = r"m l^2 \ddot\theta = m g l \sin\theta";
@@ -214,7 +237,9 @@ fn a_slip_that_is_known_excuses_no_other() {
 fn only_what_is_declared_is_a_derivation() {
     let displays = [r"m l^2 \ddot\theta = m g l \sin\theta", r"\ddot\theta = \frac{g}{l} \sin\theta"];
     let found = document(&pendulum(), &numbered(&displays), &Registry::standard(), None).expect("it can be checked");
-    assert!(found.equations.iter().all(|equation| equation.follows_from.is_none() && !equation.repairs.is_empty()));
+    assert!(
+        found.equations.iter().all(|equation| equation.finding.follows_from.is_none() && !equation.repairs.is_empty())
+    );
 }
 
 #[test]
@@ -223,7 +248,7 @@ fn one_step_alone_is_judged_with_those_before_it() {
     let claims = with(&pendulum(), "steps", json!("1, 2"));
     let found = document(&claims, &numbered(&displays), &Registry::standard(), Some("2")).expect("it can be checked");
     let [only] = found.equations.as_slice() else { panic!("{found:?}") };
-    assert_eq!(only.follows_from.as_ref().map(|inherited| inherited.from.as_str()), Some("1"));
+    assert_eq!(only.finding.follows_from.as_ref().map(|inherited| inherited.from.as_str()), Some("1"));
 }
 
 #[test]
@@ -233,5 +258,5 @@ fn a_step_without_a_number_is_tested_too() {
     let claims = with(&pendulum(), "steps", json!("1, `\\frac{g}{l}`"));
     let found = document(&claims, notes, &Registry::standard(), None).expect("it can be checked");
     assert_eq!((found.equations.len(), found.unnumbered), (2, 0));
-    assert!(found.equations[1].follows_from.is_some(), "{:?}", found.equations[1]);
+    assert!(found.equations[1].finding.follows_from.is_some(), "{:?}", found.equations[1]);
 }
