@@ -53,6 +53,7 @@ mod small;
 mod solved;
 mod solver;
 pub mod solves;
+mod standing;
 mod steps;
 mod trial;
 pub mod twins;

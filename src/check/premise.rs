@@ -42,7 +42,7 @@ impl Desk<'_> {
         let own = self.energies(step);
         let known = |wanted: Quantity| {
             let all = earlier.iter().filter(|at| **at != step).flat_map(|at| self.energies(*at)).chain(own.clone());
-            all.filter(|(quantity, _)| *quantity == wanted).map(|(_, formula)| formula).last()
+            all.filter(|(quantity, _)| *quantity == wanted).map(|(_, formula)| formula).next_back()
         };
         let is_own = |wanted: Quantity| own.iter().any(|(quantity, _)| *quantity == wanted);
         let energies = match is_own(Quantity::Lagrangian) {
