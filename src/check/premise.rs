@@ -18,9 +18,11 @@ use crate::scalar::Symbol;
 use super::base::{Layout, slots};
 use super::desk::Desk;
 use super::ensemble::{Condition, Ensemble};
+use super::forced;
 use super::identity::{FEWEST, derivatives, is_equality};
 use super::model::{Law, Meaning, Model, Quantity, Variable};
 use super::motion::order;
+use super::rules::rules;
 use super::scene::{Mode, Scene};
 
 /// Values nearer to one another than this, relative to their size, are one value.
@@ -138,8 +140,9 @@ impl Desk<'_> {
         }
     }
 
-    /// The names without the system and without laws: what these determined is any function of time.
-    pub(super) fn aside(&self) -> Premise {
+    /// The names without the system and without laws: what these determined is any function of time, and so are, if that is
+    /// asked for, the numbers that a formula defines.
+    pub(super) fn aside(&self, names: bool) -> Premise {
         let mut model = self.model.clone();
         (model.world, model.laws) = (None, Vec::new());
         model.parameters.clear();
@@ -149,7 +152,9 @@ impl Desk<'_> {
         }
         let mut freed = Vec::new();
         let determined = |(at, meaning): (usize, &Option<Meaning>)| {
-            let (id, is_determined) = (SymbolId(at), matches!(meaning, Some(Meaning::World(_))));
+            let is_determined =
+                matches!(meaning, Some(Meaning::World(_))) || names && matches!(meaning, Some(Meaning::Defined(_)));
+            let id = SymbolId(at);
             let entry = (is_determined && at < self.model.symbols.len()).then(|| self.model.symbols.entry(id))?;
             (entry.kind == Kind::Scalar && entry.slots.is_empty()).then_some(id)
         };
@@ -161,9 +166,10 @@ impl Desk<'_> {
         Premise { model, freed }
     }
 
-    /// Steps as laws where there is no system: the equalities that they print. None, if they print none.
-    pub(super) fn as_laws(&self, steps: &[usize]) -> Option<Premise> {
-        let Premise { mut model, freed } = self.aside();
+    /// Steps as laws where there is no system: the equalities that they print, `names` as in [`Desk::aside`]. None, if they
+    /// print none, or if one is about vectors or families and does not say outright what one of these is.
+    pub(super) fn as_laws(&self, steps: &[usize], names: bool) -> Option<Premise> {
+        let Premise { mut model, freed } = self.aside(names);
         for step in steps {
             let mut conditions = Vec::new();
             for statement in self.readings[*step].statements.iter().flatten() {
@@ -181,7 +187,18 @@ impl Desk<'_> {
         if model.laws.iter().all(|law| law.conditions.is_empty()) {
             return None;
         }
-        Some(Premise { model, freed })
+        let all: Vec<Condition> = model.laws.iter().flat_map(|law| law.conditions.iter().cloned()).collect();
+        let (_, explicit) = rules(&model, &[], &all);
+        let is_single = |symbol: SymbolId| {
+            let entry = model.symbols.entry(symbol);
+            entry.kind == Kind::Scalar && entry.slots.is_empty()
+        };
+        let is_solved = |condition: &Condition| {
+            let sides = [&condition.lhs, &condition.rhs];
+            sides.iter().all(|side| model.is_plain(side)) && forced::drawn(&sides, &model).into_iter().all(is_single)
+        };
+        let can_be_met = all.iter().zip(explicit).all(|(condition, outright)| outright || is_solved(condition));
+        can_be_met.then_some(Premise { model, freed })
     }
 }
 

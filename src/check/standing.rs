@@ -4,16 +4,20 @@
 //! ([`super::premise`]). It says something else if it is refuted there, and that world is about it. All else stays open.
 
 use crate::Result;
-use crate::formula::{Expr, Relation, Statement};
+use crate::formula::{Expr, Node, Relation, Statement};
 use crate::latex::{Introduced, Reading};
 use crate::notes::claims::Claim;
+use crate::scalar::Measured;
 
 use super::desk::Desk;
+use super::difference::entries;
 use super::document::shown;
 use super::draw::Reach;
 use super::ensemble::Condition;
-use super::identity::{self, Context, FEWEST, Options, is_equality};
-use super::judge::Link;
+use super::forced;
+use super::identity::{Context, FEWEST, Options, is_equality};
+use super::judge::{self, Link};
+use super::model::Meaning;
 use super::motion;
 use super::premise::Premise;
 use super::rules::Action;
@@ -88,10 +92,16 @@ impl Desk<'_> {
         let same = |a: &Condition, b: &Condition| {
             a.lhs == b.lhs && a.rhs == b.rhs && a.relation == b.relation && (a.throughout || !b.throughout)
         };
-        // What holds under hypotheses of its own says nothing where these do not hold.
+        // What holds under hypotheses of its own says nothing where these do not hold, nor at other times than they do.
+        let is_constant = |symbol| matches!(self.model.meaning(symbol), Some(Meaning::Constant(_)));
+        let at_all_times = |condition: &Condition| {
+            let drawn = forced::drawn(&[&condition.lhs, &condition.rhs], self.model);
+            condition.throughout || drawn.into_iter().all(is_constant)
+        };
         let is_usable = |at: &usize| {
             let conditions = self.conditions(claim(*at)).ok();
-            let granted = |all: Vec<Condition>| all.iter().all(|other| own.iter().any(|own| same(own, other)));
+            let granted = |other: &Condition| at_all_times(other) && own.iter().any(|own| same(own, other));
+            let granted = |all: Vec<Condition>| all.iter().all(granted);
             self.is_bare(*at) && conditions.is_some_and(granted)
         };
         if !is_usable(&from) {
@@ -99,7 +109,7 @@ impl Desk<'_> {
         }
         let before: Vec<usize> = before.iter().copied().filter(is_usable).collect();
         let quiet = self.quiet();
-        let aside = self.aside();
+        let aside = self.aside(false);
         let aside = Desk { model: &aside.model, units: self.units.clone(), ..quiet };
         for (standing, piece) in standings.iter_mut().zip(pieces) {
             if wrong && aside.says_the_same(piece, from, &own)? {
@@ -114,9 +124,14 @@ impl Desk<'_> {
         };
         let true_ones = before.iter().copied().filter(|at| sound.contains(at) && equal(at));
         let together: Vec<usize> = true_ones.chain([from]).collect();
-        let (alone, more) = ([from], usize::from(wrong));
-        let laws = [alone.as_slice(), &together].into_iter().take(more + usize::from(!is_world || wrong));
-        for (n, premise) in printed.into_iter().chain(laws.filter_map(|steps| quiet.as_laws(steps))).enumerate() {
+        let mut laws = Vec::new();
+        if wrong {
+            laws = vec![(vec![from], false), (together, false), (vec![from], true)];
+        } else if !is_world {
+            laws = vec![(vec![from], false)];
+        }
+        let laws = laws.into_iter().filter_map(|(steps, names)| quiet.as_laws(&steps, names));
+        for (n, premise) in printed.into_iter().chain(laws).enumerate() {
             let there = Desk { model: &premise.model, units: quiet.units.clone(), ..quiet };
             for (standing, piece) in standings.iter_mut().zip(pieces).filter(|(known, _)| **known != Standing::Follows)
             {
@@ -172,29 +187,33 @@ impl Desk<'_> {
         premise.leaves_the_state_free(&ensemble)
     }
 
-    /// Whether a piece is an equality of two things that are, member for member, those which a step sets equal.
+    /// Whether a piece says what a step says in other words: that something vanishes which is a number times what vanishes by
+    /// the step, or its rate.
     fn says_the_same(&self, piece: &Reading, from: usize, conditions: &[Condition]) -> Result<bool> {
         let Some(Ok(Statement { members, relations, constant: None, .. })) = piece.statements.first() else {
             return Ok(false);
         };
         let ([a, b], [(relation, _)]) = (members.as_slice(), relations.as_slice()) else { return Ok(false) };
-        let one = |a: &Expr, b: &Expr| -> Result<bool> {
-            let Ok(link) = self.link(a, Relation::Equal, b) else { return Ok(false) };
-            Ok(a == b || self.always(&link, conditions)?)
+        let Some(link) = is_equality(*relation).then(|| self.link(a, Relation::Equal, b).ok()).flatten() else {
+            return Ok(false);
         };
-        for statement in self.readings[from].statements.iter().flatten().filter(|_| is_equality(*relation)) {
+        for statement in self.readings[from].statements.iter().flatten() {
             for (members, (relation, _)) in statement.members.windows(2).zip(&statement.relations) {
-                let (left, right) = (&members[0], &members[1]);
-                if is_equality(*relation) && (one(a, left)? && one(b, right)? || one(a, right)? && one(b, left)?) {
-                    return Ok(true);
+                let (a, b) = (&members[0], &members[1]);
+                let rate = |of: &Expr| Expr::new(Node::TimeDerivative(1, Box::new(of.clone())), of.span);
+                for (a, b) in [(a.clone(), b.clone()), (rate(a), rate(b))] {
+                    let Ok(known) = self.link(&a, Relation::Equal, &b) else { continue };
+                    if is_equality(*relation) && self.proportional(&link, &known, conditions)? {
+                        return Ok(true);
+                    }
                 }
             }
         }
         Ok(false)
     }
 
-    /// Whether two formulas are one whatever moves.
-    fn always(&self, link: &Link, conditions: &[Condition]) -> Result<bool> {
+    /// Whether the sides of a link differ, at all states, by one number times what those of another differ by.
+    fn proportional(&self, link: &Link, known: &Link, conditions: &[Condition]) -> Result<bool> {
         let context = Context {
             model: self.model,
             options: self.options,
@@ -205,12 +224,32 @@ impl Desk<'_> {
             reach: Reach::Declared,
             local: &[],
         };
-        Ok(identity::check(link, &context)?.verdict.holds())
+        let mode = context.mode(false, &[&link.lhs, &link.rhs, &known.lhs, &known.rhs]);
+        let ensemble = context.ensemble(mode, false, self.options.points.max(FEWEST))?;
+        let mut factor = None;
+        for scene in &ensemble.scenes {
+            let (Ok(own), Ok(others)) = (entries(link, scene), entries(known, scene)) else { return Ok(false) };
+            let apart = |(a, b): (Measured, Measured)| a - b;
+            let (own, others) = (own.into_iter().map(apart), others.into_iter().map(apart));
+            for (own, other) in own.clone().zip(others.clone()) {
+                if judge::vanishes(other) && judge::vanishes(own) {
+                    continue;
+                }
+                let factor = *factor.get_or_insert(own.value / other.value);
+                if !f64::is_normal(factor) || !judge::vanishes(own - other * factor) {
+                    return Ok(false);
+                }
+            }
+            if own.len() != others.len() {
+                return Ok(false);
+            }
+        }
+        Ok(factor.is_some() && ensemble.scenes.len() >= FEWEST)
     }
 
     /// Whether a step gives the highest derivative of something that a piece of another speaks of too.
     fn is_about_one_motion(&self, from: usize, piece: &Reading) -> bool {
-        let Some(premise) = self.as_laws(&[from]) else { return false };
+        let Some(premise) = self.as_laws(&[from], false) else { return false };
         let conditions = premise.model.laws.iter().flat_map(|law| &law.conditions);
         let rules: Vec<_> = conditions.filter_map(|condition| motion::motion(&premise.model, condition)).collect();
         let members = || piece.statements.iter().flatten().flat_map(|statement| &statement.members);

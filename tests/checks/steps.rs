@@ -166,6 +166,37 @@ fn the_same_false_equation_in_other_words_is_the_same() {
 }
 
 #[test]
+fn a_name_that_was_defined_is_a_name_in_what_follows() {
+    let slip = ["s = a + b", "s^2 = a^2 + b^2"];
+    let (square, other, right) = ("s^4 = (a^2 + b^2)^2", "s^4 = (a^2 + b^2)^2 + a^4", "s^2 - 2ab = a^2 + b^2");
+    let said = steps(&numbers(), &[slip[0], slip[1], "s^2 - a^2 = b^2", square, other, right]);
+    assert_eq!(said, [Right, Wrong, From("2"), From("2"), Wrong, Right]);
+}
+
+#[test]
+fn what_is_said_of_particles_follows_by_its_rate() {
+    let claims = json!({
+        "indices": { "i, j": "labels 1..2" },
+        "constants": { "m_i": "> 0" },
+        "varies with time": { r"\vec r_i, \vec f_i, \vec F_{ij}": "any" },
+        "define": { r"\vec P": r"\sum_i m_i \dot{\vec r}_i" },
+        "laws": { "Newton's second law": "1" },
+        "equations": { "2, 3, 4, 5": { "throughout": r"\vec F_{ij} = -\vec F_{ji}" } },
+    });
+    let said = steps(
+        &claims,
+        &[
+            r"m_i \ddot{\vec r}_i = \vec f_i + \sum_{j \neq i} \vec F_{ij}",
+            r"\dot{\vec P} = 2\sum_i \vec f_i",
+            r"\ddot{\vec P} = 2\sum_i \dot{\vec f}_i",
+            r"\sum_i m_i \ddot{\vec r}_i = 2\sum_i \vec f_i",
+            r"\ddot{\vec P} = 3\sum_i \dot{\vec f}_i",
+        ],
+    );
+    assert_eq!(said[1..], [Wrong, From("2"), From("2"), Wrong]);
+}
+
+#[test]
 fn a_contradiction_implies_nothing() {
     let any = r"m l^2 \ddot\theta = 5 m g l \sin\theta";
     for (absurd, step) in [
@@ -217,13 +248,18 @@ fn a_step_under_fewer_hypotheses_does_not_follow() {
 #[test]
 fn what_is_true_under_hypotheses_is_put_beside_a_slip_only_under_these() {
     let displays = ["E = U", "E = T - U", "T = 2U"];
-    let rest = json!({ "assume": r"\dot\theta = 0" });
+    let rest = json!({ "throughout": r"\dot\theta = 0" });
     let with_last = |last: Json| {
         let claims = with(&pendulum(), "equations", json!({ "1": rest, "3": last }));
         steps(&claims, &displays).pop()
     };
     assert_eq!(with_last(json!({})), Some(Wrong));
     assert_eq!(with_last(rest.clone()), Some(From("2")));
+    // What is assumed of an instant is no law: its rate says nothing.
+    let now = json!({ "assume": r"\dot\theta^2 = \frac{g}{l}" });
+    let rates = [r"\dot\theta = \frac{2 g}{l \dot\theta}", r"\ddot\theta = -\frac{2 g \ddot\theta}{l \dot\theta^2}"];
+    let claims = with(&pendulum(), "equations", json!({ "1": now, "2": now }));
+    assert_eq!(steps(&claims, &rates)[1], Wrong);
 }
 
 #[test]
