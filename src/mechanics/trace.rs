@@ -80,7 +80,8 @@ pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) 
             let rows = turning.orientation.transpose();
             rows.iter().chain(&turning.angular_velocity).chain(&turning.body_rates).copied().collect()
         });
-        Recorded { lagrangian: l.lagrangian(&at), potential: l.potential_energy(&at), turning }
+        let potential = l.potential_energy(&at);
+        Recorded { lagrangian: l.lagrangian(&at), potential, turning }
     })
 }
 
@@ -95,8 +96,7 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
     let (graph, (lagrangian, potential, turning)) = Graph::record(|| {
         let Recorded { lagrangian, potential, turning } = record();
         let simple = |outputs: Option<Vec<Symbol>>| outputs.map(|outputs| simplify_all(&outputs));
-        let potential = simple(potential.map(|u| vec![u]));
-        (simplify_all(&[lagrangian]), potential, simple(turning))
+        (simplify_all(&[lagrangian]), simple(potential.map(|u| vec![u])), simple(turning))
     })?;
     let lagrangian = tape(&graph, &lagrangian);
     let potential = potential.map(|outputs| tape(&graph, &outputs));
