@@ -203,6 +203,8 @@ fn a_contradiction_implies_nothing() {
         ("m = 2m", any),
         (r"m g l \sin\theta = -m g l \sin\theta", any),
         (r"m g l \sin\theta = -m g l \sin\theta", r"\cos^2\theta = 1"),
+        (r"m l^2 \dot\theta \sin\theta = 0", r"U + 2 m l^2 \dot\theta^2 \cos\theta = U + m l^2 \dot\theta^2"),
+        (r"m l^2 \dot\theta \sin\theta = 0", r"U \cos\dot\theta = U"),
         (r"\dot\theta = 0", r"\dot\theta^2 = 7 \dot\theta"),
         (r"L = m l^2 \dot\theta", any),
         (r"\theta = 0", r"l \ddot\theta = g \sin\theta"),
@@ -222,8 +224,16 @@ fn a_true_step_and_a_false_one_are_not_put_together_to_anything() {
         steps(&pendulum(), &[right, r"\ddot\theta = \frac{g}{l} \sin\theta", r"\ddot\theta = 7\frac{g}{l} \sin\theta"]);
     assert_eq!(said, [Right, Wrong, Wrong]);
     let potential = [r"T = \frac12 m l^2 \dot\theta^2", r"E = T - m g l \cos\theta", r"E = T + m g l \cos\theta"];
-    let said = steps(&pendulum(), &[potential[0], potential[1], potential[2], r"T \cos\theta = 3 U"]);
-    assert_eq!(said, [Right, Right, Wrong, Wrong]);
+    // Both energies together leave cos θ = 0, where sin² θ is 1 and E is T.
+    for step in [r"T \cos\theta = 3 U", r"E \sin^2\theta = T"] {
+        let said = steps(&pendulum(), &[potential[0], potential[1], potential[2], step]);
+        assert_eq!(said, [Right, Right, Wrong, Wrong], "{step}");
+    }
+    // And these leave it at rest, where any multiple of the velocity may be added.
+    let right = r"E = T - m g l \cos\theta";
+    let step = r"E + m l^2 \dot\theta^2 = T - m g l \cos\theta";
+    let said = steps(&pendulum(), &[right, r"E = T - m g l \cos\theta + m l^2 \dot\theta \sin\theta", step]);
+    assert_eq!(said, [Right, Wrong, Wrong]);
 }
 
 #[test]
