@@ -5,6 +5,8 @@ mod support;
 
 #[path = "checks/certified.rs"]
 mod certified;
+#[path = "checks/chains.rs"]
+mod chains;
 #[path = "checks/claims.rs"]
 mod claims;
 #[path = "checks/continua.rs"]
@@ -29,5 +31,7 @@ mod rigid;
 mod sentences;
 #[path = "checks/small.rs"]
 mod small;
+#[path = "checks/steps.rs"]
+mod steps;
 #[path = "checks/units.rs"]
 mod units;

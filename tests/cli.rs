@@ -19,6 +19,8 @@ mod formulas;
 mod mutate;
 #[path = "cli/reprint.rs"]
 mod reprint;
+#[path = "cli/steps.rs"]
+mod steps;
 
 use support::{Desk, SIGN};
 

@@ -187,7 +187,7 @@ impl<'a> Failed<'a> {
 }
 
 /// Both sides, for all values of the free indices and entry by entry.
-fn entries<B: Number>(link: &Link, scene: &Scene<'_, B>) -> Result<Vec<(B, B)>, Unavailable> {
+pub(super) fn entries<B: Number>(link: &Link, scene: &Scene<'_, B>) -> Result<Vec<(B, B)>, Unavailable> {
     let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
     let mut all = Vec::new();
     loop {

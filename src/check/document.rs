@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use rayon::prelude::*;
 
@@ -69,9 +69,15 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             run.progress.done(path);
             equation
         };
-        let equation = |at: usize| {
+        let derivations = desk.derivations()?;
+        let judged = |at: usize| {
             let found = desk.equation(at, desk.assigned[at]).or_else(|error| desk.excused(at, error))?;
-            desk.with_repairs(run, at, desk.without_lost_laws(found, None))
+            Ok(desk.without_lost_laws(found, None))
+        };
+        let equation = |at: usize| match derivations.iter().flatten().any(|step| *step == at) {
+            // What a step is to be mended to depends on those before it.
+            true => judged(at),
+            false => desk.with_repairs(run, at, judged(at)?),
         };
         let sentence = |(at, sentence)| {
             let found = sentences::check(&desk, at, sentence);
@@ -85,7 +91,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),
             source: notes.source.clone(),
-            equations: equations?,
+            equations: desk.with_steps(run, &derivations, (&work, equations?), judged)?,
             sentences: sentences?,
             unnumbered: desk
                 .assigned
@@ -264,8 +270,17 @@ pub(super) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option
             }
         }
     }
+    // What is a step is tested, also where nothing more is claimed of it.
+    for derivation in &claims.steps {
+        for at in derivation.resolve(notes, &claims.source)? {
+            assigned[at].get_or_insert(&NOTHING_MORE);
+        }
+    }
     Ok(assigned)
 }
+
+/// The claim that an equation holds.
+static NOTHING_MORE: LazyLock<Claim> = LazyLock::new(Claim::default);
 
 /// Refuses what the format has and this version does not check yet, rather than pass it over.
 fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> Result<()> {

@@ -7,6 +7,7 @@ use crate::notes::claims::{Claim, Conserved, Expect, Expected, Holds, Solved, Sp
 use crate::source::{Fault, Span};
 use crate::{Error, Result};
 
+use super::chain::Step;
 use super::desk::Desk;
 use super::document::shown;
 use super::draw::Reach;
@@ -227,7 +228,7 @@ impl Desk<'_> {
         context: &Context<'_>,
     ) -> Result<Vec<Part>> {
         let reading = text::statement(statement, &self.model.symbols);
-        let mut findings = Vec::new();
+        let (mut findings, mut steps) = (Vec::new(), Vec::new());
         for (at, (relation, place)) in statement.relations.iter().enumerate() {
             let last = at + 1 == statement.relations.len();
             if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
@@ -240,14 +241,14 @@ impl Desk<'_> {
                 || claim.conserved.is_some();
             if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
                 if last && !says_more {
-                    findings.push((at, self.definition(first, context)?));
+                    findings.push(self.definition(first, context)?);
                 }
                 continue;
             }
             let here: Vec<&&Introduced> = introduced.iter().filter(|i| i.member == at + 1).collect();
             if !here.is_empty() {
                 for introduced in here.into_iter().filter(|_| last && !says_more) {
-                    findings.push((at, self.definition(introduced, context)?));
+                    findings.push(self.definition(introduced, context)?);
                 }
                 continue;
             }
@@ -256,7 +257,7 @@ impl Desk<'_> {
                 let dropped = self.formula(dropped)?;
                 if is_made_of(&dropped, &link.lhs) {
                     let message = "what is dropped is made of the left side, so nothing is checked";
-                    findings.push((at, context.finding(Verdict::Undecided, message)));
+                    findings.push(context.finding(Verdict::Undecided, message));
                     continue;
                 }
                 link.rhs = identity::with_dropped(&link.rhs, &dropped);
@@ -286,14 +287,19 @@ impl Desk<'_> {
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
                 _ => identity::check(&link, &context)?,
             };
-            findings.push((at, finding));
+            steps.push(Step { at, finding, relation: *relation });
         }
-        if claim.dropping.is_none() && claim.limit.is_none() && claim.continuum_limit_of.is_none() {
-            gaps::close(self, statement, &mut findings, context)?;
-        }
-        let findings = findings.into_iter().map(|(_, finding)| finding).collect();
         let mut parts = Vec::new();
-        if let Some(mut finding) = merged(findings) {
+        let slips = match claim.dropping.is_none() && claim.continuum_limit_of.is_none() {
+            true => {
+                gaps::close(self, statement, &mut steps, context)?;
+                self.slips(statement, &mut steps, context)?
+            }
+            false => Vec::new(),
+        };
+        findings.extend(steps.into_iter().map(|step| step.finding));
+        let one = if slips.len() > 1 { slips } else { slips.into_iter().chain(merged(findings)).take(1).collect() };
+        for mut finding in one {
             if finding.verdict.passes() {
                 finding.span = context.span;
             }

@@ -6,33 +6,27 @@
 use crate::Result;
 use crate::formula::{Relation, Statement};
 
+use super::chain::Step;
 use super::desk::Desk;
-use super::identity::{self, Context, Options, is_equality};
-use super::verdict::{Finding, Verdict};
+use super::identity::{self, Context, Options};
+use super::verdict::Verdict;
 
-/// Certifies what can be of the links of a statement, each of which stands with its place in the chain.
+/// Certifies what can be of the links of a statement.
 ///
 /// # Errors
 /// When the world's mass matrix is singular.
-pub(super) fn close(
-    desk: &Desk<'_>,
-    statement: &Statement,
-    findings: &mut [(usize, Finding)],
-    context: &Context<'_>,
-) -> Result<()> {
+pub(super) fn close(desk: &Desk<'_>, statement: &Statement, steps: &mut [Step], context: &Context<'_>) -> Result<()> {
     let context = Context { options: Options { explain: false, ..context.options }, ..*context };
-    let is_equal = |at: usize| is_equality(statement.relations[at].0);
-    for open in 0..findings.len() {
-        let (at, finding) = &findings[open];
-        if finding.verdict != Verdict::Verified || finding.not_certified_because.is_none() || !is_equal(*at) {
+    for open in 0..steps.len() {
+        let Step { at, finding, .. } = &steps[open];
+        if finding.not_certified_because.is_none() || !steps[open].holds() || finding.verdict == Verdict::Certified {
             continue;
         }
         let (a, b) = (*at, at + 1);
         // The neighbours that are certified, and the two members that are then left to be compared.
-        let ways = findings.iter().filter_map(|(other, beside)| {
-            let known =
-                beside.false_accept_log2.filter(|_| beside.verdict == Verdict::Certified && is_equal(*other))?;
-            match *other {
+        let ways = steps.iter().filter(|beside| beside.holds()).filter_map(|beside| {
+            let known = beside.finding.false_accept_log2.filter(|_| beside.finding.verdict == Verdict::Certified)?;
+            match beside.at {
                 other if other == b => Some((known, a, b + 1)),
                 other if other + 1 == a => Some((known, a - 1, b)),
                 _ => None,
@@ -45,7 +39,7 @@ pub(super) fn close(
             certified = certified.or(across.false_accept_log2.map(|across| (known.exp2() + across.exp2()).log2()));
         }
         if let Some(log2) = certified {
-            let finding = &mut findings[open].1;
+            let finding = &mut steps[open].finding;
             finding.verdict = Verdict::Certified;
             (finding.false_accept_log2, finding.not_certified_because) = (Some(log2), None);
         }

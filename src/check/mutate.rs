@@ -227,7 +227,8 @@ fn repairs(desk: &Desk<'_>, at: usize, claim: &Claim, slips: &[&Edit]) -> Result
     let place = |edit: &&Edit| -> Result<(Option<usize>, String)> {
         let text = edit.applied(original);
         let reading = reprint::read(desk, &desk.model.macros, at, &text, claim);
-        let wrong = Wrong { at, text: &text, reading: &reading, claim, places: Vec::new() };
+        let (places, steps) = (Vec::new(), Vec::new());
+        let wrong = Wrong { at, text: &text, reading: &reading, claim, places, steps };
         let trial = Trial::new(desk, at, &desk.readings[at], claim)?;
         let found = suggestions(desk, &wrong)?;
         for (place, found) in found.iter().enumerate() {

@@ -13,15 +13,15 @@ use crate::formula::{Expr, Statement};
 use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::latex::{Introduced, Reading};
 use crate::notes::claims::Claim;
-use crate::source::Span;
+use crate::source::{Fault, Span};
 
 use super::desk::Desk;
 use super::document::{Run, first_unexpected, retyped, shown};
 use super::formal;
 use super::model::Model;
 use super::pins::Pins;
-use super::trial::{Answer, Trial};
-use super::verdict::{Equation, Part, Repair, Verdict};
+use super::trial::{Answer, Trial, cut, is_plain};
+use super::verdict::{Equation, Finding, Part, Repair, Verdict};
 
 /// So many suggestions are offered at most.
 const OFFERED: usize = 3;
@@ -40,6 +40,8 @@ pub(super) struct Suggestion {
     pub reading: Reading,
     /// The worst verdict of its parts.
     pub verdict: Verdict,
+    /// Whether it mends a step of a chain alone.
+    pub step: bool,
 }
 
 /// What is to be mended.
@@ -54,6 +56,8 @@ pub(super) struct Wrong<'w> {
     pub claim: &'w Claim,
     /// The places in the text where it is wrong; all of it, if there are none.
     pub places: Vec<Span>,
+    /// The steps of chains that can be mended alone: of each the statement and the member that is wrong.
+    pub steps: Vec<(usize, usize)>,
 }
 
 impl Wrong<'_> {
@@ -75,7 +79,9 @@ impl Desk<'_> {
             return Ok(equation);
         }
         let (display, reading) = (&self.notes.equations[at], &self.readings[at]);
-        let wrong = Wrong { at, text: &display.text, reading, claim, places: places(&equation, display.body) };
+        let places = places(&equation, display.body);
+        let steps = steps(&equation, reading, display.body.start);
+        let wrong = Wrong { at, text: &display.text, reading, claim, places, steps };
         // What it assumes may need a name that is lost with another display: then no text can be judged.
         let is_judged = self.conditions(claim).is_ok() && self.local(claim).is_ok();
         if is_wrong(&equation) && is_judged {
@@ -98,7 +104,8 @@ impl Desk<'_> {
             if claim.expect.is_some() || !claim.errata.is_empty() || !reading.introduced.iter().any(used) {
                 continue;
             }
-            let wrong = Wrong { at: other, text: &display.text, reading, claim, places: Vec::new() };
+            let (places, steps) = (Vec::new(), Vec::new());
+            let wrong = Wrong { at: other, text: &display.text, reading, claim, places, steps };
             let found = self.redefinitions(run, &wrong)?;
             if !found.is_empty() {
                 return Ok(in_file(self, &wrong, display.body.start, found));
@@ -133,7 +140,8 @@ impl Desk<'_> {
                     .and_then(|notes| first_unexpected(run, self.claims, &notes, wrong.at))
                     .is_ok_and(|unexpected| unexpected.is_none());
                 if passes {
-                    found.push(Suggestion { edit, reading: wrong.reading.clone(), verdict: Verdict::Definition });
+                    let (reading, verdict) = (wrong.reading.clone(), Verdict::Definition);
+                    found.push(Suggestion { edit, reading, verdict, step: false });
                 }
                 if found.len() == OFFERED {
                     break;
@@ -156,7 +164,8 @@ fn is_wrong(equation: &Equation) -> bool {
 
 /// Where an equation is refuted, in the text of its display; what cannot be read may be wrong anywhere.
 fn places(equation: &Equation, body: Span) -> Vec<Span> {
-    let parts = equation.parts.iter().filter(|part| !part.ok).map(|part| &part.finding);
+    let own = |part: &&Part| !part.ok && part.finding.follows_from.is_none();
+    let parts = equation.parts.iter().filter(own).map(|part| &part.finding);
     let findings: Vec<_> = if equation.parts.is_empty() { vec![&equation.finding] } else { parts.collect() };
     if findings.iter().any(|finding| finding.verdict == Verdict::Unreadable) {
         return Vec::new();
@@ -230,18 +239,66 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
         .par_chunks(SHARE)
         .map(|share| {
             let trial = Trial::new(desk, wrong.at, wrong.reading, wrong.claim)?;
+            let cuts: Vec<_> = wrong.steps.iter().map(|step| (*step, step_of(wrong.reading, *step))).collect();
+            let mut steps = Vec::new();
+            for (step, now) in cuts.iter().filter(|_| is_plain(wrong.claim)) {
+                steps.push((*step, Trial::new(desk, wrong.at, now, wrong.claim)?.of_step(*step)));
+            }
             let mut passing = Vec::new();
             for edit in share {
-                if let Answer::Passes(reading, parts) = trial.of(&edit.applied(wrong.text))?
-                    && !is_empty(&reading, desk.model)
-                {
-                    passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts) });
+                let text = edit.applied(wrong.text);
+                let mut add = |answer, step| match answer {
+                    Answer::Passes(reading, parts) if !is_empty(&reading, desk.model) => {
+                        passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts), step });
+                        true
+                    }
+                    _ => false,
+                };
+                if add(trial.of(&text)?, false) {
+                    continue;
+                }
+                for (_, trial) in steps.iter().filter(|(step, _)| stands_in(edit, wrong.reading, *step)) {
+                    if add(trial.of(&text)?, true) {
+                        break;
+                    }
                 }
             }
             Ok(passing)
         })
         .collect();
     Ok(found?.into_iter().flatten().collect())
+}
+
+/// The first wrong members of chains where mending them would not be all: the rest follows from them, or there is a slip
+/// more. Of each its statement and its place there. What comes after another slip is not mended to agree with that.
+fn steps(equation: &Equation, reading: &Reading, offset: usize) -> Vec<(usize, usize)> {
+    let parts = equation.parts.iter().filter(|part| !part.ok).map(|part| &part.finding);
+    let findings: Vec<&Finding> = if equation.parts.is_empty() { vec![&equation.finding] } else { parts.collect() };
+    let first = |(at, statement): (usize, &std::result::Result<Statement, Fault>)| {
+        let statement = statement.as_ref().ok()?;
+        let here = |finding: &&&Finding| statement.span.shifted(offset).contains(finding.span);
+        let (first, more) = (findings.iter().find(here)?, findings.iter().filter(here).count() > 1);
+        if first.follows_from.is_some() {
+            return None;
+        }
+        let ends = |member: &Expr| member.span.end + offset == first.span.end;
+        let member = statement.members.iter().position(ends).filter(|member| *member > 0)?;
+        (first.carried > 0 || more).then_some((at, member))
+    };
+    reading.statements.iter().enumerate().filter_map(first).collect()
+}
+
+/// A reading with one step of a chain.
+fn step_of(reading: &Reading, step: (usize, usize)) -> Reading {
+    let mut reading = reading.clone();
+    cut(&mut reading, step);
+    reading
+}
+
+/// Whether an edit changes a member.
+fn stands_in(edit: &Edit, reading: &Reading, (statement, member): (usize, usize)) -> bool {
+    let statement = reading.statements.get(statement).and_then(|statement| statement.as_ref().ok());
+    statement.and_then(|statement| statement.members.get(member)).is_some_and(|member| member.span.contains(edit.span))
 }
 
 /// Whether a member is zero whatever its symbols mean, and not written so: it is true, and says nothing.
@@ -265,16 +322,16 @@ fn worst(parts: &[Part]) -> Verdict {
 }
 
 /// What ranks a suggestion: the kind of slip, how much of the text it changes, and where.
-fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, usize, usize) {
+fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, bool, usize, usize) {
     let Edit { span, replacement, slip } = &suggestion.edit;
     // A minus before a whole side is wanting less often than a sign is wrong, and on the right more often than on the left.
     if *slip == Slip::Sign && span.start == span.end {
-        return (Slip::Fraction, 0, wrong.text.len() - span.start);
+        return (Slip::Fraction, suggestion.step, 0, wrong.text.len() - span.start);
     }
     let old = &wrong.text[span.range()];
     let same = old.bytes().zip(replacement.bytes()).take_while(|(a, b)| a == b).count();
     let longest = old.len().max(replacement.len());
-    (*slip, longest - same, span.start)
+    (*slip, suggestion.step, longest - same, span.start)
 }
 
 /// Whether what an edit changes stands in the file as it was read, in a text that starts there at `offset`.
@@ -285,11 +342,12 @@ pub(super) fn is_real(desk: &Desk<'_>, text: &str, edit: &Edit, offset: usize) -
 /// Suggestions as edits of the file in which the display's text starts at `offset`. What stands in the file in another
 /// way than it was read, between two displays of one number, is not touched.
 pub(super) fn in_file(desk: &Desk<'_>, wrong: &Wrong<'_>, offset: usize, found: Vec<Suggestion>) -> Vec<Repair> {
-    let repair = |Suggestion { edit, verdict, .. }: Suggestion| Repair {
+    let repair = |Suggestion { edit, verdict, step, .. }: Suggestion| Repair {
         span: edit.span.shifted(offset),
         replacement: edit.replacement,
         slip: edit.slip,
         verdict,
+        step,
     };
     found.into_iter().filter(|found| is_real(desk, wrong.text, &found.edit, offset)).map(repair).collect()
 }

@@ -56,6 +56,8 @@ pub(super) struct Trial<'d, 'a> {
     local: Vec<Rule>,
     /// States for each statement; none where what is claimed is more than an equation.
     screens: Vec<Option<Ensemble<'d>>>,
+    /// The one step of a chain that is looked at, by its statement and the member it leads to.
+    step: Option<(usize, usize)>,
 }
 
 impl<'d, 'a> Trial<'d, 'a> {
@@ -81,6 +83,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             conditions,
             local,
             screens: Vec::new(),
+            step: None,
         };
         if is_plain(claim) {
             let all = now.statements.iter().enumerate();
@@ -92,6 +95,11 @@ impl<'d, 'a> Trial<'d, 'a> {
                 .collect();
         }
         Ok(trial)
+    }
+
+    /// The same of one step of a chain, which `now` has been cut to: whatever text is tried is [`cut`] so.
+    pub fn of_step(self, step: (usize, usize)) -> Self {
+        Trial { step: Some(step), ..self }
     }
 
     /// A few states for a statement: on shell, where what holds on shell only would pass.
@@ -111,7 +119,10 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// # Errors
     /// As for a check of the display itself.
     pub fn of(&self, text: &str) -> Result<Answer> {
-        let reading = reprint::read(self.desk, &self.desk.model.macros, self.at, text, self.claim);
+        let mut reading = reprint::read(self.desk, &self.desk.model.macros, self.at, text, self.claim);
+        if let Some(step) = self.step {
+            cut(&mut reading, step);
+        }
         if reading.statements.iter().any(std::result::Result::is_err) {
             return Ok(Answer::Refused);
         }
@@ -302,6 +313,18 @@ impl<'d, 'a> Trial<'d, 'a> {
     }
 }
 
+/// Leaves of a chain the step to a member: this and the one before it.
+pub(super) fn cut(reading: &mut Reading, (at, member): (usize, usize)) {
+    if let Some(Ok(statement)) = reading.statements.get_mut(at)
+        && (1..statement.members.len()).contains(&member)
+    {
+        statement.members = statement.members[member - 1..=member].to_vec();
+        statement.relations = vec![statement.relations[member - 1]];
+        statement.constant = None;
+        reading.introduced.retain(|introduced| introduced.statement != at);
+    }
+}
+
 fn is_tested(relation: Relation) -> bool {
     is_equality(relation)
         || matches!(relation, Relation::Less | Relation::Greater | Relation::LessEqual | Relation::GreaterEqual)
@@ -312,7 +335,7 @@ fn refuted(link: &Link, screen: &Ensemble<'_>) -> bool {
 }
 
 /// Whether a claim is that the equation holds, and nothing more.
-fn is_plain(claim: &Claim) -> bool {
+pub(super) fn is_plain(claim: &Claim) -> bool {
     claim.solves.is_none()
         && claim.generates.is_none()
         && claim.conserved.is_none()

@@ -117,8 +117,10 @@ pub struct Repair {
     pub replacement: String,
     /// The slip that it undoes.
     pub slip: Slip,
-    /// The verdict on the equation then.
+    /// The verdict on the equation then; on the step, where it mends no more than that.
     pub verdict: Verdict,
+    /// Whether it mends a step of a chain and not yet the rest, which carries the slip on or has another.
+    pub step: bool,
 }
 
 /// The verdict on one claim, with its evidence.
@@ -144,6 +146,10 @@ pub struct Finding {
     pub difference: Option<Formula>,
     /// Of one about an acceleration: the Euler–Lagrange equation that was derived for it.
     pub derived: Option<Formula>,
+    /// Of a chain with a wrong member: how many of the members after it follow from it.
+    pub carried: usize,
+    /// Of a step that is false: the false one before it that it follows from.
+    pub follows_from: Option<Inherited>,
     /// The bytes of the notes that the finding is about.
     pub span: Span,
 }
@@ -162,6 +168,8 @@ impl Finding {
             counterexample: None,
             difference: None,
             derived: None,
+            carried: 0,
+            follows_from: None,
             span,
         }
     }
@@ -201,6 +209,15 @@ pub struct Equation {
     pub parts: Vec<Part>,
     /// Where it does not pass: the single edits with which it would, the likeliest first.
     pub repairs: Vec<Repair>,
+}
+
+/// The equations that a false one follows from, by what they are called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Inherited {
+    /// The one that it follows from.
+    pub from: String,
+    /// The one that this in turn follows from, and that follows from none: where the slip is.
+    pub root: String,
 }
 
 /// What was found in one document.

@@ -1,7 +1,7 @@
 //! `onshell check --fix`: the one repair of an equation that leaves no doubt, made in the file.
 //!
 //! A repair is made if it is the only one, or of a likelier kind of slip than the next; after asking, or at once with
-//! `--yes`. Nothing else in the file changes, and nothing at all if the file is no longer as it was checked.
+//! `--yes`. One that mends a step alone, which the rest carries on, is left to the author. Nothing else in the file changes, and nothing at all if the file is no longer as it was checked.
 
 use std::io::{BufRead, IsTerminal, Write};
 
@@ -37,6 +37,7 @@ fn clear(equation: &Equation) -> Option<&Repair> {
         [first, second, ..] if first.slip < second.slip => Some(first),
         _ => None,
     }
+    .filter(|repair| !repair.step)
 }
 
 /// Asks whether a repair is to be made.

@@ -53,15 +53,23 @@ pub(super) struct Traced {
     pub has_orientation: bool,
 }
 
+/// What is recorded of a system.
+pub(super) struct Recorded {
+    /// L.
+    pub lagrangian: Symbol,
+    /// U, if L = T − U.
+    pub potential: Option<Symbol>,
+    /// Of a rigid body: R row by row, ω in space components, ω along the body.
+    pub turning: Option<Vec<Symbol>>,
+}
+
 /// Traces `l`.
 ///
 /// # Errors
 /// When it branches on a value.
 pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) -> Result<Traced> {
     let layout = Layout { coordinates: N, parameters: P };
-    let tape = |graph: &Graph, outputs: &[Symbol]| Tape::new(graph, layout.inputs(), outputs);
-
-    let (graph, (lagrangian, potential, turning)) = Graph::record(|| {
+    traced(layout, || {
         let at = State {
             time: Symbol::input(0),
             q: std::array::from_fn(|i| Symbol::input(layout.q(i))),
@@ -70,11 +78,25 @@ pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) 
         };
         let turning = Turning::of(l, &at).map(|turning| {
             let rows = turning.orientation.transpose();
-            rows.iter().chain(&turning.angular_velocity).chain(&turning.body_rates).copied().collect::<Vec<_>>()
+            rows.iter().chain(&turning.angular_velocity).chain(&turning.body_rates).copied().collect()
         });
-        let potential = l.potential_energy(&at).map(|u| vec![u]);
+        let potential = l.potential_energy(&at);
+        Recorded { lagrangian: l.lagrangian(&at), potential, turning }
+    })
+}
+
+/// Differentiates what is recorded of a system over the inputs of a layout.
+///
+/// # Errors
+/// When it branches on a value.
+pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Result<Traced> {
+    let tape = |graph: &Graph, outputs: &[Symbol]| Tape::new(graph, layout.inputs(), outputs);
+    let n = layout.coordinates;
+
+    let (graph, (lagrangian, potential, turning)) = Graph::record(|| {
+        let Recorded { lagrangian, potential, turning } = record();
         let simple = |outputs: Option<Vec<Symbol>>| outputs.map(|outputs| simplify_all(&outputs));
-        (simplify_all(&[l.lagrangian(&at)]), simple(potential), simple(turning))
+        (simplify_all(&[lagrangian]), simple(potential.map(|u| vec![u])), simple(turning))
     })?;
     let lagrangian = tape(&graph, &lagrangian);
     let potential = potential.map(|outputs| tape(&graph, &outputs));
@@ -84,8 +106,8 @@ pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) 
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
         gradient(&lagrangian, &inputs)
     })?;
-    let momenta = tape(&graph, &slopes[layout.v(0)..layout.v(N)]);
-    let first = tape(&graph, &[&[value], &slopes[layout.q(0)..layout.v(N)]].concat());
+    let momenta = tape(&graph, &slopes[layout.v(0)..layout.v(n)]);
+    let first = tape(&graph, &[&[value], &slopes[layout.q(0)..layout.v(n)]].concat());
 
     let (graph, derived) = Graph::record(|| {
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
@@ -104,7 +126,7 @@ pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) 
         }
         let momenta_and_mass = [&derived.momenta[..], &derived.mass].concat();
         let dynamics = [&derived.mass[..], &derived.bias].concat();
-        let accelerations = eliminate(N, &derived.mass, &derived.bias);
+        let accelerations = eliminate(n, &derived.mass, &derived.bias);
         let cyclic = derived.forces.iter().map(|force| force.as_constant() == Some(0.0)).collect();
         (quantities, momenta_and_mass, dynamics, accelerations, cyclic)
     })?;

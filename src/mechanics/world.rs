@@ -4,9 +4,9 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::accelerator::Programs;
 use super::linear::Elimination;
-use super::trace::{Traced, trace, upper};
+use super::trace::{Layout, Recorded, Traced, trace, traced, upper};
 use super::{Lagrangian, linear, motion};
-use crate::scalar::{Number, Series};
+use crate::scalar::{Number, Series, Symbol};
 use crate::{Error, Result};
 
 /// A mechanical system by name, whatever its number of coordinates. Any [`Lagrangian`] becomes one with [`of`].
@@ -88,20 +88,45 @@ impl World {
     /// # Errors
     /// When it branches on a value.
     pub fn new<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) -> Result<World> {
-        let traced = trace(l).map_err(|error| {
-            let help = error.advice().unwrap_or_default().to_owned();
-            Error::new(format!("the Lagrangian \"{}\": {}", l.name(), error.message())).help(help)
-        })?;
-        let mut world = World {
-            name: l.name().to_owned(),
-            coordinates: l.coordinates().map(str::to_owned).into(),
-            parameters: l.parameters().map(str::to_owned).into(),
-            cyclic: traced.certainly_cyclic.clone(),
-            programs: Programs::default(),
-            traced,
-        };
-        world.cyclic = (0..N).map(|i| world.cyclic[i] || world.force_vanishes(i)).collect();
-        Ok(world)
+        let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+        Ok(World::of_traced(l.name(), names(&l.coordinates()), names(&l.parameters()), named(l.name(), trace(l))?))
+    }
+
+    /// The world with the coordinates of this one and another Lagrangian, with more parameters behind those of this one.
+    /// `lagrangian` gives L and, where L = T − U, also U, of t, q, q̇ and all parameters. A rigid body stays oriented as it is.
+    ///
+    /// # Errors
+    /// When the Lagrangian branches on a value.
+    pub fn with_lagrangian(
+        &self,
+        name: &str,
+        more: Vec<String>,
+        lagrangian: impl FnOnce(Symbol, &[Symbol], &[Symbol], &[Symbol]) -> (Symbol, Option<Symbol>),
+    ) -> Result<World> {
+        let parameters = [self.parameters.as_slice(), &more].concat();
+        let layout = Layout { coordinates: self.coordinates.len(), parameters: parameters.len() };
+        let traced = traced(layout, || {
+            let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
+            let (q, v) = (&inputs[layout.q(0)..layout.v(0)], &inputs[layout.v(0)..layout.v(layout.coordinates)]);
+            let parameters = &inputs[layout.v(layout.coordinates)..];
+            let (lagrangian, potential) = lagrangian(inputs[0], q, v, parameters);
+            let own = self.quantities(inputs[0], q, v, parameters);
+            let turning = own.orientation.zip(own.angular_velocity).zip(own.body_rates);
+            let turning = turning.map(|((orientation, space), body)| {
+                let rows = orientation.transpose();
+                rows.iter().chain(&space).chain(&body).copied().collect()
+            });
+            Recorded { lagrangian, potential, turning }
+        });
+        Ok(World::of_traced(name, self.coordinates.clone(), parameters, named(name, traced)?))
+    }
+
+    fn of_traced(name: &str, coordinates: Vec<String>, parameters: Vec<String>, traced: Traced) -> World {
+        let cyclic = traced.certainly_cyclic.clone();
+        let (name, programs) = (name.to_owned(), Programs::default());
+        let mut world = World { name, coordinates, parameters, cyclic, programs, traced };
+        world.cyclic = (0..world.coordinates.len()).map(|i| world.cyclic[i] || world.force_vanishes(i)).collect();
+        world
     }
 
     /// The system's name.
@@ -260,6 +285,14 @@ impl World {
             }
         })
     }
+}
+
+/// What was traced, an error with the name of the Lagrangian before it.
+fn named(name: &str, traced: Result<Traced>) -> Result<Traced> {
+    traced.map_err(|error| {
+        let help = error.advice().unwrap_or_default().to_owned();
+        Error::new(format!("the Lagrangian \"{name}\": {}", error.message())).help(help)
+    })
 }
 
 /// The first `n` entries; one that is missing is NaN.

@@ -61,7 +61,11 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, colour: bool) -> St
         (old, new) => format!("“{new}” for “{old}”"),
     };
     let asked = if first { "did you mean" } else { "or" };
-    let title = Level::HELP.secondary_title(format!("{asked} {change}? It would be {}", repair.verdict));
+    let then = match repair.step {
+        true => format!("This step would be {}, and the rest is left to mend", repair.verdict),
+        false => format!("It would be {}", repair.verdict),
+    };
+    let title = Level::HELP.secondary_title(format!("{asked} {change}? {then}"));
     match Excerpt::of(source, repair.span) {
         Some(excerpt) => {
             let start = excerpt.start;

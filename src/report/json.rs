@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::Error;
 use crate::check::plain::Answer;
-use crate::check::{Counterexample, Document, Equation, Finding, Formula, Repair, Report};
+use crate::check::{Counterexample, Document, Equation, Finding, Formula, Inherited, Repair, Report};
 use crate::formula::text::plain;
 
 /// The whole report.
@@ -72,6 +72,7 @@ fn repair(repair: &Repair) -> Value {
         "replacement": repair.replacement,
         "slip": repair.slip.word(),
         "verdict": repair.verdict.word(),
+        "step": repair.step,
     })
 }
 
@@ -90,11 +91,13 @@ fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String
         "counterexample": finding.counterexample.as_ref().map(counterexample),
         "difference": finding.difference.as_ref().map(formula),
         "derived": finding.derived.as_ref().map(formula),
+        "carried": finding.carried,
     });
-    match fields {
-        Value::Object(fields) => fields,
-        _ => Map::new(),
+    let Value::Object(mut fields) = fields else { return Map::new() };
+    if let Some(Inherited { from, root }) = &finding.follows_from {
+        fields.insert("follows_from".to_owned(), json!({ "equation": from, "root": root }));
     }
+    fields
 }
 
 fn counterexample(counterexample: &Counterexample) -> Value {

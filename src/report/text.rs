@@ -12,7 +12,8 @@ pub fn report(report: &Report, verbose: bool, colour: bool) -> String {
         text.push('\n');
     }
     for document in &report.documents {
-        for item in document.equations.iter().chain(&document.sentences).filter(|item| !item.ok) {
+        let own = |item: &&Equation| !item.ok && item.finding.follows_from.is_none();
+        for item in document.equations.iter().chain(&document.sentences).filter(own) {
             text.push_str(&unexpected(document, item, colour));
             text.push_str("\n\n");
         }
@@ -111,7 +112,8 @@ fn details(item: &Equation, width: usize) -> String {
 
 fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
     // Each part that is not as expected speaks for itself; a whole that was expected to fail speaks alone.
-    let findings: Vec<&Finding> = item.parts.iter().filter(|part| !part.ok).map(|part| &part.finding).collect();
+    let own = item.parts.iter().filter(|part| !part.ok && part.finding.follows_from.is_none());
+    let findings: Vec<&Finding> = own.map(|part| &part.finding).collect();
     let findings = if findings.is_empty() { vec![&item.finding] } else { findings };
     let shown = findings.into_iter().map(|finding| {
         let title = match (&item.because, finding.verdict.passes()) {
@@ -143,6 +145,12 @@ fn summary(report: &Report) -> String {
         (0, _) => "all as expected".to_owned(),
         (1, _) => "1 is not as expected".to_owned(),
         (n, _) => format!("{n} are not as expected"),
+    };
+    let inherited = report.items().filter(|item| !item.ok && item.finding.follows_from.is_some()).count();
+    let verdict = match inherited {
+        0 => verdict,
+        1 => format!("{verdict}, 1 because it follows from another"),
+        n => format!("{verdict}, {n} because they follow from another"),
     };
     let plural = |n: usize, word: &str| if n == 1 { format!("1 {word}") } else { format!("{n} {word}s") };
     let (equations, sentences) = (plural(equations, "equation"), plural(sentences, "sentence"));

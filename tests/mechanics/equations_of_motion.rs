@@ -151,3 +151,38 @@ fn what_is_not_given_is_no_number() {
     // the twin: the same with all of it is one
     assert!(world.quantities(0.0_f64, &[1.0; 3], &[1.0; 3], &[1.0; 5]).energy.is_finite());
 }
+
+#[test]
+fn another_lagrangian_of_the_same_coordinates_has_its_own_motion() {
+    let pendulum = World::new(&Pendulum::<1>::new()).expect("it can be traced");
+    // L = ½ m l² θ̇² − ½ k θ²: a torsion spring, and m l² θ̈ = −k θ
+    let spring = pendulum.with_lagrangian("spring", vec!["k".to_owned()], |_, q, v, parameters| {
+        let [m, l, _, k] = *parameters else { panic!("m, l, g and k: {parameters:?}") };
+        let potential = k * q[0] * q[0] * 0.5;
+        (m * l * l * v[0] * v[0] * 0.5 - potential, Some(potential))
+    });
+    let spring = spring.expect("it can be traced");
+    let (q, v, parameters) = ([0.3], [0.7], [2.0, 1.5, 9.8, 4.0]);
+    let acceleration = |world: &World| world.accelerations(0.0, &q, &v, &parameters).expect("it has a mass")[0];
+    assert_abs_diff_eq!(acceleration(&spring), -4.0 * 0.3 / (2.0 * 1.5 * 1.5), epsilon = 1e-14);
+    let found = spring.quantities(0.0, &q, &v, &parameters);
+    let (kinetic, potential) = (0.5 * 2.0 * 1.5 * 1.5 * 0.7 * 0.7, 0.5 * 4.0 * 0.3 * 0.3);
+    assert_abs_diff_eq!(found.energy, kinetic + potential, epsilon = 1e-14);
+    assert_abs_diff_eq!(found.potential.expect("it has one"), potential, epsilon = 1e-14);
+    // The twin: the pendulum's own motion is another.
+    assert_abs_diff_eq!(acceleration(&pendulum), -9.8 * 0.3_f64.sin() / 1.5, epsilon = 1e-13);
+}
+
+#[test]
+fn a_top_with_another_lagrangian_is_oriented_as_before() {
+    let top = World::new(&HeavyTop).expect("it can be traced");
+    let free = top.with_lagrangian("rotor", Vec::new(), |_, _, v, _| (v[0] * v[0] + v[1] * v[1] + v[2] * v[2], None));
+    let free = free.expect("it can be traced");
+    let (q, v) = ([0.4, 1.1, 0.2], [0.3, -0.5, 0.9]);
+    let parameters = vec![1.3; top.parameters().len()];
+    let (before, after) = (top.quantities(0.0, &q, &v, &parameters), free.quantities(0.0, &q, &v, &parameters));
+    assert_eq!(after.orientation.expect("it has one"), before.orientation.expect("it has one"));
+    assert_eq!(after.angular_velocity, before.angular_velocity);
+    assert_eq!(after.body_rates, before.body_rates);
+    assert!(after.potential.is_none() && before.potential.is_some());
+}

@@ -65,6 +65,8 @@ pub struct Claims {
     pub assume: Vec<Spanned<String>>,
     /// `macros`: commands that the notes do not define themselves.
     pub macros: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `steps`: derivations, each the address of its steps in their order.
+    pub steps: Vec<Address>,
     /// What is said about equations.
     pub equations: Vec<(Address, Claim)>,
     /// What is said about sentences.
@@ -135,6 +137,7 @@ const KEYS: &[&str] = &[
     "conditions",
     "assume",
     "macros",
+    "steps",
     "equations",
     "sentences",
 ];
@@ -203,6 +206,7 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         conditions: conditions(&fields)?,
         assume: fields.texts("assume")?,
         macros: fields.pairs("macros")?,
+        steps: fields.texts("steps")?.iter().map(|step| Address::parse(step, source)).collect::<Result<_, _>>()?,
         equations: equations(&fields, source)?,
         sentences: sentences(&fields, source)?,
     })

@@ -1,0 +1,102 @@
+//! Derivations and chains as the program tells of them: the place of the slip, and of nothing else.
+
+use serde_json::{Value, json};
+
+use crate::support::Desk;
+
+/// A pendulum whose potential energy has the wrong sign, in a derivation that carries it on.
+const NOTES: &str = "\
+$$ U = m g l \\cos\\theta \\tag{1} $$
+
+$$ m l^2 \\ddot\\theta = m g l \\sin\\theta \\tag{2} $$
+
+$$ \\ddot\\theta = \\frac{g}{l} \\sin\\theta \\tag{3} $$
+
+$$ T = \\frac12 m l^2 \\dot\\theta^2 \\tag{4} $$
+";
+
+/// A folder with these notes and claims about them, `steps` among them.
+fn desk(name: &str, steps: &Value) -> Desk {
+    let desk = Desk::new(name);
+    desk.write("notes.md", NOTES);
+    let claims = json!({
+        "notes": "notes.md",
+        "system": "simple_pendulum",
+        "coordinates": { "\\theta": "angle" },
+        "constants": { "m, l, g": "> 0" },
+        "means": { "T": "kinetic energy", "U": "potential energy" },
+        "steps": steps,
+    });
+    desk.write("notes.json", claims.to_string());
+    desk
+}
+
+#[test]
+fn one_slip_is_one_error_and_the_others_say_where_it_is() {
+    let run = desk("steps-text", &json!("1..4")).onshell(&["check", "notes.md"]);
+    assert_eq!(run.code, 1, "{}{}", run.out, run.err);
+    for wanted in [
+        "error: (1) is refuted",
+        "✗ 2  refuted     it follows from (1), which is refuted: mend that",
+        "✗ 3  refuted     it follows from (2), and so from (1), which is refuted: mend that",
+        "3 are not as expected, 2 because they follow from another",
+    ] {
+        assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
+    }
+    assert_eq!(run.out.matches("error: ").count(), 1, "{}", run.out);
+    // The twin: without the key each has its own.
+    let alone = desk("steps-none", &json!(["1, 4"])).onshell(&["check", "notes.md"]);
+    assert_eq!((alone.code, alone.out.matches("error: ").count()), (1, 3), "{}", alone.out);
+}
+
+#[test]
+fn machines_are_told_from_which_equation() {
+    let run = desk("steps-json", &json!(["1..4"])).onshell(&["check", "notes.md", "--format", "json"]);
+    let equations = run.json()["documents"][0]["equations"].clone();
+    assert_eq!(equations[2]["follows_from"], json!({ "equation": "2", "root": "1" }));
+    for (key, value) in [("verdict", json!("refuted")), ("ok", json!(false)), ("repairs", json!([]))] {
+        assert_eq!(equations[2][key], value, "{key}");
+    }
+    assert!(equations[2]["counterexample"].is_null() && equations[0]["counterexample"].is_object());
+    assert_eq!((equations[0].get("follows_from"), equations[3].get("follows_from")), (None, None));
+    assert_eq!(run.json()["summary"]["unexpected"], 3);
+}
+
+#[test]
+fn a_derivation_that_is_none_is_refused_at_its_place() {
+    for (steps, wanted) in [
+        (json!("1"), "one display is no derivation"),
+        (json!("1, 2, 1"), "(1) is a step of this derivation twice"),
+        (json!("1, 2 part 1"), "a step of a derivation is a whole display"),
+        (json!("1..7"), "no equation (7)"),
+        (json!([["1", "2"]]), "\"steps\" is a string"),
+        (json!([]), "\"steps\" is an empty list"),
+    ] {
+        let run = desk("steps-refused", &steps).onshell(&["check", "notes.md"]);
+        assert_eq!(run.code, 2, "{steps}: {}", run.out);
+        assert!(run.err.contains(wanted) && run.err.contains("notes.json:"), "{steps}: {}", run.err);
+    }
+}
+
+#[test]
+fn a_step_of_a_chain_is_offered_and_left_to_the_author() {
+    let desk = Desk::new("chain-carried");
+    let chain = "$$ (a+b)^2 = a^2 + 2ab - b^2 = a^2 + b(2a - b) \\tag{1} $$\n";
+    desk.write("notes.md", chain);
+    desk.write("notes.json", json!({ "notes": "notes.md", "constants": { "a, b": "> 0" } }).to_string());
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!((run.code, desk.read("notes.md")), (1, chain.to_owned()));
+    for wanted in
+        ["the rest of the chain follows from it", "This step would be certified, and the rest is left to mend"]
+    {
+        assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
+    }
+    let found = desk.onshell(&["check", "notes.md", "--format", "json"]).json();
+    let equation = &found["documents"][0]["equations"][0];
+    assert_eq!((&equation["carried"], &equation["repairs"][0]["step"]), (&json!(1), &json!(true)));
+    // The twin: what is carried on no further is mended.
+    desk.write("notes.md", "$$ (a+b)^2 = a^2 + 2ab - b^2 = a(a + 2b) + b^2 \\tag{1} $$\n");
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    assert!(desk.read("notes.md").contains("a^2 + 2ab + b^2 ="), "{}", desk.read("notes.md"));
+}
