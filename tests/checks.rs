@@ -29,5 +29,7 @@ mod rigid;
 mod sentences;
 #[path = "checks/small.rs"]
 mod small;
+#[path = "checks/terms.rs"]
+mod terms;
 #[path = "checks/units.rs"]
 mod units;

@@ -16,7 +16,7 @@ use super::pins::Use;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, exactly, generates, limit, restated, solves};
+use super::{definitions, exactly, generates, limit, restated, solves, terms};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -284,6 +284,10 @@ impl Desk<'_> {
                     exactly::check(&link, &self.alternatives(claim)?, &context)?
                 }
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
+                // A ± is two equations in one print, and what was dropped has no place in it.
+                _ if statement.branch.is_none() && claim.dropping.is_none() => {
+                    terms::fitted(&link, &context, identity::check(&link, &context)?)
+                }
                 _ => identity::check(&link, &context)?,
             };
             findings.push(finding);

@@ -51,6 +51,7 @@ mod small;
 mod solved;
 mod solver;
 pub mod solves;
+mod terms;
 mod trial;
 pub mod twins;
 pub mod units;
@@ -60,4 +61,6 @@ pub use document::{Run, check_document, check_in, unclaimed};
 pub use identity::Options;
 pub use progress::Progress;
 pub use reprint::check_reprint;
-pub use verdict::{Counterexample, Document, Equation, Finding, Formula, Part, Repair, Report, Verdict};
+pub use verdict::{
+    Counterexample, Document, Equation, Finding, Fit, Formula, Fraction, Misfit, Part, Repair, Report, Verdict,
+};

@@ -11,17 +11,17 @@ use rayon::prelude::*;
 use crate::Result;
 use crate::formula::{Expr, Statement};
 use crate::latex::slips::{self, Edit, Pool, Slip};
-use crate::latex::{Introduced, Reading};
+use crate::latex::{Introduced, Reading, read_display};
 use crate::notes::claims::Claim;
 use crate::source::Span;
 
 use super::desk::Desk;
 use super::document::{Run, first_unexpected, retyped, shown};
-use super::formal;
 use super::model::Model;
 use super::pins::Pins;
 use super::trial::{Answer, Trial};
-use super::verdict::{Equation, Part, Repair, Verdict};
+use super::verdict::{Equation, Formula, Part, Repair, Verdict};
+use super::{formal, terms};
 
 /// So many suggestions are offered at most.
 const OFFERED: usize = 3;
@@ -83,6 +83,10 @@ impl Desk<'_> {
             equation.repairs = in_file(self, &wrong, display.body.start, found);
             if equation.repairs.is_empty() {
                 equation.repairs = self.repairs_of_definitions(run, at)?;
+            }
+            if !equation.repairs.is_empty() {
+                equation.parts.iter_mut().for_each(|part| part.finding.fit = None);
+                equation.finding.fit = None;
             }
         }
         Ok(equation)
@@ -198,7 +202,8 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     Ok(Vec::new())
 }
 
-/// What a display is off by, where that is a single term: it may be the term that was lost.
+/// What a display is off by, where that is a single term, its sums multiplied out: it may be the term that was lost. What is
+/// off by several is seldom one that was lost, and added as one it would only undo what is printed.
 fn lost_terms(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Vec<String> {
     let display = &desk.notes.equations[wrong.at];
     let topic = shown(display);
@@ -206,22 +211,13 @@ fn lost_terms(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Vec<String> {
         return Vec::new();
     };
     let differences = parts.into_iter().filter_map(|part| part.finding.difference);
-    differences.filter_map(|formula| single_term(&formula.latex).map(str::to_owned)).collect()
-}
-
-/// A formula without its sign, if it has one term.
-fn single_term(latex: &str) -> Option<&str> {
-    let term = latex.trim().trim_start_matches('-').trim();
-    let mut depth = 0;
-    for c in term.chars() {
-        match c {
-            '{' | '(' => depth += 1,
-            '}' | ')' => depth -= 1,
-            '+' | '-' if depth == 0 => return None,
-            _ => {}
-        }
-    }
-    Some(term)
+    let single = |formula: &Formula| {
+        let reading = read_display(&formula.latex, &mut desk.model.symbols.clone(), &desk.model.macros);
+        let terms = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        terms.flat_map(terms::multiplied_out).count() == 1
+    };
+    let unsigned = |formula: Formula| formula.latex.trim().trim_start_matches('-').trim().to_owned();
+    differences.filter(single).map(unsigned).collect()
 }
 
 /// The edits with which the display passes.

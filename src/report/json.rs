@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::Error;
 use crate::check::plain::Answer;
-use crate::check::{Counterexample, Document, Equation, Finding, Formula, Repair, Report};
+use crate::check::{Counterexample, Document, Equation, Finding, Formula, Misfit, Repair, Report};
 use crate::formula::text::plain;
 
 /// The whole report.
@@ -90,6 +90,8 @@ fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String
         "counterexample": finding.counterexample.as_ref().map(counterexample),
         "difference": finding.difference.as_ref().map(formula),
         "derived": finding.derived.as_ref().map(formula),
+        "terms": finding.fit.iter().flat_map(|fit| &fit.terms).map(misfit).collect::<Vec<_>>(),
+        "missing": finding.fit.iter().flat_map(|fit| &fit.missing).map(formula).collect::<Vec<_>>(),
     });
     match fields {
         Value::Object(fields) => fields,
@@ -106,6 +108,10 @@ fn counterexample(counterexample: &Counterexample) -> Value {
         "rhs": number(counterexample.rhs),
         "entry": counterexample.entry,
     })
+}
+
+fn misfit(misfit: &Misfit) -> Value {
+    json!({ "start": misfit.span.start, "end": misfit.span.end, "coefficient": misfit.coefficient.value() })
 }
 
 fn formula(formula: &Formula) -> Value {
