@@ -23,6 +23,8 @@ mod laws;
 mod names;
 #[path = "checks/own_system.rs"]
 mod own_system;
+#[path = "checks/repairs.rs"]
+mod repairs;
 #[path = "checks/rigid.rs"]
 mod rigid;
 #[path = "checks/sentences.rs"]

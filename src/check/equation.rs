@@ -16,7 +16,7 @@ use super::pins::Use;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, exactly, generates, limit, restated, solves, terms};
+use super::{definitions, exactly, generates, limit, restated, solves, terms, trial};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -328,7 +328,7 @@ impl Desk<'_> {
         }
         let mut users: Vec<definitions::User<'_>> = uses
             .iter()
-            .map(|Use { id, link, conditions, local }| definitions::User {
+            .map(|Use { id, link, conditions, local, .. }| definitions::User {
                 id: id.clone(),
                 link: link.clone(),
                 context: Context { conditions, local, topic: id, on_shell: None, ..*context },
@@ -353,7 +353,8 @@ impl Desk<'_> {
                 true => restated.push(name),
                 false => {
                     let (conditions, local) = (self.conditions(claim)?, self.local(claim)?);
-                    uses.push(Use { id: name, link, conditions, local });
+                    let is_plain = claim.expect.is_none() && trial::is_plain(claim);
+                    uses.push(Use { id: name, link, conditions, local, is_plain });
                 }
             }
             Ok::<(), Error>(())

@@ -41,6 +41,7 @@ mod pins;
 pub mod plain;
 mod progress;
 mod reading;
+mod redefinition;
 mod repair;
 pub mod reprint;
 mod restated;

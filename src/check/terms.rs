@@ -196,7 +196,8 @@ impl Printed<'_> {
             }
         }
         let changed = coefficients.iter().filter(|coefficient| **coefficient != Fraction::ONE).count();
-        (missing.len() <= MOST_MISSING && changed + missing.len() <= count).then_some(())?;
+        let few = missing.len() <= 1 || missing.len() <= MOST_MISSING && changed + missing.len() < count;
+        (few && changed + missing.len() <= count).then_some(())?;
         self.fit(&coefficients, &missing)
     }
 

@@ -312,7 +312,7 @@ fn refuted(link: &Link, screen: &Ensemble<'_>) -> bool {
 }
 
 /// Whether a claim is that the equation holds, and nothing more.
-fn is_plain(claim: &Claim) -> bool {
+pub(super) fn is_plain(claim: &Claim) -> bool {
     claim.solves.is_none()
         && claim.generates.is_none()
         && claim.conserved.is_none()
