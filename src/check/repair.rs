@@ -11,16 +11,16 @@ use rayon::prelude::*;
 use crate::Result;
 use crate::formula::{Expr, Statement};
 use crate::latex::slips::{self, Edit, Pool, Slip};
-use crate::latex::{Reading, names, read_display};
+use crate::latex::{Reading, names};
 use crate::notes::claims::Claim;
 use crate::source::Span;
 
 use super::desk::Desk;
 use super::document::{Run, shown};
+use super::formal;
 use super::model::Model;
 use super::trial::{Answer, Trial};
-use super::verdict::{Equation, Formula, Part, Repair, Verdict};
-use super::{formal, terms};
+use super::verdict::{Equation, Finding, Part, Repair, Verdict};
 
 /// So many suggestions are offered at most.
 pub(super) const OFFERED: usize = 3;
@@ -150,22 +150,33 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     Ok(Vec::new())
 }
 
-/// What a display is off by, where that is a single term, its sums multiplied out: it may be the term that was lost. What is
-/// off by several is seldom one that was lost, and added as one it would only undo what is printed.
+/// What a display is off by, where that is a single term: it may be the term that was lost. It is not, where a printed term
+/// does not fit either: then it would only undo what is printed.
 fn lost_terms(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Vec<String> {
     let display = &desk.notes.equations[wrong.at];
     let topic = shown(display);
     let Ok(parts) = desk.parts((wrong.at, display.body.start), wrong.reading, wrong.claim, &topic) else {
         return Vec::new();
     };
-    let differences = parts.into_iter().filter_map(|part| part.finding.difference);
-    let single = |formula: &Formula| {
-        let reading = read_display(&formula.latex, &mut desk.model.symbols.clone(), &desk.model.macros);
-        let terms = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
-        terms.flat_map(terms::multiplied_out).count() == 1
-    };
-    let unsigned = |formula: Formula| formula.latex.trim().trim_start_matches('-').trim().to_owned();
-    differences.filter(single).map(unsigned).collect()
+    let fits = |finding: &Finding| finding.fit.as_ref().is_none_or(|fit| fit.terms.is_empty());
+    let findings = parts.into_iter().map(|part| part.finding).filter(fits);
+    let differences = findings.filter_map(|finding| finding.difference);
+    differences.filter_map(|formula| single_term(&formula.latex).map(str::to_owned)).collect()
+}
+
+/// A formula without its sign, if it has one term.
+fn single_term(latex: &str) -> Option<&str> {
+    let term = latex.trim().trim_start_matches('-').trim();
+    let mut depth = 0;
+    for c in term.chars() {
+        match c {
+            '{' | '(' => depth += 1,
+            '}' | ')' => depth -= 1,
+            '+' | '-' if depth == 0 => return None,
+            _ => {}
+        }
+    }
+    Some(term)
 }
 
 /// The edits with which the display passes.

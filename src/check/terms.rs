@@ -65,7 +65,7 @@ pub(super) fn fitted(link: &Link, context: &Context<'_>, finding: Finding) -> Fi
 
 /// A term of an equation whose sums are multiplied out.
 #[derive(Clone)]
-pub(super) struct Leaf {
+struct Leaf {
     sign: Sign,
     expr: Expr,
     /// The terms that it is part of, as printed, the outermost first and the innermost last.
@@ -96,7 +96,7 @@ fn leaves(link: &Link) -> Vec<Leaf> {
 }
 
 /// The terms of a formula. Of a product of several sums none is multiplied out: its terms would have no place of their own.
-pub(super) fn multiplied_out(expr: &Expr) -> Vec<Leaf> {
+fn multiplied_out(expr: &Expr) -> Vec<Leaf> {
     if let Node::Sum(terms) = &expr.node {
         let term = |term: &Term| {
             let place = term.sign_span.map_or(term.expr.span, |sign| sign.to(term.expr.span));

@@ -25,7 +25,10 @@ impl Finder<'_> {
             names.extend(single.filter(|item| names::printed(item, None).is_some()));
         }
         let pairs = names.iter().enumerate().flat_map(|(at, a)| names[at + 1..].iter().map(move |b| (*a, *b)));
-        let differ = |(a, b): &(&Item, &Item)| self.slice(a.span) != self.slice(b.span) && self.kind(a) == self.kind(b);
+        // What comes from a macro stands where its call does, and may hold what stands in its argument.
+        let differ = |(a, b): &(&Item, &Item)| {
+            a.span.end <= b.span.start && self.slice(a.span) != self.slice(b.span) && self.kind(a) == self.kind(b)
+        };
         let pairs: Vec<_> = pairs.filter(differ).take(EXCHANGES).collect();
         for (a, b) in pairs {
             let between = self.slice(Span::new(a.span.end, b.span.start));
