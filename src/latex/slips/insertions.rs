@@ -65,9 +65,6 @@ impl Pool {
         let unseen =
             symbols.iter().filter(|(id, _)| !counts.names.contains(id)).map(|(_, entry)| entry.name.to_string());
         factors.extend(unseen.take(most / 2));
-        let varying = symbols.iter().filter(|(_, entry)| entry.varies && entry.slots.is_empty());
-        let dotted = varying.flat_map(|(_, entry)| [1, 2].map(|dots| names::with_dots(&entry.name, dots)));
-        factors.extend(dotted.flatten().map(|name| name.to_string()).take(most / 2));
         Pool { factors, terms, functions: sorted(counts.functions), sums: sorted(counts.sums), names: counts.names }
     }
 
