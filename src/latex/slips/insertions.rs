@@ -60,11 +60,7 @@ impl Pool {
             all.sort_by(|(a, n), (b, m)| m.cmp(n).then(a.len().cmp(&b.len())).then(a.cmp(b)));
             all.into_iter().map(|(text, _)| text).take(most).collect()
         };
-        let (mut factors, terms): (Vec<String>, Vec<String>) = (sorted(counts.factors), sorted(counts.terms));
-        // What is lost may stand nowhere else: of the names that stand nowhere, some.
-        let unseen =
-            symbols.iter().filter(|(id, _)| !counts.names.contains(id)).map(|(_, entry)| entry.name.to_string());
-        factors.extend(unseen.take(most / 2));
+        let (factors, terms) = (sorted(counts.factors), sorted(counts.terms));
         Pool { factors, terms, functions: sorted(counts.functions), sums: sorted(counts.sums), names: counts.names }
     }
 
