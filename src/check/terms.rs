@@ -206,7 +206,7 @@ impl Printed<'_> {
     fn may_change(&self, at: usize) -> bool {
         let (model, expr) = (self.context.model, &self.leaves[at].expr);
         let is_name = expr.as_plain_symbol().is_some() && !model.is_plain(expr);
-        !is_name && !(self.on_shell() && derivatives(expr, model) > 1)
+        !(is_name || self.on_shell() && derivatives(expr, model) > 1)
     }
 
     fn on_shell(&self) -> bool {
