@@ -25,6 +25,8 @@ mod laws;
 mod names;
 #[path = "checks/own_system.rs"]
 mod own_system;
+#[path = "checks/repairs.rs"]
+mod repairs;
 #[path = "checks/rigid.rs"]
 mod rigid;
 #[path = "checks/sentences.rs"]
@@ -33,5 +35,7 @@ mod sentences;
 mod small;
 #[path = "checks/steps.rs"]
 mod steps;
+#[path = "checks/terms.rs"]
+mod terms;
 #[path = "checks/units.rs"]
 mod units;

@@ -39,19 +39,14 @@ const NEAR: f64 = 1e-9;
 
 /// A finding, with what is left of one side without the other if the claim is refuted.
 pub(super) fn explained(link: &Link, context: &Context<'_>, finding: Finding) -> Finding {
-    let Some(counterexample) = finding.counterexample.as_ref() else { return finding };
-    if finding.verdict != Verdict::Refuted || !is_equality(link.relation) {
-        return finding;
-    }
-    let modes: &[bool] = match (context.on_shell, context.model.has_motion()) {
-        (_, false) => &[false],
-        (Some(true), true) => &[true],
-        (Some(false), true) => &[false],
-        (None, true) => &[true, false],
-    };
-    let failure = modes.iter().find_map(|on_shell| Failed::find(link, context, *on_shell, counterexample));
-    let Some(failed) = failure else { return finding };
-    Finding { difference: failed.difference(), derived: failed.derived(), ..finding }
+    let Some(failed) = Failed::of(link, context, &finding) else { return finding };
+    let difference = failed.difference().map(|formula| shown(&formula, context.model));
+    Finding { difference, derived: failed.derived(), ..finding }
+}
+
+/// Left side minus right side of a link that is refuted, where that is worth reading.
+pub(super) fn formula(link: &Link, context: &Context<'_>, finding: &Finding) -> Option<Expr> {
+    Failed::of(link, context, finding)?.difference()
 }
 
 /// A claim with the states at which it was refuted.
@@ -66,6 +61,19 @@ struct Failed<'a> {
 }
 
 impl<'a> Failed<'a> {
+    /// Finds the states of an equality that is refuted, on shell or off.
+    fn of(link: &'a Link, context: &Context<'a>, finding: &Finding) -> Option<Self> {
+        let is_wrong = finding.verdict == Verdict::Refuted && is_equality(link.relation);
+        let counterexample = finding.counterexample.as_ref().filter(|_| is_wrong)?;
+        let modes: &[bool] = match (context.on_shell, context.model.has_motion()) {
+            (_, false) => &[false],
+            (Some(true), true) => &[true],
+            (Some(false), true) => &[false],
+            (None, true) => &[true, false],
+        };
+        modes.iter().find_map(|on_shell| Failed::find(link, context, *on_shell, counterexample))
+    }
+
     /// Finds the state of a counterexample again, and the entry at which it fails.
     fn find(link: &'a Link, context: &Context<'a>, on_shell: bool, known: &Counterexample) -> Option<Self> {
         let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
@@ -90,11 +98,11 @@ impl<'a> Failed<'a> {
     }
 
     /// Left side minus right side, in momenta if it can be, and if it is worth reading.
-    fn difference(&self) -> Option<Formula> {
+    fn difference(&self) -> Option<Expr> {
         let momenta = momenta(self.link, self.model);
         let in_momenta = (!momenta.is_empty()).then(|| self.in_terms_of(&momenta)).flatten();
-        let found = shown(&in_momenta.or_else(|| self.in_terms_of(&[]))?, self.model);
-        self.tells_more(&found.text).then_some(found)
+        let found = in_momenta.or_else(|| self.in_terms_of(&[]))?;
+        self.tells_more(&text::formula(&found, &self.model.symbols)).then_some(found)
     }
 
     /// Whether a formula says more than the claim itself: of a = b it does not help to know that a − b is left.
@@ -208,7 +216,8 @@ fn value(formula: &Expr, scene: &Scene<'_, Measured>) -> Option<Measured> {
     }
 }
 
-fn shown(formula: &Expr, model: &Model) -> Formula {
+/// A formula to be shown.
+pub(super) fn shown(formula: &Expr, model: &Model) -> Formula {
     Formula { latex: typeset(formula, &model.symbols), text: text::formula(formula, &model.symbols) }
 }
 

@@ -17,7 +17,7 @@ use super::pins::Use;
 use super::reading::for_each;
 use super::rules::Rule;
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, exactly, gaps, generates, limit, restated, solves};
+use super::{definitions, exactly, gaps, generates, limit, restated, solves, terms, trial};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -285,6 +285,10 @@ impl Desk<'_> {
                     exactly::check(&link, &self.alternatives(claim)?, &context)?
                 }
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
+                // A ± is two equations in one print, and what was dropped has no place in it.
+                _ if statement.branch.is_none() && claim.dropping.is_none() => {
+                    terms::fitted(&link, &context, identity::check(&link, &context)?)
+                }
                 _ => identity::check(&link, &context)?,
             };
             steps.push(Step { at, finding, relation: *relation });
@@ -334,7 +338,7 @@ impl Desk<'_> {
         }
         let mut users: Vec<definitions::User<'_>> = uses
             .iter()
-            .map(|Use { id, link, conditions, local }| definitions::User {
+            .map(|Use { id, link, conditions, local, .. }| definitions::User {
                 id: id.clone(),
                 link: link.clone(),
                 context: Context { conditions, local, topic: id, on_shell: None, ..*context },
@@ -359,7 +363,8 @@ impl Desk<'_> {
                 true => restated.push(name),
                 false => {
                     let (conditions, local) = (self.conditions(claim)?, self.local(claim)?);
-                    uses.push(Use { id: name, link, conditions, local });
+                    let is_plain = claim.expect.is_none() && trial::is_plain(claim);
+                    uses.push(Use { id: name, link, conditions, local, is_plain });
                 }
             }
             Ok::<(), Error>(())

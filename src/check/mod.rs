@@ -45,6 +45,7 @@ pub mod plain;
 mod premise;
 mod progress;
 mod reading;
+mod redefinition;
 mod repair;
 pub mod reprint;
 mod restated;
@@ -57,6 +58,7 @@ mod solver;
 pub mod solves;
 mod standing;
 mod steps;
+mod terms;
 mod trial;
 pub mod twins;
 pub mod units;
@@ -66,4 +68,7 @@ pub use document::{Run, check_document, check_in, unclaimed};
 pub use identity::Options;
 pub use progress::Progress;
 pub use reprint::check_reprint;
-pub use verdict::{Counterexample, Document, Equation, Finding, Formula, Inherited, Part, Repair, Report, Verdict};
+pub use verdict::{
+    Counterexample, Document, Equation, Finding, Fit, Formula, Fraction, Inherited, Misfit, Part, Repair, Report,
+    Verdict,
+};

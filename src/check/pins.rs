@@ -33,6 +33,8 @@ pub(super) struct Use {
     pub conditions: Vec<Condition>,
     /// What symbols mean in it only.
     pub local: Vec<Rule>,
+    /// Whether no more is claimed of it than that it holds: a limit of cells does not, at any state.
+    pub is_plain: bool,
 }
 
 /// An equation with the states at which it holds.
@@ -65,7 +67,7 @@ impl<'d, 'a> Pins<'d, 'a> {
         };
         let by_law = desk.model.laws.iter().any(|law| assumed(&law.conditions));
         let mut pins = Vec::new();
-        for Use { id, link, conditions, local } in uses {
+        for Use { id, link, conditions, local, is_plain } in uses {
             if assumed(&conditions) || !local.is_empty() {
                 continue;
             }
@@ -98,7 +100,7 @@ impl<'d, 'a> Pins<'d, 'a> {
                 }
                 fails = Some(pin);
             }
-            pins.extend(fails.filter(|_| failing && !holds));
+            pins.extend(fails.filter(|_| failing && is_plain && !holds));
         }
         Ok(Pins { desk, symbol, pins })
     }

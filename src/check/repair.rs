@@ -11,26 +11,25 @@ use rayon::prelude::*;
 use crate::Result;
 use crate::formula::{Expr, Statement};
 use crate::latex::slips::{self, Edit, Pool, Slip};
-use crate::latex::{Introduced, Reading};
+use crate::latex::{Reading, names};
 use crate::notes::claims::Claim;
 use crate::source::{Fault, Span};
 
 use super::desk::Desk;
-use super::document::{Run, first_unexpected, retyped, shown};
+use super::document::{Run, shown};
 use super::formal;
 use super::model::Model;
-use super::pins::Pins;
 use super::trial::{Answer, Trial, cut, is_plain};
 use super::verdict::{Equation, Finding, Part, Repair, Verdict};
 
 /// So many suggestions are offered at most.
-const OFFERED: usize = 3;
+pub(super) const OFFERED: usize = 3;
 
 /// So many candidates are tried by one thread at a time.
 const SHARE: usize = 32;
 
 /// So many factors, and so many terms, are tried where something may have been left out.
-const MISSING: usize = 48;
+pub(super) const MISSING: usize = 48;
 
 /// A suggestion, with how the display reads then.
 pub(super) struct Suggestion {
@@ -85,74 +84,24 @@ impl Desk<'_> {
         // What it assumes may need a name that is lost with another display: then no text can be judged.
         let is_judged = self.conditions(claim).is_ok() && self.local(claim).is_ok();
         if is_wrong(&equation) && is_judged {
-            let found = suggestions(self, &wrong)?;
-            equation.repairs = in_file(self, &wrong, display.body.start, found);
-            if equation.repairs.is_empty() {
+            let contradicted = self.contradicts_definitions(at)?;
+            if contradicted {
                 equation.repairs = self.repairs_of_definitions(run, at)?;
+            }
+            if equation.repairs.is_empty() {
+                // Nothing is to be learnt from what is wrong, the units of its terms neither.
+                let found = suggestions(&self.doubting(at), &wrong)?;
+                equation.repairs = in_file(self, &wrong, display.body.start, found);
+            }
+            if equation.repairs.is_empty() && !contradicted {
+                equation.repairs = self.repairs_of_definitions(run, at)?;
+            }
+            if !equation.repairs.is_empty() {
+                equation.parts.iter_mut().for_each(|part| part.finding.fit = None);
+                equation.finding.fit = None;
             }
         }
         Ok(equation)
-    }
-
-    /// The edits of a definition that a wrong equation stands on, with which the whole document passes.
-    fn repairs_of_definitions(&self, run: &Run<'_>, at: usize) -> Result<Vec<Repair>> {
-        let members = || self.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-        let used = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
-        for (other, display) in self.notes.equations.iter().enumerate().filter(|(other, _)| *other != at) {
-            let (reading, none) = (&self.readings[other], Claim::default());
-            let claim = self.assigned[other].unwrap_or(&none);
-            if claim.expect.is_some() || !claim.errata.is_empty() || !reading.introduced.iter().any(used) {
-                continue;
-            }
-            let (places, steps) = (Vec::new(), Vec::new());
-            let wrong = Wrong { at: other, text: &display.text, reading, claim, places, steps };
-            let found = self.redefinitions(run, &wrong)?;
-            if !found.is_empty() {
-                return Ok(in_file(self, &wrong, display.body.start, found));
-            }
-        }
-        Ok(Vec::new())
-    }
-
-    /// The edits of a display that defines something, with which all that uses the name holds, and the document passes.
-    fn redefinitions(&self, run: &Run<'_>, wrong: &Wrong<'_>) -> Result<Vec<Suggestion>> {
-        let (symbols, macros) = (&self.model.symbols, &self.model.macros);
-        let introduced = &wrong.reading.introduced;
-        let pins: Vec<Pins<'_, '_>> = introduced.iter().map(|new| Pins::of(self, new, true)).collect::<Result<_>>()?;
-        let trial = Trial::new(self, wrong.at, wrong.reading, wrong.claim)?;
-        let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING).factors_only();
-        let start = self.notes.equations[wrong.at].body.start;
-        for pool in [Pool::empty(), own()] {
-            let mut found = Vec::new();
-            let edits = slips::corrections(wrong.text, symbols, macros, &pool);
-            for edit in edits.into_iter().filter(|edit| is_real(self, wrong.text, edit, start)) {
-                let text = edit.applied(wrong.text);
-                let Some(formulas) = trial.redefines(&text) else { continue };
-                let mut changed =
-                    introduced.iter().zip(&formulas).zip(&pins).filter(|((was, is), _)| was.formula != **is);
-                let Some(((_, formula), holds)) = changed.next() else { continue };
-                if holds.notice(formula) || changed.any(|((_, formula), holds)| holds.notice(formula)) {
-                    continue;
-                }
-                let mut file = self.notes.source.text.clone();
-                file.replace_range(edit.span.shifted(start).range(), &edit.replacement);
-                let passes = retyped(self.notes, file)
-                    .and_then(|notes| first_unexpected(run, self.claims, &notes, wrong.at))
-                    .is_ok_and(|unexpected| unexpected.is_none());
-                if passes {
-                    let (reading, verdict) = (wrong.reading.clone(), Verdict::Definition);
-                    found.push(Suggestion { edit, reading, verdict, step: false });
-                }
-                if found.len() == OFFERED {
-                    break;
-                }
-            }
-            if !found.is_empty() {
-                found.sort_by_key(|suggestion| likelihood(wrong, suggestion));
-                return Ok(found);
-            }
-        }
-        Ok(Vec::new())
     }
 }
 
@@ -186,7 +135,8 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     let texts = || std::iter::once(wrong.text).chain(others().map(|(_, display)| display.text.as_str()));
     let all = || Pool::of(texts(), symbols, macros, MISSING);
     let lost = || all().with_terms(lost_terms(desk, wrong));
-    let pools: [&dyn Fn() -> Pool; 3] = [&|| own().factors_only(), &|| all().factors_only(), &lost];
+    let like = || own().of_like_terms(symbols, macros);
+    let pools: [&dyn Fn() -> Pool; 4] = [&|| own().factors_only(), &|| all().factors_only(), &lost, &like];
     for pool in pools {
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
         edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
@@ -207,14 +157,17 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     Ok(Vec::new())
 }
 
-/// What a display is off by, where that is a single term: it may be the term that was lost.
+/// What a display is off by, where that is a single term: it may be the term that was lost. It is not, where a printed term
+/// does not fit either: then it would only undo what is printed.
 fn lost_terms(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Vec<String> {
     let display = &desk.notes.equations[wrong.at];
     let topic = shown(display);
     let Ok(parts) = desk.parts((wrong.at, display.body.start), wrong.reading, wrong.claim, &topic) else {
         return Vec::new();
     };
-    let differences = parts.into_iter().filter_map(|part| part.finding.difference);
+    let fits = |finding: &Finding| finding.fit.as_ref().is_none_or(|fit| fit.terms.is_empty());
+    let findings = parts.into_iter().map(|part| part.finding).filter(fits);
+    let differences = findings.filter_map(|finding| finding.difference);
     differences.filter_map(|formula| single_term(&formula.latex).map(str::to_owned)).collect()
 }
 
@@ -322,16 +275,22 @@ fn worst(parts: &[Part]) -> Verdict {
 }
 
 /// What ranks a suggestion: the kind of slip, how much of the text it changes, and where.
-fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, bool, usize, usize) {
+pub(super) fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, bool, usize, usize) {
     let Edit { span, replacement, slip } = &suggestion.edit;
     // A minus before a whole side is wanting less often than a sign is wrong, and on the right more often than on the left.
     if *slip == Slip::Sign && span.start == span.end {
         return (Slip::Fraction, suggestion.step, 0, wrong.text.len() - span.start);
     }
     let old = &wrong.text[span.range()];
+    // A number of which neither half nor double nor a neighbour was meant.
+    let far = *slip == Slip::Number
+        && matches!((old.parse::<u32>(), replacement.parse::<u32>()),
+        (Ok(n), Ok(m)) if n.abs_diff(m) != 1 && n != 2 * m && m != 2 * n);
     let same = old.bytes().zip(replacement.bytes()).take_while(|(a, b)| a == b).count();
     let longest = old.len().max(replacement.len());
-    (*slip, suggestion.step, longest - same, span.start)
+    // To a name that stands alone on its side, nothing is added.
+    let to_name = *slip == Slip::Term && old.is_empty() && names::parse(wrong.text[..span.start].trim()).is_some();
+    (*slip, suggestion.step, longest - same + usize::from(far || to_name), span.start)
 }
 
 /// Whether what an edit changes stands in the file as it was read, in a text that starts there at `offset`.

@@ -5,6 +5,7 @@
 //! is known. An equation that is known to be wrong teaches nothing, and one whose units are switched off is left out.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::formula::units::{Affine, Dimension, Mismatch, Ratio, Survey, parse};
 use crate::formula::{Expr, Statement, SymbolId};
@@ -177,6 +178,23 @@ impl<'a> Units<'a> {
 /// The terms of a document that do not fit the declared units and one another.
 pub fn conflicts(model: &Model, declared: &[(SymbolId, Dimension)], readings: &[Reading]) -> Vec<Conflict> {
     Units::new(model, declared, readings, &[]).conflicts(readings, &[])
+}
+
+impl<'a> Desk<'a> {
+    /// The same desk with units that are not learnt from one of the displays.
+    pub fn doubting(&self, at: usize) -> Desk<'a> {
+        let units = self.units.clone().and_then(|units| {
+            let known = declared(self.claims, self.model, &|_| true).ok()?;
+            let of = |claim: &Option<&Claim>| claim.map_or(Trust::Sound, trust);
+            let mut trust: Vec<Trust> = self.assigned.iter().map(of).collect();
+            if trust[at] == Trust::Sound {
+                trust[at] = Trust::Doubted;
+                return Some(Arc::new(Units::new(self.model, &known, self.readings, &trust)));
+            }
+            Some(units)
+        });
+        Desk { units, ..*self }
+    }
 }
 
 impl Desk<'_> {

@@ -108,6 +108,52 @@ pub struct Formula {
     pub text: String,
 }
 
+/// A small fraction in lowest terms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fraction {
+    /// Above, with the sign.
+    pub numerator: i32,
+    /// Below, positive.
+    pub denominator: i32,
+}
+
+impl Fraction {
+    /// 1.
+    pub const ONE: Fraction = Fraction { numerator: 1, denominator: 1 };
+
+    /// Its value.
+    pub fn value(self) -> f64 {
+        f64::from(self.numerator) / f64::from(self.denominator)
+    }
+}
+
+impl fmt::Display for Fraction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.denominator {
+            1 => write!(f, "{}", self.numerator),
+            below => write!(f, "{}/{below}", self.numerator),
+        }
+    }
+}
+
+/// A printed term that should be another multiple of itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Misfit {
+    /// The bytes of the notes, with the printed sign.
+    pub span: Span,
+    /// So many times as large it should be; 0, where it has no partner among the derived terms.
+    pub coefficient: Fraction,
+}
+
+/// Several changes of terms with which, all at once, a refuted equality holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fit {
+    /// The printed terms that do not fit.
+    pub terms: Vec<Misfit>,
+    /// The derived terms that are not printed, with their signs as on the right side.
+    pub missing: Vec<Formula>,
+}
+
 /// An edit of the notes with which an equation passes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Repair {
@@ -150,6 +196,8 @@ pub struct Finding {
     pub carried: usize,
     /// Of a step that is false: the false one before it that it follows from.
     pub follows_from: Option<Inherited>,
+    /// Of an equality that is refuted, and that no single edit mends: the changes of its terms with which it holds.
+    pub fit: Option<Fit>,
     /// The bytes of the notes that the finding is about.
     pub span: Span,
 }
@@ -170,6 +218,7 @@ impl Finding {
             derived: None,
             carried: 0,
             follows_from: None,
+            fit: None,
             span,
         }
     }

@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Level, Patch, Renderer, Snippet};
 
 use crate::Error;
-use crate::check::{Finding, Repair};
+use crate::check::{Finding, Fit, Misfit, Repair};
 use crate::formula::text::plain;
 use crate::source::{Fault, Source, Span};
 
@@ -49,6 +49,42 @@ pub fn verdict(title: &str, label: &str, source: &Source, finding: &Finding, col
     match Excerpt::of(source, span) {
         Some(excerpt) => renderer(colour).render(&[title.element(excerpt.snippet(label)).elements(notes)]),
         None => renderer(colour).render(&[title.element(place(source, span)).elements(notes)]),
+    }
+}
+
+/// The terms that must change for an equation to hold, all at once, shown on their lines.
+pub fn fit(fit: &Fit, source: &Source, colour: bool) -> String {
+    let title = Level::HELP.secondary_title(match fit.terms.len() {
+        0 => "terms are missing",
+        1 => "this term does not fit",
+        _ => "these terms do not fit",
+    });
+    let label = |misfit: &Misfit| match misfit.coefficient.numerator {
+        0 => "this term is not in it".to_owned(),
+        _ => format!("should be {} times as large", misfit.coefficient),
+    };
+    let missing: Vec<&str> = fit.missing.iter().map(|term| term.text.as_str()).collect();
+    let missing = (!missing.is_empty()).then(|| format!("missing on the right side: {}", missing.join(" and ")));
+    let notes = std::iter::once("with all of this changed, the equation passes".to_owned()).chain(missing);
+    let notes = notes.collect::<Vec<_>>().into_iter().rev().map(|note| Level::NOTE.message(note));
+    let all = fit.terms.iter().map(|misfit| misfit.span).reduce(Span::to);
+    let excerpt =
+        all.and_then(|all| Excerpt::of(source, all).filter(|shown| all.end <= shown.start + shown.lines.len()));
+    match excerpt {
+        Some(excerpt) => {
+            let start = excerpt.start;
+            let annotation = |misfit: &Misfit| {
+                let span = misfit.span.start - start..misfit.span.end - start;
+                AnnotationKind::Primary.span(span).label(label(misfit))
+            };
+            let snippet = Snippet::source(excerpt.lines).line_start(excerpt.first).path(excerpt.path).fold(false);
+            let snippet = snippet.annotations(fit.terms.iter().map(annotation));
+            renderer(colour).render(&[title.element(snippet).elements(notes)])
+        }
+        None => {
+            let places = fit.terms.iter().map(|misfit| place(source, misfit.span));
+            renderer(colour).render(&[title.elements(places).elements(notes)])
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::Error;
 use crate::check::plain::Answer;
-use crate::check::{Counterexample, Document, Equation, Finding, Formula, Inherited, Repair, Report};
+use crate::check::{Counterexample, Document, Equation, Finding, Formula, Inherited, Misfit, Repair, Report};
 use crate::formula::text::plain;
 
 /// The whole report.
@@ -92,6 +92,8 @@ fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String
         "difference": finding.difference.as_ref().map(formula),
         "derived": finding.derived.as_ref().map(formula),
         "carried": finding.carried,
+        "terms": finding.fit.iter().flat_map(|fit| &fit.terms).map(misfit).collect::<Vec<_>>(),
+        "missing": finding.fit.iter().flat_map(|fit| &fit.missing).map(formula).collect::<Vec<_>>(),
     });
     let Value::Object(mut fields) = fields else { return Map::new() };
     if let Some(Inherited { from, root }) = &finding.follows_from {
@@ -109,6 +111,10 @@ fn counterexample(counterexample: &Counterexample) -> Value {
         "rhs": number(counterexample.rhs),
         "entry": counterexample.entry,
     })
+}
+
+fn misfit(misfit: &Misfit) -> Value {
+    json!({ "start": misfit.span.start, "end": misfit.span.end, "coefficient": misfit.coefficient.value() })
 }
 
 fn formula(formula: &Formula) -> Value {

@@ -128,7 +128,9 @@ fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
             Verdict::Unreadable => "this",
             _ => "",
         };
-        diagnostic::verdict(&title, label, &document.source, finding, colour)
+        let verdict = diagnostic::verdict(&title, label, &document.source, finding, colour);
+        let fit = finding.fit.as_ref().map(|fit| diagnostic::fit(fit, &document.source, colour));
+        std::iter::once(verdict).chain(fit).collect::<Vec<_>>().join("\n\n")
     });
     let repairs = item.repairs.iter().enumerate();
     let repairs = repairs.map(|(at, repair)| diagnostic::repair(repair, at == 0, &document.source, colour));

@@ -7,6 +7,7 @@ use crate::source::Span;
 use super::super::layout::{Item, Layout};
 use super::super::names::{self, Printed};
 use super::super::reader::unaccented;
+use super::lists::is_big;
 use super::{Finder, Slip};
 
 /// The functions that are taken for each other.
@@ -34,6 +35,9 @@ impl Finder<'_> {
                     };
                     let swapped = format!("\\frac{}{}", braced(b.span), braced(a.span));
                     self.edit(Slip::Fraction, item.span, swapped);
+                    if self.pool.is_some() && number_of(b).is_none() {
+                        self.unfraction(item.span, a, b);
+                    }
                 }
                 match (number_of(a), number_of(b)) {
                     // A fraction of two numbers is not mended into 1.
@@ -54,8 +58,14 @@ impl Finder<'_> {
                     self.edit(Slip::Exponent, item.span, format!("({bare})"));
                 }
             }
-            Layout::Environment(_, rows) => rows.iter().flatten().for_each(|cell| self.list(cell)),
-            Layout::Scripts { nucleus, sup, .. } => {
+            Layout::Environment(_, rows) => {
+                rows.iter().flatten().for_each(|cell| self.list(cell));
+                self.exchange_cells(rows);
+            }
+            Layout::Scripts { nucleus, sub, sup, .. } => {
+                if let Some(sub) = sub.as_deref().filter(|_| is_big(item)) {
+                    self.limits(item, sub);
+                }
                 if names::printed(item, None).is_none() {
                     self.argument(item, nucleus);
                 }
@@ -81,6 +91,13 @@ impl Finder<'_> {
         let mut others = vec![n.saturating_mul(2), n.saturating_add(1)];
         others.extend((n % 2 == 0).then_some(n / 2));
         others.extend(n.checked_sub(1));
+        if self.pool.is_some() && digits.len() == 1 {
+            others.extend(1..=9);
+        }
+        // Of a number of two digits one may be another.
+        if self.pool.is_some() && digits.len() == 2 {
+            others.extend((1..=9).map(|tens| 10 * tens + n % 10).chain((0..=9).map(|ones| n - n % 10 + ones)));
+        }
         others.retain(|other| but != Some(other.to_string().as_str()));
         for other in others {
             self.edit(Slip::Number, span, other.to_string());
@@ -90,6 +107,9 @@ impl Finder<'_> {
     fn function(&mut self, span: Span, command: &str) {
         if self.slice(span) != command {
             return;
+        }
+        if command == "\\infty" && self.pool.is_some() {
+            self.edit(Slip::Number, span, "0");
         }
         for family in FUNCTIONS.iter().filter(|family| family.contains(&command)) {
             for other in family.iter().filter(|other| **other != command) {
@@ -151,7 +171,13 @@ impl Finder<'_> {
         {
             // A component of a vector, `\omega_1` beside `\vec\omega`, is known without being declared.
             let is_known = found.is_some() || self.symbols.derived.contains_key(&printed.name.to_string());
-            self.indices(sub, is_known);
+            let family = |(_, entry): (SymbolId, &Entry)| {
+                let name = &entry.name;
+                name.base == printed.name.base && entry.slots.len() == printed.name.subscript.len()
+            };
+            let tensor = matches!(printed.name.base.as_str(), "\\delta" | "\\epsilon" | "\\varepsilon");
+            let is_like = self.pool.is_some() && (tensor || self.symbols.iter().any(family));
+            self.indices(sub, is_known || is_like);
         }
     }
 
@@ -165,12 +191,15 @@ impl Finder<'_> {
             same && (base.eq_ignore_ascii_case(&own) || entry.angle && entry.varies && other.angle && other.varies)
         };
         // Where a slip is undone, an accent may have been lost that made of it another kind of thing.
-        let mended =
-            |other: &Entry| self.pool.is_some() && letter(&other.name) == own && other.slots.len() == entry.slots.len();
+        let mended = |other: &Entry| {
+            let same = letter(&other.name) == own && other.slots.len() == entry.slots.len();
+            self.pool.is_some() && same && other.name.subscript == entry.name.subscript
+        };
         // Or it stands for another thing of its kind that the display is about.
         let present = |id: SymbolId, other: &Entry| {
             let known = self.pool.is_some_and(|pool| pool.names.contains(&id));
-            known && other.kind == entry.kind && other.slots.len() == entry.slots.len()
+            let fits = other.slots.is_empty() || other.slots.len() == entry.slots.len();
+            known && fits && (other.kind == entry.kind || letter(&other.name) == own)
         };
         let slip = |id: SymbolId, other: &Entry| match alike(other) || mended(other) {
             true => Some(Slip::Symbol),
@@ -222,6 +251,10 @@ impl Finder<'_> {
             let text = self.bare(inner).to_owned();
             self.edit(Slip::Accent, item.span, text);
         }
+        if let (Some(_), "\\vec" | "\\hat") = (self.pool, command.as_str()) {
+            let other = if command == "\\vec" { "\\hat" } else { "\\vec" };
+            self.edit(Slip::Accent, item.span, format!("{other}{{{}}}", self.bare(inner)));
+        }
         match &inner.layout {
             Layout::Group(items) => {
                 if let [only] = items.as_slice() {
@@ -246,7 +279,16 @@ impl Finder<'_> {
             Layout::Number(digits) => Some(digits.clone()),
             _ => None,
         };
-        let tokens: Vec<(String, Span)> = items.iter().filter_map(|item| Some((token(item)?, item.span))).collect();
+        // `I_{12}` has two indices, though its digits are read as one number.
+        let apart = |(text, span): (String, Span)| {
+            let axes = text.len() == 2 && span.end - span.start == 2 && text.bytes().all(|c| matches!(c, b'1'..=b'3'));
+            match axes {
+                true => text.chars().zip(span.start..).map(|(c, at)| (c.to_string(), Span::new(at, at + 1))).collect(),
+                false => vec![(text, span)],
+            }
+        };
+        let tokens: Vec<(String, Span)> =
+            items.iter().filter_map(|item| Some((token(item)?, item.span))).flat_map(apart).collect();
         let letter = |token: &str| self.symbols.index(token);
         let in_place = |token: &str| letter(token).is_some() || matches!(token, "1" | "2" | "3" | "4");
         let mut others: Vec<(Span, String)> = Vec::new();
@@ -257,6 +299,12 @@ impl Finder<'_> {
             others.extend(all.filter(same).map(|other| (*span, self.symbols.indices[other.0].letter.clone())));
             let values = ["1", "2", "3"].into_iter().filter(|value| value != text && letter(text).is_none());
             others.extend(values.map(|value| (*span, value.to_owned())));
+        }
+        if self.pool.is_some() {
+            for (text, span) in tokens.iter().filter(|(text, _)| letter(text).is_none()) {
+                let letters = self.symbols.indices.iter().map(|index| index.letter.clone());
+                others.extend(letters.filter(|letter| letter != text).map(|letter| (*span, letter)));
+            }
         }
         for (span, other) in others {
             self.edit(Slip::Index, span, other);

@@ -9,8 +9,8 @@ use super::super::layout::{Item, Layout};
 use super::super::macros::Macros;
 use super::super::names;
 use super::super::reader::typeset_items;
-use super::lists::{Factor, Term, formulas, is_big, is_function};
-use super::{Finder, Slip};
+use super::lists::{Factor, Term, formulas, is_big, is_function, is_sum};
+use super::{Finder, Slip, slips};
 
 /// Factors and terms that may be put in, as their authors typed them.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +19,8 @@ pub struct Pool {
     terms: Vec<String>,
     /// `\sin`, `\cos^2`: what may stand before a name.
     functions: Vec<String>,
+    /// `\sum_{i=1}^{n}`: what may stand before factors.
+    pub(super) sums: Vec<String>,
     /// The symbols that stand there.
     pub(super) names: Vec<SymbolId>,
 }
@@ -29,6 +31,7 @@ struct Counts {
     factors: HashMap<String, usize>,
     terms: HashMap<String, usize>,
     functions: HashMap<String, usize>,
+    sums: HashMap<String, usize>,
     names: Vec<SymbolId>,
 }
 
@@ -58,7 +61,7 @@ impl Pool {
             all.into_iter().map(|(text, _)| text).take(most).collect()
         };
         let (factors, terms) = (sorted(counts.factors), sorted(counts.terms));
-        Pool { factors, terms, functions: sorted(counts.functions), names: counts.names }
+        Pool { factors, terms, functions: sorted(counts.functions), sums: sorted(counts.sums), names: counts.names }
     }
 
     /// The same with more terms, tried before the others.
@@ -67,12 +70,26 @@ impl Pool {
         self
     }
 
+    /// The terms alone, each with every single slip in it: what was lost is like what stands there.
+    pub fn of_like_terms(&self, symbols: &Symbols, macros: &Macros) -> Pool {
+        let like = |term: &String| {
+            let slips = slips(term, symbols, macros).into_iter().filter(|edit| edit.slip != Slip::Doubled);
+            slips.map(|edit| edit.applied(term)).collect::<Vec<_>>()
+        };
+        let mut terms: Vec<String> = self.terms.iter().flat_map(like).take(LIKE).collect();
+        terms.retain(|term| !self.terms.contains(term));
+        Pool { terms, ..Pool::default() }
+    }
+
     /// The factors alone.
     pub fn factors_only(mut self) -> Pool {
         self.terms.clear();
         self
     }
 }
+
+/// So many terms that are like those that stand there are tried.
+const LIKE: usize = 400;
 
 /// Longer factors are not put in.
 const LONGEST: usize = 120;
@@ -90,6 +107,14 @@ impl Finder<'_> {
                     count(&mut counts.terms, term.span());
                 }
                 let all = self.factors(term.items);
+                // A name with the parenthesis after it: what depends on a place, `\rho(\vec r)`, is one thing.
+                for pair in all.windows(2) {
+                    let [name, place] = pair else { continue };
+                    let adjacent = name.span().end == place.span().start;
+                    if adjacent && names::printed(&name.items[0], None).is_some() && name.items.len() == 1 {
+                        count(&mut counts.factors, name.span().to(place.span()));
+                    }
+                }
                 for factor in &all {
                     let first = &factor.items[0];
                     let is_name = factor.items.len() == 1 && names::printed(first, None).is_some();
@@ -101,6 +126,9 @@ impl Finder<'_> {
                     }
                     if is_function(first) {
                         count(&mut counts.functions, first.span);
+                    }
+                    if is_sum(first) {
+                        count(&mut counts.sums, first.span);
                     }
                 }
             }
@@ -150,6 +178,16 @@ impl Finder<'_> {
                     self.edit(Slip::Factor, Span::at(at.start), format!("{factor} {operator} "));
                     self.edit(Slip::Factor, Span::at(at.end), format!(" {operator} {factor}"));
                 }
+            }
+        }
+    }
+
+    /// Each Σ of the pool put before a factor.
+    pub(super) fn insert_sums(&mut self, factors: &[Factor<'_>]) {
+        let Some(pool) = self.pool else { return };
+        for sum in &pool.sums {
+            for factor in factors {
+                self.edit(Slip::Factor, Span::at(factor.span().start), format!("{sum} "));
             }
         }
     }

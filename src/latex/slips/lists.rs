@@ -85,7 +85,7 @@ fn is_operator(item: &Item) -> bool {
     }
 }
 
-fn is_times(item: &Item) -> bool {
+pub(super) fn is_times(item: &Item) -> bool {
     matches!(&item.layout, Layout::Command(name) if name == "\\times") || item.layout == Layout::Other('×')
 }
 
@@ -101,6 +101,11 @@ fn command(item: &Item) -> Option<&str> {
 /// Σ, ∫ and lim, which act on all that follows.
 pub(super) fn is_big(item: &Item) -> bool {
     matches!(command(item), Some("\\sum" | "\\int" | "\\lim"))
+}
+
+/// Σ alone.
+pub(super) fn is_sum(item: &Item) -> bool {
+    command(item) == Some("\\sum")
 }
 
 /// `\sin` and the like, with a power perhaps.
@@ -184,7 +189,7 @@ impl Finder<'_> {
         factors
     }
 
-    fn kind(&self, item: &Item) -> Option<Kind> {
+    pub(super) fn kind(&self, item: &Item) -> Option<Kind> {
         let printed = names::printed(item, None)?;
         let found = self.symbols.find(&printed.name).map(|(id, _)| id);
         found.or_else(|| self.symbols.find_whole(&printed.name.base)).map(|id| self.symbols.entry(id).kind)
@@ -231,6 +236,9 @@ impl Finder<'_> {
             self.enclose(&terms);
             if self.pool.is_some() {
                 self.insert_terms(&terms);
+                self.exchange(&terms);
+                self.norms(&terms);
+                self.nothing(&terms);
             }
         }
         for (at, item) in items.iter().enumerate() {
@@ -364,6 +372,8 @@ impl Finder<'_> {
         self.fences(&factors);
         if self.pool.is_some() {
             self.insert_factors(&factors);
+            self.insert_sums(&factors);
+            self.divide(&factors);
         }
     }
 

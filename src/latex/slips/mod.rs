@@ -9,6 +9,8 @@
 //! macro of the author's expands to has no bytes of its own, and is left alone but as a whole.
 
 mod atoms;
+mod brackets;
+mod exchanges;
 mod fences;
 mod insertions;
 mod lists;
@@ -122,6 +124,9 @@ fn found(text: &str, symbols: &Symbols, macros: &Macros, pool: Option<&Pool>) ->
     // A display of which nothing is typeset at all has no terms, but its characters may be mended.
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
     let mut finder = Finder { text, symbols, pool, edits: Vec::new() };
+    if pool.is_some() {
+        finder.edits = brackets::balanced(text);
+    }
     finder.display(&items);
     let mut seen = HashSet::new();
     let fresh = |edit: &Edit| text[edit.span.range()] != edit.replacement && seen.insert(edit.applied(text));

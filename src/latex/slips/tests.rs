@@ -58,7 +58,7 @@ fn of_kind(slip: Slip, text: &str) -> Vec<String> {
 }
 
 /// A slip, a formula, and what the slip makes of it.
-const OCCUR: [(Slip, &str, &str); 41] = [
+const OCCUR: [(Slip, &str, &str); 43] = [
     (Slip::Sign, "m + M", "m - M"),
     (Slip::Sign, "m - M", "m + M"),
     (Slip::Sign, "m + M", "-m + M"),
@@ -71,6 +71,8 @@ const OCCUR: [(Slip, &str, &str); 41] = [
     (Slip::Index, "m_i \\vec r_i", "m_i \\vec r_j"),
     (Slip::Index, "I_{ab}", "I_{ba}"),
     (Slip::Index, "m_1 x", "m_2 x"),
+    (Slip::Index, "I_{12} x", "I_{21} x"),
+    (Slip::Index, "I_{12} x", "I_{13} x"),
     (Slip::Dot, "m x", "m \\dot x"),
     (Slip::Dot, "m \\dot x", "m x"),
     (Slip::Dot, "m \\dot x", "m \\ddot x"),
@@ -166,6 +168,46 @@ fn a_slip_is_undone_by_a_correction_of_the_wrong_text() {
     }
     assert!(not_undone.is_empty(), "{}", not_undone.join("\n"));
     assert!(undone.len() >= 12, "only of {undone:?}");
+}
+
+#[test]
+fn what_authors_do_and_no_slip_of_one_kind_undoes_is_undone() {
+    let (symbols, macros) = (symbols(), Macros::default());
+    let pool = |text: &str| Pool::of([text].into_iter(), &symbols, &macros, 48);
+    for (wrong, right) in [
+        ("\\frac{2}{3} m", "\\frac{2}{5} m"),
+        ("M \\sum_i m_i x", "\\frac{1}{M} \\sum_i m_i x"),
+        ("\\frac{m}{M} x", "m M x"),
+        ("\\frac{1}{m + M} x", "(m + M) x"),
+        ("\\sum_i m_i x + m_i", "\\sum_i m_i x + \\sum_i m_i"),
+        ("M (m + l x", "M (m + l) x"),
+        ("M (m + l x", "M m + l x"),
+        ("M m + l) x", "M (m + l) x"),
+        ("\\left( m + l x", "\\left( m + l x\\right)"),
+        ("\\frac{M (m + l}{x}", "\\frac{M (m + l)}{x}"),
+        ("\\theta - \\phi x", "\\phi - \\theta x"),
+        ("m \\vec\\omega \\times \\vec v", "m |\\vec\\omega \\times \\vec v|"),
+    ] {
+        let mended = corrections(wrong, &symbols, &macros, &pool(wrong));
+        let texts: Vec<String> = mended.iter().map(|edit| bare(&edit.applied(wrong))).collect();
+        assert!(texts.contains(&bare(right)), "nothing makes of {wrong} {right}");
+        // Where slips are made, nothing is put in that an author would not lose.
+        assert!(!slips(wrong, &symbols, &macros).iter().any(|edit| bare(&edit.applied(wrong)) == bare(right)));
+    }
+    // A parenthesis that has its partner stays as it is.
+    let closed = "M (m + l x) \\left( m \\right) \\frac{(m + l)}{x}";
+    assert_eq!(brackets::balanced(closed), Vec::new());
+}
+
+#[test]
+fn a_lost_term_may_be_like_one_that_stands_there() {
+    let (symbols, macros) = (symbols(), Macros::default());
+    let text = "\\lambda_1 \\dot\\theta + \\lambda_2 \\dot\\phi";
+    let like = Pool::of([text].into_iter(), &symbols, &macros, 48).of_like_terms(&symbols, &macros);
+    let mended = corrections(text, &symbols, &macros, &like);
+    let texts: Vec<String> = mended.iter().map(|edit| bare(&edit.applied(text))).collect();
+    assert!(texts.contains(&bare(&format!("{text} + \\lambda_3 \\dot\\phi"))));
+    assert!(!texts.contains(&bare(&format!("{text} + \\lambda_2 \\dot\\phi"))), "it stands there");
 }
 
 /// Whether a slip loses what no other place of the text has: an accent, a function, a number, Σ, or a parenthesis together

@@ -1,0 +1,159 @@
+//! The edits of a display that defines a name, with which all that stands on the name holds.
+//!
+//! A wrong equation may be right, and a definition that it stands on wrong; and a display may be wrong in what it defines
+//! itself. Such an edit makes another model. It is held against the equations that use the name ([`super::pins`]), then
+//! against the display itself in the other model, and what is left is offered if the whole document passes with it.
+
+use crate::Result;
+use crate::formula::{Expr, Node};
+use crate::latex::slips::{self, Edit, Pool};
+use crate::latex::{Introduced, Reading};
+use crate::notes::claims::Claim;
+
+use super::desk::Desk;
+use super::document::{Run, first_unexpected, retyped, shown};
+use super::identity::{FEWEST, Options};
+use super::model::Model;
+use super::pins::Pins;
+use super::repair::{MISSING, OFFERED, Suggestion, Wrong, in_file, is_real, likelihood};
+use super::reprint::defined;
+use super::trial::Trial;
+use super::verdict::{Repair, Verdict};
+
+/// With so many edits the whole document is checked at most.
+const DOCUMENTS: usize = 4;
+
+impl Desk<'_> {
+    /// The edits of what a wrong equation defines, or of a definition that it stands on, with which the whole document
+    /// passes.
+    ///
+    /// # Errors
+    /// As for a check of the equation.
+    pub(super) fn repairs_of_definitions(&self, run: &Run<'_>, at: usize) -> Result<Vec<Repair>> {
+        let members = || self.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let used = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
+        let others = (0..self.notes.equations.len()).filter(|other| *other != at);
+        for other in std::iter::once(at).chain(others) {
+            let display = &self.notes.equations[other];
+            let (reading, none) = (&self.readings[other], Claim::default());
+            let claim = self.assigned[other].unwrap_or(&none);
+            let introduces = |new: &Introduced| other == at || used(new);
+            if claim.expect.is_some() || !claim.errata.is_empty() || !reading.introduced.iter().any(introduces) {
+                continue;
+            }
+            let (places, steps) = (Vec::new(), Vec::new());
+            let wrong = Wrong { at: other, text: &display.text, reading, claim, places, steps };
+            let found = self.doubting(other).redefinitions(run, &wrong)?;
+            if !found.is_empty() {
+                return Ok(in_file(self, &wrong, display.body.start, found));
+            }
+        }
+        Ok(Vec::new())
+    }
+
+    /// Whether something that stands on a name fails with what a display says of the name: then it is there that it is
+    /// wrong, though the rest of the display could be made to agree.
+    ///
+    /// # Errors
+    /// As for a check of the equation.
+    pub(super) fn contradicts_definitions(&self, at: usize) -> Result<bool> {
+        for new in &self.readings[at].introduced {
+            if Pins::of(self, new, true)?.notice(&new.formula) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The edits of a display that defines something, with which all that uses the name holds, and the document passes.
+    fn redefinitions(&self, run: &Run<'_>, wrong: &Wrong<'_>) -> Result<Vec<Suggestion>> {
+        let (symbols, macros) = (&self.model.symbols, &self.model.macros);
+        let introduced = &wrong.reading.introduced;
+        let pins: Vec<Pins<'_, '_>> = introduced.iter().map(|new| Pins::of(self, new, true)).collect::<Result<_>>()?;
+        let trial = Trial::new(self, wrong.at, wrong.reading, wrong.claim)?;
+        let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING).factors_only();
+        let others = self.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
+        let texts = std::iter::once(wrong.text).chain(others.map(|(_, display)| display.text.as_str()));
+        let all = || Pool::of(texts.clone(), symbols, macros, MISSING);
+        let pools: [&dyn Fn() -> Pool; 3] = [&Pool::empty, &own, &all];
+        let mut tried = Vec::new();
+        let start = self.notes.equations[wrong.at].body.start;
+        for pool in pools {
+            let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
+            edits.retain(|edit| is_real(self, wrong.text, edit, start) && !tried.contains(edit));
+            let mut candidates: Vec<Suggestion> = Vec::new();
+            for edit in &edits {
+                let text = edit.applied(wrong.text);
+                let formulas = trial.redefines(&text).or_else(|| self.defined_anew(wrong, &text));
+                let Some(formulas) = formulas else { continue };
+                let mut changed =
+                    introduced.iter().zip(&formulas).zip(&pins).filter(|((was, is), _)| was.formula != **is).peekable();
+                if changed.peek().is_none() || changed.any(|((_, formula), holds)| holds.notice(formula)) {
+                    continue;
+                }
+                if self.passes_redefined(wrong, &text, &formulas) {
+                    let reading = wrong.reading.clone();
+                    candidates.push(Suggestion {
+                        edit: edit.clone(),
+                        reading,
+                        verdict: Verdict::Definition,
+                        step: false,
+                    });
+                }
+            }
+            candidates.sort_by_key(|suggestion| likelihood(wrong, suggestion));
+            candidates.truncate(DOCUMENTS);
+            candidates.retain(|suggestion| self.document_passes(run, wrong.at, &suggestion.edit));
+            candidates.truncate(OFFERED);
+            if !candidates.is_empty() {
+                return Ok(candidates);
+            }
+            tried.extend(edits);
+        }
+        Ok(Vec::new())
+    }
+
+    /// What a text in the place of a display makes of the names that the display introduces, where these are known: some
+    /// displays use a name before they say what it is.
+    fn defined_anew(&self, wrong: &Wrong<'_>, text: &str) -> Option<Vec<Expr>> {
+        let reading = self.as_printed(text, wrong.claim, &self.model.macros);
+        let formula = |new: &Introduced| {
+            let (name, formula) = defined(reading.statements.get(new.statement)?.as_ref().ok()?, new)?;
+            matches!(name.node, Node::Symbol { id, dots: 0, .. } if id == new.symbol).then(|| formula.clone())
+        };
+        let is_read = reading.statements.iter().all(std::result::Result::is_ok);
+        is_read.then(|| wrong.reading.introduced.iter().map(formula).collect())?
+    }
+
+    /// Whether nothing in a display is refuted, or cannot be read, where it has this text and so defines other things.
+    fn passes_redefined(&self, wrong: &Wrong<'_>, text: &str, formulas: &[Expr]) -> bool {
+        let mut model: Model = self.model.clone();
+        let introduced = wrong.reading.introduced.iter().zip(formulas);
+        introduced.clone().for_each(|(new, formula)| model.define(new.symbol, formula.clone()));
+        let mut reading: Reading = self.as_printed(text, wrong.claim, &self.model.macros);
+        for (new, formula) in introduced {
+            let name = |reading: &Reading| {
+                let statement = reading.statements.get(new.statement)?.as_ref().ok()?;
+                defined(statement, new).map(|(name, _)| name.clone())
+            };
+            if name(&reading).is_none_or(|here| Some(here) != name(wrong.reading)) {
+                return false;
+            }
+            reading.introduced.push(Introduced { formula: formula.clone(), ..new.clone() });
+        }
+        let options = Options { points: FEWEST.min(self.options.points), explain: false, ..self.options };
+        let desk = Desk { model: &model, options, units: self.units.clone(), ..*self };
+        let display = &self.notes.equations[wrong.at];
+        let parts = desk.parts((wrong.at, display.body.start), &reading, wrong.claim, &shown(display));
+        let is_wrong = |verdict| matches!(verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
+        parts.is_ok_and(|parts| !parts.iter().any(|part| is_wrong(part.finding.verdict)))
+    }
+
+    /// Whether all of the document is as it should be with an edit of a display.
+    fn document_passes(&self, run: &Run<'_>, at: usize, edit: &Edit) -> bool {
+        let mut file = self.notes.source.text.clone();
+        file.replace_range(edit.span.shifted(self.notes.equations[at].body.start).range(), &edit.replacement);
+        let unexpected = retyped(self.notes, file).and_then(|notes| first_unexpected(run, self.claims, &notes, at));
+        unexpected.is_ok_and(|unexpected| unexpected.is_none())
+    }
+}

@@ -1,0 +1,133 @@
+//! What undoes a slip that no slip of its own kind undoes: two things that were exchanged, a product where a quotient is
+//! meant, bars that were lost, something where nothing is meant. Such edits are made where slips are undone, and nowhere else.
+
+use crate::formula::Kind;
+use crate::source::Span;
+
+use super::super::layout::{Item, Layout};
+use super::super::names;
+use super::lists::{Factor, Term, formulas, is_sum, is_times};
+use super::{Finder, Slip};
+
+/// So many pairs of names are exchanged in one formula.
+const EXCHANGES: usize = 24;
+
+/// An entry of a matrix is exchanged with so many after it.
+const MOST_CELLS: usize = 8;
+
+impl Finder<'_> {
+    /// Two names of a formula exchanged.
+    pub(super) fn exchange(&mut self, terms: &[Term<'_>]) {
+        let mut names: Vec<&Item> = Vec::new();
+        for term in terms {
+            let factors = self.factors(term.items);
+            let single = factors.iter().filter(|factor| factor.items.len() == 1).map(|factor| &factor.items[0]);
+            names.extend(single.filter(|item| names::printed(item, None).is_some()));
+        }
+        let pairs = names.iter().enumerate().flat_map(|(at, a)| names[at + 1..].iter().map(move |b| (*a, *b)));
+        // What comes from a macro stands where its call does, and may hold what stands in its argument.
+        let differ = |(a, b): &(&Item, &Item)| {
+            a.span.end <= b.span.start && self.slice(a.span) != self.slice(b.span) && self.kind(a) == self.kind(b)
+        };
+        let pairs: Vec<_> = pairs.filter(differ).take(EXCHANGES).collect();
+        for (a, b) in pairs {
+            let between = self.slice(Span::new(a.span.end, b.span.start));
+            let exchanged = format!("{}{between}{}", self.slice(b.span), self.slice(a.span));
+            self.edit(Slip::Name, a.span.to(b.span), exchanged);
+        }
+    }
+
+    /// Two rows of a matrix exchanged, and two of its entries.
+    pub(super) fn exchange_cells(&mut self, rows: &[Vec<Vec<Item>>]) {
+        if self.pool.is_none() {
+            return;
+        }
+        let span = |cell: &[Item]| cell.iter().map(|item| item.span).reduce(Span::to);
+        let of_row = |row: &Vec<Vec<Item>>| row.iter().filter_map(|cell| span(cell)).reduce(Span::to);
+        let cells: Vec<Span> = rows.iter().flatten().filter_map(|cell| span(cell)).collect();
+        for spans in [rows.iter().filter_map(of_row).collect(), cells] {
+            for (at, first) in spans.iter().enumerate() {
+                for second in spans[at + 1..].iter().take(MOST_CELLS) {
+                    if !self.differ(first, second) {
+                        continue;
+                    }
+                    let between = self.slice(Span::new(first.end, second.start));
+                    let exchanged = format!("{}{between}{}", self.slice(*second), self.slice(*first));
+                    self.edit(Slip::Name, first.to(*second), exchanged);
+                }
+            }
+        }
+    }
+
+    /// Whether one thing stands before another, and is another but for a sign, which is mended alone.
+    fn differ(&self, first: &Span, second: &Span) -> bool {
+        let unsigned = |span: &Span| self.slice(*span).trim_start_matches('-').trim_start().to_owned();
+        first.end < second.start && unsigned(first) != unsigned(second)
+    }
+
+    /// A product in place of a fraction.
+    pub(super) fn unfraction(&mut self, span: Span, above: &Item, below: &Item) {
+        let factor = |item: &Item| {
+            let bare = self.bare(item);
+            let items = match &item.layout {
+                Layout::Group(items) => items.as_slice(),
+                _ => std::slice::from_ref(item),
+            };
+            match formulas(items).iter().all(|terms| terms.len() == 1) {
+                true => bare.to_owned(),
+                false => format!("({bare})"),
+            }
+        };
+        let product = match self.bare(above) {
+            "1" => factor(below),
+            _ => format!("{} \\, {}", factor(above), factor(below)),
+        };
+        self.edit(Slip::Fraction, span, product);
+    }
+
+    /// What should be divided by, and stands as a factor.
+    pub(super) fn divide(&mut self, factors: &[Factor<'_>]) {
+        for factor in factors {
+            if let [only] = factor.items
+                && (names::printed(only, None).is_some() || matches!(only.layout, Layout::Number(_)))
+                && only.layout != Layout::Number("1".to_owned())
+            {
+                self.edit(Slip::Fraction, only.span, format!("\\frac{{1}}{{{}}}", self.slice(only.span)));
+            }
+        }
+    }
+
+    /// The norm of a vector that is the last factor of a term, or of a product of two.
+    pub(super) fn norms(&mut self, terms: &[Term<'_>]) {
+        terms.iter().for_each(|term| self.norm(term));
+    }
+
+    fn norm(&mut self, term: &Term<'_>) {
+        let factors = self.factors(term.items);
+        let [.., last] = factors.as_slice() else { return };
+        let crossed = || factors.iter().rev().nth(1).filter(|_| last.operator.is_some_and(is_times));
+        let whole = crossed().map_or(last.span(), |before| before.span().to(last.span()));
+        if self.kind(&last.items[0]) == Some(Kind::Vector) {
+            self.edit(Slip::Accent, whole, format!("|{}|", self.slice(whole)));
+        }
+    }
+
+    /// Nothing in place of a name that is all of a side.
+    pub(super) fn nothing(&mut self, terms: &[Term<'_>]) {
+        if let [Term { sign: None, items: [only] }] = terms
+            && names::printed(only, None).is_some()
+        {
+            self.edit(Slip::Term, only.span, "0");
+        }
+    }
+
+    /// Another Σ of the display in the place of this one; and what a limit goes to.
+    pub(super) fn limits(&mut self, item: &Item, sub: &Item) {
+        let Some(pool) = self.pool else { return };
+        if is_sum(item) {
+            pool.sums.iter().for_each(|sum| self.edit(Slip::Index, item.span, sum.clone()));
+        } else {
+            self.argument(item, sub);
+        }
+    }
+}
