@@ -8,11 +8,15 @@ use super::{Edit, Slip};
 /// A partner is tried at so many places at most, the nearest first.
 const PLACES: usize = 48;
 
+/// With more parentheses without a partner than this, one edit does not help.
+const ALONE: usize = 2;
+
 /// The edits that take away a parenthesis without a partner, or give it one.
 pub(super) fn balanced(text: &str) -> Vec<Edit> {
     let tokens = tokens(text);
     let mut edits = Vec::new();
-    for at in unmatched(&tokens) {
+    let alone = unmatched(&tokens);
+    for at in alone.iter().copied().filter(|_| alone.len() <= ALONE) {
         let span = tokens[at].span;
         let opens = tokens[at].kind == TokenKind::Other('(');
         let sized =

@@ -7,7 +7,7 @@ use crate::source::Span;
 use super::super::layout::{Item, Layout};
 use super::super::names;
 use super::lists::{Factor, Term, formulas, is_sum, is_times};
-use super::{Finder, Slip};
+use super::{Finder, Slip, ends_in_command};
 
 /// So many pairs of names are exchanged in one formula.
 const EXCHANGES: usize = 24;
@@ -31,9 +31,7 @@ impl Finder<'_> {
         };
         let pairs: Vec<_> = pairs.filter(differ).take(EXCHANGES).collect();
         for (a, b) in pairs {
-            let between = self.slice(Span::new(a.span.end, b.span.start));
-            let exchanged = format!("{}{between}{}", self.slice(b.span), self.slice(a.span));
-            self.edit(Slip::Name, a.span.to(b.span), exchanged);
+            self.edit(Slip::Name, a.span.to(b.span), self.exchanged(a.span, b.span));
         }
     }
 
@@ -51,12 +49,18 @@ impl Finder<'_> {
                     if !self.differ(first, second) {
                         continue;
                     }
-                    let between = self.slice(Span::new(first.end, second.start));
-                    let exchanged = format!("{}{between}{}", self.slice(*second), self.slice(*first));
-                    self.edit(Slip::Name, first.to(*second), exchanged);
+                    self.edit(Slip::Name, first.to(*second), self.exchanged(*first, *second));
                 }
             }
         }
+    }
+
+    /// The second of two things, what stands between them, and the first.
+    fn exchanged(&self, first: Span, second: Span) -> String {
+        let rest = format!("{}{}", self.slice(Span::new(first.end, second.start)), self.slice(first));
+        let second = self.slice(second);
+        let runs_on = ends_in_command(second) && rest.starts_with(|c: char| c.is_ascii_alphabetic());
+        format!("{second}{}{rest}", if runs_on { " " } else { "" })
     }
 
     /// Whether one thing stands before another, and is another but for a sign, which is mended alone.

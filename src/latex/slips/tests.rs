@@ -269,7 +269,7 @@ fn commands(text: &str) -> HashSet<String> {
 /// The commands that an edit may bring into a text.
 fn known(symbols: &Symbols) -> HashSet<String> {
     let own = "\\sin \\cos \\tan \\cot \\sinh \\cosh \\tanh \\frac \\dot \\ddot \\pm \\mp \\times \\cdot \\, \
-               \\lt \\gt \\le \\ge \\leq \\geq \\leqslant \\geqslant \\sqrt";
+               \\lt \\gt \\le \\ge \\leq \\geq \\leqslant \\geqslant \\sqrt \\hat \\left \\right";
     let names = symbols.iter().map(|(_, entry)| entry.name.to_string());
     names.flat_map(|name| commands(&name)).chain(own.split_whitespace().map(str::to_owned)).collect()
 }
