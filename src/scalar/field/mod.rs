@@ -10,7 +10,7 @@
 //!   of the numerator's coefficients, which must stay below p lest one of them vanish in the field. Sine and cosine count
 //!   as the Laurent polynomials in e^{iθ} that they are.
 //!
-//! Exponentials and logarithms are free numbers, related as their arguments are ([`exponentials`]).
+//! Exponentials and logarithms are free numbers, related as their arguments are (`exponentials.rs`).
 //!
 //! What a field cannot do (a sign, an order, an arc) is noted, and nothing is concluded. A square root exists at
 //! half of the points; its sign is free, so an identity with roots must hold for all choices of them. Until more than its
