@@ -16,29 +16,31 @@ use super::verdict::Verdict;
 /// # Errors
 /// When the world's mass matrix is singular.
 pub(super) fn close(desk: &Desk<'_>, statement: &Statement, steps: &mut [Step], context: &Context<'_>) -> Result<()> {
-    let context = Context { options: Options { explain: false, ..context.options }, ..*context };
+    // What is certified so must hold as the link does: always.
+    let options = Options { explain: false, ..context.options };
+    let context = Context { options, on_shell: Some(false), ..*context };
+    let certified = |a: usize, b: usize| -> Result<Option<f64>> {
+        let link = desk.link(&statement.members[a], Relation::Equal, &statement.members[b])?;
+        let found = identity::check(&link, &context)?;
+        Ok(found.false_accept_log2.filter(|_| found.verdict == Verdict::Certified))
+    };
     for open in 0..steps.len() {
         let Step { at, finding, .. } = &steps[open];
         if finding.not_certified_because.is_none() || !steps[open].holds() || finding.verdict == Verdict::Certified {
             continue;
         }
         let (a, b) = (*at, at + 1);
-        // The neighbours that are certified, and the two members that are then left to be compared.
-        let ways = steps.iter().filter(|beside| beside.holds()).filter_map(|beside| {
-            let known = beside.finding.false_accept_log2.filter(|_| beside.finding.verdict == Verdict::Certified)?;
-            match beside.at {
-                other if other == b => Some((known, a, b + 1)),
-                other if other + 1 == a => Some((known, a - 1, b)),
-                _ => None,
+        let beside = |at: usize| steps.iter().any(|step| step.at == at && step.finding.verdict == Verdict::Certified);
+        // A member next to the two that is known to agree with one of them, and may be shown to agree with the other.
+        let after = Some(b + 1).filter(|_| beside(b));
+        let before = a.checked_sub(1).filter(|before| beside(*before));
+        let mut found = None;
+        for c in after.into_iter().chain(before) {
+            if let (None, Some(first), Some(second)) = (found, certified(a, c)?, certified(c, b)?) {
+                found = Some((first.exp2() + second.exp2()).log2());
             }
-        });
-        let mut certified = None;
-        for (known, from, to) in ways.collect::<Vec<_>>() {
-            let link = desk.link(&statement.members[from], Relation::Equal, &statement.members[to])?;
-            let across = identity::check(&link, &context)?;
-            certified = certified.or(across.false_accept_log2.map(|across| (known.exp2() + across.exp2()).log2()));
         }
-        if let Some(log2) = certified {
+        if let Some(log2) = found {
             let finding = &mut steps[open].finding;
             finding.verdict = Verdict::Certified;
             (finding.false_accept_log2, finding.not_certified_because) = (Some(log2), None);

@@ -277,9 +277,12 @@ fn worst(parts: &[Part]) -> Verdict {
 /// What ranks a suggestion: the kind of slip, how much of the text it changes, and where.
 pub(super) fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, bool, usize, usize) {
     let Edit { span, replacement, slip } = &suggestion.edit;
-    // A minus before a whole side is wanting less often than a sign is wrong, and on the right more often than on the left.
+    // A minus before a whole side is wanting less often than a sign is wrong, and on the right more often than on the left;
+    // within an argument, below a fraction, nobody means it.
     if *slip == Slip::Sign && span.start == span.end {
-        return (Slip::Fraction, suggestion.step, 0, wrong.text.len() - span.start);
+        let braces = |brace: char| wrong.text[..span.start].matches(brace).count();
+        let depth = braces('{').saturating_sub(braces('}'));
+        return (Slip::Fraction, suggestion.step, depth, wrong.text.len() - span.start);
     }
     let old = &wrong.text[span.range()];
     // A number of which neither half nor double nor a neighbour was meant.
