@@ -19,13 +19,9 @@ pub fn accelerations(
     parameters: &[f64; 5],
 ) -> [f64; 3] {
     let (sin12, cos12) = q[1].sin_cos();
-    let x20 = v[2] * parameters[1];
-    let x22 = parameters[1] * cos12;
-    let x24 = cos12 * (parameters[0] - parameters[1]);
-    let x28 = v[0] * (x20 - v[0] * x24) - parameters[4] * (parameters[2] * parameters[3]);
-    let x34 = v[1] * (sin12 * (v[0] * (2.0 * x24) - x20));
-    let x38 = 1.0 / (parameters[0] * (sin12 * sin12) + parameters[1] * (cos12 * cos12));
-    let x39 = x22 * x38;
-    let x49 = (sin12 * (parameters[1] * (v[0] * v[1])) + x34 * x39) / (parameters[1] - x22 * x39);
-    [-(x34 * x38 + x39 * x49), -(sin12 * x28 / parameters[0]), x49]
+    let x17 = v[2] * parameters[1];
+    let x24 = v[0] * (x17 - v[0] * (cos12 * (parameters[0] - parameters[1]))) - parameters[4] * (parameters[2] * parameters[3]);
+    let x37 = v[1] * (sin12 * (x17 + v[0] * (cos12 * (parameters[1] + -2.0 * parameters[0]))));
+    let x39 = x37 / (parameters[0] * (sin12 * sin12));
+    [x39, -(sin12 * x24 / parameters[0]), sin12 * (v[0] * v[1]) - cos12 * x39]
 }

@@ -13,7 +13,7 @@ use super::rotations::Turning;
 use super::tape::Tape;
 use super::{Lagrangian, State};
 use crate::Result;
-use crate::scalar::{Graph, Number, Symbol, simplify_all};
+use crate::scalar::{Graph, Number, Symbol, shortened, simplify_all};
 
 /// Where things stand among a tape's inputs: time, coordinates, velocities, parameters.
 #[derive(Clone, Copy, Debug)]
@@ -126,16 +126,25 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
         }
         let momenta_and_mass = [&derived.momenta[..], &derived.mass].concat();
         let dynamics = [&derived.mass[..], &derived.bias].concat();
-        let accelerations = eliminate(n, &derived.mass, &derived.bias);
         let cyclic = derived.forces.iter().map(|force| force.as_constant() == Some(0.0)).collect();
-        (quantities, momenta_and_mass, dynamics, accelerations, cyclic)
+        (quantities, momenta_and_mass, dynamics, cyclic)
     })?;
-    let (quantities, momenta_and_mass, dynamics, accelerations, certainly_cyclic) = derived;
+    let (quantities, momenta_and_mass, dynamics, certainly_cyclic) = derived;
+    let order = pivots(layout, |k| tape(&graph, &[dynamics[upper(n, k, k)]]));
+    let (quantities, momenta_and_mass) = (tape(&graph, &quantities), tape(&graph, &momenta_and_mass));
+    let dynamics = tape(&graph, &dynamics);
+
+    let (graph, accelerations) = Graph::record(|| {
+        let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
+        let values = dynamics.evaluate(&inputs);
+        let (mass, bias) = values.split_at(n * (n + 1) / 2);
+        eliminate(&order, mass, bias, shortened)
+    })?;
     Ok(Traced {
-        quantities: tape(&graph, &quantities),
-        momenta_and_mass: tape(&graph, &momenta_and_mass),
-        dynamics: tape(&graph, &dynamics),
         accelerations: tape(&graph, &accelerations),
+        quantities,
+        momenta_and_mass,
+        dynamics,
         certainly_cyclic,
         has_potential: potential.is_some(),
         has_orientation: turning.is_some(),
@@ -185,41 +194,67 @@ pub(super) fn upper(n: usize, i: usize, j: usize) -> usize {
     i * n - i * (i + 1) / 2 + j
 }
 
-/// Solves M a = −h for a symmetric M as L D Lᵀ, without exchanging rows: good enough for nearly all mass matrices,
-/// and whoever uses the result looks at the pivots first. Outputs a, then the pairs (pivot, its diagonal entry).
-fn eliminate<D: Number>(n: usize, mass: &[D], bias: &[D]) -> Vec<D> {
-    let m = |i, j| mass[upper(n, i, j)];
-    // L below the diagonal, and L D, which needs no reciprocal
-    let mut factor = vec![vec![D::zero(); n]; n];
-    let mut scaled = vec![vec![D::zero(); n]; n];
-    let mut pivot: Vec<D> = Vec::with_capacity(n);
-    let mut inverse: Vec<D> = Vec::with_capacity(n);
-    for k in 0..n {
-        for (i, row) in scaled.iter_mut().enumerate().skip(k) {
-            let known = row.iter().zip(&factor[k]).take(k);
-            row[k] = known.fold(m(i, k), |left, (&scaled, &factor)| left - scaled * factor);
+/// The diagonal entries of the mass matrix in the order in which they become pivots: first those that no state changes,
+/// which are inverted once and for all, as one would by hand.
+fn pivots(layout: Layout, mass: impl Fn(usize) -> Tape) -> Vec<usize> {
+    let varies = |&k: &usize| {
+        let entry = mass(k);
+        (0..layout.v(layout.coordinates)).any(|input| entry.reads(input))
+    };
+    let (varying, uniform): (Vec<usize>, Vec<usize>) = (0..layout.coordinates).partition(varies);
+    [uniform, varying].concat()
+}
+
+/// Solves M a = −h for a symmetric M by elimination, the diagonal entries being pivots in the given order: good enough for
+/// nearly all mass matrices, and whoever uses the result looks at the pivots first. What is left after a pivot is
+/// simplified together, beside what else is needed, as long as that brings anything. Outputs a, then the pairs (pivot, its diagonal entry).
+fn eliminate<D: Number>(
+    order: &[usize],
+    mass: &[D],
+    bias: &[D],
+    simplify: impl Fn(&[D], &[D]) -> Option<Vec<D>>,
+) -> Vec<D> {
+    let n = order.len();
+    let (mut left, mut right) = (mass.to_vec(), bias.iter().map(|&h| -h).collect::<Vec<D>>());
+    let mut rows = Vec::with_capacity(n);
+    let mut is_worth_it = true;
+    for (done, &k) in order.iter().enumerate() {
+        let shorter = |values: Vec<D>, beside: &[&[D]]| {
+            let simple = if is_worth_it { simplify(&values, &beside.concat()) } else { None };
+            simple.unwrap_or(values)
+        };
+        let rest = &order[done + 1..];
+        let pivot = left[upper(n, k, k)];
+        let inverse = pivot.recip();
+        let factors: Vec<D> = rest.iter().map(|&i| left[upper(n, i, k)] * inverse).collect();
+        let factors = shorter(factors, &[&left, &right]);
+        for (&i, &factor) in rest.iter().zip(&factors) {
+            right[i] = right[i] - factor * right[k];
+            for &j in rest.iter().filter(|&&j| j >= i) {
+                left[upper(n, i, j)] = left[upper(n, i, j)] - factor * left[upper(n, j, k)];
+            }
         }
-        pivot.push(scaled[k][k]);
-        inverse.push(pivot[k].recip());
-        for i in k + 1..n {
-            factor[i][k] = scaled[i][k] * inverse[k];
-        }
+        right[k] = shorter(vec![right[k] * inverse], &[&left, &right, &factors])[0];
+        let places: Vec<usize> = rest
+            .iter()
+            .flat_map(|&i| rest.iter().map(move |&j| (i, j)))
+            .filter(|(i, j)| i <= j)
+            .map(|(i, j)| upper(n, i, j))
+            .collect();
+        let remaining: Vec<D> = places.iter().map(|&at| left[at]).chain(rest.iter().map(|&i| right[i])).collect();
+        let simple = if is_worth_it { simplify(&remaining, &[&factors[..], &[right[k]]].concat()) } else { None };
+        is_worth_it = simple.is_some();
+        let (matrix, vector) = simple.as_ref().unwrap_or(&remaining).split_at(places.len());
+        places.iter().zip(matrix).for_each(|(&at, &entry)| left[at] = entry);
+        rest.iter().zip(vector).for_each(|(&i, &entry)| right[i] = entry);
+        rows.push((pivot, factors));
     }
-    let mut a: Vec<D> = bias.iter().map(|&h| -h).collect();
-    for i in 0..n {
-        for j in 0..i {
-            a[i] = a[i] - factor[i][j] * a[j];
-        }
+    let mut a = right;
+    for (done, &k) in order.iter().enumerate().rev() {
+        let others = order[done + 1..].iter().zip(&rows[done].1);
+        a[k] = others.fold(a[k], |sum, (&i, &factor)| sum - factor * a[i]);
     }
-    for i in 0..n {
-        a[i] *= inverse[i];
-    }
-    for i in (0..n).rev() {
-        for j in i + 1..n {
-            a[i] = a[i] - factor[j][i] * a[j];
-        }
-    }
-    a.extend((0..n).flat_map(|k| [pivot[k], m(k, k)]));
+    a.extend(rows.iter().zip(order).flat_map(|((pivot, _), &k)| [*pivot, mass[upper(n, k, k)]]));
     a
 }
 
@@ -237,8 +272,8 @@ mod tests {
     #[test]
     fn elimination_solves_and_shows_its_pivots() {
         // M = ((4, 2), (2, 3)), h = (−8, −7): a = (1.25, 1.5)
-        assert_eq!(eliminate(2, &[4.0, 2.0, 3.0], &[-8.0, -7.0]), [1.25, 1.5, 4.0, 4.0, 2.0, 3.0]);
+        assert_eq!(eliminate(&[0, 1], &[4.0, 2.0, 3.0], &[-8.0, -7.0], |_, _| None), [1.25, 1.5, 4.0, 4.0, 2.0, 3.0]);
         // a singular one is seen at its last pivot
-        assert_eq!(eliminate(2, &[1.0, 1.0, 1.0], &[1.0, 2.0])[4], 0.0);
+        assert_eq!(eliminate(&[0, 1], &[1.0, 1.0, 1.0], &[1.0, 2.0], |_, _| None)[4], 0.0);
     }
 }

@@ -20,7 +20,7 @@ pub use arithmetic::{Arithmetic, Function};
 pub use field::Modular;
 pub use instant::Instant;
 pub use measured::Measured;
-pub use polynomial::simplify_all;
+pub use polynomial::{shortened, simplify_all};
 pub use rational::Ratio;
 pub use series::{Series, TERMS};
 pub use symbol::{Graph, Node, Symbol};

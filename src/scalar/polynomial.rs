@@ -115,7 +115,7 @@ impl Normal {
                 self.multiply(&a, &b)?
             }
             Node::Recip(a) => {
-                let inner = known(a)?;
+                let inner = self.shorten(&*known(a)?);
                 // a coefficient is inverted only if the machine has its reciprocal
                 let exact = inner.single().and_then(|(monomial, c)| {
                     let inverse = monomial.iter().map(|&(atom, exponent)| (atom, -exponent)).collect();
@@ -293,6 +293,11 @@ fn cost(outputs: &[Symbol]) -> usize {
 /// Constants may be folded and sums reordered, so the result agrees to rounding, and exactly as polynomials. A quotient
 /// of equal monomials is cancelled.
 pub fn simplify_all(outputs: &[Symbol]) -> Vec<Symbol> {
+    shortened(outputs, &[]).unwrap_or_else(|| outputs.to_vec())
+}
+
+/// [`simplify_all`] where the values `beside` are computed too, whose parts cost nothing; `None` if there is no such way.
+pub fn shortened(outputs: &[Symbol], beside: &[Symbol]) -> Option<Vec<Symbol>> {
     let mut needed: Vec<u32> = Vec::new();
     let mut seen: HashSet<u32> = HashSet::new();
     let mut waiting: Vec<u32> = outputs.iter().map(|output| output.place()).collect();
@@ -306,7 +311,7 @@ pub fn simplify_all(outputs: &[Symbol]) -> Vec<Symbol> {
     needed.sort_unstable();
     let mut normal = Normal::default();
     for place in needed {
-        let Some(polynomial) = normal.expand(Symbol::at(place)) else { return outputs.to_vec() };
+        let polynomial = normal.expand(Symbol::at(place))?;
         normal.known.insert(place, Rc::new(polynomial));
     }
     let shorter: Vec<Symbol> = outputs
@@ -314,7 +319,8 @@ pub fn simplify_all(outputs: &[Symbol]) -> Vec<Symbol> {
         .filter_map(|output| normal.known.get(&output.place()).cloned())
         .map(|polynomial| write(&normal.shorten(&polynomial)))
         .collect();
-    if shorter.len() == outputs.len() && cost(&shorter) < cost(outputs) { shorter } else { outputs.to_vec() }
+    let cost_of = |outputs: &[Symbol]| cost(&[outputs, beside].concat());
+    (shorter.len() == outputs.len() && cost_of(&shorter) < cost_of(outputs)).then_some(shorter)
 }
 
 #[cfg(test)]

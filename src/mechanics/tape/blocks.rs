@@ -125,6 +125,7 @@ fn run<S: Simd>(simd: S, program: &Program, registers: &mut Registers, inputs: &
             Action::Sub(a, b) => two(simd, at(a), at(b), out, |a, b| a - b),
             Action::Mul(a, b) => two(simd, at(a), at(b), out, |a, b| a * b),
             Action::Div(a, b) => two(simd, at(a), at(b), out, |a, b| a / b),
+            Action::Product(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| a * b * c),
             Action::MulAdd(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| a.mul_add(b, c)),
             Action::MulSub(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| a.mul_sub(b, c)),
             Action::SubMul(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| (-a).mul_add(b, c)),
@@ -244,10 +245,11 @@ pub(in crate::mechanics) mod tests {
             let products =
                 [x * y + p, x * y - p, p - x * y, x * p + y, x * p - y, y - x * p, x * y + sine, x * 3.0 + 2.0];
             let quotients = [x / y, p / y, x / p, (x * y).recip() * cosine, y.recip()];
+            let of_three = [x * y * y.exp(), x.exp() * (y * p), (x + y) * (x.exp() * x.cos()), x * p * y.ln()];
             let others = [x - p, p - x, x + p, -(x + y), (x + y).sqrt(), y.powf(0.3), x.powi(20), y.exp(), x.atan2(y)];
             let negations = [-(x - y), -(x * y + p), -(x * y - p), -(p - x * y), -(x * p), -(p - x), -(x * y)];
             let uniform = [p * p + 1.0, x, p, Symbol::from(2.5), x.atan2(p), (x * p) * (y * p), sine * cosine];
-            [&products[..], &quotients, &others, &negations, &uniform].concat()
+            [&products[..], &quotients, &of_three, &others, &negations, &uniform].concat()
         })
         .unwrap();
         Tape::new(&graph, 3, &outputs)
@@ -332,6 +334,7 @@ pub(in crate::mechanics) mod tests {
                 Action::Add(a, b) => Action::Sub(a, b),
                 Action::Sub(a, b) => Action::Sub(b, a),
                 Action::Mul(a, b) => Action::Div(a, b),
+                Action::Product(a, b, c) => Action::MulAdd(a, b, c),
                 Action::Div(a, b) => Action::Mul(a, b),
                 Action::MulAdd(a, b, c) => Action::MulSub(a, b, c),
                 Action::MulSub(a, b, c) => Action::SubMul(a, b, c),

@@ -1,7 +1,7 @@
 //! A tape made ready for speed over `f64`.
 //!
 //! What depends on nothing but the inputs that are the same for all states, the *uniform* values, is computed once. The
-//! rest becomes *steps*: a product and the sum that it goes into are one, a reciprocal and the product that it goes into
+//! rest becomes *steps*: a product and the sum that it goes into are one, so are two products in a row, a reciprocal and the product that it goes into
 //! are a division, and a register is used again as soon as its value is no longer needed, so that the registers of many
 //! states fit into the cache. Results differ from those of the tape by rounding.
 
@@ -19,6 +19,8 @@ pub(super) enum Action {
     Sub(u32, u32),
     /// a b
     Mul(u32, u32),
+    /// a b c; a varies
+    Product(u32, u32, u32),
     /// a / b
     Div(u32, u32),
     /// a b + c; a varies
@@ -45,6 +47,7 @@ impl Action {
             Action::Add(a, b) => Action::Add(place(a), place(b)),
             Action::Sub(a, b) => Action::Sub(place(a), place(b)),
             Action::Mul(a, b) => Action::Mul(place(a), place(b)),
+            Action::Product(a, b, c) => Action::Product(place(a), place(b), place(c)),
             Action::Div(a, b) => Action::Div(place(a), place(b)),
             Action::MulAdd(a, b, c) => Action::MulAdd(place(a), place(b), place(c)),
             Action::MulSub(a, b, c) => Action::MulSub(place(a), place(b), place(c)),
@@ -64,7 +67,8 @@ impl Action {
             Action::Add(a, b) | Action::Sub(a, b) | Action::Mul(a, b) | Action::Div(a, b) | Action::Atan2(a, b) => {
                 (a, Some(b), None)
             }
-            Action::MulAdd(a, b, c)
+            Action::Product(a, b, c)
+            | Action::MulAdd(a, b, c)
             | Action::MulSub(a, b, c)
             | Action::SubMul(a, b, c)
             | Action::NegMulSub(a, b, c) => (a, Some(b), Some(c)),
@@ -300,8 +304,24 @@ impl<'a> Writer<'a> {
         register.is_some() && register == self.constants.get(&1_f64.to_bits()).copied()
     }
 
+    /// A product that goes into nothing but another product is one with it.
+    fn join_products(&mut self) {
+        for i in 0..self.steps.len() {
+            let Step { action: Action::Mul(a, b), to } = self.steps[i] else { continue };
+            if self.written.get(&to) != Some(&i) {
+                continue;
+            }
+            if let Some((x, y)) = self.fused(a) {
+                self.steps[i].action = Action::Product(x, y, b);
+            } else if let Some((x, y)) = self.fused(b) {
+                self.steps[i].action = Action::Product(x, y, a);
+            }
+        }
+    }
+
     /// Leaves void steps out, and gives every result a register that is free.
     fn finish(mut self) -> Program {
+        self.join_products();
         let outputs: Vec<u32> = self.tape.outputs.clone().into_iter().map(|output| self.place(output)).collect();
         let steps: Vec<Step> = (self.steps.iter().enumerate())
             .filter(|(i, step)| self.written.get(&step.to) == Some(i))

@@ -19,6 +19,7 @@ impl Program {
                 Action::Add(a, b) => at(a) + at(b),
                 Action::Sub(a, b) => at(a) - at(b),
                 Action::Mul(a, b) => at(a) * at(b),
+                Action::Product(a, b, c) => at(a) * at(b) * at(c),
                 Action::Div(a, b) => at(a) / at(b),
                 Action::MulAdd(a, b, c) => at(a) * at(b) + at(c),
                 Action::MulSub(a, b, c) => at(a) * at(b) - at(c),
@@ -37,6 +38,11 @@ impl Program {
             };
             x[step.to as usize] = value;
         }
+    }
+
+    /// Whether what stands at a place of the list is the same for all states.
+    pub fn is_uniform(&self, place: usize) -> bool {
+        place >= self.inputs + self.registers
     }
 
     /// Where the n-th output stands.
