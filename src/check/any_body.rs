@@ -83,12 +83,7 @@ impl<'a> Reached<'a> {
         self.symbols.push(id);
         self.model.symbols.entry(id).members.iter().for_each(|member| self.visit(*member));
         for rule in self.rules.iter().filter(|rule| rule.symbol == id) {
-            match &rule.action {
-                Action::Equals(formula) | Action::Parallel(formula) | Action::Follows { formula, .. } => {
-                    self.follow(formula);
-                }
-                Action::Symmetric { .. } | Action::Union(_) => {}
-            }
+            rule.action.formulas().into_iter().for_each(|formula| self.follow(formula));
         }
         match self.model.meaning(id) {
             Some(Meaning::Defined(formula)) => self.follow(formula),

@@ -132,7 +132,11 @@ impl Claim for Solutions<'_> {
             all.extend(self.with(root, scene)?);
         }
         if self.all_of_them {
-            all.extend(self.degree_exceeds(self.branches.len(), scene)?);
+            let higher = self.degree_exceeds(self.branches.len(), scene)?;
+            if !higher.iter().all(|difference| difference.vanishes()) {
+                return Err("solutions that are counted among real numbers of the declared range only".to_owned());
+            }
+            all.extend(higher);
         }
         Ok(all)
     }
@@ -317,14 +321,13 @@ pub(super) fn reached(
 ) -> Result<Vec<SymbolId>, String> {
     let model = solver.model;
     let of_conditions = solver.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
-    let of_rules = ensemble.rules.iter().filter_map(|rule| match &rule.action {
-        Action::Equals(formula) | Action::Parallel(formula) | Action::Follows { formula, .. } => Some(formula),
-        Action::Symmetric { .. } | Action::Union(_) => None,
-    });
+    let of_rules = ensemble.rules.iter().flat_map(|rule| rule.action.formulas());
     let divided_by_zero = |rule: &Rule| match &rule.action {
         Action::Follows { formula: Expr { node: Node::Quotient(_, coefficient), .. }, .. } => {
             !is_never_zero(model, coefficient)
         }
+        // Their determinant.
+        Action::Together(_) => true,
         _ => false,
     };
     if ensemble.rules.iter().any(divided_by_zero) {

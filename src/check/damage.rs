@@ -78,6 +78,10 @@ impl Desk<'_> {
                 let message = format!("it cannot be judged: {}; {cause}", error.message());
                 Ok(Finding::new(Verdict::Unreadable, span, message))
             }
+            // What is wrong at every state is wrong with this claim alone.
+            None if error.place().is_none() => {
+                Ok(Finding::new(Verdict::Undecided, span, format!("it cannot be judged: {}", error.message())))
+            }
             None => Err(error),
         }
     }

@@ -9,6 +9,7 @@ use crate::formula::{Expr, Relation, SymbolId, text};
 
 use super::identity::{Context, run};
 use super::judge::{self, Link, Point};
+use super::nothing;
 use super::twins::twins;
 use super::verdict::{Finding, Verdict};
 
@@ -30,6 +31,11 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
     let name = text::plain(&context.model.name(symbol));
     if users.is_empty() {
         return Ok(context.finding(Verdict::Undecided, format!("introduces {name}, which nothing else checks")));
+    }
+    if nothing::is_nothing(formula, context)? {
+        return Ok(
+            context.finding(Verdict::Undecided, format!("introduces {name}, which is always 0 as it is printed"))
+        );
     }
     let itself = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
     let definition = Link { lhs: itself, relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
@@ -79,7 +85,11 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
     // The sign of the whole is often a convention, as of a root that is only used squared.
     let whole = formula.clone().negated();
     let signed = loose.len();
-    loose.retain(|(twin, _)| *twin != whole);
+    loose.retain(|(twin, _)| {
+        let link = Link { lhs: twin.clone(), relation: Relation::Equal, rhs: whole.clone(), free: Vec::new() };
+        *twin != whole
+            && !run(&link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
+    });
     let aside = if loose.len() < signed { ", its sign aside" } else { "" };
     match loose.first() {
         _ if names.is_empty() => {

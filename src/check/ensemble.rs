@@ -130,6 +130,9 @@ impl<'m> Ensemble<'m> {
         for place in places {
             // Hypotheses may exclude a state that is drawn, and not the place.
             for _ in 0..8 {
+                if solver.hopeless {
+                    break;
+                }
                 tried += 1;
                 let mut base = draw.base(&solver.slots, setting.reach);
                 place.set(&mut base, &solver.slots);

@@ -52,6 +52,7 @@ impl<B: Number> Scene<'_, B> {
                 let member = self.follow(rule, usize::from(*order), formula, (at, place))?;
                 return member.ok_or(Unavailable::Symbol(id));
             }
+            Action::Together(laws) => return self.together(laws, id),
             // What joins families acts through the crowd that stands in for them.
             Action::Union(..) => return before(),
         };

@@ -12,9 +12,9 @@ use crate::scalar::field::Modulus;
 use crate::scalar::{Measured, Modular, Series};
 
 use super::certify::{self, Claim, Differences};
-use super::identity::{Context, FEWEST, values};
+use super::identity::{self, Context, FEWEST};
 use super::judge;
-use super::model::{Meaning, Quantity};
+use super::model::{Meaning, Model, Quantity};
 use super::scene::Scene;
 use super::verdict::{Counterexample, Finding, Verdict};
 
@@ -24,16 +24,28 @@ use super::verdict::{Counterexample, Finding, Verdict};
 /// When the world's mass matrix is singular.
 pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let model = context.model;
-    let momentum = |i: usize| {
-        let is =
-            |(_, m): &(usize, &Option<Meaning>)| matches!(m, Some(Meaning::World(Quantity::Momentum(k))) if *k == i);
-        model.meanings.iter().enumerate().find(is).map(|(at, _)| SymbolId(at))
+    if model.world.is_none() {
+        return Ok(context.finding(Verdict::Undecided, "there is no system whose motion it could generate"));
+    }
+    if let Some(name) = fixed_by_the_state(hamiltonian, model) {
+        let message = format!("it contains {}, and of that it is not printed how it depends on", text::plain(&name));
+        let message = format!("{message} coordinates and momenta: give its formula under \"define\"");
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
+    // A momentum may have several names.
+    let named = |wanted: Quantity| -> Vec<SymbolId> {
+        let is = |(_, meaning): &(usize, &Option<Meaning>)| matches!(meaning, Some(Meaning::World(q)) if *q == wanted);
+        model.meanings.iter().enumerate().filter(is).map(|(at, _)| SymbolId(at)).collect()
     };
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|v| v.symbol).collect();
-    let momenta: Option<Vec<SymbolId>> = (0..coordinates.len()).map(momentum).collect();
-    let (Some(momenta), Some(_)) = (momenta, &model.world) else {
-        return Ok(context.finding(Verdict::Undecided, "there is no world whose motion it could generate"));
-    };
+    let momenta: Vec<Vec<SymbolId>> = (0..coordinates.len()).map(|k| named(Quantity::Momentum(k))).collect();
+    if let Some(k) = momenta.iter().position(Vec::is_empty) {
+        let coordinate = text::plain(&model.name(coordinates[k]));
+        let message = format!("the momentum of {coordinate} has no name: give it one under \"means\"");
+        return Ok(context.finding(Verdict::Undecided, message));
+    }
+    // What is varied: the names of each.
+    let varied: Vec<Vec<SymbolId>> = coordinates.iter().map(|id| vec![*id]).chain(momenta).collect();
     let mode = context.mode(true, &[hamiltonian]);
     let ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.scenes.is_empty() {
@@ -44,18 +56,13 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         let base: Vec<Dual<Measured>> = base.iter().map(|x| Dual::from_re(Measured::new(*x))).collect();
         let mut free = Scene::new(model, mode, &base, &ensemble.rules)?;
         let Some(known) = scene.quantities() else { continue };
-        let point: Vec<(SymbolId, Measured)> = coordinates
-            .iter()
-            .zip(scene.coordinates().iter().map(Series::value))
-            .chain(momenta.iter().zip(known.momenta.iter().map(Series::value)))
-            .map(|(id, value)| (*id, value))
-            .collect();
-        for (place, (id, _)) in point.iter().enumerate() {
-            let seeded: Vec<(SymbolId, Series<Dual<Measured>>)> = point
-                .iter()
-                .map(|(other, value)| {
-                    let slope = Measured::new(if other == id { 1.0 } else { 0.0 });
-                    (*other, Series::from_derivatives(&[Dual::new(*value, slope)]))
+        let values: Vec<Measured> = scene.coordinates().iter().chain(&known.momenta).map(Series::value).collect();
+        for place in 0..varied.len() {
+            let seeded: Vec<(SymbolId, Series<Dual<Measured>>)> = (0..varied.len())
+                .flat_map(|other| varied[other].iter().map(move |id| (other, *id)))
+                .map(|(other, id)| {
+                    let slope = Measured::new(if other == place { 1.0 } else { 0.0 });
+                    (id, Series::from_derivatives(&[Dual::new(values[other], slope)]))
                 })
                 .collect();
             free.set_only(&seeded);
@@ -70,7 +77,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             };
             let n = coordinates.len();
             let (printed, derived, equation) = if place < n {
-                let name = text::plain(&model.name(momenta[place]));
+                let name = text::plain(&model.name(varied[n + place][0]));
                 (-slope, known.momenta[place].derivative().value(), format!("the rate of {name}"))
             } else {
                 let i = place - n;
@@ -84,7 +91,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             let residual = difference.value.abs() / difference.magnitude.max(f64::MIN_POSITIVE);
             if !judge::vanishes(difference) {
                 let counterexample = Counterexample {
-                    state: values(&[hamiltonian], scene),
+                    state: identity::values(&[hamiltonian], scene),
                     lhs: printed.value,
                     rhs: derived.value,
                     entry: Some(equation.clone()),
@@ -110,15 +117,26 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         max_residual: Some(worst),
         ..context.finding(Verdict::Verified, "Hamilton's equations from it give the motion")
     };
-    let claim = Generates { hamiltonian, coordinates: &coordinates, momenta: &momenta };
+    let claim = Generates { hamiltonian, varied: &varied };
     Ok(certify::decide(&[hamiltonian], context, &ensemble, &claim).stamp(finding))
+}
+
+/// The name of something in a formula that the state determines and that is no coordinate or momentum: how it varies with
+/// these the name does not say.
+fn fixed_by_the_state(formula: &Expr, model: &Model) -> Option<String> {
+    formula.symbols().into_iter().find_map(|(id, _)| match model.meaning(id)? {
+        Meaning::World(Quantity::Momentum(_)) => None,
+        Meaning::World(_) | Meaning::Frame(_) => Some(model.name(id)),
+        Meaning::Defined(formula) => fixed_by_the_state(formula, model),
+        _ => None,
+    })
 }
 
 /// That a formula generates the motion, for a field to decide.
 struct Generates<'a> {
     hamiltonian: &'a Expr,
-    coordinates: &'a [SymbolId],
-    momenta: &'a [SymbolId],
+    /// The names of each coordinate, then of each momentum.
+    varied: &'a [Vec<SymbolId>],
 }
 
 impl Claim for Generates<'_> {
@@ -128,12 +146,12 @@ impl Claim for Generates<'_> {
         let none = "a formula without a motion";
         let momenta = scene.quantities().ok_or(none)?.momenta.clone();
         let coordinates = scene.coordinates().to_vec();
-        let symbols: Vec<SymbolId> = self.coordinates.iter().chain(self.momenta).copied().collect();
         let values: Vec<Series<Modular<F>>> = coordinates.iter().chain(&momenta).copied().collect();
         let mut rate = |varied: Option<usize>| {
             let slope = |at: usize| Modular::from(if varied == Some(at) { 1.0 } else { 0.0 });
             let series = |at: usize| Series::from_derivatives(&[values[at].value(), slope(at)]);
-            let point: Vec<_> = symbols.iter().enumerate().map(|(at, id)| (*id, series(at))).collect();
+            let names = self.varied.iter().enumerate().flat_map(|(at, names)| names.iter().map(move |id| (at, *id)));
+            let point: Vec<_> = names.map(|(at, id)| (id, series(at))).collect();
             scene.set_only(&point);
             let found = evaluate_to(2, self.hamiltonian, scene, &[]);
             scene.set_only(&[]);

@@ -20,7 +20,7 @@ use super::rules::{Action, Rule};
 use super::scene::{Mode, Scene};
 use super::twins::{Twin, twins};
 use super::verdict::{Counterexample, Finding, Verdict};
-use super::{branches, difference, edges, forced};
+use super::{branches, difference, edges, forced, nothing};
 
 /// How many states a pass needs.
 pub const FEWEST: usize = 8;
@@ -63,10 +63,7 @@ impl<'a> Context<'a> {
         let of_conditions = self.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
         let of_laws = self.model.laws.iter().flat_map(|law| &law.conditions).flat_map(|c| [&c.lhs, &c.rhs]);
         let of_laws = of_laws.filter(|_| on_shell);
-        let of_rules = self.local.iter().filter_map(|rule| match &rule.action {
-            Action::Equals(formula) | Action::Parallel(formula) | Action::Follows { formula, .. } => Some(formula),
-            Action::Symmetric { .. } | Action::Union(_) => None,
-        });
+        let of_rules = self.local.iter().flat_map(|rule| rule.action.formulas());
         // A symbol that a hypothesis or a law gives its value is differentiated as often as it is itself, and then as
         // often as the formula is.
         let beneath = of_conditions.chain(of_laws).chain(of_rules).map(|f| derivatives(f, self.model)).max();
@@ -257,6 +254,9 @@ fn judged(link: &Link, context: &Context<'_>) -> Result<Finding> {
     if let Some(finding) = trivial(link, context) {
         return Ok(finding);
     }
+    if nothing::is_its_rate(link, context)? {
+        return Ok(context.finding(Verdict::Undecided, "what is differentiated is always 0, so nothing is checked"));
+    }
     match (context.on_shell, context.model.has_motion()) {
         (Some(on_shell), true) => Ok(check_in(link, context, on_shell)?.0),
         (_, false) => Ok(check_in(link, context, false)?.0),
@@ -269,8 +269,6 @@ fn judged(link: &Link, context: &Context<'_>) -> Result<Finding> {
             Ok(match (always.verdict, on_shell.verdict) {
                 (always_verdict, verdict) if always_verdict.holds() && verdict.holds() => always,
                 (Verdict::Undecided, Verdict::Refuted | Verdict::Undecided) => always,
-                // Where no state obeys the laws, what is false without them stays so.
-                (Verdict::Refuted, Verdict::Undecided) if on_shell.points == 0 => always,
                 _ => on_shell,
             })
         }
@@ -632,8 +630,8 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     }
     finding.message = match finding.verdict {
         Verdict::Verified => {
-            finding = certify::certify(&link, &on_shell, &ensemble).stamp(finding);
-            "constant on shell".to_owned()
+            finding.message = "constant on shell".to_owned();
+            return Ok(certify::certify(&link, &on_shell, &ensemble).stamp(finding));
         }
         Verdict::Refuted => "it varies on shell".to_owned(),
         _ => finding.message,

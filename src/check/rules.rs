@@ -3,14 +3,18 @@
 //! `\vec F_{ij} = -\vec F_{ji}` is a symmetry, `\vec F_{ij} \propto \vec r_{ij}` a direction, and Newton's second law can
 //! be written as the value of one of its forces. Such a hypothesis about a vector, or about a family, becomes a [`Rule`]
 //! that the state follows whenever it is asked for the symbol: exactly, for all members, over any number, and with all
-//! derivatives where it holds throughout. The others are left to [`super::solver`], which moves numbers onto them.
+//! derivatives where it holds throughout. Laws that need one another are solved [`together`]. The others are left to [`super::solver`], which moves numbers onto them.
+
+use std::sync::Arc;
 
 use crate::formula::{Expr, Index, IndexId, Kind, Node, Relation, Sign, SymbolId, Term};
+use crate::notes::claims::Range;
 use crate::source::Span;
 
 use super::ensemble::Condition;
 use super::model::{Meaning, Model};
 use super::motion::motion;
+use super::together::{self, Laws};
 
 /// What a hypothesis, or the meaning of a symbol in one equation, makes of a symbol.
 #[derive(Clone, Debug)]
@@ -46,26 +50,44 @@ pub enum Action {
         /// Its value.
         formula: Expr,
     },
+    /// What laws give it together with other symbols.
+    Together(Arc<Laws>),
     /// The members of several families, one after the other.
     Union(Vec<Expr>),
+}
+
+impl Action {
+    /// The formulas that a symbol's value depends on by it.
+    pub fn formulas(&self) -> Vec<&Expr> {
+        match self {
+            Action::Equals(formula) | Action::Parallel(formula) | Action::Follows { formula, .. } => vec![formula],
+            Action::Together(laws) => laws.sides.iter().flatten().collect(),
+            Action::Symmetric { .. } | Action::Union(_) => Vec::new(),
+        }
+    }
 }
 
 /// The rules that these hypotheses are, after those of the claim itself, and whether each of them is one.
 pub fn rules(model: &Model, local: &[Rule], conditions: &[Condition]) -> (Vec<Rule>, Vec<bool>) {
     let mut rules: Vec<Rule> = local.to_vec();
     let mut explicit = vec![false; conditions.len()];
+    let mut owners = Vec::new();
     // A hypothesis that fixes a whole vector by itself goes before the laws, which leave a choice.
     for (at, condition) in conditions.iter().enumerate() {
         let found = symmetry(model, condition).or_else(|| parallel(model, condition, &rules));
         let is_new = |rule: &Rule| !rules.iter().any(|known| known.symbol == rule.symbol);
         let moves = |condition: &Condition| motion(model, condition).filter(is_new);
+        let outright = || Some(at).filter(|_| condition.throughout && together::joins(model, condition));
+        let found = found.or_else(|| value(model, condition, &rules, number_of(model, conditions, outright()?)));
         let found = found.or_else(|| moves(condition).filter(|_| condition.throughout && is_equality(condition)));
-        let found = found.or_else(|| value(model, condition, &rules));
+        let found = found.or_else(|| value(model, condition, &rules, |term| free_symbol(model, term)));
         if let Some(rule) = found {
             explicit[at] = true;
             rules.push(rule);
+            owners.push(at);
         }
     }
+    together::couple(model, conditions, (local.len(), &mut rules), &mut owners, &mut explicit);
     (rules, explicit)
 }
 
@@ -144,8 +166,30 @@ fn parallel(model: &Model, condition: &Condition, before: &[Rule]) -> Option<Rul
     })
 }
 
+/// A number that may have any value, and of which no other condition says anything: the force that makes a motion.
+fn number_of<'c>(
+    model: &'c Model,
+    conditions: &'c [Condition],
+    at: usize,
+) -> impl Fn(&Expr) -> Option<(SymbolId, Vec<IndexId>)> + 'c {
+    move |term| {
+        let symbol = term.as_plain_symbol()?;
+        let entry = model.symbols.entry(symbol);
+        let is_number = entry.kind == Kind::Scalar && entry.slots.is_empty();
+        let may_be_any = matches!(model.meaning(symbol)?, Meaning::Varying(_)) && model.range(symbol) == Range::Any;
+        let mentions = |other: &Condition| [&other.lhs, &other.rhs].iter().any(|s| model.depends_on(s, &[symbol]));
+        let alone = !conditions.iter().enumerate().any(|(other, condition)| other != at && mentions(condition));
+        (is_number && may_be_any && alone).then(|| (symbol, Vec::new()))
+    }
+}
+
 /// An equation with a term that is a free symbol alone, which occurs nowhere else in it: solved for that term.
-fn value(model: &Model, condition: &Condition, before: &[Rule]) -> Option<Rule> {
+fn value(
+    model: &Model,
+    condition: &Condition,
+    before: &[Rule],
+    free: impl Fn(&Expr) -> Option<(SymbolId, Vec<IndexId>)>,
+) -> Option<Rule> {
     if !is_equality(condition) {
         return None;
     }
@@ -157,7 +201,7 @@ fn value(model: &Model, condition: &Condition, before: &[Rule]) -> Option<Rule> 
     let order = (0..left).rev().chain(left..terms.len());
     for at in order {
         let (sign, term) = &terms[at];
-        let Some((symbol, letters)) = free_symbol(model, term) else { continue };
+        let Some((symbol, letters)) = free(term) else { continue };
         let others: Vec<&(Sign, Expr)> =
             terms.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, term)| term).collect();
         if others.iter().any(|(_, other)| reaches(model, before, other, symbol)) {
@@ -223,12 +267,7 @@ pub(super) fn reaches(model: &Model, rules: &[Rule], expr: &Expr, symbol: Symbol
     loop {
         let more = rules.iter().find(|rule| {
             !reached.contains(&rule.symbol)
-                && match &rule.action {
-                    Action::Equals(formula) | Action::Parallel(formula) | Action::Follows { formula, .. } => {
-                        model.depends_on(formula, &reached)
-                    }
-                    Action::Symmetric { .. } | Action::Union(_) => false,
-                }
+                && rule.action.formulas().into_iter().any(|formula| model.depends_on(formula, &reached))
         });
         match more {
             Some(rule) => reached.push(rule.symbol),

@@ -171,6 +171,11 @@ impl<'m, B: Number> Scene<'m, B> {
         self.forget();
     }
 
+    /// How linear equations are solved here.
+    pub(super) fn elimination(&self) -> Elimination {
+        self.elimination
+    }
+
     /// The model that the state belongs to.
     pub fn model(&self) -> &'m Model {
         self.model

@@ -28,6 +28,9 @@ use super::scene::{Mode, Scene};
 /// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
 const THROUGHOUT: usize = 3;
 
+/// After so many bases none of which could be moved onto the hypotheses no more are tried.
+const GIVEN_UP: usize = 12;
+
 /// So many equations are solved at most; hypotheses about whole families are rules instead.
 const MOST: usize = 24;
 
@@ -46,6 +49,8 @@ pub struct Solver<'m> {
     pub(super) plan: Vec<(Row, usize)>,
     /// How many states were accepted.
     accepted: usize,
+    /// How many bases could not be moved onto the hypotheses, and how many could.
+    moved: (usize, usize),
     /// Whether there is more to solve than is solved.
     pub(super) hopeless: bool,
     /// How many derivatives the hypotheses need that are solved.
@@ -120,6 +125,7 @@ impl<'m> Solver<'m> {
             slots,
             plan,
             accepted: 0,
+            moved: (0, 0),
             hopeless: false,
             terms,
             layout: Layout::of(model, mode),
@@ -176,7 +182,13 @@ impl<'m> Solver<'m> {
 
     /// The state near a base at which every hypothesis holds, if there is one.
     pub(super) fn state(&mut self, base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
-        let Some((base, scene)) = self.solve(base)? else { return Ok(None) };
+        let Some((base, scene)) = self.solve(base)? else {
+            self.moved.0 += 1;
+            // To look further costs more the less there is to be found.
+            self.hopeless |= self.moved.1 == 0 && self.moved.0 == GIVEN_UP;
+            return Ok(None);
+        };
+        self.moved.1 += 1;
         Ok(self.accepts(&scene).then_some((base, scene)))
     }
 

@@ -220,7 +220,7 @@ impl<'a> Parser<'a> {
         if sub.is_none() && sup.is_none() && primes == 0 {
             return nucleus;
         }
-        let span = Span::new(nucleus.span.start, self.previous_end());
+        let span = nucleus.span.to(Span::at(self.previous_end()));
         Item { layout: Layout::Scripts { nucleus: Box::new(nucleus), sub, sup, primes }, span }
     }
 
@@ -381,7 +381,7 @@ impl<'a> Parser<'a> {
             "\\langle" => return self.fence(Delimiter::Angle, span),
             _ => Layout::Command(name.to_owned()),
         };
-        Item { layout, span: Span::new(span.start, self.previous_end().max(span.end)) }
+        Item { layout, span: span.to(Span::at(self.previous_end())) }
     }
 
     fn left(&mut self, span: Span) -> Item {
@@ -436,7 +436,7 @@ impl<'a> Parser<'a> {
         if rows.len() > 1 && rows.last().is_some_and(|row| row.iter().all(Vec::is_empty)) {
             rows.pop();
         }
-        Item { layout: Layout::Environment(name, rows), span: Span::new(span.start, self.previous_end()) }
+        Item { layout: Layout::Environment(name, rows), span: span.to(Span::at(self.previous_end())) }
     }
 }
 

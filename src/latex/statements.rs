@@ -126,13 +126,19 @@ fn split<'a>(items: Vec<&'a Item>, row: usize, pieces: &mut Vec<Piece<'a>>) {
     while at < items.len() {
         let item = items[at];
         let mut close = |current: &mut Option<Piece<'a>>| pieces.extend(current.take());
+        let is_wide = matches!(item.layout, Layout::Space(Space::Wide));
+        // Before a row it indents what goes on.
+        if is_wide && starts_row {
+            at += 1;
+            continue;
+        }
         if separates(item) {
             // A wide space inside a statement is only layout: `a \quad = b`, `= 0 \quad \Rightarrow`.
             let relation_follows = items[at + 1..]
                 .iter()
                 .find(|next| !matches!(next.layout, Layout::Space(_)))
                 .is_some_and(|next| relation(next).is_some());
-            if !(matches!(item.layout, Layout::Space(Space::Wide)) && relation_follows) {
+            if !(is_wide && relation_follows) {
                 close(&mut current);
             }
             at += 1;
@@ -192,7 +198,8 @@ fn continues(items: &[&Item], before: Option<&Piece<'_>>) -> bool {
     let is_operator = |item: &Item| {
         is_sign(item) || matches!(&item.layout, Layout::Command(name) if matches!(name.as_str(), "\\cdot" | "\\times"))
     };
-    let significant = |item: &&&Item| !matches!(item.layout, Layout::Space(_));
+    let is_empty = |item: &Item| matches!(&item.layout, Layout::Group(items) if items.is_empty());
+    let significant = |item: &&&Item| !matches!(item.layout, Layout::Space(_)) && !is_empty(item);
     let last = before.links.last();
     let open = last.is_some_and(|link| match link.items.iter().rev().find(significant) {
         Some(item) => is_operator(item),
@@ -200,7 +207,8 @@ fn continues(items: &[&Item], before: Option<&Piece<'_>>) -> bool {
     });
     let first = items.iter().find(significant).copied();
     let adds = first.is_some_and(|item| {
-        item.layout == Layout::Other('+') || is_sign(item) && !items.iter().any(|item| relation(item).is_some())
+        item.layout != Layout::Other('-') && is_operator(item)
+            || is_sign(item) && !items.iter().any(|item| relation(item).is_some())
     });
     before.constant.is_none() && (open || adds)
 }

@@ -143,13 +143,17 @@ struct Finder<'a> {
 }
 
 impl Finder<'_> {
+    /// What is typed there; nothing for what a macro's body and its arguments have put in another order.
     fn slice(&self, span: Span) -> &str {
-        &self.text[span.range()]
+        self.text.get(span.range()).unwrap_or_default()
     }
 
     /// Adds an edit; a command and a letter that would run together are set apart.
     fn edit(&mut self, slip: Slip, span: Span, replacement: impl Into<String>) {
         let mut replacement = replacement.into();
+        if self.text.get(span.range()).is_none() {
+            return;
+        }
         let (before, after) = (&self.text[..span.start], &self.text[span.end..]);
         let letter = |text: &str| text.starts_with(|c: char| c.is_ascii_alphabetic());
         if ends_in_command(&replacement) && letter(after) {
