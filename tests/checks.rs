@@ -11,6 +11,8 @@ mod chains;
 mod claims;
 #[path = "checks/continua.rs"]
 mod continua;
+#[path = "checks/coupled.rs"]
+mod coupled;
 #[path = "checks/difference.rs"]
 mod difference;
 #[path = "checks/edges.rs"]

@@ -277,7 +277,8 @@ impl<'m> Solver<'m> {
         rows
     }
 
-    /// The slot to solve a row for, besides those of the plan: one in which it is linear, else of the highest class.
+    /// The slot to solve a row for, besides those of the plan: one in which it is linear, else of the highest class; one
+    /// that would leave its range comes last.
     fn pivot(&self, base: &[f64], row: Row) -> Result<Option<usize>> {
         let class = |slot: &Slot| match (slot.constant, slot.order) {
             (true, _) => 0,
@@ -302,7 +303,7 @@ impl<'m> Solver<'m> {
             let Some(column) = self.column(base, *slot, &rows)? else { return Ok(None) };
             columns.push(column);
         }
-        let mut other = None;
+        let (mut other, mut outside) = (None, None);
         for slot in candidates {
             let Some(column) = self.column(base, slot, &rows)? else { continue };
             if column.iter().all(|value| value.eps == 0.0) {
@@ -316,11 +317,16 @@ impl<'m> Solver<'m> {
                 continue;
             }
             if self.is_linear(base, row, slot)? {
-                return Ok(Some(slot));
+                let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / value.eps);
+                if contains(&self.slots[slot].range, goes_to) {
+                    return Ok(Some(slot));
+                }
+                outside = outside.or(Some(slot));
+                continue;
             }
             other = other.or(Some(slot));
         }
-        Ok(other)
+        Ok(other.or(outside))
     }
 
     /// Rows, with their derivatives by a slot.

@@ -103,6 +103,26 @@ fn solutions_are_all_of_them_and_each_once() {
 }
 
 #[test]
+fn one_solution_is_all_of_them_where_the_others_are_out_of_range() {
+    let solves = |unknown: &str, solution: &str| {
+        let claims = with(&numbers(), "constants", json!({ "a, b": "> 0", "x": unknown }));
+        outcome(&equation(&claims, &["a x^2 = b", solution], json!({ "solves": "1", "for": "x" })).finding)
+    };
+    assert_eq!(solves("> 0", r"x = \sqrt{\frac{b}{a}}"), Verified);
+    assert_eq!(solves("any", r"x = \sqrt{\frac{b}{a}}"), Refuted);
+    assert_eq!(solves("> 0", r"x = \sqrt{\frac{a}{b}}"), Refuted);
+}
+
+#[test]
+fn a_momentum_may_have_two_names() {
+    let claims = with(&planet(), "means", json!({ r"\ell": r"momentum of \phi" }));
+    let generates = |latex: &str| verdict(&claims, &[latex], json!({ "generates": "the motion" }));
+    assert_eq!(generates(r"H = \frac{p_r^2}{2m} + \frac{p_\phi^2}{2mr^2} - \frac{GMm}{r}"), Verified);
+    assert_eq!(generates(r"H = \frac{p_r^2}{2m} + \frac{\ell^2}{2mr^2} - \frac{GMm}{r}"), Verified);
+    assert_eq!(generates(r"H = \frac{p_r^2}{2m} + \frac{\ell^2}{mr^2} - \frac{GMm}{r}"), Refuted);
+}
+
+#[test]
 fn no_real_solution_is_no_evidence() {
     let solution = r"x_{\pm} = b \pm \sqrt{b^2 - c}";
     let found = equation(&numbers(), &[QUADRATIC, solution], json!({ "solves": "1", "for": "x", "assume": "b^2 < c" }));
@@ -143,7 +163,11 @@ fn approximately_without_a_limit_is_refused() {
 
 #[test]
 fn a_hamiltonian_generates_the_motion() {
-    let claims = with(&pendulum(), "means", json!({ "H": "Hamiltonian" }));
+    let claims = with(
+        &pendulum(),
+        "means",
+        json!({ "H": "Hamiltonian", "E": "energy", "U": "potential energy", "T": "kinetic energy" }),
+    );
     let generates = |latex: &str| {
         let found = equation(&claims, &[latex], json!({ "generates": "the motion" }));
         let part = found.parts.iter().find(|part| part.reading.contains("generates")).cloned();
@@ -155,6 +179,11 @@ fn a_hamiltonian_generates_the_motion() {
     // It has the right value at every state, and as a function of the momentum is not the Hamiltonian.
     assert_ne!(generates(r"H = \frac12 p_\theta \dot\theta - mgl\cos\theta").1, Verified);
     assert_ne!(generates(r"H = \frac12 m l^2 \dot\theta^2 - mgl\cos\theta").1, Verified);
+    // What the state determines varies with coordinates and momenta, and its name does not say how.
+    for named in ["E", "E + U - U", "5T^2"] {
+        let more = format!(r"H = \frac{{p_\theta^2}}{{2ml^2}} - mgl\cos\theta + {named}");
+        assert_eq!(generates(&more), (false, Undecided), "{named}");
+    }
 }
 
 #[test]

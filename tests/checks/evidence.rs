@@ -3,7 +3,7 @@
 use onshell::check::Verdict::{Domain, Refuted, Undecided, Unreadable, Verified};
 use serde_json::json;
 
-use crate::support::{document, equation, error, numbered, numbers, outcome, pendulum, verdict, with};
+use crate::support::{document, equation, error, numbered, numbers, outcome, pendulum, top, verdict, with};
 
 #[test]
 fn hypotheses_that_contradict_each_other_leave_nothing_to_check() {
@@ -179,6 +179,63 @@ fn without_a_claim_an_unnumbered_display_is_left_alone_and_a_numbered_one_is_not
     let found = document(&numbers(), notes, &Default::default(), None).unwrap();
     assert_eq!(found.equations.len(), 1);
     assert_eq!(found.equations[0].finding.verdict, Refuted);
+}
+
+#[test]
+fn what_is_always_zero_has_no_rate_to_speak_of() {
+    let claims = json!({
+        "constants": { "m, k": "> 0" },
+        "varies with time": { r"\vec r": "any" },
+        "laws": { "spring": "1" },
+    });
+    let spring = r"m \ddot{\vec r} = -k \vec r";
+    let verdicts = |displays: &[&str]| {
+        let found = document(&claims, &numbered(displays), &Default::default(), None).unwrap();
+        found.equations.iter().map(|equation| outcome(&equation.finding)).collect::<Vec<_>>()
+    };
+    assert_eq!(verdicts(&[spring, r"\frac{d}{dt} (m \vec r \times \dot{\vec r}) = \vec 0"])[1], Verified);
+    assert_eq!(verdicts(&[spring, r"\frac{d}{dt} (m \vec r \times \vec r) = \vec 0"])[1], Undecided);
+    assert_eq!(verdicts(&[spring, r"\frac{d}{dt} (m \vec r \times \ddot{\vec r}) = \vec 0"])[1], Verified);
+    // A definition of what is always zero is no definition.
+    let defined = |formula: &str| verdicts(&[spring, &format!(r"Q = {formula}"), r"\dot Q = 0"])[1..].to_vec();
+    assert_eq!(defined(r"\vec r \cdot \dot{\vec r} - \dot{\vec r} \cdot \vec r"), [Undecided; 2]);
+    assert_eq!(defined(r"m \dot{\vec r} \cdot \dot{\vec r} + k \vec r \cdot \vec r")[1], Verified);
+}
+
+#[test]
+fn where_no_motion_obeys_the_hypotheses_no_other_state_refutes() {
+    let at_rest =
+        |latex: &str| verdict(&top(), &[latex], json!({ "throughout": [r"\dot\theta = 0", r"\dot\phi = 0"] }));
+    assert_eq!(at_rest(r"\lambda_1 \ddot\theta = 5 MgR \sin\theta"), Undecided);
+    let steady = |latex: &str| verdict(&top(), &[latex], json!({ "throughout": r"\dot\theta = 0" }));
+    assert_eq!(steady(r"\lambda_1 \dot\phi^2 \cos\theta - p_\psi \dot\phi + MgR = 0"), Verified);
+    assert_eq!(steady(r"\lambda_1 \dot\phi^2 \cos\theta + p_\psi \dot\phi + MgR = 0"), Refuted);
+}
+
+#[test]
+fn a_claim_that_has_no_value_anywhere_leaves_the_others_alone() {
+    let claims = json!({
+        "system": "relativistic_particle",
+        "coordinates": { "x": "any" },
+        "means": { "E": "energy" },
+        "constants": { "m, c, k": "> 0" },
+    });
+    let displays = [r"|\dot x| < c", r"E = \frac{mc^2}{\sqrt{1 - \dot x^2/c^2}} + \frac12 k x^2"];
+    let found = document(&claims, &numbered(&displays), &onshell::systems::Registry::standard(), None).unwrap();
+    assert!(found.equations[1].finding.verdict.holds(), "{:?}", found.equations[1]);
+    assert!(!found.equations[0].ok);
+}
+
+#[test]
+fn a_row_that_goes_on_after_a_wide_space_goes_on() {
+    let rows = |second: &str| format!(r"\begin{{split}} (a + b)^2 &= a^2 + 2ab \\ {second} \end{{split}}");
+    for goes_on in [r"&\quad + b^2", r"&\qquad{} + b^2", r"& \quad + b^2", "& + b^2"] {
+        assert_eq!(verdict(&numbers(), &[&rows(goes_on)], json!({})), Verified, "{goes_on}");
+    }
+    assert_eq!(verdict(&numbers(), &[&rows(r"&\quad - b^2")], json!({})), Refuted);
+    let times = r"\begin{split} c a b &= a b \\ &\quad \times c \end{split}";
+    assert_eq!(verdict(&numbers(), &[times], json!({})), Verified);
+    assert_eq!(verdict(&numbers(), &[r"a + b = b + a \qquad a b = b a \qquad a = b"], json!({})), Refuted);
 }
 
 #[test]

@@ -257,6 +257,21 @@ fn what_a_macro_stands_for_is_edited_as_a_whole_or_not_at_all() {
     assert!(slips(written_out, &symbols(), &Macros::default()).iter().any(|edit| edit.slip == Slip::Number));
 }
 
+/// What stands in a macro's body comes before its arguments in the text, wherever it is typeset.
+#[test]
+fn a_macro_may_put_its_argument_anywhere() {
+    for body in ["#1^2", "#1_1", "\\left(#1\\right)", "#1 + #1^3", "\\frac{#1}{#1}", "2 #1 - #1"] {
+        let mut macros = Macros::default();
+        macros.define("\\twice", 1, body);
+        for text in ["\\twice{\\theta} = m", "m + \\twice\\theta", "\\twice{m + \\twice{\\theta}} m"] {
+            let pool = Pool::of([text].into_iter(), &symbols(), &macros, 8);
+            let all = [slips(text, &symbols(), &macros), corrections(text, &symbols(), &macros, &pool)].concat();
+            assert!(all.iter().all(|edit| text.get(edit.span.range()).is_some()), "{body}, {text}: {all:?}");
+            assert!(!all.is_empty(), "{body}, {text}");
+        }
+    }
+}
+
 /// The commands of a text.
 fn commands(text: &str) -> HashSet<String> {
     let name = |kind| match kind {
