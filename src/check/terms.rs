@@ -65,9 +65,10 @@ pub(super) fn fitted(link: &Link, context: &Context<'_>, finding: Finding) -> Fi
 
 /// A term of an equation whose sums are multiplied out.
 #[derive(Clone)]
-struct Leaf {
+pub(super) struct Leaf {
     sign: Sign,
-    expr: Expr,
+    /// The term itself.
+    pub expr: Expr,
     /// The terms that it is part of, as printed, the outermost first and the innermost last.
     places: Vec<Span>,
     /// Whether it stands on the left.
@@ -96,7 +97,7 @@ fn leaves(link: &Link) -> Vec<Leaf> {
 }
 
 /// The terms of a formula. Of a product of several sums none is multiplied out: its terms would have no place of their own.
-fn multiplied_out(expr: &Expr) -> Vec<Leaf> {
+pub(super) fn multiplied_out(expr: &Expr) -> Vec<Leaf> {
     if let Node::Sum(terms) = &expr.node {
         let term = |term: &Term| {
             let place = term.sign_span.map_or(term.expr.span, |sign| sign.to(term.expr.span));
@@ -338,7 +339,7 @@ fn proportion(rows: &DMatrix<f64>, of: usize, to: usize) -> Option<f64> {
 
 impl Fraction {
     /// The small fraction that a number is.
-    fn near(value: f64) -> Option<Fraction> {
+    pub(super) fn near(value: f64) -> Option<Fraction> {
         (1..=LARGEST).find_map(|denominator| {
             let numerator = (value * f64::from(denominator)).round();
             let is_it =

@@ -296,21 +296,23 @@ impl<'d, 'a> Trial<'d, 'a> {
         if reading.statements.len() != self.screens.len() {
             return false;
         }
-        reading.statements.iter().zip(&self.screens).enumerate().any(|(n, (statement, screen))| {
-            let (Ok(statement), Some(screen)) = (statement, screen) else { return false };
-            let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == n).collect();
-            let defines = |at: usize| introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0);
-            let checked = statement
-                .relations
-                .iter()
-                .enumerate()
-                .filter(|(at, (relation, _))| is_tested(*relation) && !defines(*at));
-            checked.into_iter().any(|(at, (relation, _))| {
-                let link = self.desk.link(&statement.members[at], *relation, &statement.members[at + 1]);
-                link.is_ok_and(|link| refuted(&link, screen))
-            })
+        (0..self.screens.len()).any(|n| {
+            let screen = self.screens[n].as_ref();
+            screen.is_some_and(|screen| tested(self.desk, reading, n).any(|link| refuted(&link, screen)))
         })
     }
+}
+
+/// The links of a statement that can be wrong: those that define nothing.
+pub(super) fn tested<'r>(desk: &'r Desk<'_>, reading: &'r Reading, n: usize) -> impl Iterator<Item = Link> + 'r {
+    let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|new| new.statement == n).collect();
+    let defines = move |at: usize| introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0);
+    reading.statements[n].iter().flat_map(move |statement| {
+        let relations = statement.relations.iter().enumerate();
+        let checked = relations.filter(|(at, (relation, _))| is_tested(*relation) && !defines(*at));
+        let link = |at: usize, relation| desk.link(&statement.members[at], relation, &statement.members[at + 1]);
+        checked.filter_map(|(at, (relation, _))| link(at, *relation).ok()).collect::<Vec<_>>()
+    })
 }
 
 /// Leaves of a chain the step to a member: this and the one before it.
