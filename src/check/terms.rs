@@ -76,14 +76,19 @@ pub(super) struct Leaf {
 }
 
 impl Leaf {
+    /// The term with its sign.
+    pub(super) fn signed(&self) -> Expr {
+        if self.sign == Sign::Plus { self.expr.clone() } else { self.expr.clone().negated() }
+    }
+
     /// Its sign where all is brought to the left.
-    fn brought_left(&self) -> f64 {
+    pub(super) fn brought_left(&self) -> f64 {
         if (self.sign == Sign::Plus) == self.on_the_left { 1.0 } else { -1.0 }
     }
 }
 
 /// The terms of both sides, without literal zeros.
-fn leaves(link: &Link) -> Vec<Leaf> {
+pub(super) fn leaves(link: &Link) -> Vec<Leaf> {
     let side = |side: &Expr, on_the_left: bool| {
         let terms = multiplied_out(side);
         let whole = (terms.len() > 1).then_some(side.span);

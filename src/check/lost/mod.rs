@@ -17,22 +17,24 @@ use std::cell::OnceCell;
 use crate::Result;
 use crate::formula::{Expr, Node, text};
 use crate::latex::slips::{self, Edit, Hole, Slip};
-use crate::latex::{Reading, typeset};
-use crate::notes::claims::Holds;
+use crate::latex::{Reading, read_formula, typeset};
+use crate::notes::claims::{Claim, Holds};
 use crate::scalar::{DualNum, Measured, Symbol, TERMS};
 
 use super::desk::Desk;
 use super::difference::{self, entries, normal};
 use super::draw::Reach;
 use super::ensemble::Ensemble;
+use super::formal;
 use super::identity::{Context, is_equality};
 use super::judge::Link;
 use super::repair::Wrong;
 use super::reprint;
 use super::scene::Scene;
-use super::terms::multiplied_out;
+use super::terms::{leaves, multiplied_out};
 use super::trial::tested;
-use product::Factors;
+use super::verdict::Fraction;
+use product::{Factors, bases};
 
 /// So many states say what is missing. Two in three are fitted, the others confirm it.
 const STATES: usize = 72;
@@ -97,7 +99,7 @@ pub(super) fn edits(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit>> {
     let mut mode = context.mode(!always && desk.model.has_motion(), &members);
     mode.order = (mode.order + 1).clamp(3, TERMS - 1);
     let Ok(ensemble) = context.ensemble(mode, false, STATES) else { return Ok(Vec::new()) };
-    let off = ensemble.scenes.iter().map(|scene| residuals(desk, wrong.reading, scene)).collect();
+    let off = ensemble.scenes.iter().map(|scene| residuals(desk, wrong.claim, wrong.reading, scene)).collect();
     let lost = Lost { desk, wrong, ensemble, off, factors: OnceCell::new() };
     let mut proposals = lost.proposals();
     proposals.sort_by_key(|proposal| proposal.cost);
@@ -107,13 +109,13 @@ pub(super) fn edits(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit>> {
 
 /// By how much all that is claimed in a reading is off at a state; none, where it has no value or claims something else
 /// than equality.
-fn residuals(desk: &Desk<'_>, reading: &Reading, scene: &Scene<'_, Measured>) -> Option<Rows> {
+fn residuals(desk: &Desk<'_>, claim: &Claim, reading: &Reading, scene: &Scene<'_, Measured>) -> Option<Rows> {
     let mut rows = Vec::new();
     for n in 0..reading.statements.len() {
         if reading.statements[n].is_err() {
             return None;
         }
-        for link in tested(desk, reading, n) {
+        for link in tested(desk, (reading, n), claim) {
             if !is_equality(link.relation) {
                 return None;
             }
@@ -142,10 +144,7 @@ impl<'w, 'a> Lost<'w, 'a> {
             }
             let Some(needed) = self.needed(hole, &one, &two) else { continue };
             let Some(link) = self.link(self.wrong.reading, needed.row) else { continue };
-            if hole.slip == Slip::Term && self.is_printed(&link, &needed, &needed.values) {
-                continue;
-            }
-            let found = self.product(hole, &needed);
+            let found = self.product(hole, &needed, &link);
             let found =
                 if found.is_empty() { self.sum(hole, &needed, &link, &one).into_iter().collect() } else { found };
             proposals.extend(found);
@@ -163,13 +162,16 @@ impl<'w, 'a> Lost<'w, 'a> {
         reprint::read(self.desk, &self.desk.model.macros, self.wrong.at, &text, self.wrong.claim)
     }
 
+    fn residuals(&self, reading: &Reading, scene: &Scene<'_, Measured>) -> Option<Rows> {
+        residuals(self.desk, self.wrong.claim, reading, scene)
+    }
+
     /// The value that a hole must have at each state, where it enters linearly and all rows agree on it.
     fn needed(&self, hole: Hole, one: &Reading, two: &Reading) -> Option<Needed> {
         let mut needed = Needed { row: usize::MAX, values: Vec::new(), slopes: Vec::new(), states: Vec::new() };
         for (at, scene) in self.ensemble.scenes.iter().enumerate() {
             let Some(off) = &self.off[at] else { continue };
-            let (Some(first), Some(second)) = (residuals(self.desk, one, scene), residuals(self.desk, two, scene))
-            else {
+            let (Some(first), Some(second)) = (self.residuals(one, scene), self.residuals(two, scene)) else {
                 continue;
             };
             if first.len() != off.len() || second.len() != off.len() {
@@ -202,7 +204,7 @@ impl<'w, 'a> Lost<'w, 'a> {
     fn link(&self, reading: &Reading, row: usize) -> Option<Link> {
         let scene = self.ensemble.scenes.first()?;
         let mut start = 0;
-        for link in (0..reading.statements.len()).flat_map(|n| tested(self.desk, reading, n)) {
+        for link in (0..reading.statements.len()).flat_map(|n| tested(self.desk, (reading, n), self.wrong.claim)) {
             let count = entries(&link, scene).ok()?.len();
             if row < start + count {
                 return (count == 1).then_some(link);
@@ -212,18 +214,43 @@ impl<'w, 'a> Lost<'w, 'a> {
         None
     }
 
-    /// Whether what a hole takes up is a multiple of a printed term: then that is wrong, and nothing was lost.
-    fn is_printed(&self, link: &Link, needed: &Needed, values: &[f64]) -> bool {
-        let leaves = [&link.lhs, &link.rhs].into_iter().flat_map(multiplied_out);
-        leaves.filter(|leaf| !leaf.expr.is_null()).any(|leaf| {
+    /// Whether a term that is put into a hole only takes away what is printed, or is a multiple of it: then that is wrong, and
+    /// nothing was lost.
+    fn undoes(&self, term: &Expr, link: &Link, needed: &Needed) -> bool {
+        let Some(values) = self.values(term, &needed.states) else { return true };
+        leaves(link).iter().any(|leaf| {
             let Some(printed) = self.values(&leaf.expr, &needed.states) else { return false };
-            let ratios: Vec<f64> = values
-                .iter()
-                .zip(&needed.slopes)
-                .zip(printed)
-                .map(|((x, slope), printed)| x * slope / printed)
-                .collect();
-            ratios.iter().all(|ratio| (ratio - ratios[0]).abs() <= NEAR * ratios[0].abs())
+            let printed = printed.iter().map(|value| value * leaf.brought_left());
+            let changes = values.iter().zip(&needed.slopes).map(|(value, slope)| value * slope);
+            let ratios: Vec<f64> = changes.zip(printed).map(|(change, printed)| change / printed).collect();
+            let ratio = ratios[0];
+            if ratios.iter().any(|other| (other - ratio).abs() > NEAR * ratio.abs()) {
+                return false;
+            }
+            (ratio + 1.0).abs() < NEAR || self.is_multiple(term, &leaf.expr, &needed.states)
+        })
+    }
+
+    /// Whether one of these is a factor that stands beside a hole: to divide by it takes it away.
+    fn cancels(&self, divisors: &[Expr], hole: Hole) -> bool {
+        let (symbols, macros) = (&self.desk.model.symbols, &self.desk.model.macros);
+        let read = read_formula(&self.wrong.text[hole.whole.range()], &mut symbols.clone(), macros);
+        let Ok(printed) = read else { return !divisors.is_empty() };
+        let mut factors = Vec::new();
+        bases(&printed, &mut factors);
+        divisors.iter().any(|divisor| factors.contains(&divisor))
+    }
+
+    /// Whether a term is a number times another, whatever their symbols mean.
+    fn is_multiple(&self, term: &Expr, of: &Expr, states: &[usize]) -> bool {
+        let (Some(a), Some(b)) = (self.values(term, states), self.values(of, states)) else { return false };
+        let times = |n: i32, expr: &Expr| {
+            let product =
+                Expr::new(Node::Product(vec![Expr::integer(n.unsigned_abs(), expr.span), expr.clone()]), expr.span);
+            if n < 0 { product.negated() } else { product }
+        };
+        Fraction::near(a[0] / b[0]).is_some_and(|ratio| {
+            formal::same(&times(ratio.denominator, term), &times(ratio.numerator, of), self.desk.model)
         })
     }
 
@@ -234,14 +261,19 @@ impl<'w, 'a> Lost<'w, 'a> {
     }
 
     /// What should stand in a hole as a product of powers.
-    fn product(&self, hole: Hole, needed: &Needed) -> Vec<Proposal> {
+    fn product(&self, hole: Hole, needed: &Needed, link: &Link) -> Vec<Proposal> {
         let factors = self.factors.get_or_init(|| Factors::of(self.desk, self.wrong, &self.ensemble.scenes));
         let Some(product) = factors.fitted(&needed.states, &needed.values) else { return Vec::new() };
         if hole.slip == Slip::Factor && product.is_number() {
             return Vec::new();
         }
+        let symbols = &self.desk.model.symbols;
+        let read = read_formula(&product.latex, &mut symbols.clone(), &self.desk.model.macros);
+        if hole.slip == Slip::Term && !read.is_ok_and(|term| !self.undoes(&product.signed(term), link, needed)) {
+            return Vec::new();
+        }
         let sign = if product.is_negative() { '-' } else { '+' };
-        if hole.slip == Slip::Factor && sign == '-' {
+        if hole.slip == Slip::Factor && (sign == '-' || self.cancels(&product.below, hole)) {
             return Vec::new();
         }
         vec![self.proposal(hole, sign, &product.latex, product.cost)]
@@ -269,7 +301,10 @@ impl<'w, 'a> Lost<'w, 'a> {
         let model = self.desk.model;
         let found = normal(model, &self.ensemble, link, &missing)?;
         let length = text::formula(&found, &model.symbols).chars().count();
-        if length > LONGEST {
+        let mut is_whole = true;
+        found.walk(&mut |part| is_whole &= !matches!(part.node, Node::Quotient(..)));
+        // A factor that is a sum is no sum of quotients: that would be another term over the one that is printed.
+        if length > LONGEST || hole.slip == Slip::Factor && !is_whole {
             return None;
         }
         let near = |(a, b): (f64, &f64)| (a - b).abs() <= NEAR * b.abs();
@@ -277,10 +312,8 @@ impl<'w, 'a> Lost<'w, 'a> {
             return None;
         }
         if hole.slip == Slip::Term {
-            for leaf in multiplied_out(&found) {
-                if self.is_printed(link, needed, &self.values(&leaf.expr, &needed.states)?) {
-                    return None;
-                }
+            if multiplied_out(&found).iter().any(|leaf| self.undoes(&leaf.signed(), link, needed)) {
+                return None;
             }
         }
         let (sign, latex) = match (&found.node, hole.slip) {

@@ -52,6 +52,8 @@ pub(super) struct Product {
     pub latex: String,
     /// How much it is to read.
     pub cost: usize,
+    /// What it divides by.
+    pub below: Vec<Expr>,
     number: Fraction,
     factors: usize,
 }
@@ -63,6 +65,11 @@ impl Product {
 
     pub fn is_negative(&self) -> bool {
         self.number.numerator < 0
+    }
+
+    /// What it is typeset as, with its sign.
+    pub fn signed(&self, typeset: Expr) -> Expr {
+        if self.is_negative() { typeset.negated() } else { typeset }
     }
 }
 
@@ -178,9 +185,25 @@ impl<'d> Factors<'d> {
         values.iter().enumerate().all(near).then(|| self.typeset(number, &powers))
     }
 
+    /// Where a factor stands in a product: constants, sums, what varies, functions; names in the order of their declaration.
+    fn place(&self, expr: &Expr) -> (u8, usize) {
+        match &expr.node {
+            Node::Symbol { id, .. } if self.symbols.entry(*id).varies => (2, id.0),
+            Node::Symbol { id, .. } => (0, id.0),
+            Node::Sum(_) => (1, 0),
+            Node::Call(_, argument) => (3, argument.as_plain_symbol().map_or(usize::MAX, |id| id.0)),
+            _ => (2, usize::MAX),
+        }
+    }
+
     fn typeset(&self, mut number: Fraction, powers: &[i32]) -> Product {
         let (mut above, mut below, mut cost) = (Vec::new(), Vec::new(), 0);
-        for (factor, power) in self.all.iter().zip(powers).filter(|(_, power)| **power != 0) {
+        let mut used: Vec<(&Factor, i32)> = self.all.iter().zip(powers.iter().copied()).collect();
+        used.retain(|(_, power)| *power != 0);
+        used.sort_by_key(|(factor, _)| self.place(&factor.expr));
+        let divides: Vec<Expr> =
+            used.iter().filter(|(_, power)| *power < 0).map(|(factor, _)| factor.expr.clone()).collect();
+        for (factor, power) in used {
             let raised = |n: u32| {
                 let [base, power] = [factor.expr.clone(), Expr::integer(n, Span::default())].map(Box::new);
                 typeset(&Expr::new(Node::Power(base, power), Span::default()), self.symbols)
@@ -197,9 +220,9 @@ impl<'d> Factors<'d> {
                 (1, _) => factor.latex.clone(),
                 (n, _) => raised(n),
             };
-            let part = if *power > 0 { &mut above } else { &mut below };
+            let part = if power > 0 { &mut above } else { &mut below };
             part.push(latex);
-            cost += power.unsigned_abs() as usize + usize::from(*power < 0);
+            cost += power.unsigned_abs() as usize + usize::from(power < 0);
         }
         let factors = above.len() + below.len();
         let (n, m) = (number.numerator.unsigned_abs(), number.denominator);
@@ -212,7 +235,7 @@ impl<'d> Factors<'d> {
         cost += usize::from(n != 1) + usize::from(m != 1);
         let [above, below] = [above, below].map(|part| part.join(" \\, "));
         let latex = if below.is_empty() { above } else { format!("\\frac{{{above}}}{{{below}}}") };
-        Product { latex, cost, number, factors }
+        Product { latex, cost, below: divides, number, factors }
     }
 }
 
@@ -221,7 +244,7 @@ fn norm(vector: &[f64]) -> f64 {
 }
 
 /// What a formula multiplies: the bases of its powers.
-fn bases<'e>(expr: &'e Expr, into: &mut Vec<&'e Expr>) {
+pub(super) fn bases<'e>(expr: &'e Expr, into: &mut Vec<&'e Expr>) {
     match &expr.node {
         Node::Product(factors) => factors.iter().for_each(|factor| bases(factor, into)),
         Node::Quotient(a, b) => [a, b].into_iter().for_each(|part| bases(part, into)),

@@ -5,7 +5,7 @@ use crate::formula::symbols::Entry;
 use crate::latex::names;
 use crate::latex::slips::Hole;
 
-use super::{Lost, Proposal, is_small, residuals};
+use super::{Lost, Proposal, is_small};
 
 /// A vector that is wrong is found out at one of so many states.
 const STATES: usize = 4;
@@ -22,7 +22,7 @@ impl Lost<'_, '_> {
                 let edit = hole.filled(sign, &latex);
                 let reading = self.reading(&edit);
                 let holds = |scene| {
-                    let rows = residuals(self.desk, &reading, scene);
+                    let rows = self.residuals(&reading, scene);
                     rows.is_some_and(|rows| rows.iter().all(|row| is_small(row.value, row)))
                 };
                 if self.ensemble.scenes.iter().take(STATES).all(holds) {

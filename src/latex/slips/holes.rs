@@ -20,6 +20,8 @@ pub struct Hole {
     pub slip: Slip,
     /// How many terms or factors stand there.
     pub beside: usize,
+    /// All of these.
+    pub whole: Span,
 }
 
 impl Hole {
@@ -44,9 +46,10 @@ pub fn holes(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Hole> {
 
 impl Finder<'_> {
     fn holes(&self, items: &[Item], holes: &mut Vec<Hole>) {
-        let mut add = |at, slip, beside| {
-            if !holes.iter().any(|known| known.at == at && known.slip == slip) {
-                holes.push(Hole { at, slip, beside });
+        let mut add = |whole: Span, slip, beside| {
+            let hole = Hole { at: whole.end, slip, beside, whole };
+            if !holes.iter().any(|known| known.at == hole.at && known.slip == slip) {
+                holes.push(hole);
             }
         };
         for terms in formulas(items) {
@@ -55,12 +58,12 @@ impl Finder<'_> {
             }
             for term in &terms {
                 let factors = self.factors(term.items);
-                if let Some(last) = factors.last() {
-                    add(last.span().end, Slip::Factor, factors.len());
+                if let (Some(first), Some(last)) = (factors.first(), factors.last()) {
+                    add(first.span().to(last.span()), Slip::Factor, factors.len());
                 }
             }
-            if let Some(last) = terms.last() {
-                add(last.span().end, Slip::Term, terms.len());
+            if let (Some(first), Some(last)) = (terms.first(), terms.last()) {
+                add(first.span().to(last.span()), Slip::Term, terms.len());
             }
         }
         for item in items {
