@@ -79,10 +79,7 @@ impl<'a> Failed<'a> {
         let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
         let ensemble = context.ensemble(mode, false, context.options.points).ok()?;
         let sides = [&link.lhs, &link.rhs];
-        if ensemble.solver.equalities().next().is_some()
-            || certify::reached(&sides, &ensemble.solver, &ensemble).is_err()
-            || Generality::of(&sides, context.model, &ensemble.rules) != Some(Generality::Themselves)
-        {
+        if !is_nameable(&sides, context.model, &ensemble) {
             return None;
         }
         let (at, entry) = ensemble.scenes.iter().enumerate().find_map(|(at, scene)| {
@@ -119,24 +116,9 @@ impl<'a> Failed<'a> {
     /// The same with these momenta in place of their velocities: of each, the coordinate and the name.
     fn in_terms_of(&self, momenta: &[(usize, SymbolId)]) -> Option<Expr> {
         let Failed { link, ensemble, model, .. } = self;
-        let mut alphabet = Alphabet::new(model, ensemble.mode, &ensemble.bases[self.at]);
-        let first = alphabet.letters.len();
-        let momentum =
-            |(_, id): &(usize, SymbolId)| Letter { expr: symbol(*id, Vec::new(), 0), class: Class::Momentum };
-        alphabet.letters.extend(momenta.iter().map(momentum));
         let needed = derivatives(&link.lhs, model).max(derivatives(&link.rhs, model)) + 1;
-        let terms = if ensemble.rules.is_empty() { needed } else { ensemble.mode.order + 1 };
-        let record = || {
-            let mut base = alphabet.base();
-            let coordinates: Vec<usize> = momenta.iter().map(|(coordinate, _)| *coordinate).collect();
-            let values: Vec<Symbol> = (0..momenta.len()).map(|n| Symbol::input(first + n)).collect();
-            exchange(model, ensemble.mode, &mut base, &coordinates, &values)?;
-            let scene = ensemble.solver.scene_by(Elimination::Cramer, &base, terms).ok()?;
-            entries(link, &scene).ok()?.get(self.entry).copied()
-        };
-        let (graph, sides) = Graph::record(record).ok()?;
-        let (left, right) = sides?;
-        let found = derive::difference(&graph, left, right, &alphabet.letters).ok()?;
+        let sides = |scene: &Scene<'_, Symbol>| entries(link, scene).ok()?.get(self.entry).copied();
+        let found = recorded(model, ensemble, self.at, (momenta, needed), &sides)?;
         (is_short(&found, model) && self.is_the_difference(&found)).then_some(found)
     }
 
@@ -194,6 +176,59 @@ impl<'a> Failed<'a> {
     }
 }
 
+/// What some states say of two numbers, one without the other, in normal form: where they are made of names alone. The link
+/// is what the numbers are made from.
+pub(super) fn normal(
+    model: &Model,
+    ensemble: &Ensemble<'_>,
+    link: &Link,
+    numbers: &dyn Fn(&Scene<'_, Symbol>) -> Option<(Symbol, Symbol)>,
+) -> Option<Expr> {
+    let sides = [&link.lhs, &link.rhs];
+    if !is_nameable(&sides, model, ensemble) {
+        return None;
+    }
+    let needed = derivatives(&link.lhs, model).max(derivatives(&link.rhs, model)) + 1;
+    let momenta = momenta(link, model);
+    let in_momenta = (!momenta.is_empty()).then(|| recorded(model, ensemble, 0, (&momenta, needed), numbers)).flatten();
+    let found = in_momenta.or_else(|| recorded(model, ensemble, 0, (&[], needed), numbers))?;
+    is_short(&found, model).then_some(found)
+}
+
+/// Whether states are made of numbers that have names, and not moved onto hypotheses.
+fn is_nameable(sides: &[&Expr], model: &Model, ensemble: &Ensemble<'_>) -> bool {
+    ensemble.solver.equalities().next().is_none()
+        && certify::reached(sides, &ensemble.solver, ensemble).is_ok()
+        && Generality::of(sides, model, &ensemble.rules) == Some(Generality::Themselves)
+}
+
+/// The difference of two numbers of a state that is made of symbols, with momenta in place of their velocities: of each the
+/// coordinate and the name. So many derivatives are needed.
+fn recorded(
+    model: &Model,
+    ensemble: &Ensemble<'_>,
+    at: usize,
+    (momenta, needed): (&[(usize, SymbolId)], usize),
+    numbers: &dyn Fn(&Scene<'_, Symbol>) -> Option<(Symbol, Symbol)>,
+) -> Option<Expr> {
+    let mut alphabet = Alphabet::new(model, ensemble.mode, ensemble.bases.get(at)?);
+    let first = alphabet.letters.len();
+    let momentum = |(_, id): &(usize, SymbolId)| Letter { expr: symbol(*id, Vec::new(), 0), class: Class::Momentum };
+    alphabet.letters.extend(momenta.iter().map(momentum));
+    let terms = if ensemble.rules.is_empty() { needed } else { ensemble.mode.order + 1 };
+    let record = || {
+        let mut base = alphabet.base();
+        let coordinates: Vec<usize> = momenta.iter().map(|(coordinate, _)| *coordinate).collect();
+        let values: Vec<Symbol> = (0..momenta.len()).map(|n| Symbol::input(first + n)).collect();
+        exchange(model, ensemble.mode, &mut base, &coordinates, &values)?;
+        let scene = ensemble.solver.scene_by(Elimination::Cramer, &base, terms).ok()?;
+        numbers(&scene)
+    };
+    let (graph, found) = Graph::record(record).ok()?;
+    let (left, right) = found?;
+    derive::difference(&graph, left, right, &alphabet.letters).ok()
+}
+
 /// Both sides, for all values of the free indices and entry by entry.
 pub(super) fn entries<B: Number>(link: &Link, scene: &Scene<'_, B>) -> Result<Vec<(B, B)>, Unavailable> {
     let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
@@ -209,7 +244,8 @@ pub(super) fn entries<B: Number>(link: &Link, scene: &Scene<'_, B>) -> Result<Ve
     }
 }
 
-fn value(formula: &Expr, scene: &Scene<'_, Measured>) -> Option<Measured> {
+/// The value of a number at a state.
+pub(super) fn value(formula: &Expr, scene: &Scene<'_, Measured>) -> Option<Measured> {
     match scene.now(formula, &[]) {
         Ok(Value::Scalar(value)) => Some(value).filter(|value| value.value.is_finite()),
         _ => None,

@@ -321,7 +321,7 @@ impl Desk<'_> {
     }
 
     /// Whether a member is the unknown that a claim solves for: then what stands beside it is the solution.
-    fn is_unknown_of(&self, member: &Expr, claim: &Claim) -> Result<bool> {
+    pub(super) fn is_unknown_of(&self, member: &Expr, claim: &Claim) -> Result<bool> {
         let Some(solves) = &claim.solves else { return Ok(false) };
         let unknowns: Result<Vec<SymbolId>> = solves.unknowns.iter().map(|unknown| self.symbol(unknown)).collect();
         Ok(member.as_plain_symbol().is_some_and(|id| unknowns.is_ok_and(|unknowns| unknowns.contains(&id))))

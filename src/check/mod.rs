@@ -36,6 +36,7 @@ mod instant;
 pub mod judge;
 mod laws;
 pub mod limit;
+mod lost;
 pub mod model;
 mod motion;
 pub mod mutate;

@@ -76,7 +76,7 @@ pub struct Mutants {
     /// Why there are none, where the equation was left out.
     pub left_out: Option<String>,
     /// How well the noticed ones were mended, if that was asked for.
-    pub repairs: Repairs,
+    pub repairs: Option<Repairs>,
 }
 
 /// How many noticed slips were tried to be mended, and for how many the original, or what says the same, was suggested.
@@ -95,16 +95,7 @@ pub struct Repairs {
 impl Mutants {
     fn none(display: &Display, left_out: Option<String>) -> Self {
         let (id, line) = (shown(display), display.line);
-        Mutants {
-            id,
-            line,
-            refuted: 0,
-            refused: 0,
-            equivalent: 0,
-            survivors: Vec::new(),
-            left_out,
-            repairs: Repairs::default(),
-        }
+        Mutants { id, line, refuted: 0, refused: 0, equivalent: 0, survivors: Vec::new(), left_out, repairs: None }
     }
 
     /// How many there were.
@@ -209,7 +200,7 @@ fn equation(run: &Run<'_>, desk: &Desk<'_>, at: usize, sound: &[String], repair:
     if repair {
         let noticed = edits.iter().zip(&judged).filter(|(_, (fate, _))| matches!(fate, Fate::Refuted | Fate::Refused));
         let noticed: Vec<&Edit> = noticed.map(|(edit, _)| edit).collect();
-        mutants.repairs = repairs(desk, at, claim, &noticed)?;
+        mutants.repairs = Some(repairs(desk, at, claim, &noticed)?);
     }
     for (edit, (fate, because)) in edits.into_iter().zip(judged) {
         mutants.add(fate);

@@ -16,8 +16,9 @@ use crate::notes::claims::Claim;
 use crate::source::{Fault, Span};
 
 use super::desk::Desk;
-use super::document::{Run, shown};
+use super::document::Run;
 use super::formal;
+use super::lost;
 use super::model::Model;
 use super::trial::{Answer, Trial, cut, is_plain};
 use super::verdict::{Equation, Finding, Part, Repair, Verdict};
@@ -25,8 +26,11 @@ use super::verdict::{Equation, Finding, Part, Repair, Verdict};
 /// So many suggestions are offered at most.
 pub(super) const OFFERED: usize = 3;
 
-/// So many candidates are tried by one thread at a time.
+/// So many candidates at least are tried by one thread at a time: the states that refute them are drawn for each share.
 const SHARE: usize = 32;
+
+/// Which pool of what may be put in comes last.
+const LAST: usize = 3;
 
 /// So many factors, and so many terms, are tried where something may have been left out.
 pub(super) const MISSING: usize = 48;
@@ -134,62 +138,54 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     let others = || desk.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
     let texts = || std::iter::once(wrong.text).chain(others().map(|(_, display)| display.text.as_str()));
     let all = || Pool::of(texts(), symbols, macros, MISSING);
-    let lost = || all().with_terms(lost_terms(desk, wrong));
     let like = || own().of_like_terms(symbols, macros);
-    let pools: [&dyn Fn() -> Pool; 4] = [&|| own().factors_only(), &|| all().factors_only(), &lost, &like];
-    for pool in pools {
+    let pools: [&dyn Fn() -> Pool; 4] = [&|| own().factors_only(), &|| all().factors_only(), &all, &like];
+    // With a term or a factor less much is true that nobody meant: then what was lost is looked for as well.
+    let mut less: Vec<Suggestion> = Vec::new();
+    for (at, pool) in pools.iter().enumerate() {
+        // What is found from what is true comes after all that stands in the document, and before what is only like it.
+        if at == LAST {
+            let found = passing(desk, wrong, &lost::edits(desk, wrong)?)?;
+            if !found.is_empty() {
+                return Ok(distinct(desk, less.into_iter().chain(found)));
+            }
+        }
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
         edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
         let mut found = passing(desk, wrong, &edits)?;
         tried.extend(edits);
-        if !found.is_empty() {
-            found.sort_by_key(|suggestion| likelihood(wrong, suggestion));
-            let mut distinct: Vec<Suggestion> = Vec::new();
-            for suggestion in found {
-                if !distinct.iter().any(|known| is_one(&known.reading, &suggestion.reading, desk.model)) {
-                    distinct.push(suggestion);
-                }
-            }
-            distinct.truncate(OFFERED);
-            return Ok(distinct);
+        found.sort_by_key(|suggestion| likelihood(wrong, suggestion));
+        let is_less = found.iter().all(|suggestion| takes_away(&suggestion.edit));
+        less.extend(found);
+        if !is_less {
+            break;
         }
     }
-    Ok(Vec::new())
+    Ok(distinct(desk, less))
 }
 
-/// What a display is off by, where that is a single term: it may be the term that was lost. It is not, where a printed term
-/// does not fit either: then it would only undo what is printed.
-fn lost_terms(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Vec<String> {
-    let display = &desk.notes.equations[wrong.at];
-    let topic = shown(display);
-    let Ok(parts) = desk.parts((wrong.at, display.body.start), wrong.reading, wrong.claim, &topic) else {
-        return Vec::new();
-    };
-    let fits = |finding: &Finding| finding.fit.as_ref().is_none_or(|fit| fit.terms.is_empty());
-    let findings = parts.into_iter().map(|part| part.finding).filter(fits);
-    let differences = findings.filter_map(|finding| finding.difference);
-    differences.filter_map(|formula| single_term(&formula.latex).map(str::to_owned)).collect()
+/// Whether an edit leaves out a term or a factor that stands there once.
+fn takes_away(edit: &Edit) -> bool {
+    matches!(edit.slip, Slip::Term | Slip::Factor) && edit.replacement.trim().is_empty()
 }
 
-/// A formula without its sign, if it has one term.
-fn single_term(latex: &str) -> Option<&str> {
-    let term = latex.trim().trim_start_matches('-').trim();
-    let mut depth = 0;
-    for c in term.chars() {
-        match c {
-            '{' | '(' => depth += 1,
-            '}' | ')' => depth -= 1,
-            '+' | '-' if depth == 0 => return None,
-            _ => {}
+/// The first few suggestions, without those that say what one before them says.
+fn distinct(desk: &Desk<'_>, found: impl IntoIterator<Item = Suggestion>) -> Vec<Suggestion> {
+    let mut distinct: Vec<Suggestion> = Vec::new();
+    for suggestion in found {
+        if !distinct.iter().any(|known| is_one(&known.reading, &suggestion.reading, desk.model)) {
+            distinct.push(suggestion);
         }
     }
-    Some(term)
+    distinct.truncate(OFFERED);
+    distinct
 }
 
 /// The edits with which the display passes.
 fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Suggestion>> {
+    let share = edits.len().div_ceil(4 * rayon::current_num_threads()).max(SHARE);
     let found: Result<Vec<Vec<Suggestion>>> = edits
-        .par_chunks(SHARE)
+        .par_chunks(share)
         .map(|share| {
             let trial = Trial::new(desk, wrong.at, wrong.reading, wrong.claim)?;
             let cuts: Vec<_> = wrong.steps.iter().map(|step| (*step, step_of(wrong.reading, *step))).collect();
@@ -201,7 +197,9 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
             for edit in share {
                 let text = edit.applied(wrong.text);
                 let mut add = |answer, step| match answer {
-                    Answer::Passes(reading, parts) if !is_empty(&reading, desk.model) => {
+                    Answer::Passes(reading, parts)
+                        if !is_empty(&reading, desk.model) && !trial.stands_still(&reading) =>
+                    {
                         passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts), step });
                         true
                     }

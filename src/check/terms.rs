@@ -65,9 +65,10 @@ pub(super) fn fitted(link: &Link, context: &Context<'_>, finding: Finding) -> Fi
 
 /// A term of an equation whose sums are multiplied out.
 #[derive(Clone)]
-struct Leaf {
+pub(super) struct Leaf {
     sign: Sign,
-    expr: Expr,
+    /// The term itself.
+    pub expr: Expr,
     /// The terms that it is part of, as printed, the outermost first and the innermost last.
     places: Vec<Span>,
     /// Whether it stands on the left.
@@ -75,14 +76,19 @@ struct Leaf {
 }
 
 impl Leaf {
+    /// The term with its sign.
+    pub(super) fn signed(&self) -> Expr {
+        if self.sign == Sign::Plus { self.expr.clone() } else { self.expr.clone().negated() }
+    }
+
     /// Its sign where all is brought to the left.
-    fn brought_left(&self) -> f64 {
+    pub(super) fn brought_left(&self) -> f64 {
         if (self.sign == Sign::Plus) == self.on_the_left { 1.0 } else { -1.0 }
     }
 }
 
 /// The terms of both sides, without literal zeros.
-fn leaves(link: &Link) -> Vec<Leaf> {
+pub(super) fn leaves(link: &Link) -> Vec<Leaf> {
     let side = |side: &Expr, on_the_left: bool| {
         let terms = multiplied_out(side);
         let whole = (terms.len() > 1).then_some(side.span);
@@ -96,7 +102,7 @@ fn leaves(link: &Link) -> Vec<Leaf> {
 }
 
 /// The terms of a formula. Of a product of several sums none is multiplied out: its terms would have no place of their own.
-fn multiplied_out(expr: &Expr) -> Vec<Leaf> {
+pub(super) fn multiplied_out(expr: &Expr) -> Vec<Leaf> {
     if let Node::Sum(terms) = &expr.node {
         let term = |term: &Term| {
             let place = term.sign_span.map_or(term.expr.span, |sign| sign.to(term.expr.span));
@@ -338,7 +344,7 @@ fn proportion(rows: &DMatrix<f64>, of: usize, to: usize) -> Option<f64> {
 
 impl Fraction {
     /// The small fraction that a number is.
-    fn near(value: f64) -> Option<Fraction> {
+    pub(super) fn near(value: f64) -> Option<Fraction> {
         (1..=LARGEST).find_map(|denominator| {
             let numerator = (value * f64::from(denominator)).round();
             let is_it =

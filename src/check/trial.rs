@@ -13,6 +13,7 @@ use crate::source::Span;
 
 use super::certify::{self, Certificate};
 use super::desk::Desk;
+use super::difference;
 use super::document::shown;
 use super::draw::Reach;
 use super::ensemble::{Condition, Ensemble};
@@ -85,7 +86,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             screens: Vec::new(),
             step: None,
         };
-        if is_plain(claim) {
+        if is_screened(claim) {
             let all = now.statements.iter().enumerate();
             trial.screens = all
                 .map(|(n, statement)| {
@@ -138,7 +139,7 @@ impl<'d, 'a> Trial<'d, 'a> {
         let offset = self.desk.notes.equations[self.at].body.start;
         let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
         let judged = |desk: &Desk<'_>| desk.parts((self.at, offset), &reading, self.claim, &self.topic);
-        if self.screens.is_empty() && judged(&self.quick).is_ok_and(|parts| parts.iter().any(is_wrong)) {
+        if !is_plain(self.claim) && judged(&self.quick).is_ok_and(|parts| parts.iter().any(is_wrong)) {
             return Ok(Answer::Refuted);
         }
         let Ok(parts) = judged(&self.full) else { return Ok(Answer::Refused) };
@@ -278,6 +279,32 @@ impl<'d, 'a> Trial<'d, 'a> {
         Ok(holds && matches!(certify::certify(link, &context, &ensemble), Certificate::Identity(_)))
     }
 
+    /// Whether a reading has the rate of something that stands still in a place where what is displayed has none: such a
+    /// product is zero, and says nothing.
+    pub fn stands_still(&self, reading: &Reading) -> bool {
+        let mut rates: Vec<&Expr> = Vec::new();
+        for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
+            member.walk(&mut |part| {
+                let inner =
+                    part.children().into_iter().filter(|inner| matches!(inner.node, Node::Symbol { dots: 1.., .. }));
+                if !matches!(part.node, Node::Sum(_)) {
+                    rates.extend(inner);
+                }
+            });
+        }
+        let mut printed: Vec<(SymbolId, u8)> = Vec::new();
+        self.now
+            .statements
+            .iter()
+            .flatten()
+            .flat_map(|s| &s.members)
+            .for_each(|member| printed.extend(member.symbols()));
+        rates.retain(|rate| rate.symbols().iter().any(|symbol| !printed.contains(symbol)));
+        let screens = || self.screens.iter().flatten().flat_map(|screen| &screen.scenes);
+        let is_zero = |rate: &Expr, scene| difference::value(rate, scene).is_some_and(|value| judge::vanishes(value));
+        rates.into_iter().any(|rate| screens().next().is_some() && screens().all(|scene| is_zero(rate, scene)))
+    }
+
     fn context<'c>(&'c self, topic: &'c str) -> Context<'c> {
         Context {
             model: self.desk.model,
@@ -296,21 +323,30 @@ impl<'d, 'a> Trial<'d, 'a> {
         if reading.statements.len() != self.screens.len() {
             return false;
         }
-        reading.statements.iter().zip(&self.screens).enumerate().any(|(n, (statement, screen))| {
-            let (Ok(statement), Some(screen)) = (statement, screen) else { return false };
-            let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == n).collect();
-            let defines = |at: usize| introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0);
-            let checked = statement
-                .relations
-                .iter()
-                .enumerate()
-                .filter(|(at, (relation, _))| is_tested(*relation) && !defines(*at));
-            checked.into_iter().any(|(at, (relation, _))| {
-                let link = self.desk.link(&statement.members[at], *relation, &statement.members[at + 1]);
-                link.is_ok_and(|link| refuted(&link, screen))
-            })
+        (0..self.screens.len()).any(|n| {
+            let screen = self.screens[n].as_ref();
+            screen.is_some_and(|screen| tested(self.desk, (reading, n), self.claim).any(|link| refuted(&link, screen)))
         })
     }
+}
+
+/// The links of a statement that hold by themselves, whatever more is claimed of it: not those that define something, and
+/// not those that are claimed of a limit or of what is dropped.
+pub(super) fn tested<'r>(
+    desk: &'r Desk<'_>,
+    (reading, n): (&'r Reading, usize),
+    claim: &'r Claim,
+) -> impl Iterator<Item = Link> + 'r {
+    let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|new| new.statement == n).collect();
+    let defines = move |at: usize| introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0);
+    reading.statements[n].iter().flat_map(move |statement| {
+        let count = statement.relations.len();
+        let solves = |at: usize| at == 0 && desk.is_unknown_of(&statement.members[0], claim).unwrap_or(true);
+        let drops = |at: usize| at + 1 == count && claim.dropping.is_some();
+        let link = |at: usize| desk.link(&statement.members[at], statement.relations[at].0, &statement.members[at + 1]);
+        let checked = (0..count).filter(|at| is_tested(statement.relations[*at].0) && !defines(*at));
+        checked.filter(|at| !solves(*at) && !drops(*at)).filter_map(|at| link(at).ok()).collect::<Vec<_>>()
+    })
 }
 
 /// Leaves of a chain the step to a member: this and the one before it.
@@ -332,6 +368,11 @@ fn is_tested(relation: Relation) -> bool {
 
 fn refuted(link: &Link, screen: &Ensemble<'_>) -> bool {
     screen.scenes.iter().any(|scene| matches!(judge::test(link, scene), Ok(Point::Fails(_) | Point::OneSided(_))))
+}
+
+/// Whether the equalities and inequalities of a claim's equation have to hold by themselves.
+fn is_screened(claim: &Claim) -> bool {
+    claim.exactly_when.is_empty() && claim.continuum_limit_of.is_none() && claim.skip.is_none()
 }
 
 /// Whether a claim is that the equation holds, and nothing more.

@@ -23,15 +23,14 @@ pub fn text(documents: &[Mutated]) -> String {
         text.push('\n');
     }
     let total = Totals::of(documents);
-    if total.repairs.tried > 0 {
+    if let Some(Repairs { tried, first, offered, .. }) = total.repairs.filter(|repairs| repairs.tried > 0) {
         for document in documents {
             for equation in &document.equations {
-                for missed in &equation.repairs.missed {
+                for missed in equation.repairs.iter().flat_map(|repairs| &repairs.missed) {
                     text.push_str(&format!("{}\n", slip(&document.source, equation, "not mended", missed)));
                 }
             }
         }
-        let Repairs { tried, first, offered, .. } = total.repairs;
         let share = |count: usize| 100.0 * count as f64 / tried as f64;
         text.push_str(&format!(
             "of {tried} slips that were noticed the first suggestion mends {first} ({:.1} %), one of three {offered} ({:.1} %)\n",
@@ -88,7 +87,8 @@ struct Totals {
     refused: usize,
     equivalent: usize,
     survivors: usize,
-    repairs: Repairs,
+    /// If that was asked for.
+    repairs: Option<Repairs>,
 }
 
 impl Totals {
@@ -99,11 +99,14 @@ impl Totals {
             refused: total.refused + equation.refused,
             equivalent: total.equivalent + equation.equivalent,
             survivors: total.survivors + equation.survivors.len(),
-            repairs: Repairs {
-                tried: total.repairs.tried + equation.repairs.tried,
-                first: total.repairs.first + equation.repairs.first,
-                offered: total.repairs.offered + equation.repairs.offered,
-                missed: Vec::new(),
+            repairs: match (total.repairs, &equation.repairs) {
+                (Some(sum), Some(own)) => Some(Repairs {
+                    tried: sum.tried + own.tried,
+                    first: sum.first + own.first,
+                    offered: sum.offered + own.offered,
+                    missed: Vec::new(),
+                }),
+                (sum, own) => sum.or_else(|| own.clone()),
             },
         })
     }
@@ -122,8 +125,14 @@ pub fn json(documents: &[Mutated], errors: &[Error]) -> Value {
             "refused": total.refused,
             "equivalent": total.equivalent,
             "survivors": total.survivors,
+            "repairs": total.repairs.as_ref().map(counts),
         },
     })
+}
+
+/// How many noticed slips are mended.
+fn counts(repairs: &Repairs) -> Value {
+    json!({ "noticed": repairs.tried, "first": repairs.first, "offered": repairs.offered })
 }
 
 fn document(document: &Mutated) -> Value {
@@ -140,6 +149,11 @@ fn document(document: &Mutated) -> Value {
             "because": survivor.because,
         })
     };
+    let repairs = |repairs: &Repairs| {
+        let mut all = counts(repairs);
+        all["missed"] = repairs.missed.iter().map(survivor).collect();
+        all
+    };
     let equation = |equation: &Mutants| {
         json!({
             "id": equation.id,
@@ -150,6 +164,7 @@ fn document(document: &Mutated) -> Value {
             "equivalent": equation.equivalent,
             "survivors": equation.survivors.iter().map(survivor).collect::<Vec<_>>(),
             "left_out": equation.left_out,
+            "repairs": equation.repairs.as_ref().map(repairs),
         })
     };
     json!({ "path": document.path, "equations": document.equations.iter().map(equation).collect::<Vec<_>>() })

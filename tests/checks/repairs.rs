@@ -4,7 +4,7 @@ use onshell::check::{Equation, Verdict};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, numbered, numbers, pendulum, with};
+use crate::support::{document, equation, numbered, numbers, pendulum, planet, top, with};
 
 /// The first of some displays, all of which are claimed.
 fn first(claims: &Json, displays: &[&str]) -> Equation {
@@ -52,4 +52,68 @@ fn no_unit_is_learnt_from_what_is_wrong() {
     // The twin: a unit that is declared holds.
     let claims = with(&pendulum(), "units", json!({ "m": "kg", "l": "m", "g": "m^2/s^2" }));
     assert_eq!(mended(&claims, &[lost]), Vec::<String>::new());
+}
+
+/// Whether one of the edits makes of a display this text, spaces aside.
+fn is_mended(claims: &Json, wrong: &str, claim: Json, right: &str) -> bool {
+    let bare = |text: &str| text.replace([' ', ','], "").replace('\\', "").replace("left(", "(").replace("right)", ")");
+    let found = equation(claims, &[wrong], claim);
+    assert!(!found.ok, "{wrong}: {}", found.finding.message);
+    let start = "$$\n".len();
+    found.repairs.iter().any(|repair| {
+        let (before, after) = wrong.split_at(repair.span.start - start);
+        bare(&format!("{before}{}{}", repair.replacement, &after[repair.span.end - repair.span.start..])) == bare(right)
+    })
+}
+
+#[test]
+fn a_term_that_stands_nowhere_else_is_found_by_its_value() {
+    let motion = r"\lambda_1 \ddot\theta = \lambda_1 \dot\phi^2 \sin\theta \cos\theta - \dot\phi \sin\theta \, p_\psi";
+    assert!(is_mended(&top(), motion, json!({}), &format!(r"{motion} + M \, g \, R \, \sin\theta")));
+    // where the states are moved onto a hypothesis as well
+    let steady = r"\lambda_1 \Omega^2 \cos\theta - \lambda_3 \Omega \omega_3 = 0";
+    let claim = json!({ "throughout": r"\dot\theta = 0" });
+    let right = r"\lambda_1 \Omega^2 \cos\theta - \lambda_3 \Omega \omega_3 + M \, g \, R = 0";
+    assert!(is_mended(&top(), steady, claim, right));
+    // The twin: where a printed term is wrong as well, nothing that is put in makes it true.
+    let wrong = motion.replace(r"- \dot\phi", r"- 7 \dot\phi");
+    assert_eq!(equation(&top(), &[&wrong], json!({})).repairs, Vec::new());
+}
+
+#[test]
+fn a_quantity_by_its_name() {
+    assert!(is_mended(&pendulum(), "L = - U", json!({}), "L = - U + T"));
+    // The twin: what is wrong is not taken away by what is put in.
+    assert!(!is_mended(&pendulum(), r"L = 3 T - U", json!({}), "L = 3 T - U - 2 T"));
+}
+
+#[test]
+fn a_sum_that_is_a_factor_is_found_in_normal_form() {
+    let claims = with(&planet(), "means", json!({ "T": "kinetic energy" }));
+    let found = equation(&claims, &[r"T = \frac{1}{2} m"], json!({})).repairs;
+    let is_square = |text: &str| text.contains(r"\dot{r}^{2} + ") && text.contains(r"\dot{\phi}^{2}");
+    assert!(found.iter().any(|repair| is_square(&repair.replacement)), "{found:?}");
+    // The twin: a quotient that takes away what stands there is no factor that was lost.
+    let all = equation(&numbers(), &["a b = x^2 c + x + 1"], json!({})).repairs;
+    assert_eq!(all, Vec::new());
+}
+
+#[test]
+fn a_vector_is_found_among_the_products_of_those_that_are_known() {
+    let claims = json!({
+        "constants": { r"\vec a, \vec b, \vec c": "any" },
+        "define": { r"\vec d": r"\vec a \times \vec b + 2 \vec c" },
+    });
+    assert!(is_mended(&claims, r"\vec d = 2 \vec c", json!({}), r"\vec d = 2 \vec c + \vec{a} \times \vec{b}"));
+    // The twin: a vector along another one is not.
+    assert!(equation(&claims, &[r"\vec d = 2 \vec c + 3 \vec b"], json!({})).repairs.is_empty());
+}
+
+#[test]
+fn a_power_left_outside_of_the_parenthesis_that_was_lost_goes_back_onto_it() {
+    let square = "c a^2 + 2 c a b + c b^2 = c a + b^2";
+    assert!(is_mended(&numbers(), square, json!({}), "c a^2 + 2 c a b + c b^2 = c (a + b)^2"));
+    // The twin: another power does not.
+    let cube = square.replace("= c a + b^2", "= c a + b^3");
+    assert!(!is_mended(&numbers(), &cube, json!({}), "c a^2 + 2 c a b + c b^2 = c (a + b)^3"));
 }

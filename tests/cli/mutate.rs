@@ -262,3 +262,21 @@ fn the_report_is_the_same_on_one_thread_and_on_two() {
         assert_eq!(one.code, 1);
     }
 }
+
+#[test]
+fn how_many_slips_are_mended_is_told_in_figures_that_add_up() {
+    let desk = desk("mutate-repair", SQUARE, json!({}));
+    let run = mutate(&desk, &["--repair", "--format", "json"]);
+    let found = run.json();
+    let noticed = number(&found["summary"]["refuted"]) + number(&found["summary"]["refused"]);
+    let (all, own) = (&found["summary"]["repairs"], &equations(&found)[0]["repairs"]);
+    let figures = |of: &Value| ["noticed", "first", "offered"].map(|key| number(&of[key]));
+    let [tried, first, offered] = figures(all);
+    assert_eq!((tried, figures(own)), (noticed, [tried, first, offered]), "{all:#}");
+    assert!(0 < first && first <= offered && offered <= tried, "{all:#}");
+    let missed = own["missed"].as_array().expect("missed is a list").len() as u64;
+    assert_eq!(missed, tried - offered);
+    // The twin: what was not asked for has no figures.
+    let unasked = report(&desk);
+    assert!(unasked["summary"]["repairs"].is_null() && equations(&unasked)[0]["repairs"].is_null());
+}

@@ -198,7 +198,10 @@ impl Finder<'_> {
         // Or it stands for another thing of its kind that the display is about.
         let present = |id: SymbolId, other: &Entry| {
             let known = self.pool.is_some_and(|pool| pool.names.contains(&id));
-            let fits = other.slots.is_empty() || other.slots.len() == entry.slots.len();
+            // What stands for an angle is no momentum and no length.
+            let is_time = self.symbols.time.as_ref() == Some(&other.name);
+            let fits = (other.slots.is_empty() || other.slots.len() == entry.slots.len())
+                && (other.angle || !entry.angle || is_time);
             known && fits && (other.kind == entry.kind || letter(&other.name) == own)
         };
         let slip = |id: SymbolId, other: &Entry| match alike(other) || mended(other) {

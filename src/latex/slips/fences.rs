@@ -67,15 +67,18 @@ impl Finder<'_> {
         }
     }
 
-    /// Where a parenthesis may close earlier: after one of its last factors.
+    /// Where a parenthesis may close earlier: after one of its last factors, or after any of its terms.
     fn places(&self, items: &[Item]) -> Vec<usize> {
-        let mut places = Vec::new();
+        let (mut places, mut ends) = (Vec::new(), Vec::new());
         for terms in formulas(items) {
             for term in &terms {
                 places.extend(self.factors(term.items).iter().map(|factor| factor.span().end));
+                ends.extend(places.last());
             }
         }
-        places.split_off(places.len().saturating_sub(FARTHEST + 1))
+        let last = places.split_off(places.len().saturating_sub(FARTHEST + 1));
+        ends.retain(|end| !last.contains(end));
+        ends.into_iter().chain(last).collect()
     }
 
     /// A parenthesis that closes too early among the terms of a formula takes in what follows; and where a slip is
@@ -105,14 +108,16 @@ impl Finder<'_> {
         };
         let all: Vec<Vec<Span>> =
             terms.iter().map(|term| self.factors(term.items).iter().map(place).collect()).collect();
-        // A power that stands on the last factor alone, put on the sum.
+        // A power that stands on the last factor alone, put on the sum, which may begin at any factor of its first term.
         for (at, term) in terms.iter().enumerate() {
             for last in terms[at + 1..].iter().filter_map(|later| later.items.last()) {
                 if let Layout::Scripts { nucleus, sup: Some(sup), sub, .. } = &last.layout {
                     let base = sub.as_ref().map_or(nucleus.span, |sub| nucleus.span.to(sub.span));
-                    let sum = self.slice(Span::new(term.span().start, base.end));
-                    let gathered = format!("({sum})^{}", self.slice(sup.span));
-                    self.edit(Slip::Exponent, Span::new(term.span().start, last.span.end), gathered);
+                    for start in self.factors(term.items).iter().map(|factor| factor.span().start) {
+                        let sum = self.slice(Span::new(start, base.end));
+                        let gathered = format!("({sum})^{}", self.slice(sup.span));
+                        self.edit(Slip::Exponent, Span::new(start, last.span.end), gathered);
+                    }
                 }
             }
         }

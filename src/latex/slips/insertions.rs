@@ -64,10 +64,9 @@ impl Pool {
         Pool { factors, terms, functions: sorted(counts.functions), sums: sorted(counts.sums), names: counts.names }
     }
 
-    /// The same with more terms, tried before the others.
-    pub fn with_terms(mut self, terms: Vec<String>) -> Pool {
-        self.terms.splice(0..0, terms);
-        self
+    /// The factors, the commonest first.
+    pub fn factors(&self) -> &[String] {
+        &self.factors
     }
 
     /// The terms alone, each with every single slip in it: what was lost is like what stands there.
@@ -228,7 +227,7 @@ fn is_vector(text: &str) -> bool {
 }
 
 /// The lists that an item holds.
-fn insides(item: &Item) -> Vec<&[Item]> {
+pub(super) fn insides(item: &Item) -> Vec<&[Item]> {
     match &item.layout {
         Layout::Group(items) | Layout::Fence(_, items) => vec![items],
         Layout::Fraction(a, b) => [a, b].into_iter().flat_map(|inner| insides(inner)).collect(),

@@ -252,7 +252,7 @@ impl Finder<'_> {
     }
 
     /// Whether a term is 0 or the zero vector, or a product with it.
-    fn is_null(&self, term: &Term<'_>) -> bool {
+    pub(super) fn is_null(&self, term: &Term<'_>) -> bool {
         term.items.iter().any(|item| match &item.layout {
             Layout::Number(digits) => digits.bytes().all(|digit| matches!(digit, b'0' | b'.')),
             Layout::Accent(_, inner) | Layout::Style(_, inner) => {

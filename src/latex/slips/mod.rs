@@ -12,6 +12,7 @@ mod atoms;
 mod brackets;
 mod exchanges;
 mod fences;
+mod holes;
 mod insertions;
 mod lists;
 #[cfg(test)]
@@ -26,6 +27,7 @@ use super::layout::{Item, Layout};
 use super::macros::Macros;
 use super::reader::typeset_items;
 
+pub use holes::{Hole, holes};
 pub use insertions::Pool;
 
 /// A change to a text: some bytes of it, and what stands there instead.

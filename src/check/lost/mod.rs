@@ -1,0 +1,334 @@
+//! What was left out of a wrong equation and stands nowhere else in the document, found from what is true.
+//!
+//! Every place where a term or a factor may have stood ([`slips::holes`]) is filled with two numbers. An equation in which
+//! what stood there is linear then says, at each of its states, which value it must have had. That value is looked for as
+//! a product of powers of what the document speaks of ([`product`]), and, where the states are symbols themselves, in
+//! normal form ([`super::difference`]), which may be a sum. Where vectors are added, the vectors of the document, their
+//! rates and their products are tried ([`vectors`]).
+//!
+//! All this only proposes. A value is fitted at some states and confirmed at others, and every edit that is proposed gets
+//! the full check. What merely takes away a printed term is not proposed: then nothing was lost, but something is wrong.
+
+mod product;
+mod vectors;
+
+use std::cell::OnceCell;
+
+use crate::Result;
+use crate::formula::{Expr, Node, text};
+use crate::latex::slips::{self, Edit, Hole, Slip};
+use crate::latex::{Reading, read_formula, typeset};
+use crate::notes::claims::{Claim, Holds};
+use crate::scalar::{DualNum, Measured, Symbol, TERMS};
+
+use super::desk::Desk;
+use super::difference::{self, entries, normal};
+use super::draw::Reach;
+use super::ensemble::Ensemble;
+use super::formal;
+use super::identity::{Context, is_equality};
+use super::judge::Link;
+use super::repair::Wrong;
+use super::reprint;
+use super::scene::Scene;
+use super::terms::{leaves, multiplied_out};
+use super::trial::tested;
+use super::verdict::Fraction;
+use product::{Factors, bases};
+
+/// So many states say what is missing. Two in three are fitted, the others confirm it.
+const STATES: usize = 72;
+
+/// What is as small as this beside the terms that met in it is taken for zero, to propose something.
+const NEAR: f64 = 1e-9;
+
+/// So many edits are proposed at most, the shortest formulas first.
+const PROPOSED: usize = 12;
+
+/// Nobody leaves out a sum of more letters.
+const LONGEST: usize = 64;
+
+/// What a link is off by, entry after entry: left side minus right side, on the scale of the terms in both.
+type Rows = Vec<Measured>;
+
+/// A wrong equation, at its states.
+struct Lost<'w, 'a> {
+    desk: &'w Desk<'a>,
+    wrong: &'w Wrong<'w>,
+    ensemble: Ensemble<'w>,
+    /// By how much it is off at each state, where it has a value.
+    off: Vec<Option<Rows>>,
+    factors: OnceCell<Factors<'w>>,
+}
+
+/// What should stand in a hole: its value at each state, and by how much the equation changes with it.
+struct Needed {
+    /// Which of the rows says so.
+    row: usize,
+    values: Vec<f64>,
+    slopes: Vec<f64>,
+    /// Which states these are.
+    states: Vec<usize>,
+}
+
+/// A proposal, with what ranks it: how much was left out, and in how empty a place.
+struct Proposal {
+    cost: usize,
+    edit: Edit,
+}
+
+/// The edits that put something into a wrong equation with which it may hold, the simplest first.
+///
+/// # Errors
+/// For a claim that does not fit the notes.
+pub(super) fn edits(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit>> {
+    let (conditions, local) = (desk.conditions(wrong.claim)?, desk.local(wrong.claim)?);
+    let topic = format!("{} lost", super::document::shown(&desk.notes.equations[wrong.at]));
+    let context = Context {
+        model: desk.model,
+        options: desk.options,
+        conditions: &conditions,
+        on_shell: None,
+        topic: &topic,
+        span: crate::source::Span::default(),
+        reach: Reach::Declared,
+        local: &local,
+    };
+    let always = wrong.claim.holds.as_ref().is_some_and(|holds| holds.value == Holds::Always);
+    let members: Vec<&Expr> = wrong.reading.statements.iter().flatten().flat_map(|s| &s.members).collect();
+    let mut mode = context.mode(!always && desk.model.has_motion(), &members);
+    mode.order = (mode.order + 1).clamp(3, TERMS - 1);
+    let Ok(ensemble) = context.ensemble(mode, false, STATES) else { return Ok(Vec::new()) };
+    let off = ensemble.scenes.iter().map(|scene| residuals(desk, wrong.claim, wrong.reading, scene)).collect();
+    let lost = Lost { desk, wrong, ensemble, off, factors: OnceCell::new() };
+    let mut proposals = lost.proposals();
+    proposals.sort_by_key(|proposal| proposal.cost);
+    proposals.truncate(PROPOSED);
+    Ok(proposals.into_iter().map(|proposal| proposal.edit).collect())
+}
+
+/// By how much all that is claimed in a reading is off at a state; none, where it has no value or claims something else
+/// than equality.
+fn residuals(desk: &Desk<'_>, claim: &Claim, reading: &Reading, scene: &Scene<'_, Measured>) -> Option<Rows> {
+    let mut rows = Vec::new();
+    for n in 0..reading.statements.len() {
+        if reading.statements[n].is_err() {
+            return None;
+        }
+        for link in tested(desk, (reading, n), claim) {
+            if !is_equality(link.relation) {
+                return None;
+            }
+            let sides = entries(&link, scene).ok()?;
+            rows.extend(sides.into_iter().map(|(a, b)| a - b));
+        }
+    }
+    Some(rows).filter(|rows| rows.iter().all(|row| row.value.is_finite()))
+}
+
+fn is_small(value: f64, row: &Measured) -> bool {
+    value.abs() <= NEAR * row.magnitude
+}
+
+impl<'w, 'a> Lost<'w, 'a> {
+    fn proposals(&self) -> Vec<Proposal> {
+        let model = self.desk.model;
+        let mut proposals = Vec::new();
+        for hole in slips::holes(self.wrong.text, &model.symbols, &model.macros) {
+            let [one, two] = self.fillings(hole).map(|filling| self.reading(&hole.filled('+', filling)));
+            if one.statements.iter().any(std::result::Result::is_err) {
+                if hole.slip == Slip::Term {
+                    proposals.extend(self.vectors(hole));
+                }
+                continue;
+            }
+            let Some(needed) = self.needed(hole, &one, &two) else { continue };
+            let Some(link) = self.link(self.wrong.reading, needed.row) else { continue };
+            let found = self.product(hole, &needed, &link);
+            let found =
+                if found.is_empty() { self.sum(hole, &needed, &link, &one).into_iter().collect() } else { found };
+            proposals.extend(found);
+        }
+        proposals
+    }
+
+    /// What is put into a hole to see what the equation makes of it; a factor that is not there is 1.
+    fn fillings(&self, hole: Hole) -> [&'static str; 2] {
+        if hole.slip == Slip::Term { ["1", "2"] } else { ["(2)", "(3)"] }
+    }
+
+    fn reading(&self, edit: &Edit) -> Reading {
+        let text = edit.applied(self.wrong.text);
+        reprint::read(self.desk, &self.desk.model.macros, self.wrong.at, &text, self.wrong.claim)
+    }
+
+    fn residuals(&self, reading: &Reading, scene: &Scene<'_, Measured>) -> Option<Rows> {
+        residuals(self.desk, self.wrong.claim, reading, scene)
+    }
+
+    /// The value that a hole must have at each state, where it enters linearly and all rows agree on it.
+    fn needed(&self, hole: Hole, one: &Reading, two: &Reading) -> Option<Needed> {
+        let mut needed = Needed { row: usize::MAX, values: Vec::new(), slopes: Vec::new(), states: Vec::new() };
+        for (at, scene) in self.ensemble.scenes.iter().enumerate() {
+            let Some(off) = &self.off[at] else { continue };
+            let (Some(first), Some(second)) = (self.residuals(one, scene), self.residuals(two, scene)) else {
+                continue;
+            };
+            if first.len() != off.len() || second.len() != off.len() {
+                return None;
+            }
+            let slope = |row: usize| first[row].value - off[row].value;
+            if needed.row == usize::MAX {
+                let share = |row: &usize| (slope(*row) / first[*row].magnitude).abs();
+                let changed = (0..off.len()).filter(|row| !is_small(slope(*row), &first[*row]));
+                needed.row = changed.max_by(|a, b| share(a).total_cmp(&share(b)))?;
+            }
+            let before = -off[needed.row].value / slope(needed.row);
+            for row in 0..off.len() {
+                let is_linear = is_small(second[row].value - first[row].value - slope(row), &second[row]);
+                let rest = off[row].value + before * slope(row);
+                let scale = off[row].magnitude + (before * slope(row)).abs();
+                if !is_linear || rest.abs() > NEAR * scale {
+                    return None;
+                }
+            }
+            needed.values.push(if hole.slip == Slip::Term { before } else { before + 1.0 });
+            needed.slopes.push(slope(needed.row));
+            needed.states.push(at);
+        }
+        let is_known = needed.values.iter().all(|value| value.is_finite() && *value != 0.0);
+        (is_known && 4 * needed.states.len() >= 3 * STATES).then_some(needed)
+    }
+
+    /// The link of a reading that a row belongs to, if it has no other.
+    fn link(&self, reading: &Reading, row: usize) -> Option<Link> {
+        let scene = self.ensemble.scenes.first()?;
+        let mut start = 0;
+        for link in (0..reading.statements.len()).flat_map(|n| tested(self.desk, (reading, n), self.wrong.claim)) {
+            let count = entries(&link, scene).ok()?.len();
+            if row < start + count {
+                return (count == 1).then_some(link);
+            }
+            start += count;
+        }
+        None
+    }
+
+    /// Whether a term that is put into a hole only takes away what is printed, or is a multiple of it: then that is wrong, and
+    /// nothing was lost.
+    fn undoes(&self, term: &Expr, link: &Link, needed: &Needed) -> bool {
+        let Some(values) = self.values(term, &needed.states) else { return true };
+        leaves(link).iter().any(|leaf| {
+            let Some(printed) = self.values(&leaf.expr, &needed.states) else { return false };
+            let printed = printed.iter().map(|value| value * leaf.brought_left());
+            let changes = values.iter().zip(&needed.slopes).map(|(value, slope)| value * slope);
+            let ratios: Vec<f64> = changes.zip(printed).map(|(change, printed)| change / printed).collect();
+            let ratio = ratios[0];
+            if ratios.iter().any(|other| (other - ratio).abs() > NEAR * ratio.abs()) {
+                return false;
+            }
+            (ratio + 1.0).abs() < NEAR || self.is_multiple(term, &leaf.expr, &needed.states)
+        })
+    }
+
+    /// Whether one of these is a factor that stands beside a hole: to divide by it takes it away.
+    fn cancels(&self, divisors: &[Expr], hole: Hole) -> bool {
+        let (symbols, macros) = (&self.desk.model.symbols, &self.desk.model.macros);
+        let read = read_formula(&self.wrong.text[hole.whole.range()], &mut symbols.clone(), macros);
+        let Ok(printed) = read else { return !divisors.is_empty() };
+        let mut factors = Vec::new();
+        bases(&printed, &mut factors);
+        divisors.iter().any(|divisor| factors.contains(&divisor))
+    }
+
+    /// Whether a term is a number times another, whatever their symbols mean.
+    fn is_multiple(&self, term: &Expr, of: &Expr, states: &[usize]) -> bool {
+        let (Some(a), Some(b)) = (self.values(term, states), self.values(of, states)) else { return false };
+        let times = |n: i32, expr: &Expr| {
+            let product =
+                Expr::new(Node::Product(vec![Expr::integer(n.unsigned_abs(), expr.span), expr.clone()]), expr.span);
+            if n < 0 { product.negated() } else { product }
+        };
+        Fraction::near(a[0] / b[0]).is_some_and(|ratio| {
+            formal::same(&times(ratio.denominator, term), &times(ratio.numerator, of), self.desk.model)
+        })
+    }
+
+    /// The values of a number at some states.
+    fn values(&self, expr: &Expr, states: &[usize]) -> Option<Vec<f64>> {
+        let at = |state: &usize| difference::value(expr, &self.ensemble.scenes[*state]).map(|value| value.value);
+        states.iter().map(at).collect()
+    }
+
+    /// What should stand in a hole as a product of powers.
+    fn product(&self, hole: Hole, needed: &Needed, link: &Link) -> Vec<Proposal> {
+        let factors = self.factors.get_or_init(|| Factors::of(self.desk, self.wrong, &self.ensemble.scenes));
+        let Some(product) = factors.fitted(&needed.states, &needed.values) else { return Vec::new() };
+        if hole.slip == Slip::Factor && product.is_number() {
+            return Vec::new();
+        }
+        let symbols = &self.desk.model.symbols;
+        let read = read_formula(&product.latex, &mut symbols.clone(), &self.desk.model.macros);
+        if hole.slip == Slip::Term && !read.is_ok_and(|term| !self.undoes(&product.signed(term), link, needed)) {
+            return Vec::new();
+        }
+        let sign = if product.is_negative() { '-' } else { '+' };
+        if hole.slip == Slip::Factor && (sign == '-' || self.cancels(&product.below, hole)) {
+            return Vec::new();
+        }
+        vec![self.proposal(hole, sign, &product.latex, product.cost)]
+    }
+
+    fn proposal(&self, hole: Hole, sign: char, latex: &str, cost: usize) -> Proposal {
+        // Of a sum that is left something was lost sooner than beside what stands alone.
+        let place = usize::from(hole.beside == 1) + usize::from(sign == '-');
+        Proposal { cost: 2 * cost + place, edit: hole.filled(sign, latex) }
+    }
+
+    /// What should stand in a hole in normal form, where the states are made of symbols.
+    fn sum(&self, hole: Hole, needed: &Needed, link: &Link, one: &Reading) -> Option<Proposal> {
+        let one = self.link(one, needed.row)?;
+        let off = |link: &Link, scene: &Scene<'_, Symbol>| {
+            let sides = entries(link, scene).ok()?.first().copied()?;
+            Some(sides.0 - sides.1)
+        };
+        let missing = |scene: &Scene<'_, Symbol>| {
+            let (before, after) = (off(link, scene)?, off(&one, scene)?);
+            let slope = after - before;
+            let above = if hole.slip == Slip::Term { -before } else { slope - before };
+            Some((above * slope.recip(), Symbol::from(0.0)))
+        };
+        let model = self.desk.model;
+        let found = normal(model, &self.ensemble, link, &missing)?;
+        let length = text::formula(&found, &model.symbols).chars().count();
+        let mut is_whole = true;
+        found.walk(&mut |part| is_whole &= !matches!(part.node, Node::Quotient(..)));
+        // A factor that is a sum is no sum of quotients: that would be another term over the one that is printed.
+        if length > LONGEST || hole.slip == Slip::Factor && !is_whole {
+            return None;
+        }
+        let near = |(a, b): (f64, &f64)| (a - b).abs() <= NEAR * b.abs();
+        if !self.values(&found, &needed.states)?.into_iter().zip(&needed.values).all(near) {
+            return None;
+        }
+        if hole.slip == Slip::Term {
+            if multiplied_out(&found).iter().any(|leaf| self.undoes(&leaf.signed(), link, needed)) {
+                return None;
+            }
+        }
+        let (sign, latex) = match (&found.node, hole.slip) {
+            (Node::Sum(terms), Slip::Factor) if terms.len() > 1 => {
+                ('+', format!("\\left({}\\right)", typeset(&found, &model.symbols)))
+            }
+            (Node::Sum(_), Slip::Factor) => return None,
+            _ => {
+                let latex = typeset(&found, &model.symbols);
+                match latex.strip_prefix('-') {
+                    Some(rest) => ('-', rest.trim_start().to_owned()),
+                    None => ('+', latex),
+                }
+            }
+        };
+        Some(self.proposal(hole, sign, &latex, length))
+    }
+}

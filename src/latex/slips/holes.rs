@@ -1,0 +1,76 @@
+//! The places of a text where something may have been left out: after the last term of a sum, after the last factor of a
+//! product. What stood there is not known here.
+
+use crate::formula::Symbols;
+use crate::source::Span;
+
+use super::super::layout::{Item, Layout};
+use super::super::macros::Macros;
+use super::super::reader::typeset_items;
+use super::insertions::insides;
+use super::lists::formulas;
+use super::{Edit, Finder, Slip};
+
+/// A place where a term or a factor may have been left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hole {
+    /// Where it would stand.
+    pub at: usize,
+    /// [`Slip::Term`] or [`Slip::Factor`].
+    pub slip: Slip,
+    /// How many terms or factors stand there.
+    pub beside: usize,
+    /// All of these.
+    pub whole: Span,
+}
+
+impl Hole {
+    /// The edit that puts in a term with this sign, or a factor, which has none.
+    pub fn filled(&self, sign: char, formula: &str) -> Edit {
+        let replacement = match self.slip {
+            Slip::Term => format!(" {sign} {formula}"),
+            _ => format!(" \\, {formula}"),
+        };
+        Edit { span: Span::at(self.at), replacement, slip: self.slip }
+    }
+}
+
+/// The places in a text where something may have been left out. Nothing is missing beside a zero.
+pub fn holes(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Hole> {
+    let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
+    let finder = Finder { text, symbols, pool: None, edits: Vec::new() };
+    let mut holes = Vec::new();
+    finder.holes(&items, &mut holes);
+    holes
+}
+
+impl Finder<'_> {
+    fn holes(&self, items: &[Item], holes: &mut Vec<Hole>) {
+        let mut add = |whole: Span, slip, beside| {
+            let hole = Hole { at: whole.end, slip, beside, whole };
+            if !holes.iter().any(|known| known.at == hole.at && known.slip == slip) {
+                holes.push(hole);
+            }
+        };
+        for terms in formulas(items) {
+            if terms.iter().any(|term| self.is_null(term)) {
+                continue;
+            }
+            for term in &terms {
+                let factors = self.factors(term.items);
+                if let (Some(first), Some(last)) = (factors.first(), factors.last()) {
+                    add(first.span().to(last.span()), Slip::Factor, factors.len());
+                }
+            }
+            if let (Some(first), Some(last)) = (terms.first(), terms.last()) {
+                add(first.span().to(last.span()), Slip::Term, terms.len());
+            }
+        }
+        for item in items {
+            // What stands in a name is no formula.
+            if !matches!(item.layout, Layout::Accent(..) | Layout::Style(..)) {
+                insides(item).into_iter().for_each(|inner| self.holes(inner, holes));
+            }
+        }
+    }
+}
