@@ -53,3 +53,27 @@ fn no_unit_is_learnt_from_what_is_wrong() {
     let claims = with(&pendulum(), "units", json!({ "m": "kg", "l": "m", "g": "m^2/s^2" }));
     assert_eq!(mended(&claims, &[lost]), Vec::<String>::new());
 }
+
+#[test]
+fn nothing_is_mended_to_an_equation_that_says_nothing() {
+    let moving = json!({ "varies with time": { "x": "any" }, "constants": { "a, b, c": "> 0", "g": "> 0" } });
+    for wrong in ["a + b = a", "ab = a", "a b c = a b", "x = 2x", "g = 0", r"\dot x = 0", r"\cos(a + b) = \cos a"] {
+        assert_eq!(mended(&moving, &[wrong]), Vec::<String>::new(), "{wrong}");
+    }
+    assert_eq!(mended(&pendulum(), &[r"\dot\theta = 0"]), Vec::<String>::new());
+    // An energy is no slip for an angle; a term that was lost is one.
+    let all = mended(&pendulum(), &[r"\ddot\theta = 0"]);
+    assert!(!all.is_empty() && all.iter().all(|text| text.contains(r"\ddot\theta")), "{all:?}");
+    // The twins: where something is done in an identity, a slip in it is mended.
+    for (wrong, right) in [
+        ("(a + b)^2 = a^2 + ab + b^2", "(a + b)^2 = a^2 + 2ab + b^2"),
+        (r"\sin^2 x = 1 + \cos^2 x", r"\sin^2 x = 1 - \cos^2 x"),
+        ("a (b + c) = ab + bc", "a (b + c) = ab + ac"),
+        ("a + a + b = 3a + b", "a + a + b = 2a + b"),
+        ("a - b + c = c - b - a", "a - b + c = c - b + a"),
+    ] {
+        let bare = |text: &str| text.replace(' ', "");
+        let all = mended(&moving, &[wrong]);
+        assert!(all.iter().any(|text| bare(text) == bare(right)), "{wrong}: {all:?}");
+    }
+}
