@@ -302,8 +302,8 @@ impl Fraction {
 
 /// The terms of an equation, multiplied out and brought to one side: over a denominator, if it has one, without factors
 /// that are in all of them.
-fn terms(link: &Link) -> Option<Vec<Monomial>> {
-    let (lhs, rhs) = (Fraction::of(&link.lhs)?, Fraction::of(&link.rhs)?);
+fn terms(lhs: &Expr, rhs: &Expr) -> Option<Vec<Monomial>> {
+    let (lhs, rhs) = (Fraction::of(lhs)?, Fraction::of(rhs)?);
     let mut terms = product(&lhs.above, &rhs.below)?;
     for mut term in product(&rhs.above, &lhs.below)? {
         term.coefficient = -term.coefficient;
@@ -322,10 +322,15 @@ fn terms(link: &Link) -> Option<Vec<Monomial>> {
     Some(terms)
 }
 
+/// Whether nothing is left of an equation whose terms are multiplied out and brought to one side.
+pub(super) fn cancels(lhs: &Expr, rhs: &Expr) -> bool {
+    terms(lhs, rhs).is_some_and(|terms| terms.iter().all(|term| term.coefficient == 0.0))
+}
+
 /// Whether the terms of two equations are the same but for a number. A factor of another kind that only one of them has,
 /// as in bp = b² + bc beside p = b + c, is a step.
 fn same_terms(a: &Link, b: &Link) -> bool {
-    let (Some(a), Some(b)) = (terms(a), terms(b)) else { return false };
+    let (Some(a), Some(b)) = (terms(&a.lhs, &a.rhs), terms(&b.lhs, &b.rhs)) else { return false };
     let Some(first) = b.first() else { return false };
     let Some(image) = a.iter().find(|term| term.is_like(first)) else { return false };
     let ratio = image.coefficient / first.coefficient;

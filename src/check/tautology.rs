@@ -7,24 +7,30 @@
 use std::mem::discriminant;
 
 use crate::formula::tree::Sign;
-use crate::formula::{Expr, Node, Statement, SymbolId};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
 
 use super::identity::is_equality;
 use super::judge::Link;
 use super::model::Model;
-use super::restated::{Monomial, add};
+use super::restated::{self, Monomial, add};
 
 /// Whether a display that reads like this says nothing any more where another reading of it said something: an equation of
-/// it has become one between a side and itself, or nothing that it spoke of is in it.
+/// it has become one between a side and itself, something is now near to 0 and was near to more, or nothing that it spoke
+/// of is in it.
 pub(super) fn is_lost(before: &Reading, after: &Reading, model: &Model) -> bool {
     before.statements.iter().zip(&after.statements).any(|pair| match pair {
-        (Ok(before), Ok(after)) => {
+        (Ok(before), Ok(after)) if before.members.len() == after.members.len() => {
             let links = before.members.windows(2).zip(after.members.windows(2)).zip(&after.relations);
-            let equalities = links.filter(|((before, after), (relation, _))| before != after && is_equality(*relation));
-            before.members.len() == after.members.len()
-                && (subject_is_gone(before, after, model)
-                    || equalities.into_iter().any(|((before, after), _)| is_emptied(before, after)))
+            let mut changed = links.filter(|((before, after), _)| before != after);
+            subject_is_gone(before, after, model)
+                || changed.any(|((before, after), (relation, _))| match relation {
+                    Relation::Approximately => {
+                        let nulls = |members: &[Expr]| members.iter().filter(|member| member.is_null()).count();
+                        nulls(after) > nulls(before) || is_emptied(before, after)
+                    }
+                    relation => is_equality(*relation) && is_emptied(before, after),
+                })
         }
         _ => false,
     })
@@ -64,7 +70,8 @@ pub(super) fn is_linear_in(link: &Link, symbol: SymbolId) -> bool {
 /// Whether an equation has become a reordering, and was none that had something to be done in it.
 fn is_emptied(before: &[Expr], after: &[Expr]) -> bool {
     let ([a, b], [left, right]) = (before, after) else { return false };
-    if !is_reordered(left, right) || ![a, b].into_iter().all(is_collected) {
+    let says_nothing = is_reordered(left, right) || restated::cancels(left, right);
+    if !says_nothing || ![a, b].into_iter().all(is_collected) {
         return false;
     }
     // A sum in another order, with a slip in a sign, a number or a power.
