@@ -41,3 +41,5 @@ mod steps;
 mod terms;
 #[path = "checks/units.rs"]
 mod units;
+#[path = "checks/wide.rs"]
+mod wide;

@@ -14,6 +14,9 @@ use super::model::is_angle;
 /// How far |sin| and |cos| of a drawn angle stay from zero.
 const MARGIN: f64 = 0.1;
 
+/// So many turns either way an angle has at most.
+const TURNS: f64 = 8.0;
+
 /// How far from the declared ranges numbers are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
@@ -23,6 +26,8 @@ pub enum Reach {
     Beyond,
     /// Within them; numbers without a range of their own are of any order, and ends of ranges are met.
     Vast,
+    /// Within them, and all over them: numbers of any order, angles of many turns.
+    Wide,
 }
 
 /// A seeded stream of numbers.
@@ -65,7 +70,7 @@ impl Draw {
             Reach::Declared => (0.3, 3.0),
             Reach::Beyond => (0.1, 10.0),
             Reach::Vast if self.unit() < 0.5 => (0.3, 3.0),
-            Reach::Vast => (1e-4, 1e4),
+            Reach::Vast | Reach::Wide => (1e-4, 1e4),
         };
         let relaxed = reach == Reach::Beyond;
         match range {
@@ -75,7 +80,10 @@ impl Draw {
                 let size = self.magnitude(small, large);
                 if self.unit() < 0.5 { -size } else { size }
             }
-            Range::Angle => self.angle(-std::f64::consts::PI, std::f64::consts::PI),
+            Range::Angle => {
+                let turns = if reach == Reach::Wide { TURNS } else { 0.5 };
+                self.angle(-turns * std::f64::consts::TAU, turns * std::f64::consts::TAU)
+            }
             Range::Interval { low, high, low_open, high_open } => {
                 let width = high - low;
                 if relaxed && !is_angle(range) {
@@ -91,7 +99,8 @@ impl Draw {
                         return *end.0;
                     }
                 }
-                let keep = |open: bool| if open { 0.05 * width } else { 0.0 };
+                let margin = if reach == Reach::Wide { 1e-3 } else { 0.05 };
+                let keep = |open: bool| if open { margin * width } else { 0.0 };
                 let (low, high) = (low + keep(*low_open), high - keep(*high_open));
                 if is_angle(range) { self.angle(low, high) } else { self.between(low, high) }
             }

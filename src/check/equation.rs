@@ -13,11 +13,13 @@ use super::document::shown;
 use super::draw::Reach;
 use super::ensemble::Condition;
 use super::identity::{self, Context, is_equality};
+use super::judge::Link;
+use super::model::Meaning;
 use super::pins::Use;
 use super::reading::for_each;
-use super::rules::Rule;
+use super::rules::{Action, Rule};
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, exactly, gaps, generates, limit, restated, solves, terms, trial};
+use super::{definitions, exactly, formal, gaps, generates, limit, restated, solves, tautology, terms, trial};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -358,8 +360,22 @@ impl Desk<'_> {
             if !is_equality(relation) || !statement.members[k..k + 2].iter().any(depends) {
                 return Ok(());
             }
-            let link = self.link(&statement.members[k], relation, &statement.members[k + 1])?;
-            match restated::restates(&link, symbol, &introduced.formula, self.model) {
+            let (a, b) = (&statement.members[k], &statement.members[k + 1]);
+            let mut link = self.link(a, relation, b)?;
+            let says_it_again = |link: &Link| restated::restates(link, symbol, &introduced.formula, self.model);
+            let mut is_restated = says_it_again(&link);
+            if is_restated && statement.relations.iter().all(|(relation, _)| is_equality(*relation)) {
+                // Of a chain that goes on from there, the name is also held to the rest: Ė = … = 0 says Ė = 0.
+                let member = if depends(a) { a } else { b };
+                let others = (0..statement.members.len()).filter(|at| *at != k && *at != k + 1);
+                for other in others.map(|at| &statement.members[at]).filter(|other| !depends(other)) {
+                    let across = self.link(member, Relation::Equal, other)?;
+                    if is_restated && !says_it_again(&across) {
+                        (link, is_restated) = (across, false);
+                    }
+                }
+            }
+            match is_restated {
                 true => restated.push(name),
                 false => {
                     let (conditions, local) = (self.conditions(claim)?, self.local(claim)?);
@@ -392,6 +408,23 @@ impl Desk<'_> {
             }
         }
         Ok((uses, restated))
+    }
+
+    /// Whether a link says of a formula what the display says by naming it, or the same in another order.
+    fn only_repeats(&self, link: &Link, introduced: &[Introduced]) -> bool {
+        let names: Vec<SymbolId> = introduced.iter().map(|new| new.symbol).collect();
+        let is_made_of_them = |formula: &Expr| self.model.depends_on(formula, &names);
+        if !is_made_of_them(&link.lhs) {
+            return tautology::is_reordered(&link.lhs, &link.rhs);
+        }
+        let defined = self.model.symbols.iter().filter_map(|(symbol, entry)| match self.model.meaning(symbol) {
+            Some(Meaning::Defined(formula)) if names.contains(&symbol) || is_made_of_them(formula) => {
+                let letters = entry.slots.iter().map(|(_, letter)| *letter).collect();
+                Some(Rule { symbol, letters, action: Action::Equals(formula.as_ref().clone()), throughout: true })
+            }
+            _ => None,
+        });
+        formal::is_identity_where(&link.lhs, &link.rhs, &defined.collect::<Vec<_>>(), self.model)
     }
 
     /// What a claim adds to the statements: solutions, other expressions, conservation, the motion.
@@ -454,7 +487,10 @@ impl Desk<'_> {
                 None => printed.clone(),
             };
             let link = self.link(&other, Relation::Equal, &printed)?;
-            let finding = identity::check(&link, &context)?;
+            let finding = match self.only_repeats(&link, &reading.introduced) {
+                true => context.finding(Verdict::Undecided, "what it also equals only restates it"),
+                false => identity::check(&link, &context)?,
+            };
             let reading =
                 text::formula(&link.lhs, &self.model.symbols) + " = " + &text::formula(&link.rhs, &self.model.symbols);
             parts.push(self.part(finding, reading));

@@ -17,6 +17,7 @@ use crate::scalar::{Modular, Series, TERMS};
 use super::certify::{self, Certificate, at_one_point};
 use super::judge;
 use super::model::{Meaning, Model};
+use super::rules::{Action, Rule};
 
 /// So many points are used.
 const POINTS: u64 = 2;
@@ -45,6 +46,11 @@ pub(super) fn same(a: &Expr, b: &Expr, model: &Model) -> bool {
 
 /// Whether two formulas agree in numbers of which nothing is known.
 pub(super) fn is_identity(a: &Expr, b: &Expr, model: &Model) -> bool {
+    is_identity_where(a, b, &[], model)
+}
+
+/// Whether two formulas agree in numbers of which nothing is known but that some are the values of formulas.
+pub(super) fn is_identity_where(a: &Expr, b: &Expr, rules: &[Rule], model: &Model) -> bool {
     let mut free: Vec<IndexId> = Vec::new();
     for side in [a, b] {
         let Ok((_, found)) = crate::formula::shape::bind(side.clone(), &model.symbols) else { return false };
@@ -53,7 +59,7 @@ pub(super) fn is_identity(a: &Expr, b: &Expr, model: &Model) -> bool {
     let (mut log2, mut finest) = (0.0, 1);
     for seed in 1..=POINTS {
         let differences = || {
-            let drawn = Drawn::<Large> { model, values: RefCell::default() };
+            let drawn = Drawn::<Large> { model, rules, values: RefCell::default(), opened: RefCell::default() };
             drawn.differences(a, b, &free).map_err(|_| "a symbol without a value".to_owned())
         };
         let most_bits = Modular::<Large>::most_bits();
@@ -71,7 +77,11 @@ type Drawings<F> = HashMap<(SymbolId, Vec<u8>), Value<Series<Modular<F>>>>;
 /// Symbols with random values.
 struct Drawn<'s, F: Modulus> {
     model: &'s Model,
+    /// What some of them are.
+    rules: &'s [Rule],
     values: RefCell<Drawings<F>>,
+    /// Those whose formulas are being evaluated: in them they are numbers.
+    opened: RefCell<Vec<SymbolId>>,
 }
 
 impl<F: Modulus> Drawn<'_, F> {
@@ -124,6 +134,14 @@ impl<F: Modulus> Environment<Series<Modular<F>>> for Drawn<'_, F> {
         }
         if let Some(known) = self.values.borrow().get(&(id, indices.to_vec())) {
             return Ok(known.clone());
+        }
+        let is_of_it = |rule: &&Rule| rule.symbol == id && !self.opened.borrow().contains(&id);
+        if let Some(Rule { letters, action: Action::Equals(formula), .. }) = self.rules.iter().find(is_of_it) {
+            let values: Vec<(IndexId, u8)> = letters.iter().copied().zip(indices.iter().copied()).collect();
+            self.opened.borrow_mut().push(id);
+            let value = evaluate_to(TERMS, formula, self, &values);
+            self.opened.borrow_mut().pop();
+            return value;
         }
         let varies = !matches!(self.model.meaning(id), Some(Meaning::Constant(_)));
         let value = match entry.kind {

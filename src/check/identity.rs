@@ -20,7 +20,7 @@ use super::rules::{Action, Rule};
 use super::scene::{Mode, Scene};
 use super::twins::{Twin, twins};
 use super::verdict::{Counterexample, Finding, Verdict};
-use super::{branches, difference, edges, forced, nothing};
+use super::{branches, difference, edges, forced, formal, nothing, tautology, wide};
 
 /// How many states a pass needs.
 pub const FEWEST: usize = 8;
@@ -361,8 +361,10 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         }
         drop(states);
         finding = certify::certify(link, context, &ensemble).stamp(finding);
+        finding = wide::looked_at(link, context, ensemble.mode, finding)?;
     }
-    Ok((finding, Next::Settled))
+    let next = if finding.verdict == Verdict::Refuted { Next::OnShell } else { Next::Settled };
+    Ok((finding, next))
 }
 
 /// Claims that say nothing: both sides the same formula, or the hypothesis itself.
@@ -385,7 +387,10 @@ fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
             [&link.lhs, &link.rhs].into_iter().any(|side| side.symbols().iter().any(|(id, _)| *id == rule.symbol));
         match &rule.action {
             Action::Equals(formula)
-                if bare && [&link.lhs, &link.rhs].into_iter().any(|side| opened(side) == *formula) =>
+                if bare
+                    && ([&link.lhs, &link.rhs].into_iter().any(|side| opened(side) == *formula)
+                        || tautology::is_linear_in(link, rule.symbol)
+                            && formal::is_identity_where(&link.lhs, &link.rhs, context.local, context.model)) =>
             {
                 return Some(context.finding(Verdict::Undecided, "it only restates what \"where\" says"));
             }

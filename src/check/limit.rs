@@ -2,19 +2,21 @@
 //!
 //! The ratio of the sides must tend to 1, or the difference to 0 where the right side is finite and its limit is zero,
 //! and at a rate: the error is followed over several steps towards the limit and must fall as a power, which is
-//! reported. Steps at which rounding would drown the error are not used.
+//! reported. Steps at which rounding would drown the error are not used. A number is approached from both sides, as far
+//! as the range of the symbol and the hypotheses allow.
 
 use std::sync::Arc;
 
 use crate::Result;
-use crate::formula::SymbolId;
-use crate::formula::Value;
 use crate::formula::evaluate::Unavailable;
+use crate::formula::{Expr, Node, SymbolId, Value};
+use crate::notes::claims::Range;
 use crate::scalar::{Measured, Series};
 
 use super::base::slots;
-use super::identity::{Context, FEWEST, counterexample};
-use super::judge::{Failure, Link};
+use super::ensemble::Condition;
+use super::identity::{Context, FEWEST, counterexample, is_equality};
+use super::judge::{self, Failure, Link, Point};
 use super::rules::Rule;
 use super::scene::{Mode, Scene};
 use super::twins::{Slip, twins};
@@ -32,14 +34,26 @@ pub enum Towards {
 }
 
 impl Towards {
-    /// The k-th step towards the limit.
-    pub fn step(self, k: i32) -> f64 {
+    /// The k-th step towards the limit; towards a number from above, if `side` is 1, and from below, if it is −1.
+    pub fn step(self, k: i32, side: f64) -> f64 {
         let far = 16.0 * 2f64.powi(k);
         match self {
             Towards::Infinity => far,
             Towards::MinusInfinity => -far,
-            Towards::Number(a) => a + 1.0 / far,
+            Towards::Number(a) => a + side / far,
         }
+    }
+}
+
+/// The sides from which a number is approached within a range: 1 from above, −1 from below.
+pub(super) fn sides(range: &Range, end: f64) -> &'static [f64] {
+    let is_at = |other: f64| (end - other).abs() <= 1e-9;
+    match range {
+        Range::Interval { high, .. } if is_at(*high) => &[-1.0],
+        Range::Interval { low, .. } if is_at(*low) => &[1.0],
+        Range::Positive if is_at(0.0) => &[1.0],
+        Range::Negative if is_at(0.0) => &[-1.0],
+        _ => &[1.0, -1.0],
     }
 }
 
@@ -47,8 +61,8 @@ impl Towards {
 enum Approach {
     /// The error falls as this power of the distance from the limit.
     Power(f64),
-    /// It does not fall.
-    Fails(Failure),
+    /// It does not fall, from this side.
+    Fails(Failure, f64),
     /// Too few steps can tell.
     Useless,
 }
@@ -90,12 +104,12 @@ fn check_in(
                 powers.push(power);
                 used.push(steps);
             }
-            Ok(Approach::Fails(failure)) => {
+            Ok(Approach::Fails(failure, side)) => {
                 return Ok(Finding {
                     points: powers.len() + 1,
                     tried: ensemble.tried,
                     max_residual: Some(failure.residual),
-                    counterexample: steps.scene(LAST).map(|scene| counterexample(link, &scene, &failure)),
+                    counterexample: steps.scene(LAST, side).map(|scene| counterexample(link, &scene, &failure)),
                     ..context.finding(Verdict::Refuted, "the two sides do not approach each other in this limit")
                 });
             }
@@ -152,11 +166,10 @@ struct Steps<'a> {
 
 impl<'a> Steps<'a> {
     /// The state at the k-th step: a number of the base is moved there, anything else is given that value.
-    fn scene(&self, k: i32) -> Option<Scene<'a, Measured>> {
-        let x = self.towards.step(k);
+    fn scene(&self, k: i32, side: f64) -> Option<Scene<'a, Measured>> {
+        let x = self.towards.step(k, side);
         let model = self.context.model;
-        let slot =
-            slots(model, self.mode).iter().position(|slot| slot.symbol == Some(self.variable) && slot.order == 0);
+        let slot = self.slot();
         let mut base: Vec<Measured> = self.base.iter().map(|x| Measured::new(*x)).collect();
         if let Some(slot) = slot {
             base[slot] = Measured::new(x);
@@ -168,11 +181,61 @@ impl<'a> Steps<'a> {
         Some(scene)
     }
 
+    /// The number of the base that is moved.
+    fn slot(&self) -> Option<usize> {
+        let slots = slots(self.context.model, self.mode);
+        slots.iter().position(|slot| slot.symbol == Some(self.variable) && slot.order == 0)
+    }
+
+    /// The sides from which the limit is approached.
+    fn sides(&self) -> Vec<f64> {
+        let Towards::Number(end) = self.towards else { return vec![1.0] };
+        let context = self.context;
+        if self.slot().is_none() {
+            // What is no number of its own is on the side on which the state has it.
+            let base: Vec<Measured> = self.base.iter().map(|x| Measured::new(*x)).collect();
+            let name = Expr::new(Node::Symbol { id: self.variable, indices: Vec::new(), dots: 0 }, context.span);
+            let scene = Scene::new(context.model, self.mode, &base, self.rules).ok();
+            let value = scene.map(|scene| scene.now(&name, &[]));
+            let is_below = matches!(value, Some(Ok(Value::Scalar(value))) if value.value < end);
+            return vec![if is_below { -1.0 } else { 1.0 }];
+        }
+        let range = context.model.range(self.variable);
+        sides(&range, end).iter().copied().filter(|side| self.is_allowed(*side)).collect()
+    }
+
+    /// Whether the hypotheses that are inequalities hold on the way to the limit.
+    fn is_allowed(&self, side: f64) -> bool {
+        let inequalities = || self.context.conditions.iter().filter(|condition| !is_equality(condition.relation));
+        if inequalities().next().is_none() {
+            return true;
+        }
+        let Some(scene) = self.scene(LAST, side) else { return false };
+        inequalities().all(|condition| {
+            let Condition { lhs, relation, rhs, free, .. } = condition.clone();
+            !matches!(judge::test(&Link { lhs, relation, rhs, free }, &scene), Ok(Point::Fails(_)))
+        })
+    }
+
+    /// How the sides of a link approach each other, the slower of the two ways where there are two.
     fn approach(&self, link: &Link) -> Result<Approach, Unavailable> {
+        let mut slowest = Approach::Useless;
+        for side in self.sides() {
+            slowest = match (slowest, self.approach_from(side, link)?) {
+                (_, Approach::Fails(failure, side)) => return Ok(Approach::Fails(failure, side)),
+                (Approach::Power(a), Approach::Power(b)) => Approach::Power(a.min(b)),
+                (Approach::Useless, other) | (other, Approach::Useless) => other,
+                (fails @ Approach::Fails(..), _) => fails,
+            };
+        }
+        Ok(slowest)
+    }
+
+    fn approach_from(&self, side: f64, link: &Link) -> Result<Approach, Unavailable> {
         let mut errors: Vec<f64> = Vec::new();
         let mut last = None;
         for k in 0..=LAST {
-            let Some(scene) = self.scene(k) else { continue };
+            let Some(scene) = self.scene(k, side) else { continue };
             let (Value::Scalar(a), Value::Scalar(b)) = (scene.now(&link.lhs, &[])?, scene.now(&link.rhs, &[])?) else {
                 return Err(Unavailable::Operation("a limit of something that is no number"));
             };
@@ -196,6 +259,6 @@ impl<'a> Steps<'a> {
         let tail = &errors[errors.len().saturating_sub(4)..];
         let power = (tail[0] / tail[tail.len() - 1]).log2() / (tail.len() - 1) as f64;
         let small = errors.last().is_some_and(|error| *error < 0.05);
-        Ok(if power > 0.3 && small { Approach::Power(power) } else { Approach::Fails(last) })
+        Ok(if power > 0.3 && small { Approach::Power(power) } else { Approach::Fails(last, side) })
     }
 }

@@ -10,7 +10,7 @@ use crate::formula::{IndexId, Kind, Symbols};
 use crate::latex::{Reading, names, read_display, read_formula};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
-use crate::source::Fault;
+use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
 use super::damage::Damage;
@@ -167,12 +167,45 @@ impl Pending<'_> {
         reading.introduced.iter().any(|introduced| reserved(&symbols.entry(introduced.symbol).name))
     }
 
+    /// Refuses definitions that stand on each other.
+    ///
+    /// # Errors
+    /// For the first of them, at its place.
+    fn refuse_circles(&self, model: &Model) -> Result<()> {
+        if self.definitions.is_empty() {
+            return Ok(());
+        }
+        let mut unread = model.clone();
+        let stands_on = |(name, body): &(Spanned<String>, Spanned<String>), unread: &mut Model| {
+            let error = define(self.claims, name, body, unread).err()?;
+            let Some(Missing::Name(missing)) = error.missing() else { return None };
+            self.definitions.iter().position(|(other, _)| names::same(&other.value, missing))
+        };
+        let next: Vec<Option<usize>> =
+            self.definitions.iter().map(|definition| stands_on(definition, &mut unread)).collect();
+        for (start, (name, body)) in self.definitions.iter().enumerate() {
+            let circle: Vec<usize> = std::iter::successors(next[start], |at| next[*at]).take(next.len()).collect();
+            if let Some(length) = circle.iter().position(|at| *at == start) {
+                let others: Vec<&str> =
+                    circle[..length].iter().map(|at| self.definitions[*at].0.value.as_str()).collect();
+                let message = match others.as_slice() {
+                    [] => format!("{} is defined by itself", name.value),
+                    others => format!("{} is defined by itself, by way of {}", name.value, others.join(", ")),
+                };
+                return Err(Error::at(&self.claims.source, body.span, message)
+                    .help("say what one of them is without the others"));
+            }
+        }
+        Ok(())
+    }
+
     /// Gives up what stands on a display that cannot be read; whether there was any.
     ///
     /// # Errors
     /// For a definition that cannot be read for another reason, at its place.
     fn give_up(&mut self, damage: &Damage<'_>, model: &mut Model) -> Result<bool> {
         let claims = self.claims;
+        self.refuse_circles(model)?;
         let mut wrong = None;
         let mut lost = Vec::new();
         let mut known = |name: &Spanned<String>, found: Result<()>, model: &Model| {

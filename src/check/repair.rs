@@ -20,6 +20,7 @@ use super::document::Run;
 use super::formal;
 use super::lost;
 use super::model::Model;
+use super::tautology::is_lost;
 use super::trial::{Answer, Trial, cut, is_plain};
 use super::verdict::{Equation, Finding, Part, Repair, Verdict};
 
@@ -191,25 +192,27 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
             let cuts: Vec<_> = wrong.steps.iter().map(|step| (*step, step_of(wrong.reading, *step))).collect();
             let mut steps = Vec::new();
             for (step, now) in cuts.iter().filter(|_| is_plain(wrong.claim)) {
-                steps.push((*step, Trial::new(desk, wrong.at, now, wrong.claim)?.of_step(*step)));
+                steps.push((*step, now, Trial::new(desk, wrong.at, now, wrong.claim)?.of_step(*step)));
             }
             let mut passing = Vec::new();
             for edit in share {
                 let text = edit.applied(wrong.text);
-                let mut add = |answer, step| match answer {
+                let mut add = |answer, now: &Reading, step| match answer {
                     Answer::Passes(reading, parts)
-                        if !is_empty(&reading, desk.model) && !trial.stands_still(&reading) =>
+                        if !is_empty(&reading, desk.model)
+                            && !is_lost(now, &reading, desk.model)
+                            && !trial.stands_still(&reading) =>
                     {
                         passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts), step });
                         true
                     }
                     _ => false,
                 };
-                if add(trial.of(&text)?, false) {
+                if add(trial.of(&text)?, wrong.reading, false) {
                     continue;
                 }
-                for (_, trial) in steps.iter().filter(|(step, _)| stands_in(edit, wrong.reading, *step)) {
-                    if add(trial.of(&text)?, true) {
+                for (_, now, trial) in steps.iter().filter(|(step, ..)| stands_in(edit, wrong.reading, *step)) {
+                    if add(trial.of(&text)?, now, true) {
                         break;
                     }
                 }

@@ -2,13 +2,15 @@
 //!
 //! Such an equation holds by the definition, whatever that says, and so pins nothing. Two equations say the same in other
 //! words here if factors and terms went from one side to the other, or both sides to one power. What needs more than that,
-//! as s(a − b) = a² − b² beside s = a + b, is a use of the definition.
+//! as s(a − b) = a² − b² beside s = a + b, is a use of the definition. What is the definition differentiated by time, as
+//! ṗ = mẍ beside p = mẋ, says the same too.
 
 use crate::formula::tree::Sign;
-use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
+use crate::formula::{Expr, Index, IndexId, Node, SymbolId, Term};
 
+use super::formal;
 use super::judge::Link;
-use super::model::Model;
+use super::model::{Meaning, Model};
 
 /// Equations of more terms, multiplied out, are not compared.
 const MOST_TERMS: usize = 64;
@@ -24,7 +26,69 @@ pub(super) fn restates(link: &Link, symbol: SymbolId, formula: &Expr, model: &Mo
     let defines = Link { lhs: name, rhs: formula.clone(), ..link.clone() };
     let printed = printed_letters(link, symbol);
     let link = renamed(link, &printed, &own);
-    same_monomials(&link, &defines) || same_terms(&link, &defines)
+    same_monomials(&link, &defines) || same_terms(&link, &defines) || is_rate(&link, &defines, model)
+}
+
+/// Whether an equation is a definition differentiated by time: it holds whatever the definition says.
+fn is_rate(link: &Link, defines: &Link, model: &Model) -> bool {
+    let mut most = 0;
+    for side in [&link.lhs, &link.rhs] {
+        side.walk(&mut |expr| match &expr.node {
+            Node::Symbol { dots, .. } => most = most.max(*dots),
+            Node::TimeDerivative(order, _) => most = most.max(*order),
+            _ => {}
+        });
+    }
+    let difference = link.lhs.clone().minus(link.rhs.clone());
+    let mut rate = Some(defines.clone());
+    (1..=most).any(|order| {
+        rate = rate.as_ref().and_then(|rate| {
+            Some(Link {
+                lhs: differentiated(&rate.lhs, model)?,
+                rhs: differentiated(&rate.rhs, model)?,
+                ..rate.clone()
+            })
+        });
+        let of = defines.lhs.clone().minus(defines.rhs.clone());
+        let value = Expr::new(Node::TimeDerivative(order, Box::new(of)), link.lhs.span);
+        let times = |factor: u32, of: &Expr| {
+            Expr::new(Node::Product(vec![Expr::integer(factor, of.span), of.clone()]), of.span)
+        };
+        let is_multiple = |factor: u32| {
+            [value.clone(), value.clone().negated()].iter().any(|value| {
+                formal::is_identity(&times(factor, &difference), value, model)
+                    || formal::is_identity(&difference, &times(factor, value), model)
+            })
+        };
+        rate.as_ref().is_some_and(|rate| same_monomials(link, rate) || same_terms(link, rate))
+            || (1..=2).any(is_multiple)
+    })
+}
+
+/// The rate of a sum of products in each of which one factor varies at most, term by term.
+fn differentiated(expr: &Expr, model: &Model) -> Option<Expr> {
+    let varies =
+        |expr: &Expr| expr.symbols().iter().any(|(id, _)| !matches!(model.meaning(*id), Some(Meaning::Constant(_))));
+    let node = match &expr.node {
+        _ if !varies(expr) => Node::Number("0".to_owned()),
+        Node::Symbol { id, indices, dots } => Node::Symbol { id: *id, indices: indices.clone(), dots: dots + 1 },
+        Node::TimeDerivative(order, inner) => Node::TimeDerivative(order + 1, inner.clone()),
+        Node::Sum(terms) => {
+            let moving = terms.iter().filter(|term| varies(&term.expr));
+            let rate = |term: &Term| Some(Term { expr: differentiated(&term.expr, model)?, ..term.clone() });
+            Node::Sum(moving.map(rate).collect::<Option<_>>()?)
+        }
+        Node::Product(factors) => {
+            let moving: Vec<usize> = (0..factors.len()).filter(|at| varies(&factors[*at])).collect();
+            let [at] = moving.as_slice() else { return None };
+            let mut factors = factors.clone();
+            factors[*at] = differentiated(&factors[*at], model)?;
+            Node::Product(factors)
+        }
+        Node::Quotient(a, b) if !varies(b) => Node::Quotient(Box::new(differentiated(a, model)?), b.clone()),
+        _ => return None,
+    };
+    Some(Expr::new(node, expr.span))
 }
 
 /// The letters that a symbol of an equation has where it stands first.
@@ -96,9 +160,11 @@ fn renamed(link: &Link, from: &[Index], to: &[IndexId]) -> Link {
 
 /// A product of powers with a coefficient.
 #[derive(Clone, Debug)]
-struct Monomial {
-    coefficient: f64,
-    factors: Vec<(Expr, f64)>,
+pub(super) struct Monomial {
+    /// The coefficient.
+    pub coefficient: f64,
+    /// The bases with their exponents.
+    pub factors: Vec<(Expr, f64)>,
 }
 
 impl Monomial {
@@ -123,7 +189,7 @@ impl Monomial {
     }
 
     /// Of a formula, its sums taken for letters.
-    fn of(expr: &Expr) -> Monomial {
+    pub fn of(expr: &Expr) -> Monomial {
         match &expr.node {
             Node::Number(digits) => match digits.parse::<f64>() {
                 Ok(coefficient) => Monomial { coefficient, ..Monomial::one() },
@@ -147,7 +213,8 @@ impl Monomial {
         }
     }
 
-    fn is_like(&self, other: &Monomial) -> bool {
+    /// Whether it has the same powers of the same bases.
+    pub fn is_like(&self, other: &Monomial) -> bool {
         let has = |(base, exponent): &(Expr, f64)| {
             other.factors.iter().any(|(known, of)| known == base && (of - exponent).abs() < SAME)
         };
@@ -186,7 +253,7 @@ fn product(a: &[Monomial], b: &[Monomial]) -> Option<Vec<Monomial>> {
 }
 
 /// Adds a term to a sum, to one like it if there is one.
-fn add(terms: &mut Vec<Monomial>, term: Monomial) {
+pub(super) fn add(terms: &mut Vec<Monomial>, term: Monomial) {
     match terms.iter().position(|known| known.is_like(&term)) {
         Some(at) => {
             terms[at].coefficient += term.coefficient;
@@ -235,8 +302,8 @@ impl Fraction {
 
 /// The terms of an equation, multiplied out and brought to one side: over a denominator, if it has one, without factors
 /// that are in all of them.
-fn terms(link: &Link) -> Option<Vec<Monomial>> {
-    let (lhs, rhs) = (Fraction::of(&link.lhs)?, Fraction::of(&link.rhs)?);
+fn terms(lhs: &Expr, rhs: &Expr) -> Option<Vec<Monomial>> {
+    let (lhs, rhs) = (Fraction::of(lhs)?, Fraction::of(rhs)?);
     let mut terms = product(&lhs.above, &rhs.below)?;
     for mut term in product(&rhs.above, &lhs.below)? {
         term.coefficient = -term.coefficient;
@@ -255,10 +322,15 @@ fn terms(link: &Link) -> Option<Vec<Monomial>> {
     Some(terms)
 }
 
+/// Whether nothing is left of an equation whose terms are multiplied out and brought to one side.
+pub(super) fn cancels(lhs: &Expr, rhs: &Expr) -> bool {
+    terms(lhs, rhs).is_some_and(|terms| terms.iter().all(|term| term.coefficient == 0.0))
+}
+
 /// Whether the terms of two equations are the same but for a number. A factor of another kind that only one of them has,
 /// as in bp = b² + bc beside p = b + c, is a step.
 fn same_terms(a: &Link, b: &Link) -> bool {
-    let (Some(a), Some(b)) = (terms(a), terms(b)) else { return false };
+    let (Some(a), Some(b)) = (terms(&a.lhs, &a.rhs), terms(&b.lhs, &b.rhs)) else { return false };
     let Some(first) = b.first() else { return false };
     let Some(image) = a.iter().find(|term| term.is_like(first)) else { return false };
     let ratio = image.coefficient / first.coefficient;

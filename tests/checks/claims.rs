@@ -263,3 +263,49 @@ fn an_erratum_fails_as_printed_and_passes_as_corrected() {
     let absent = error(&pendulum(), &[wrong], json!({ "erratum": { "for": "= h", "read": "= -g" } }));
     assert!(absent.contains("stands 0 times") && absent.contains("claims.json:"), "{absent}");
 }
+
+#[test]
+fn what_it_also_equals_is_not_what_it_says() {
+    let seven = r"W = \frac12 m l^2 \dot\theta^2 + 7 mgl\cos\theta";
+    let energy = r"W = \frac12 m l^2 \dot\theta^2 - mgl\cos\theta";
+    let also = |display: &str, other: &str| verdict(&pendulum(), &[display], json!({ "also equals": other }));
+    for other in ["W", "W + 0", r"\frac{2W}{2}", r"7mgl\cos\theta + \frac12 m l^2 \dot\theta^2"] {
+        assert_eq!(also(seven, other), Undecided, "{other}");
+    }
+    // The twins: what the system determines is another thing, and so is what takes a step.
+    assert_eq!((also(energy, "E"), also(seven, "E")), (Verified, Refuted));
+    assert_eq!(also(energy, r"ml(\frac12 l \dot\theta^2 - g\cos\theta)"), Verified);
+    assert_eq!(also(seven, r"ml(\frac12 l \dot\theta^2 - g\cos\theta)"), Refuted);
+}
+
+#[test]
+fn a_number_is_approached_from_both_sides() {
+    let claims = json!({ "constants": { r"\theta": "angle", "a": "any", "p": "> 0", r"\alpha": r"(0, \\pi)".replace(r"\\", r"\") } });
+    let limit = |latex: &str, end: &str| verdict(&claims, &[latex], json!({ "limit": end }));
+    for latex in [
+        r"\sqrt{\sin^2\theta} \approx \theta",
+        r"|\sin\theta| \approx \theta",
+        r"\frac{1}{1 + e^{-1/\theta}} \approx 1",
+    ] {
+        assert_eq!(limit(latex, r"\theta \to 0"), Refuted, "{latex}");
+        // The twin: from above alone, if that is assumed.
+        let above = json!({ "limit": r"\theta \to 0", "assume": r"\theta > 0" });
+        assert_eq!(verdict(&claims, &[latex], above), Verified, "{latex}");
+    }
+    assert_eq!(
+        (limit(r"\sqrt{a^2} \approx a", r"a \to 0"), limit(r"\sqrt{p^2} \approx p", r"p \to 0")),
+        (Refuted, Verified)
+    );
+    assert_eq!(limit(r"\sin\theta \approx \theta", r"\theta \to 0"), Verified);
+    assert_eq!(limit(r"\sqrt{\sin^2\alpha} \approx \pi - \alpha", r"\alpha \to \pi"), Verified);
+    assert_eq!(limit(r"\sqrt{\sin^2\alpha} \approx \alpha - \pi", r"\alpha \to \pi"), Refuted);
+}
+
+#[test]
+fn what_varies_by_less_than_numbers_show_is_not_said_to_be_constant() {
+    let found = equation(&pendulum(), &[r"Q = E + 10^{-14} mgl\theta"], json!({ "conserved": true }));
+    assert_eq!(found.finding.verdict, Refuted);
+    assert!(!found.finding.message.contains("constant on shell"), "{}", found.finding.message);
+    let energy = equation(&pendulum(), &["Q = E + mgl"], json!({ "conserved": true }));
+    assert!(energy.ok && energy.finding.message.contains("constant on shell"), "{}", energy.finding.message);
+}

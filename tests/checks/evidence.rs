@@ -246,3 +246,17 @@ fn zero_on_shell_tells_no_factor() {
     assert_eq!(claim(r"\dot E = m l \dot\theta (\ddot\theta + \frac{g}{l} \sin\theta)"), Undecided);
     assert_eq!(claim(r"\dot E = 0"), Verified);
 }
+
+#[test]
+fn what_where_says_in_another_order_is_no_evidence() {
+    let claims = with(&pendulum(), "varies with time", json!({ "a": "any" }));
+    let meant =
+        |latex: &str, name: &str, formula: &str| verdict(&claims, &[latex], json!({ "where": { name: formula } }));
+    assert_eq!(meant(r"E = mgl\cos\theta", "E", r"m l g \cos\theta"), Undecided);
+    assert_eq!(meant("E = 2U", "U", r"\frac{E}{2}"), Undecided);
+    assert_eq!(meant(r"E - mgl\cos\theta = 0", "E", r"\cos\theta m g l"), Undecided);
+    assert_eq!(meant(r"\dot E = -mgl\dot\theta\sin\theta", "E", r"m l g \cos\theta"), Undecided);
+    // The twins: what stands on the motion, and what is false.
+    assert_eq!(meant("E = T + a", "a", "U"), Verified);
+    assert_eq!(meant(r"E = 2mgl\cos\theta", "E", r"m l g \cos\theta"), Refuted);
+}

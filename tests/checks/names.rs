@@ -192,3 +192,39 @@ fn what_is_undecided_as_printed_is_no_misprint() {
     assert_eq!(erratum("ab = ab", "ab =", "ba ="), (Undecided, false));
     assert_eq!(erratum("2ab = ab", "2ab =", "ba ="), (Refuted, true));
 }
+
+#[test]
+fn a_definition_differentiated_pins_nothing() {
+    let claims = json!({ "constants": { "m, k": "> 0" }, "varies with time": { "x": "any" }, "laws": { "the spring": r"m \ddot x = -k x" } });
+    for (definition, again) in [
+        (r"p = 2m\dot x", r"\dot p = 2m\ddot x"),
+        (r"p = 2m\dot x", r"\ddot x = \frac{\dot p}{2m}"),
+        (r"p = 2m\dot x", r"\frac{d}{dt} p = 2m\ddot x"),
+        (r"q = \frac12 m \dot x^2", r"\dot q = m \dot x \ddot x"),
+    ] {
+        let found = check(&claims, &[definition, again]);
+        let finding = &found.equations[0].finding;
+        assert_eq!(finding.verdict, Undecided, "{definition}, {again}: {}", finding.message);
+        assert!(finding.message.contains("(2) says the same in other words"), "{}", finding.message);
+        assert_eq!(outcome(&found.equations[1].finding), Verified, "{again}");
+    }
+    // The twins: what says more of the rate pins, at the end of a chain too.
+    assert_eq!(verdicts(&claims, &[r"p = m\dot x", r"\dot p = -k x"])[0], Definition);
+    assert_eq!(verdicts(&claims, &[r"p = m\dot x", r"\dot p = m\ddot x = -k x"])[0], Definition);
+    assert_eq!(verdicts(&claims, &[r"p = 2m\dot x", r"\dot p = -k x"]), [Undecided, Refuted]);
+}
+
+#[test]
+fn definitions_in_a_circle_are_an_error() {
+    let circular = |define: Json| {
+        let claims = with(&with(&numbers(), "define", define), "notes", json!("notes.md"));
+        document(&claims, &numbered(&["A = a", "B = A + 1"]), &Registry::standard(), None).map(|_| ())
+    };
+    for define in [json!({ "A": "B", "B": "A" }), json!({ "A": "A + 1" }), json!({ "A": "2B", "B": "C^2", "C": "a A" })]
+    {
+        let error = circular(define.clone()).unwrap_err().to_string();
+        assert!(error.starts_with("claims.json:") && error.contains("is defined by itself"), "{define}: {error}");
+    }
+    // The twin: one after the other is no circle, in whatever order.
+    assert!(circular(json!({ "A": "B", "B": "a" })).is_ok());
+}

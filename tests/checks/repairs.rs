@@ -117,3 +117,46 @@ fn a_power_left_outside_of_the_parenthesis_that_was_lost_goes_back_onto_it() {
     let cube = square.replace("= c a + b^2", "= c a + b^3");
     assert!(!is_mended(&numbers(), &cube, json!({}), "c a^2 + 2 c a b + c b^2 = c (a + b)^3"));
 }
+
+#[test]
+fn nothing_is_mended_to_an_equation_that_says_nothing() {
+    let moving = json!({ "varies with time": { "x": "any" }, "constants": { "a, b, c, g": "> 0" } });
+    for wrong in [
+        "a + b = a",
+        "ab = a",
+        "a b c = a b",
+        "x = 2x",
+        "g = 0",
+        r"\dot x = 0",
+        r"x = \cos(a) x",
+        r"\cos(a + b) = \cos a",
+    ] {
+        assert_eq!(mended(&moving, &[wrong]), Vec::<String>::new(), "{wrong}");
+    }
+    assert_eq!(mended(&pendulum(), &[r"\dot\theta = 0"]), Vec::<String>::new());
+    // An energy is no slip for an angle; a term that was lost is one.
+    let all = mended(&pendulum(), &[r"\ddot\theta = 0"]);
+    assert!(!all.is_empty() && all.iter().all(|text| text.contains(r"\ddot\theta")), "{all:?}");
+    // What is near to something is not near to 0, nor is 0 to itself.
+    let near = |latex: &str| {
+        let claims = with(&moving, "equations", json!({ "1": { "limit": r"x \to 0" } }));
+        let found = document(&claims, &numbered(&[latex]), &Registry::standard(), None);
+        let equation = found.unwrap_or_else(|error| panic!("{latex}: {error}")).equations.remove(0);
+        (equation.ok, equation.repairs.into_iter().map(|repair| repair.replacement).collect::<Vec<_>>())
+    };
+    assert_eq!(near(r"\sqrt{\sin^2 x} \approx x"), (false, Vec::new()));
+    let (ok, near) = near(r"\sin(a x) \approx b x");
+    assert!(!ok && near.contains(&"a".to_owned()), "{near:?}");
+    // The twins: where something is done in an identity, a slip in it is mended.
+    for (wrong, right) in [
+        ("(a + b)^2 = a^2 + ab + b^2", "(a + b)^2 = a^2 + 2ab + b^2"),
+        (r"\sin^2 x = 1 + \cos^2 x", r"\sin^2 x = 1 - \cos^2 x"),
+        ("a (b + c) = ab + bc", "a (b + c) = ab + ac"),
+        ("a + a + b = 3a + b", "a + a + b = 2a + b"),
+        ("a - b + c = c - b - a", "a - b + c = c - b + a"),
+    ] {
+        let bare = |text: &str| text.replace(' ', "");
+        let all = mended(&moving, &[wrong]);
+        assert!(all.iter().any(|text| bare(text) == bare(right)), "{wrong}: {all:?}");
+    }
+}

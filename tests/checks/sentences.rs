@@ -167,3 +167,48 @@ fn the_quoted_formula_is_the_claim_where_nothing_else_is() {
         assert!(error.starts_with("claims.json:"), "{error}");
     }
 }
+
+#[test]
+fn independent_of_is_meant_of_values_far_apart_too() {
+    let independent = |of: &str| of_numbers(json!({ "of": of, "independent of": ["x"] }));
+    let of_positive = |of: &str| of_numbers(json!({ "of": of, "independent of": ["x"], "assume": "x > 0" }));
+    for steps in [r"\frac{x}{|x|}", r"\frac{\sqrt{x^2}}{x}", r"\arctan x + \arctan\frac1x"] {
+        // The twin: of positive numbers it is true.
+        assert_eq!((independent(steps), of_positive(steps)), (Refuted, Verified), "{steps}");
+    }
+    let step = r"\frac{|x - a|}{x - a}";
+    assert_eq!((independent(step), of_positive(step)), (Refuted, Refuted));
+}
+
+#[test]
+fn a_hypothesis_says_where_the_variable_runs() {
+    let of = |key: &str, of: &str, assume: &str, value: Json| {
+        let mut test = json!({ "of": of, "assume": assume });
+        test[key] = value;
+        if key != "rises with" {
+            test["against"] = json!("x");
+        }
+        of_numbers(test)
+    };
+    let sign = |f: &str, assume: &str| of("sign", f, assume, json!("positive"));
+    let rises = |f: &str, assume: &str| of("rises with", f, assume, json!("x"));
+    let minima = |n: usize, assume: &str| of("minima", "x^4 - 2x^2", assume, json!(n));
+    assert_eq!((sign("x", "x > 0"), sign("x", "x > -1"), sign("x - 1", "x > 0")), (Verified, Refuted, Refuted));
+    assert_eq!((rises("x^2", "x > 0"), rises("x^2", "x > -1")), (Verified, Refuted));
+    let well = r"x + \frac1x";
+    assert_eq!((rises(well, "x > 1"), rises(well, "x > 0.98"), rises(well, "x > 0")), (Verified, Refuted, Refuted));
+    assert_eq!((minima(1, "x > 0"), minima(2, "x > 0"), minima(2, "x > -3")), (Verified, Refuted, Verified));
+    // What would fix it is refused, and so is a bound on an unknown whose values are counted.
+    assert_eq!(sign("x + a", "x = 1"), Unreadable);
+    let solutions = json!({ "solutions": 1, "of": "1", "for": "x", "assume": ["b^2 > c", "x > 0"] });
+    assert_eq!(of_numbers(solutions), Unreadable);
+}
+
+#[test]
+fn what_is_too_dense_to_count_is_not_counted() {
+    let claims = json!({ "constants": { r"\alpha": r"(0, \pi)", "b, c, a, x": "> 0" } });
+    let maxima = |of: &str, n: usize| sentence(&claims, json!({ "of": of, "maxima": n, "against": r"\alpha" }));
+    assert_eq!((maxima(r"\sin(100\alpha)", 50), maxima(r"\sin(100\alpha)", 18)), (Undecided, Undecided));
+    // The twin: what can be counted is.
+    assert_eq!((maxima(r"\sin(10\alpha)", 5), maxima(r"\sin(10\alpha)", 4)), (Verified, Refuted));
+}

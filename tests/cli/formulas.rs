@@ -148,3 +148,20 @@ fn read_points_at_what_it_does_not_understand() {
         assert!(run.err.contains(place) && run.err.contains(word), "{formula}: {}", run.err);
     }
 }
+
+#[test]
+fn a_rate_is_no_angle_at_which_an_argument_ends() {
+    let desk = Desk::new("rates");
+    for latex in [r"\cos\dot\phi t", r"a\cos\dot\phi t", r"\cos\dot\phi x", r"\sin\sqrt{k}\,t"] {
+        let run = desk.onshell(&["read", latex]);
+        assert!(run.code == 2 && run.err.contains("enclose it"), "{latex}: {}{}", run.out, run.err);
+        assert!(!run.err.contains("thin space"), "{latex}: {}", run.err);
+    }
+    // The twins: enclosed, or with nothing after it that could belong to it.
+    for latex in
+        [r"\cos(\dot\phi t)", r"\cos(\dot\phi) t", r"\sin\dot\phi", r"\sin\dot\phi\cos\theta", r"\sin(\sqrt{k} t)"]
+    {
+        let run = desk.onshell(&["read", latex]);
+        assert_eq!(run.code, 0, "{latex}: {}{}", run.out, run.err);
+    }
+}

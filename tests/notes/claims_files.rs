@@ -97,6 +97,7 @@ fn ranges() {
         "(0, 1, 2)",
         "1..3",
         "integer 5..2",
+        "integer 1..1",
         "integer 1..n",
         "integer 2..1e400",
         "[0, 1/0]",

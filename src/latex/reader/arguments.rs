@@ -18,6 +18,8 @@ struct Run {
     symbols: Vec<(bool, Name)>,
     /// Whether it is one fraction or root.
     stands_alone: bool,
+    /// Whether it ends with a rate.
+    is_rate: bool,
 }
 
 impl Run {
@@ -80,8 +82,11 @@ impl Reader<'_> {
         if !self.is_settled(&run, items)? {
             let span = head.to(items[run.end.min(items.len() - 1)].span);
             let shown = function.name();
-            return Err(two_ways(span, &format!("where the argument of \\{shown} ends"))
-                .help(format!("enclose it, \\{shown}(…), or end it with a thin space \\,")));
+            let help = match !run.has_angle() && self.time_follows(items, run.end) || self.rate_goes_on(&run, items) {
+                true => format!("enclose it, \\{shown}(…), with what follows or without it"),
+                false => format!("enclose it, \\{shown}(…), or end it with a thin space \\,"),
+            };
+            return Err(two_ways(span, &format!("where the argument of \\{shown} ends")).help(help));
         }
         *cursor = run.end;
         self.term(&items[start..run.end])
@@ -89,7 +94,7 @@ impl Reader<'_> {
 
     /// Numbers, then symbols, up to the first that is an angle or dotted; a fraction or a root stands alone.
     fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
-        let mut run = Run { end: start, symbols: Vec::new(), stands_alone: false };
+        let mut run = Run { end: start, symbols: Vec::new(), stands_alone: false, is_rate: false };
         let mut numbers = 0;
         while let Some(item) = items.get(run.end) {
             if self.is_leading_number(item, run.end == start) {
@@ -120,6 +125,7 @@ impl Reader<'_> {
             let (angle, varies) = entry.map_or((false, false), |entry| (entry.angle, entry.varies));
             let is_angle = angle && printed.dots == 0;
             run.symbols.push((is_angle, printed.name));
+            run.is_rate = printed.dots > 0;
             run.end += 1;
             if varies && items.get(run.end).is_some_and(|item| self.is_time_in_parentheses(item)) {
                 run.end += 1;
@@ -159,8 +165,15 @@ impl Reader<'_> {
         };
         let could_go_on = parenthesis && !run.has_angle() && function_head(&items[run.end])?.is_none()
             || run.stands_alone && self.goes_on(items, run.end)
-            || !run.has_angle() && self.time_follows(items, run.end);
+            || !run.has_angle() && self.time_follows(items, run.end)
+            || self.rate_goes_on(run, items);
         Ok(sure && !could_go_on)
+    }
+
+    /// Whether a symbol stands beside a rate, which is no angle: `\cos\dot\phi t`.
+    fn rate_goes_on(&self, run: &Run, items: &[Item]) -> bool {
+        let next = items.get(run.end).and_then(|item| names::printed(item, self.branch));
+        run.is_rate && next.is_some_and(|printed| printed.dots == 0)
     }
 
     /// Whether a symbol without a dot, or a number, stands beside what was read.

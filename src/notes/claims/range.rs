@@ -143,6 +143,10 @@ fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Ran
     };
     match high {
         Count::Number(number) if number < low => Err(fault(format!("\"{}\" is upside down", written.value))),
+        Count::Number(number) if number == low && !symbolic => {
+            Err(Fault::new(written.span, format!("\"{}\" has one value", written.value))
+                .help("a fixed value is a \"where\" or a \"define\", not a range"))
+        }
         high => Ok(Range::Integer { low, high }),
     }
 }
