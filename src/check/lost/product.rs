@@ -225,18 +225,25 @@ impl<'d> Factors<'d> {
             cost += power.unsigned_abs() as usize + usize::from(power < 0);
         }
         let factors = above.len() + below.len();
-        let (n, m) = (number.numerator.unsigned_abs(), number.denominator);
-        if m != 1 {
-            below.insert(0, m.to_string());
-        }
-        if n != 1 || above.is_empty() {
-            above.insert(0, n.to_string());
-        }
-        cost += usize::from(n != 1) + usize::from(m != 1);
-        let [above, below] = [above, below].map(|part| part.join(" \\, "));
-        let latex = if below.is_empty() { above } else { format!("\\frac{{{above}}}{{{below}}}") };
+        cost += usize::from(number.numerator.abs() != 1) + usize::from(number.denominator != 1);
+        let latex = quotient(number, above, below);
         Product { latex, cost, below: divides, number, factors }
     }
+}
+
+/// A product over another one, with the size of a number before it.
+fn quotient(number: Fraction, mut above: Vec<String>, mut below: Vec<String>) -> String {
+    let (n, m) = (number.numerator.unsigned_abs(), number.denominator);
+    match (below.is_empty(), m) {
+        (true, 2..) => above.insert(0, format!("\\frac{{{n}}}{{{m}}}")),
+        _ if n != 1 || above.is_empty() => above.insert(0, n.to_string()),
+        _ => {}
+    }
+    if !below.is_empty() && m != 1 {
+        below.insert(0, m.to_string());
+    }
+    let [above, below] = [above, below].map(|part| part.join(" \\, "));
+    if below.is_empty() { above } else { format!("\\frac{{{above}}}{{{below}}}") }
 }
 
 fn norm(vector: &[f64]) -> f64 {
