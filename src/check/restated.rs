@@ -5,7 +5,7 @@
 //! as s(a − b) = a² − b² beside s = a + b, is a use of the definition. What is the definition differentiated by time, as
 //! ṗ = mẍ beside p = mẋ, says the same too.
 
-use crate::formula::tree::Sign;
+use crate::formula::tree::{Function, Sign};
 use crate::formula::{Expr, Index, IndexId, Node, SymbolId, Term};
 
 use super::formal;
@@ -209,6 +209,8 @@ impl Monomial {
                 None => Monomial::one().times(expr, 1.0),
             },
             Node::Root(degree, inner) => Monomial::one().with(&Monomial::of(inner), 1.0 / f64::from(*degree)),
+            // cos 0 is 1, whatever else is made of it.
+            Node::Call(Function::Cos, angle) if angle.is_zero() => Monomial::one(),
             _ => Monomial::one().times(expr, 1.0),
         }
     }
