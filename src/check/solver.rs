@@ -278,7 +278,7 @@ impl<'m> Solver<'m> {
     }
 
     /// The slot to solve a row for, besides those of the plan: one in which it is linear, else of the highest class; one
-    /// that would leave its range comes last.
+    /// that would have to vanish and may not comes last.
     fn pivot(&self, base: &[f64], row: Row) -> Result<Option<usize>> {
         let class = |slot: &Slot| match (slot.constant, slot.order) {
             (true, _) => 0,
@@ -318,7 +318,8 @@ impl<'m> Solver<'m> {
             }
             if self.is_linear(base, row, slot)? {
                 let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / value.eps);
-                if contains(&self.slots[slot].range, goes_to) {
+                let vanishes = goes_to.abs() <= 1e-9 * base[slot].abs();
+                if !vanishes || contains(&self.slots[slot].range, 0.0) {
                     return Ok(Some(slot));
                 }
                 outside = outside.or(Some(slot));
