@@ -17,6 +17,7 @@ use super::judge::Link;
 use super::model::Meaning;
 use super::pins::Use;
 use super::reading::for_each;
+use super::restated::Restated;
 use super::rules::{Action, Rule};
 use super::verdict::{Equation, Finding, Part, Verdict};
 use super::{definitions, exactly, formal, gaps, generates, limit, restated, solves, tautology, terms, trial};
@@ -363,14 +364,17 @@ impl Desk<'_> {
             let (a, b) = (&statement.members[k], &statement.members[k + 1]);
             let mut link = self.link(a, relation, b)?;
             let says_it_again = |link: &Link| restated::restates(link, symbol, &introduced.formula, self.model);
-            let mut is_restated = says_it_again(&link);
-            if is_restated && statement.relations.iter().all(|(relation, _)| is_equality(*relation)) {
+            let how = says_it_again(&link);
+            let mut is_restated = how.is_some();
+            if how == Some(Restated::Differentiated)
+                && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+            {
                 // Of a chain that goes on from there, the name is also held to the rest: Ė = … = 0 says Ė = 0.
                 let member = if depends(a) { a } else { b };
                 let others = (0..statement.members.len()).filter(|at| *at != k && *at != k + 1);
                 for other in others.map(|at| &statement.members[at]).filter(|other| !depends(other)) {
                     let across = self.link(member, Relation::Equal, other)?;
-                    if is_restated && !says_it_again(&across) {
+                    if is_restated && says_it_again(&across).is_none() {
                         (link, is_restated) = (across, false);
                     }
                 }

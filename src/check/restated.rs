@@ -18,15 +18,27 @@ const MOST_TERMS: usize = 64;
 /// Exponents and coefficients nearer than this are one.
 const SAME: f64 = 1e-9;
 
-/// Whether `link` is `symbol = formula` in other words.
-pub(super) fn restates(link: &Link, symbol: SymbolId, formula: &Expr, model: &Model) -> bool {
+/// How an equation says a definition again.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Restated {
+    /// In other words.
+    InOtherWords,
+    /// Differentiated by time.
+    Differentiated,
+}
+
+/// Whether `link` says `symbol = formula` again, and how.
+pub(super) fn restates(link: &Link, symbol: SymbolId, formula: &Expr, model: &Model) -> Option<Restated> {
     let own: Vec<IndexId> = model.symbols.entry(symbol).slots.iter().map(|(_, letter)| *letter).collect();
     let indices = own.iter().map(|letter| Index::Letter(*letter)).collect();
     let name = Expr::new(Node::Symbol { id: symbol, indices, dots: 0 }, formula.span);
     let defines = Link { lhs: name, rhs: formula.clone(), ..link.clone() };
     let printed = printed_letters(link, symbol);
     let link = renamed(link, &printed, &own);
-    same_monomials(&link, &defines) || same_terms(&link, &defines) || is_rate(&link, &defines, model)
+    if same_monomials(&link, &defines) || same_terms(&link, &defines) {
+        return Some(Restated::InOtherWords);
+    }
+    is_rate(&link, &defines, model).then_some(Restated::Differentiated)
 }
 
 /// Whether an equation is a definition differentiated by time: it holds whatever the definition says.

@@ -6,7 +6,7 @@
 
 use std::mem::discriminant;
 
-use crate::formula::tree::Sign;
+use crate::formula::tree::{Function, Sign};
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
 
@@ -70,6 +70,7 @@ pub(super) fn is_linear_in(link: &Link, symbol: SymbolId) -> bool {
 /// Whether an equation has become a reordering, and was none that had something to be done in it.
 fn is_emptied(before: &[Expr], after: &[Expr]) -> bool {
     let ([a, b], [left, right]) = (before, after) else { return false };
+    let (left, right) = (&at_zero(left), &at_zero(right));
     let says_nothing = is_reordered(left, right) || restated::cancels(left, right);
     if !says_nothing || ![a, b].into_iter().all(is_collected) {
         return false;
@@ -83,6 +84,21 @@ fn is_emptied(before: &[Expr], after: &[Expr]) -> bool {
         some.iter().all(|(base, _)| all.iter().any(|(known, _)| known == base))
     };
     !(sums && within(&of_first, &of_second) && within(&of_second, &of_first))
+}
+
+/// A formula with the values that functions have at 0 written out.
+fn at_zero(expr: &Expr) -> Expr {
+    let mut written = expr.clone();
+    for child in written.children_mut() {
+        *child = at_zero(child);
+    }
+    let value = match &written.node {
+        Node::Call(Function::Cos | Function::Cosh | Function::Exp | Function::Sec, of) if of.is_zero() => 1,
+        Node::Call(Function::Sin | Function::Tan | Function::Sinh | Function::Tanh, of) if of.is_zero() => 0,
+        Node::Call(Function::Arcsin | Function::Arctan, of) if of.is_zero() => 0,
+        _ => return written,
+    };
+    Expr::integer(value, expr.span)
 }
 
 /// Whether the one symbol of a statement has become another of another kind.
