@@ -49,6 +49,9 @@ pub(super) fn formula(link: &Link, context: &Context<'_>, finding: &Finding) -> 
     Failed::of(link, context, finding)?.difference()
 }
 
+/// Two numbers of a state that is made of symbols.
+pub(super) type Numbers<'n> = dyn Fn(&Scene<'_, Symbol>) -> Option<(Symbol, Symbol)> + 'n;
+
 /// A claim with the states at which it was refuted.
 struct Failed<'a> {
     link: &'a Link,
@@ -178,12 +181,7 @@ impl<'a> Failed<'a> {
 
 /// What some states say of two numbers, one without the other, in normal form: where they are made of names alone. The link
 /// is what the numbers are made from.
-pub(super) fn normal(
-    model: &Model,
-    ensemble: &Ensemble<'_>,
-    link: &Link,
-    numbers: &dyn Fn(&Scene<'_, Symbol>) -> Option<(Symbol, Symbol)>,
-) -> Option<Expr> {
+pub(super) fn normal(model: &Model, ensemble: &Ensemble<'_>, link: &Link, numbers: &Numbers<'_>) -> Option<Expr> {
     let sides = [&link.lhs, &link.rhs];
     if !is_nameable(&sides, model, ensemble) {
         return None;
@@ -209,7 +207,7 @@ fn recorded(
     ensemble: &Ensemble<'_>,
     at: usize,
     (momenta, needed): (&[(usize, SymbolId)], usize),
-    numbers: &dyn Fn(&Scene<'_, Symbol>) -> Option<(Symbol, Symbol)>,
+    numbers: &Numbers<'_>,
 ) -> Option<Expr> {
     let mut alphabet = Alphabet::new(model, ensemble.mode, ensemble.bases.get(at)?);
     let first = alphabet.letters.len();

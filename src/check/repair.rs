@@ -4,7 +4,7 @@
 //! ([`crate::latex::slips::corrections`]). Those that hold at a few states get the full check, and only what passes it is
 //! offered: so no suggestion is wrong, though another one may have been meant. They are ranked by how likely the slip is.
 //! What may have been left out is looked for only where nothing else helps: first what the display itself has, then what
-//! the document has.
+//! the document has, then what follows from what is true ([`super::lost`]).
 
 use rayon::prelude::*;
 

@@ -301,7 +301,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             .for_each(|member| printed.extend(member.symbols()));
         rates.retain(|rate| rate.symbols().iter().any(|symbol| !printed.contains(symbol)));
         let screens = || self.screens.iter().flatten().flat_map(|screen| &screen.scenes);
-        let is_zero = |rate: &Expr, scene| difference::value(rate, scene).is_some_and(|value| judge::vanishes(value));
+        let is_zero = |rate: &Expr, scene| difference::value(rate, scene).is_some_and(judge::vanishes);
         rates.into_iter().any(|rate| screens().next().is_some() && screens().all(|scene| is_zero(rate, scene)))
     }
 

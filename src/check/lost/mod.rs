@@ -214,9 +214,9 @@ impl<'w, 'a> Lost<'w, 'a> {
         None
     }
 
-    /// Whether a term that is put into a hole only takes away what is printed, or is a multiple of it: then that is wrong, and
-    /// nothing was lost.
-    fn undoes(&self, term: &Expr, link: &Link, needed: &Needed) -> bool {
+    /// Whether a term of what is put into a hole only takes away what is printed, or is a multiple of it: then that is wrong,
+    /// and nothing was lost.
+    fn undoes(&self, term: &Expr, hole: Hole, link: &Link, needed: &Needed) -> bool {
         let Some(values) = self.values(term, &needed.states) else { return true };
         leaves(link).iter().any(|leaf| {
             let Some(printed) = self.values(&leaf.expr, &needed.states) else { return false };
@@ -227,7 +227,8 @@ impl<'w, 'a> Lost<'w, 'a> {
             if ratios.iter().any(|other| (other - ratio).abs() > NEAR * ratio.abs()) {
                 return false;
             }
-            (ratio + 1.0).abs() < NEAR || self.is_multiple(term, &leaf.expr, &needed.states)
+            let is_term = hole.slip == Slip::Term;
+            (ratio + 1.0).abs() < NEAR || is_term && self.is_multiple(term, &leaf.expr, &needed.states)
         })
     }
 
@@ -269,7 +270,7 @@ impl<'w, 'a> Lost<'w, 'a> {
         }
         let symbols = &self.desk.model.symbols;
         let read = read_formula(&product.latex, &mut symbols.clone(), &self.desk.model.macros);
-        if hole.slip == Slip::Term && !read.is_ok_and(|term| !self.undoes(&product.signed(term), link, needed)) {
+        if hole.slip == Slip::Term && !read.is_ok_and(|term| !self.undoes(&product.signed(term), hole, link, needed)) {
             return Vec::new();
         }
         let sign = if product.is_negative() { '-' } else { '+' };
@@ -311,10 +312,8 @@ impl<'w, 'a> Lost<'w, 'a> {
         if !self.values(&found, &needed.states)?.into_iter().zip(&needed.values).all(near) {
             return None;
         }
-        if hole.slip == Slip::Term {
-            if multiplied_out(&found).iter().any(|leaf| self.undoes(&leaf.signed(), link, needed)) {
-                return None;
-            }
+        if multiplied_out(&found).iter().any(|leaf| self.undoes(&leaf.signed(), hole, link, needed)) {
+            return None;
         }
         let (sign, latex) = match (&found.node, hole.slip) {
             (Node::Sum(terms), Slip::Factor) if terms.len() > 1 => {

@@ -96,6 +96,8 @@ impl<'d> Factors<'d> {
             bases(&whole, &mut parts);
             parts.iter().for_each(|part| add((**part == whole).then_some(latex), part));
         }
+        // Names come before rates: the rate of a quantity stands for others in disguise.
+        named(symbols).iter().for_each(|expr| add(None, expr));
         // The rates of what is printed, and what it is the rate of.
         for latex in printed.iter().flat_map(Pool::factors) {
             let Some((name, _)) = names::parse(latex) else { continue };
@@ -107,7 +109,7 @@ impl<'d> Factors<'d> {
                     .for_each(|expr| add(Some(&latex), expr));
             }
         }
-        named(symbols).iter().for_each(|expr| add(None, expr));
+        rates(symbols).iter().for_each(|expr| add(None, expr));
         let mut factors = Factors { symbols, all: Vec::new(), directions: Vec::new(), triangle: Vec::new() };
         let constant = vec![(FITTED as f64).sqrt().recip(); FITTED];
         factors.directions.push(constant);
@@ -274,31 +276,39 @@ fn turned(expr: &Expr) -> Option<Expr> {
     }
 }
 
-/// What the names of a document suggest: they themselves, sines and cosines of angles, differences of like constants,
-/// rates.
-fn named(symbols: &Symbols) -> Vec<Expr> {
-    let name = |id: SymbolId, dots: u8| Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default());
-    let is_number = |entry: &Entry| {
+/// The symbols that are numbers, each with its entry.
+fn numbers(symbols: &Symbols) -> impl Iterator<Item = (SymbolId, &Entry)> {
+    symbols.iter().filter(|(_, entry)| {
         entry.kind == Kind::Scalar && entry.slots.is_empty() && !entry.squared && entry.measure.is_none()
-    };
-    let numbers: Vec<(SymbolId, &Entry)> = symbols.iter().filter(|(_, entry)| is_number(entry)).collect();
+    })
+}
+
+fn name(id: SymbolId, dots: u8) -> Expr {
+    Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default())
+}
+
+/// What the names of a document suggest: they themselves, sines and cosines of angles, differences of like constants.
+fn named(symbols: &Symbols) -> Vec<Expr> {
     let of_an_angle = |id: SymbolId| {
         let call = move |function| Expr::new(Node::Call(function, Box::new(name(id, 0))), Span::default());
         [Function::Sin, Function::Cos].map(call)
     };
     let mut all: Vec<Expr> = Vec::new();
-    for (id, entry) in &numbers {
-        if entry.angle { all.extend(of_an_angle(*id)) } else { all.push(name(*id, 0)) }
+    for (id, entry) in numbers(symbols) {
+        if entry.angle { all.extend(of_an_angle(id)) } else { all.push(name(id, 0)) }
     }
     let like = |a: &Entry, b: &Entry| {
         a.name.base == b.name.base && !a.varies && !b.varies && !a.name.subscript.is_empty() && a.name < b.name
     };
-    for (a, one) in &numbers {
-        let others = numbers.iter().filter(|(_, other)| like(other, one));
-        all.extend(others.map(|(b, _)| name(*a, 0).minus(name(*b, 0))));
-    }
-    for (id, _) in numbers.iter().filter(|(_, entry)| entry.varies) {
-        all.extend([name(*id, 1), name(*id, 2)]);
+    for (a, one) in numbers(symbols) {
+        let others = numbers(symbols).filter(|(_, other)| like(other, one));
+        all.extend(others.map(|(b, _)| name(a, 0).minus(name(b, 0))));
     }
     all
+}
+
+/// The rates of all that varies.
+fn rates(symbols: &Symbols) -> Vec<Expr> {
+    let varying = numbers(symbols).filter(|(_, entry)| entry.varies);
+    varying.flat_map(|(id, _)| [name(id, 1), name(id, 2)]).collect()
 }
