@@ -39,6 +39,9 @@ use product::{Factors, bases};
 /// So many states say what is missing. Two in three are fitted, the others confirm it.
 const STATES: usize = 72;
 
+/// So many states off shell tell what is so on shell alone.
+const FEW: usize = 8;
+
 /// What is as small as this beside the terms that met in it is taken for zero, to propose something.
 const NEAR: f64 = 1e-9;
 
@@ -56,6 +59,8 @@ struct Lost<'w, 'a> {
     desk: &'w Desk<'a>,
     wrong: &'w Wrong<'w>,
     ensemble: Ensemble<'w>,
+    /// States off shell, where those are on shell.
+    anywhere: Option<Ensemble<'w>>,
     /// By how much it is off at each state, where it has a value.
     off: Vec<Option<Rows>>,
     factors: OnceCell<Factors<'w>>,
@@ -99,8 +104,10 @@ pub(super) fn edits(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit>> {
     let mut mode = context.mode(!always && desk.model.has_motion(), &members);
     mode.order = (mode.order + 1).clamp(3, TERMS - 1);
     let Ok(ensemble) = context.ensemble(mode, false, STATES) else { return Ok(Vec::new()) };
+    let off_shell = mode.on_shell.then(|| context.ensemble(context.mode(false, &members), false, FEW));
+    let anywhere = off_shell.and_then(Result::ok);
     let off = ensemble.scenes.iter().map(|scene| residuals(desk, wrong.claim, wrong.reading, scene)).collect();
-    let lost = Lost { desk, wrong, ensemble, off, factors: OnceCell::new() };
+    let lost = Lost { desk, wrong, ensemble, anywhere, off, factors: OnceCell::new() };
     let mut proposals = lost.proposals();
     proposals.sort_by_key(|proposal| proposal.cost);
     proposals.truncate(PROPOSED);
@@ -228,8 +235,19 @@ impl<'w, 'a> Lost<'w, 'a> {
                 return false;
             }
             let is_term = hole.slip == Slip::Term;
-            (ratio + 1.0).abs() < NEAR || is_term && self.is_multiple(term, &leaf.expr, &needed.states)
+            (ratio + 1.0).abs() < NEAR && self.is_so_anywhere(term, &leaf.expr)
+                || is_term && self.is_multiple(term, &leaf.expr, &needed.states)
         })
+    }
+
+    /// Whether two numbers that are proportional on shell are so off shell: what the motion makes of a printed term is what
+    /// the author lost, as in `\ddot\theta = 0`.
+    fn is_so_anywhere(&self, a: &Expr, b: &Expr) -> bool {
+        let Some(anywhere) = &self.anywhere else { return true };
+        let ratio = |scene| Some(difference::value(a, scene)?.value / difference::value(b, scene)?.value);
+        let ratios: Option<Vec<f64>> = anywhere.scenes.iter().map(ratio).collect();
+        let Some([first, others @ ..]) = ratios.as_deref() else { return true };
+        others.iter().all(|other| (other - first).abs() <= NEAR * first.abs())
     }
 
     /// Whether one of these is a factor that stands beside a hole: to divide by it takes it away.
