@@ -255,6 +255,16 @@ mod tests {
         a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-12 * scale)
     }
 
+    /// The closed form that follows from (6.72) and (6.73), with what the parameters alone make taken out, is a sine with its
+    /// cosine and 18 sums, products and quotients.
+    #[test]
+    fn the_top_takes_no_more_steps_than_by_hand() {
+        let world = World::new(&crate::systems::HeavyTop).unwrap();
+        assert!(world.steps() <= 19, "{}", world.steps());
+        // The twin: with parameters that vary there is more to do.
+        assert!(world.program(false).steps() > 19, "{}", world.program(false).steps());
+    }
+
     #[test]
     fn every_way_gives_what_elimination_with_exchange_gives() {
         let registry = Registry::standard();

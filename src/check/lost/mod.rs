@@ -240,14 +240,17 @@ impl<'w, 'a> Lost<'w, 'a> {
         })
     }
 
-    /// Whether two numbers that are proportional on shell are so off shell: what the motion makes of a printed term is what
+    /// Whether two numbers, if they are proportional on shell, are so off shell: what the motion makes of a printed term is what
     /// the author lost, as in `\ddot\theta = 0`.
     fn is_so_anywhere(&self, a: &Expr, b: &Expr) -> bool {
         let Some(anywhere) = &self.anywhere else { return true };
         let ratio = |scene| Some(difference::value(a, scene)?.value / difference::value(b, scene)?.value);
-        let ratios: Option<Vec<f64>> = anywhere.scenes.iter().map(ratio).collect();
-        let Some([first, others @ ..]) = ratios.as_deref() else { return true };
-        others.iter().all(|other| (other - first).abs() <= NEAR * first.abs())
+        let is_constant = |ensemble: &Ensemble<'_>| {
+            let ratios: Option<Vec<f64>> = ensemble.scenes.iter().map(ratio).collect();
+            let Some([first, others @ ..]) = ratios.as_deref() else { return true };
+            others.iter().all(|other| (other - first).abs() <= NEAR * first.abs())
+        };
+        !is_constant(&self.ensemble) || is_constant(anywhere)
     }
 
     /// Whether one of these is a factor that stands beside a hole: to divide by it takes it away.
