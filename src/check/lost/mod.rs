@@ -244,9 +244,10 @@ impl<'w, 'a> Lost<'w, 'a> {
     /// the author lost, as in `\ddot\theta = 0`.
     fn is_so_anywhere(&self, a: &Expr, b: &Expr) -> bool {
         let Some(anywhere) = &self.anywhere else { return true };
-        let ratio = |scene| Some(difference::value(a, scene)?.value / difference::value(b, scene)?.value);
         let is_constant = |ensemble: &Ensemble<'_>| {
-            let ratios: Option<Vec<f64>> = ensemble.scenes.iter().map(ratio).collect();
+            let value = |expr, scene| difference::value(expr, scene).map(|value| value.value);
+            let ratios = ensemble.scenes.iter().map(|scene| Some(value(a, scene)? / value(b, scene)?));
+            let ratios: Option<Vec<f64>> = ratios.collect();
             let Some([first, others @ ..]) = ratios.as_deref() else { return true };
             others.iter().all(|other| (other - first).abs() <= NEAR * first.abs())
         };
