@@ -23,6 +23,7 @@ use super::rules::{Action, Rule, reaches};
 use super::small;
 use super::units::Units;
 use super::verdict::{Finding, Verdict};
+use super::whole;
 
 /// Everything that checking one equation or sentence needs.
 pub(super) struct Desk<'a> {
@@ -68,7 +69,7 @@ impl Desk<'_> {
         for latex in &claim.throughout {
             self.condition(latex, true, &mut conditions)?;
         }
-        Ok(conditions)
+        Ok(whole::vectors(self.model, conditions))
     }
 
     /// The finding on a claim that holds while something is small.
@@ -188,8 +189,12 @@ impl Desk<'_> {
         };
         let mut conditions = Vec::new();
         for statement in &statements {
+            // Of a = b = 0 each is said to be 0.
+            let ends_in_zero = statement.members.last().is_some_and(Expr::is_null)
+                && statement.relations.iter().all(|(relation, _)| is_equality(*relation));
             for (at, (relation, _)) in statement.relations.iter().enumerate() {
-                let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+                let next = if ends_in_zero { statement.members.len() - 1 } else { at + 1 };
+                let link = self.link(&statement.members[at], *relation, &statement.members[next])?;
                 conditions.push(Condition::of(link, true));
             }
         }
@@ -258,8 +263,12 @@ impl Desk<'_> {
                 return Err(Error::at(&self.claims.source, latex.span, message)
                     .help("write a relation, \\dot\\theta = 0, or the name of one of the \"conditions\""));
             }
+            // Of a = b = 0 each is said to be 0.
+            let ends_in_zero = statement.members.last().is_some_and(Expr::is_null)
+                && statement.relations.iter().all(|(relation, _)| is_equality(*relation));
             for (at, (relation, _)) in statement.relations.iter().enumerate() {
-                let link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+                let next = if ends_in_zero { statement.members.len() - 1 } else { at + 1 };
+                let link = self.link(&statement.members[at], *relation, &statement.members[next])?;
                 into.push(Condition::of(link, throughout));
             }
         }

@@ -241,7 +241,8 @@ impl Desk<'_> {
             let says_more = claim.also_equals.is_some()
                 || claim.generates.is_some()
                 || claim.solves.is_some()
-                || claim.conserved.is_some();
+                || claim.conserved.is_some()
+                || statement.constant.is_some();
             if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
                 if last && !says_more {
                     findings.push(self.definition(first, context)?);

@@ -68,6 +68,7 @@ mod trial;
 pub mod twins;
 pub mod units;
 pub mod verdict;
+mod whole;
 mod wide;
 
 pub use document::{Run, check_document, check_in, unclaimed};

@@ -303,17 +303,22 @@ impl<'m> Solver<'m> {
             let Some(column) = self.column(base, *slot, &rows)? else { return Ok(None) };
             columns.push(column);
         }
+        let n = columns.len();
+        let planned = DMatrix::from_fn(n, n, |i, j| columns[j][i].eps);
+        let planned = (n > 0).then(|| planned.lu());
         let (mut other, mut outside) = (None, None);
         for slot in candidates {
             let Some(column) = self.column(base, slot, &rows)? else { continue };
-            if column.iter().all(|value| value.eps == 0.0) {
+            // What the row changes by with the slot while the planned slots keep the planned rows as they are.
+            let mut moved = DVector::from_fn(n, |i, _| column[i].eps);
+            if planned.as_ref().is_some_and(|planned| !planned.solve_mut(&mut moved)) {
                 continue;
             }
-            let all = |i: usize, j: usize| columns.get(j).unwrap_or(&column)[i].eps;
-            let jacobian = DMatrix::from_fn(rows.len(), rows.len(), all);
-            let scale: f64 = jacobian.row_iter().map(|row| row.norm()).product();
-            let determinant = jacobian.determinant().abs();
-            if scale == 0.0 || determinant.is_nan() || determinant < 1e-7 * scale {
+            let by_others = || columns.iter().zip(moved.iter()).map(|(other, moved)| other[n].eps * moved);
+            let change = column[n].eps - by_others().sum::<f64>();
+            let scale = column[n].eps.abs() + by_others().map(f64::abs).sum::<f64>();
+            let row_scale = column[n].re.abs() + columns.iter().map(|other| other[n].eps.abs()).sum::<f64>();
+            if change.is_nan() || change.abs() <= (1e-7 * scale).max(1e-12 * row_scale) {
                 continue;
             }
             if self.is_linear(base, row, slot)? {

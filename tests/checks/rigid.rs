@@ -2,9 +2,10 @@
 
 use onshell::check::Finding;
 use onshell::check::Verdict::{self, Certified, Refuted, Undecided, Unreadable, Verified};
+use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{assuming, equation, verdict, with};
+use crate::support::{assuming, equation, numbered, outcome, seeded, verdict, with};
 
 /// A rigid body whose axis passes through the point c and keeps its direction.
 fn body() -> Json {
@@ -290,4 +291,43 @@ fn vectors_keep_to_vectors() {
     assert_eq!(of(r"\vec a + k = \vec b"), Unreadable);
     assert_eq!(of(r"\vec a \times \vec a = \vec 0"), Verified);
     assert_eq!(of(r"\vec a = \vec a"), Undecided);
+}
+
+/// A body that no torque acts on, by Euler's law; "torque free" as people write it.
+fn freely(throughout: &[&str], display: &str, seed: u64) -> Verdict {
+    let claims = json!({
+        "indices": { "a": "1..3" },
+        "constants": { "I_1, I_2, I_3": "> 0" },
+        "varies with time": { r"\vec\omega, \vec M": "any" },
+        "axes": { r"\vec e_a": r"turning with \vec\omega" },
+        "components": { r"\vec\omega, \vec M, \vec L": r"along \vec e_a" },
+        "define": { r"\vec L": r"\sum_a I_a \omega_a \vec e_a" },
+        "laws": { "torque": "1" },
+        "equations": { "2": { "throughout": throughout } },
+    });
+    let notes = numbered(&[r"\frac{d\vec L}{dt} = \vec M", display]);
+    let found = seeded(seed, &claims, &notes, &Registry::standard(), Some("2"));
+    outcome(&found.unwrap_or_else(|error| panic!("{error}")).equations[0].finding)
+}
+
+#[test]
+fn the_free_symmetric_body_precesses_at_every_seed() {
+    let precession = |rate: &str| format!(r"\dot\omega_1 = -\frac{{{rate}}}{{I_1}} \omega_2 \omega_3");
+    for seed in 1..=6 {
+        assert_eq!(freely(&[r"\vec M = \vec 0", "I_1 = I_2"], &precession("I_3 - I_1"), seed), Verified, "seed {seed}");
+    }
+    for free in ["M_1 = M_2 = M_3 = 0", "M_a = 0"] {
+        assert_eq!(freely(&[free, "I_1 = I_2"], &precession("I_3 - I_1"), 1), Verified, "{free}");
+    }
+    assert_eq!(freely(&["M_a = 0", "I_1 = I_2"], &precession("I_3 + I_1"), 1), Refuted);
+}
+
+#[test]
+fn the_energy_of_a_free_body_is_constant() {
+    let energy =
+        |third: &str| format!(r"T = \frac12 (I_1 \omega_1^2 + I_2 \omega_2^2 + {third} \omega_3^2) = \text{{const}}");
+    assert_eq!(freely(&["M_1 = M_2 = M_3 = 0"], &energy("I_3"), 1), Verified);
+    assert_eq!(freely(&["M_1 = M_2 = M_3 = 0"], &energy("I_1"), 1), Refuted);
+    // Two components that vanish are not the vector.
+    assert_eq!(freely(&["M_1 = M_2 = 0"], &energy("I_3"), 1), Refuted);
 }

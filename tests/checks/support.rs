@@ -65,11 +65,22 @@ pub fn numbered(displays: &[&str]) -> String {
 
 /// Checks notes against claims, with the systems of a registry.
 pub fn document(claims: &Json, notes: &str, registry: &Registry, only: Option<&str>) -> onshell::Result<Document> {
+    seeded(1, claims, notes, registry, only)
+}
+
+/// The same at states of this seed.
+pub fn seeded(
+    seed: u64,
+    claims: &Json,
+    notes: &str,
+    registry: &Registry,
+    only: Option<&str>,
+) -> onshell::Result<Document> {
     let claims = with(claims, "notes", json!("notes.md"));
     let claims = Arc::new(Source::new("claims.json", format!("{claims:#}")));
     let claims = Claims::parse(claims, Path::new("claims.json"))?;
     let notes = Notes::parse(Arc::new(Source::new("notes.md", notes)), Kind::Markdown)?;
-    check_document(&claims, &notes, registry, Options { seed: 1, points: 24, explain: true }, only)
+    check_document(&claims, &notes, registry, Options { seed, points: 24, explain: true }, only)
 }
 
 /// The last of these displays, checked under a claim of its own.
