@@ -33,6 +33,8 @@ mod repairs;
 mod rigid;
 #[path = "checks/sentences.rs"]
 mod sentences;
+#[path = "checks/shared.rs"]
+mod shared;
 #[path = "checks/small.rs"]
 mod small;
 #[path = "checks/steps.rs"]

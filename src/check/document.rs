@@ -87,12 +87,13 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         let equations: Result<Vec<Equation>> = work.par_iter().with_max_len(1).map(|at| told(equation(*at))).collect();
         let sentences: Result<Vec<Equation>> =
             sentences.par_iter().enumerate().with_max_len(1).map(|s| told(sentence(s))).collect();
+        let (equations, sentences) = (desk.with_steps(run, &derivations, (&work, equations?), judged)?, sentences?);
         Ok(Document {
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),
             source: notes.source.clone(),
-            equations: desk.with_steps(run, &derivations, (&work, equations?), judged)?,
-            sentences: sentences?,
+            equations: desk.with_shared_repairs(run, equations, &sentences),
+            sentences,
             unnumbered: desk
                 .assigned
                 .iter()

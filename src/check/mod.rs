@@ -55,6 +55,7 @@ mod restated;
 mod rules;
 pub mod scene;
 mod sentences;
+mod shared;
 mod small;
 mod solved;
 mod solver;
@@ -77,5 +78,5 @@ pub use progress::Progress;
 pub use reprint::check_reprint;
 pub use verdict::{
     Counterexample, Document, Equation, Finding, Fit, Formula, Fraction, Inherited, Misfit, Part, Repair, Report,
-    Verdict,
+    Shared, Verdict,
 };

@@ -101,7 +101,7 @@ impl Desk<'_> {
                     });
                 }
             }
-            candidates.sort_by_key(|suggestion| likelihood(wrong, suggestion));
+            candidates.sort_by_key(|suggestion| likelihood(wrong.text, &suggestion.edit, suggestion.step));
             candidates.truncate(DOCUMENTS);
             candidates.retain(|suggestion| self.document_passes(run, wrong.at, &suggestion.edit));
             candidates.truncate(OFFERED);

@@ -155,7 +155,7 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
         edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
         let mut found = passing(desk, wrong, &edits)?;
         tried.extend(edits);
-        found.sort_by_key(|suggestion| likelihood(wrong, suggestion));
+        found.sort_by_key(|suggestion| likelihood(wrong.text, &suggestion.edit, suggestion.step));
         let is_less = found.iter().all(|suggestion| takes_away(&suggestion.edit));
         less.extend(found);
         if !is_less {
@@ -264,8 +264,13 @@ fn is_empty(reading: &Reading, model: &Model) -> bool {
 
 /// Whether two readings say the same, whatever their symbols mean, member for member.
 fn is_one(a: &Reading, b: &Reading, model: &Model) -> bool {
+    is_each(a, b, |a, b| formal::same(a, b, model))
+}
+
+/// Whether two readings are alike member for member, by what is asked of each pair.
+pub(super) fn is_each(a: &Reading, b: &Reading, alike: impl Fn(&Expr, &Expr) -> bool) -> bool {
     let same = |(a, b): (&Statement, &Statement)| {
-        a.members.len() == b.members.len() && a.members.iter().zip(&b.members).all(|(a, b)| formal::same(a, b, model))
+        a.members.len() == b.members.len() && a.members.iter().zip(&b.members).all(|(a, b)| alike(a, b))
     };
     let (a, b): (Vec<_>, Vec<_>) = (a.statements.iter().flatten().collect(), b.statements.iter().flatten().collect());
     a.len() == b.len() && a.into_iter().zip(b).all(same)
@@ -275,17 +280,17 @@ fn worst(parts: &[Part]) -> Verdict {
     parts.iter().map(|part| part.finding.verdict).max_by_key(|verdict| verdict.severity()).unwrap_or(Verdict::Verified)
 }
 
-/// What ranks a suggestion: the kind of slip, how much of the text it changes, and where.
-pub(super) fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, bool, usize, usize) {
-    let Edit { span, replacement, slip } = &suggestion.edit;
+/// What ranks an edit of a text: the kind of slip, whether it mends a step alone, how much it changes, and where.
+pub(super) fn likelihood(text: &str, edit: &Edit, step: bool) -> (Slip, bool, usize, usize) {
+    let Edit { span, replacement, slip } = edit;
     // A minus before a whole side is wanting less often than a sign is wrong, and on the right more often than on the left;
     // within an argument, below a fraction, nobody means it.
     if *slip == Slip::Sign && span.start == span.end {
-        let braces = |brace: char| wrong.text[..span.start].matches(brace).count();
+        let braces = |brace: char| text[..span.start].matches(brace).count();
         let depth = braces('{').saturating_sub(braces('}'));
-        return (Slip::Fraction, suggestion.step, depth, wrong.text.len() - span.start);
+        return (Slip::Fraction, step, depth, text.len() - span.start);
     }
-    let old = &wrong.text[span.range()];
+    let old = &text[span.range()];
     // A number of which neither half nor double nor a neighbour was meant.
     let far = *slip == Slip::Number
         && matches!((old.parse::<u32>(), replacement.parse::<u32>()),
@@ -293,8 +298,8 @@ pub(super) fn likelihood(wrong: &Wrong<'_>, suggestion: &Suggestion) -> (Slip, b
     let same = old.bytes().zip(replacement.bytes()).take_while(|(a, b)| a == b).count();
     let longest = old.len().max(replacement.len());
     // To a name that stands alone on its side, nothing is added.
-    let to_name = *slip == Slip::Term && old.is_empty() && names::parse(wrong.text[..span.start].trim()).is_some();
-    (*slip, suggestion.step, longest - same + usize::from(far || to_name), span.start)
+    let to_name = *slip == Slip::Term && old.is_empty() && names::parse(text[..span.start].trim()).is_some();
+    (*slip, step, longest - same + usize::from(far || to_name), span.start)
 }
 
 /// Whether what an edit changes stands in the file as it was read, in a text that starts there at `offset`.
@@ -311,6 +316,7 @@ pub(super) fn in_file(desk: &Desk<'_>, wrong: &Wrong<'_>, offset: usize, found: 
         slip: edit.slip,
         verdict,
         step,
+        shared: None,
     };
     found.into_iter().filter(|found| is_real(desk, wrong.text, &found.edit, offset)).map(repair).collect()
 }

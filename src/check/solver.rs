@@ -253,7 +253,10 @@ impl<'m> Solver<'m> {
         let throughout = self.equalities().any(|(_, condition)| condition.throughout);
         let sides = self.equalities().flat_map(|(_, condition)| [&condition.lhs, &condition.rhs]);
         let highest = sides.map(|side| derivatives(side, self.model)).max().unwrap_or(0);
-        (highest + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
+        // What a rule says a symbol is may have derivatives of its own.
+        let said = self.rules.iter().flat_map(|rule| rule.action.formulas());
+        let said = said.map(|formula| derivatives(formula, self.model)).max().unwrap_or(0);
+        (highest + said + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
     }
 
     /// The rows of the hypotheses that are solved, with their values at a state.

@@ -167,6 +167,17 @@ pub struct Repair {
     pub verdict: Verdict,
     /// Whether it mends a step of a chain and not yet the rest, which carries the slip on or has another.
     pub step: bool,
+    /// Where it changes another display, on which several wrong equations stand.
+    pub shared: Option<Shared>,
+}
+
+/// What one edit of a display mends beside it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shared {
+    /// The display that is changed, by its number.
+    pub of: String,
+    /// The equations that hold then, by their numbers.
+    pub mends: Vec<String>,
 }
 
 /// The verdict on one claim, with its evidence.

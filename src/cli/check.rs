@@ -10,7 +10,7 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 use super::documents::{Job, Loaded, find, folder, load};
-use super::fix::fix;
+use super::fix::{Made, fix};
 use super::progress::Terminal;
 use super::{Format, Outcome, colours};
 
@@ -53,11 +53,19 @@ pub struct Arguments {
 pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     let colour = colours(&std::io::stderr());
     let (mut result, mut errors) = checked(arguments, registry);
-    if arguments.fix {
+    while arguments.fix {
         match fix(&result, arguments.yes) {
-            Ok(0) => {}
-            Ok(_) => (result, errors) = checked(arguments, registry),
-            Err(error) => errors.push(error),
+            Ok(Made::Nothing) => break,
+            Ok(made) => {
+                (result, errors) = checked(arguments, registry);
+                if made == Made::All {
+                    break;
+                }
+            }
+            Err(error) => {
+                errors.push(error);
+                break;
+            }
         }
     }
     let code = if errors.is_empty() { result.exit_code() } else { 2 };

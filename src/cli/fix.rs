@@ -1,7 +1,9 @@
 //! `onshell check --fix`: the one repair of an equation that leaves no doubt, made in the file.
 //!
 //! A repair is made if it is the only one, or of a likelier kind of slip than the next; after asking, or at once with
-//! `--yes`. One that mends a step alone, which the rest carries on, is left to the author. Nothing else in the file changes, and nothing at all if the file is no longer as it was checked.
+//! `--yes`. One that mends what several wrong equations stand on goes before those of the equations themselves. One that
+//! mends a step alone, which the rest carries on, is left to the author. Nothing else in the file changes, and nothing at
+//! all if the file is no longer as it was checked.
 
 use std::io::{BufRead, IsTerminal, Write};
 
@@ -11,20 +13,41 @@ use crate::{Error, Result};
 
 use super::colours;
 
-/// Makes the repairs that leave no doubt; how many were made.
-pub(super) fn fix(report: &Report, yes: bool) -> Result<usize> {
-    let mut made = 0;
+/// What was done to the notes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Made {
+    /// Nothing.
+    Nothing,
+    /// All that leaves no doubt.
+    All,
+    /// What several equations stand on was mended; only then it shows what else is wrong.
+    Shared,
+}
+
+/// Makes the repairs that leave no doubt.
+pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
+    let mut made = Made::Nothing;
     for document in &report.documents {
         let mut chosen: Vec<&Repair> = Vec::new();
-        for (equation, repair) in document.equations.iter().filter_map(|equation| Some((equation, clear(equation)?))) {
-            let apart = |other: &&Repair| other.span.end <= repair.span.start || repair.span.end <= other.span.start;
+        let mut clear: Vec<(&Equation, &Repair)> =
+            document.equations.iter().filter_map(|equation| Some((equation, clear(equation)?))).collect();
+        if clear.iter().any(|(_, repair)| repair.shared.is_some()) {
+            clear.retain(|(_, repair)| repair.shared.is_some());
+        }
+        for (equation, repair) in clear {
+            // Of two that put something in at one place only the first is made.
+            let apart = |other: &&Repair| {
+                other.span != repair.span
+                    && (other.span.end <= repair.span.start || repair.span.end <= other.span.start)
+            };
             if chosen.iter().all(apart) && (yes || agreed(document, equation, repair)?) {
                 chosen.push(repair);
             }
         }
         if !chosen.is_empty() {
             apply(document, &chosen)?;
-            made += chosen.len();
+            let is_shared = made == Made::Shared || chosen.iter().any(|repair| repair.shared.is_some());
+            made = if is_shared { Made::Shared } else { Made::All };
         }
     }
     Ok(made)
@@ -34,6 +57,9 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<usize> {
 fn clear(equation: &Equation) -> Option<&Repair> {
     match equation.repairs.as_slice() {
         [only] => Some(only),
+        // Of what several equations stand on: likelier than a slip in each of them.
+        [first, second, ..] if first.shared.is_some() && second.shared.is_none() => Some(first),
+        [first, second, ..] if first.shared.is_some() && second.shared.is_some() && first.slip >= second.slip => None,
         [first, second, ..] if first.slip < second.slip => Some(first),
         _ => None,
     }

@@ -1,9 +1,9 @@
 //! A message with the lines that it is about, in the look of rustc.
 
-use annotate_snippets::{AnnotationKind, Level, Patch, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 
 use crate::Error;
-use crate::check::{Finding, Fit, Misfit, Repair};
+use crate::check::{Finding, Fit, Misfit, Repair, Shared};
 use crate::formula::text::plain;
 use crate::source::{Fault, Source, Span};
 
@@ -88,6 +88,23 @@ pub fn fit(fit: &Fit, source: &Source, colour: bool) -> String {
     }
 }
 
+/// That an edit which was shown mends one more equation.
+pub fn mended_as_well(shared: &Shared, colour: bool) -> String {
+    let first = shared.mends.first().map_or("", String::as_str);
+    let title = format!("the edit of ({}) that is shown at ({first}) mends this as well", shared.of);
+    renderer(colour).render(&[Group::with_title(Level::HELP.secondary_title(title))])
+}
+
+/// Equations by their numbers.
+fn listed(ids: &[String]) -> String {
+    let ids: Vec<String> = ids.iter().map(|id| format!("({id})")).collect();
+    match ids.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        None => String::new(),
+    }
+}
+
 /// An edit that would make an equation pass, shown on its lines; `first` is the likeliest of several.
 pub fn repair(repair: &Repair, first: bool, source: &Source, colour: bool) -> String {
     let (old, new) = (plain_space(source.slice(repair.span)), plain_space(&repair.replacement));
@@ -97,9 +114,12 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, colour: bool) -> St
         (old, new) => format!("“{new}” for “{old}”"),
     };
     let asked = if first { "did you mean" } else { "or" };
-    let then = match repair.step {
-        true => format!("This step would be {}, and the rest is left to mend", repair.verdict),
-        false => format!("It would be {}", repair.verdict),
+    let then = match (&repair.shared, repair.step) {
+        (Some(Shared { of, mends }), _) => {
+            format!("In ({of}), on which {} stand; all of them would hold", listed(mends))
+        }
+        (None, true) => format!("This step would be {}, and the rest is left to mend", repair.verdict),
+        (None, false) => format!("It would be {}", repair.verdict),
     };
     let title = Level::HELP.secondary_title(format!("{asked} {change}? {then}"));
     match Excerpt::of(source, repair.span) {

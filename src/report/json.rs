@@ -73,6 +73,8 @@ fn repair(repair: &Repair) -> Value {
         "slip": repair.slip.word(),
         "verdict": repair.verdict.word(),
         "step": repair.step,
+        "of": repair.shared.as_ref().map(|shared| &shared.of),
+        "mends": repair.shared.as_ref().map(|shared| &shared.mends),
     })
 }
 

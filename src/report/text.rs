@@ -133,7 +133,11 @@ fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
         std::iter::once(verdict).chain(fit).collect::<Vec<_>>().join("\n\n")
     });
     let repairs = item.repairs.iter().enumerate();
-    let repairs = repairs.map(|(at, repair)| diagnostic::repair(repair, at == 0, &document.source, colour));
+    let repairs = repairs.map(|(at, repair)| match &repair.shared {
+        // Shown once.
+        Some(shared) if shared.mends.first() != Some(&item.id) => diagnostic::mended_as_well(shared, colour),
+        _ => diagnostic::repair(repair, at == 0, &document.source, colour),
+    });
     shown.chain(repairs).collect::<Vec<_>>().join("\n\n")
 }
 

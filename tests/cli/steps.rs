@@ -100,3 +100,32 @@ fn a_step_of_a_chain_is_offered_and_left_to_the_author() {
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
     assert!(desk.read("notes.md").contains("a^2 + 2ab + b^2 ="), "{}", desk.read("notes.md"));
 }
+
+#[test]
+fn what_two_wrong_equations_stand_on_is_mended_and_not_they() {
+    let desk = Desk::new("fix-shared");
+    let notes = |law: &str, slip: &str| {
+        format!(
+            "$$ m \\dot v = {law} F \\tag{{1}} $$\n\n$$ \\frac{{d}}{{dt}} (m v^2) = \\dot m (v^2 - 2 u v) + 2 F v \\tag{{2}} $$\n\n\
+             $$ \\frac{{d}}{{dt}} (v + u \\ln m) = \\frac{{F}}{{m}} \\tag{{3}} $$\n\n$$ \\frac{{d}}{{dt}} (m v) = \\dot m (v {slip} u) + F \\tag{{4}} $$\n"
+        )
+    };
+    let claims = json!({
+        "notes": "notes.md",
+        "varies with time": { "m": "> 0", "v, F": "any" },
+        "constants": { "u": "> 0" },
+        "laws": { "the rocket": "1" },
+    });
+    desk.write("notes.json", claims.to_string());
+    desk.write("notes.md", &notes(r"\dot m u +", "-"));
+    let run = desk.onshell(&["check", "notes.md"]);
+    assert!(run.out.contains("In (1), on which (2), (3) and (4) stand"), "{}", run.out);
+    assert!(run.out.contains("the edit of (1) that is shown at (2) mends this as well"), "{}", run.out);
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    assert_eq!(desk.read("notes.md"), notes(r"-\dot m u +", "-"));
+    // The twin: one that holds speaks for the law.
+    desk.write("notes.md", &notes(r"\dot m u +", "+"));
+    let run = desk.onshell(&["check", "notes.md"]);
+    assert!(run.code == 1 && !run.out.contains("In (1)"), "{}", run.out);
+}

@@ -1,0 +1,209 @@
+//! The edit of one display that mends several others.
+//!
+//! Where a law has a slip, or a definition, whatever stands on it fails, and each of these equations could be made to agree
+//! with the slip. One slip in what they share is likelier than one in each of them. So where two equations or more are
+//! refuted, what they stand on is tried with every edit that undoes a slip, and an edit that mends several of them, and
+//! spoils nothing that held, is what each is offered first.
+
+use std::cmp::{Ordering, Reverse};
+
+use rayon::prelude::*;
+
+use crate::formula::Expr;
+use crate::latex::slips::{self, Edit, Pool};
+use crate::latex::{Introduced, Reading};
+use crate::notes::Notes;
+use crate::notes::claims::Claim;
+
+use super::desk::Desk;
+use super::document::{Run, retyped, shown, with_desk};
+use super::formal;
+use super::identity::Options;
+use super::repair::{MISSING, OFFERED, is_each, is_real, likelihood};
+use super::sentences;
+use super::verdict::{Equation, Repair, Shared, Verdict};
+
+/// With so many edits of one display the whole document is checked at most.
+const DOCUMENTS: usize = 4;
+
+/// Most edits mend nothing, which so many states show.
+const STATES: usize = 2;
+
+impl Desk<'_> {
+    /// The equations of a document, those that one edit mends together with that edit as their first repair.
+    pub(super) fn with_shared_repairs(
+        &self,
+        run: &Run<'_>,
+        mut equations: Vec<Equation>,
+        sentences: &[Equation],
+    ) -> Vec<Equation> {
+        let wrong: Vec<(usize, usize)> = equations
+            .iter()
+            .enumerate()
+            .filter(|(_, equation)| equation.finding.follows_from.is_none() && is_refuted(equation))
+            .filter_map(|(nth, equation)| Some((nth, self.display_of(equation)?)))
+            .filter(|(_, at)| self.is_open(*at))
+            .collect();
+        if wrong.len() < 2 || !self.options.explain {
+            return equations;
+        }
+        let held = Held {
+            displays: equations.iter().filter(|equation| equation.ok).filter_map(|e| self.display_of(e)).collect(),
+            sentences: (0..sentences.len()).filter(|at| sentences[*at].ok).collect(),
+        };
+        let mut best: Vec<Found> = Vec::new();
+        for at in (0..self.notes.equations.len()).filter(|at| self.is_open(*at)) {
+            let stand_on_it: Vec<usize> =
+                wrong.iter().map(|(_, other)| *other).filter(|other| self.stands_on(*other, at)).collect();
+            if stand_on_it.len() < 2 {
+                continue;
+            }
+            let found = self.edits_that_mend(run, at, &stand_on_it, &held);
+            let most = |found: &[Found]| found.first().map_or(0, |found| found.mended.len());
+            match most(&found).cmp(&most(&best)) {
+                Ordering::Greater => best = found,
+                Ordering::Equal => best.extend(found),
+                Ordering::Less => {}
+            }
+        }
+        best.truncate(OFFERED);
+        for Found { at, edit, mended } in best.into_iter().rev() {
+            let display = &self.notes.equations[at];
+            let mends: Vec<String> = mended.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
+            for (at, verdict) in mended {
+                let repair = Repair {
+                    span: edit.span.shifted(display.body.start),
+                    replacement: edit.replacement.clone(),
+                    slip: edit.slip,
+                    verdict,
+                    step: false,
+                    shared: Some(Shared { of: shown(display), mends: mends.clone() }),
+                };
+                for (nth, _) in wrong.iter().filter(|(_, other)| *other == at) {
+                    let known = &mut equations[*nth].repairs;
+                    known.retain(|other| (other.span, &other.replacement) != (repair.span, &repair.replacement));
+                    known.insert(0, repair.clone());
+                    known.truncate(OFFERED);
+                }
+            }
+        }
+        equations
+    }
+
+    fn display_of(&self, equation: &Equation) -> Option<usize> {
+        self.notes.equations.iter().position(|display| shown(display) == equation.id)
+    }
+
+    /// Whether nothing is said of a display that makes its slips no slips.
+    fn is_open(&self, at: usize) -> bool {
+        self.assigned[at].is_none_or(|claim| claim.expect.is_none() && claim.errata.is_empty())
+    }
+
+    /// Whether what an equation says depends on what a display takes for granted or introduces.
+    fn stands_on(&self, equation: usize, at: usize) -> bool {
+        let is_law = self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at));
+        let members = || self.readings[equation].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let uses = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
+        equation != at && (is_law || self.readings[at].introduced.iter().any(uses))
+    }
+
+    /// The edits of a display that mend most of these equations, two at least, and spoil nothing.
+    fn edits_that_mend(&self, run: &Run<'_>, at: usize, wrong: &[usize], held: &Held) -> Vec<Found> {
+        let display = &self.notes.equations[at];
+        let (symbols, macros) = (&self.model.symbols, &self.model.macros);
+        let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
+        let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
+        let branches = |text: &str| text.contains(r"\pm") || text.contains(r"\mp");
+        let mut likely: Vec<Found> = Vec::new();
+        for pool in [&Pool::empty as &dyn Fn() -> Pool, &own] {
+            let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
+            edits.retain(|edit| is_real(self, &display.text, edit, display.body.start));
+            edits.retain(|edit| !branches(&edit.replacement) || branches(&display.text));
+            likely = edits
+                .into_par_iter()
+                .filter_map(|edit| {
+                    let mended = self.edited(&Run { options: quick, ..*run }, at, &edit, |desk| desk.mended(wrong))?;
+                    Some(Found { at, edit, mended })
+                })
+                .filter(|found| found.mended.len() > 1)
+                .collect();
+            if !likely.is_empty() {
+                break;
+            }
+        }
+        let rank = |found: &Found| (Reverse(found.mended.len()), likelihood(&display.text, &found.edit, false));
+        likely.sort_by_key(rank);
+        // Two edits may say the same.
+        let none = Claim::default();
+        let claim = self.assigned[at].unwrap_or(&none);
+        let read = |edit: &Edit| self.as_printed(&edit.applied(&display.text), claim, macros);
+        let equal = |a: &Expr, b: &Expr| formal::is_identity(a, b, self.model);
+        let mut distinct: Vec<(Found, Reading)> = Vec::new();
+        for found in likely {
+            let reading = read(&found.edit);
+            if distinct.len() < DOCUMENTS && !distinct.iter().any(|(_, known)| is_each(known, &reading, equal)) {
+                distinct.push((found, reading));
+            }
+        }
+        let full = Options { explain: false, ..self.options };
+        let mut found: Vec<Found> = Vec::new();
+        for (Found { edit, .. }, _) in distinct {
+            let judge = |desk: &Desk<'_>| desk.still_holds(held).then(|| desk.mended(wrong));
+            match self.edited(&Run { options: full, ..*run }, at, &edit, judge).flatten() {
+                Some(mended) if mended.len() > 1 => found.push(Found { at, edit, mended }),
+                _ => {}
+            }
+        }
+        let most = found.iter().map(|found| found.mended.len()).max().unwrap_or(0);
+        found.retain(|found| found.mended.len() == most);
+        found
+    }
+
+    /// What is found on the desk of the same document with an edit of a display; nothing, if that is none.
+    fn edited<T>(&self, run: &Run<'_>, at: usize, edit: &Edit, judge: impl FnOnce(&Desk<'_>) -> T) -> Option<T> {
+        let mut file = self.notes.source.text.clone();
+        file.replace_range(edit.span.shifted(self.notes.equations[at].body.start).range(), &edit.replacement);
+        let notes: Notes = retyped(self.notes, file).ok()?;
+        let is_alike = notes.equations.len() == self.notes.equations.len();
+        is_alike.then(|| with_desk(run, self.claims, &notes, |desk| Ok(judge(&desk))).ok())?
+    }
+
+    /// Those of these displays that pass, with their verdicts; none is looked at after two that do not.
+    fn mended(&self, wrong: &[usize]) -> Vec<(usize, Verdict)> {
+        let mut mended = Vec::new();
+        for (looked_at, at) in wrong.iter().enumerate() {
+            match self.equation(*at, self.assigned[*at]) {
+                Ok(equation) if equation.ok => mended.push((*at, equation.finding.verdict)),
+                _ if looked_at > mended.len() => return mended,
+                _ => {}
+            }
+        }
+        mended
+    }
+
+    /// Whether what held still does.
+    fn still_holds(&self, held: &Held) -> bool {
+        let sentence =
+            |at: &usize| sentences::check(self, *at, &self.claims.sentences[*at]).is_ok_and(|found| found.ok);
+        held.displays.iter().all(|at| self.equation(*at, self.assigned[*at]).is_ok_and(|found| found.ok))
+            && held.sentences.iter().all(sentence)
+    }
+}
+
+/// What is as it should be, by its place.
+struct Held {
+    displays: Vec<usize>,
+    sentences: Vec<usize>,
+}
+
+/// An edit of a display, and the displays that pass with it.
+struct Found {
+    at: usize,
+    edit: Edit,
+    mended: Vec<(usize, Verdict)>,
+}
+
+/// Whether an equation says something false.
+fn is_refuted(equation: &Equation) -> bool {
+    !equation.ok && matches!(equation.finding.verdict, Verdict::Refuted | Verdict::Domain)
+}
