@@ -10,6 +10,7 @@ use crate::formula::tree::Sign;
 use super::layout::{Delimiter, Item, Layout, layout};
 use super::lexer::{TokenKind, tokens};
 use super::macros::Macros;
+use super::old_forms::renewed;
 
 /// A name as it was printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,7 +78,7 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
 
 /// A name alone, as a claims file or a command line gives it, with its overdots.
 pub fn parse(text: &str) -> Option<(Name, u8)> {
-    let items = layout(&tokens(text), text.len());
+    let items = layout(&renewed(tokens(text)), text.len());
     let item = match items.as_slice() {
         [only] => only,
         [difference, rest] => {

@@ -54,6 +54,18 @@ fn no_unit_is_learnt_from_what_is_wrong() {
     assert_eq!(mended(&claims, &[lost]), Vec::<String>::new());
 }
 
+#[test]
+fn a_slip_in_an_old_form_is_mended_in_it() {
+    for (wrong, right) in [
+        (r"\boxed{(a + b)^2 = a^2 + a b + b^2}", r"\boxed{(a + b)^2 = a^2 + 2 \, a b + b^2}"),
+        (r"{a - b \over 2 c} = {a \over 2 c} + {b \over 2 c}", r"{a - b \over 2 c} = {a \over 2 c} - {b \over 2 c}"),
+        (r"(a + b) (a - b) \stackrel{!}{=} a^2 + b^2", r"(a + b) (a - b) \stackrel{!}{=} a^2 - b^2"),
+    ] {
+        assert_eq!(mended(&numbers(), &[wrong])[0], right);
+        assert!(first(&numbers(), &[right]).ok, "{right}");
+    }
+}
+
 /// Whether one of the edits makes of a display this text, spaces aside.
 fn is_mended(claims: &Json, wrong: &str, claim: Json, right: &str) -> bool {
     let bare = |text: &str| text.replace([' ', ','], "").replace('\\', "").replace("left(", "(").replace("right)", ")");

@@ -38,6 +38,7 @@ use super::layout::{Delimiter, Item, Layout, layout};
 use super::lexer::tokens;
 use super::macros::Macros;
 use super::names;
+use super::old_forms::renewed;
 use arguments::function_head;
 pub(super) use items::extent;
 use items::{is_number, is_numeric_item, joint};
@@ -63,7 +64,7 @@ pub(super) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
         return Err(Fault::new(Span::new(0, LONGEST), format!("a formula of more than {LONGEST} bytes"))
             .help("split it into several equations"));
     }
-    Ok(layout(&macros.expand(tokens(text))?, text.len()))
+    Ok(layout(&renewed(macros.expand(tokens(text))?), text.len()))
 }
 
 /// Gives items a meaning, with the symbols of a document.
