@@ -33,6 +33,8 @@ mod repairs;
 mod rigid;
 #[path = "checks/sentences.rs"]
 mod sentences;
+#[path = "checks/sizes.rs"]
+mod sizes;
 #[path = "checks/small.rs"]
 mod small;
 #[path = "checks/steps.rs"]
