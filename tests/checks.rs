@@ -15,6 +15,8 @@ mod continua;
 mod coupled;
 #[path = "checks/difference.rs"]
 mod difference;
+#[path = "checks/doubles.rs"]
+mod doubles;
 #[path = "checks/edges.rs"]
 mod edges;
 #[path = "checks/evidence.rs"]
@@ -45,3 +47,5 @@ mod terms;
 mod units;
 #[path = "checks/wide.rs"]
 mod wide;
+#[path = "checks/worst.rs"]
+mod worst;

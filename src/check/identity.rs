@@ -19,7 +19,7 @@ use super::rules::{Action, Rule};
 use super::scene::{Mode, Scene};
 use super::twins::{Twin, twins};
 use super::verdict::{Counterexample, Finding, Verdict};
-use super::{branches, difference, edges, forced, formal, nothing, sizes, tautology, wide};
+use super::{adversary, branches, difference, edges, forced, formal, nothing, reached, sizes, tautology, wide};
 
 /// How many states a pass needs.
 pub const FEWEST: usize = 8;
@@ -309,7 +309,9 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
             ensemble.scenes.extend(edges);
         }
         ensemble.scenes.extend(special.scenes);
+        reached::reached(link, context, &mut ensemble);
     }
+    reached::within_doubles(link, context, &mut ensemble)?;
     let fails = |scene: &Scene<'_, Measured>| matches!(judge::test(link, scene), Ok(Point::Fails(_)));
     ensemble.scenes.extend(branches::states(context, &ensemble)?.into_iter().filter(fails));
     let states = AtStates::new(link, &ensemble.scenes);
@@ -331,7 +333,8 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     }
     if !is_equality(link.relation) {
         let finding = Finding { not_certified_because: Some("an ordering".to_owned()), ..finding };
-        return Ok((sizes::looked_at(link, context, mode, finding)?, next));
+        let finding = sizes::looked_at(link, context, mode, finding)?;
+        return Ok((adversary::looked_at(link, context, &ensemble, finding), next));
     }
     let withheld =
         |message: String| Ok((Finding { verdict: Verdict::Undecided, message, ..finding.clone() }, Next::Settled));

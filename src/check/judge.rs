@@ -116,6 +116,28 @@ impl Sides {
             }
         }
     }
+
+    /// By how much an inequality between numbers holds, relative to its sides, where it holds by least; negative, where it
+    /// fails.
+    pub fn margin(self, relation: Relation) -> Option<f64> {
+        let mut least: Option<f64> = None;
+        for (lhs, rhs) in self.lhs.into_iter().zip(self.rhs) {
+            let (Value::Scalar(a), Value::Scalar(b)) = (lhs, rhs) else { return None };
+            let scale = a.magnitude + b.magnitude;
+            let difference = if scale > 0.0 { (a.value - b.value) / scale } else { 0.0 };
+            let margin = match relation {
+                Relation::Less | Relation::LessEqual => -difference,
+                Relation::Greater | Relation::GreaterEqual => difference,
+                Relation::NotEqual => difference.abs(),
+                _ => return None,
+            };
+            if !margin.is_finite() {
+                return None;
+            }
+            least = Some(least.map_or(margin, |least| least.min(margin)));
+        }
+        least
+    }
 }
 
 /// Tests a link at a state where its sides are known.

@@ -6,6 +6,7 @@
 //! made in [`ensemble`] (drawn, and moved onto the hypotheses), evaluated in [`scene`], judged in [`judge`]; and every
 //! pass is held against its [`twins`]. Where units are declared, [`units`] comes before all of these.
 
+mod adversary;
 mod any_body;
 mod base;
 mod branches;
@@ -48,6 +49,7 @@ pub mod plain;
 mod premise;
 mod probe;
 mod progress;
+mod reached;
 mod reading;
 mod redefinition;
 mod repair;
