@@ -17,7 +17,7 @@ use super::edges::{self, is_clear, is_ordinary};
 use super::ensemble::{Condition, Ensemble};
 use super::forced::drawn;
 use super::identity::{Context, counterexample};
-use super::judge::{self, DIFFERENCE, Link, Point, Sides};
+use super::judge::{self, DIFFERENCE, Link, Margin, Point, Sides};
 use super::model::is_angle;
 use super::reached::{is_reached, is_strict};
 use super::scene::Scene;
@@ -34,12 +34,19 @@ const MOVED: usize = 16;
 /// The first step, of a logarithm or an angle or a number of order one; as a share of an interval.
 const FIRST: f64 = 0.4;
 
+/// A step is so many times longer after two that led down, and after one that did not.
+const LONGER: f64 = 2.0;
+const SHORTER: f64 = 0.35;
+
 /// Smaller steps find nothing that a double could show.
 const LAST: f64 = 1e-9;
 
 /// Where steps of `SMALL` leave a margin of `WIDE`, the bottom is not at 0.
 const SMALL: f64 = 2e-3;
 const WIDE: f64 = 1e-3;
+
+/// Where a relative margin changes by less it may be the same.
+const FLAT: f64 = 1e-14;
 
 /// A margin below this, relative to the sides, may be none; below that it is rounding.
 const CLOSED: f64 = 1e-12;
@@ -54,6 +61,7 @@ const EDGE: f64 = 1e-7;
 
 /// So near to a simple number another one is tried in its place.
 const SIMPLE: f64 = 1e-4;
+const PASSES: usize = 4;
 
 /// The finding on an inequality that has passed, with what its worst states say of it.
 pub(super) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, finding: Finding) -> Finding {
@@ -65,7 +73,7 @@ pub(super) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<
         let base: Vec<f64> = scene.base.numbers().iter().map(|x| x.value).collect();
         let in_range = ensemble.solver.slots.iter().zip(&base).all(|(slot, x)| contains(&slot.range, *x));
         if let (Some(margin), true) = (margin(link, scene), in_range) {
-            starts.push((margin, base));
+            starts.push((margin.share, base));
         }
     }
     // The nearest of those drawn and the nearest of all.
@@ -84,10 +92,14 @@ pub(super) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<
             Solver::new(context.model, &Context { conditions: &conditions, ..*context }.setting(ensemble.mode));
         let draw = context.draw(ensemble.mode, "adversary");
         let mut search = Search { link, context, solver, draw, slots: Vec::new() };
-        let found = starts.iter().take(STARTS).find_map(|start| search.worst_from(start.clone()));
-        if let Some(scene) = found
-            && let Ok(Point::Fails(failure)) = judge::test(link, &scene)
-        {
+        let found = starts.iter().take(STARTS).find_map(|start| {
+            let scene = search.worst_from(start.clone())?;
+            match judge::test(link, &scene) {
+                Ok(Point::Fails(failure)) => Some((scene, failure)),
+                _ => None,
+            }
+        });
+        if let Some((scene, failure)) = found {
             let glyph = link.relation.glyph();
             let place = if ensemble.mode.on_shell { ", on shell" } else { "" };
             return Finding {
@@ -123,9 +135,15 @@ fn along_the_edge(condition: &Condition, context: &Context<'_>, ensemble: &Ensem
     Some(context.conditions.iter().cloned().chain([edge]).collect())
 }
 
-/// By how much an inequality holds at a state, relative to its sides: negative, where it fails.
-fn margin(link: &Link, scene: &Scene<'_, Measured>) -> Option<f64> {
+fn margin(link: &Link, scene: &Scene<'_, Measured>) -> Option<Margin> {
     Sides::of(link, scene).ok()?.margin(link.relation)
+}
+
+/// Whether a margin is lower than another. Where (x − 1)² is all there is, relative to its terms it is 1 for all negative x:
+/// there the number itself shows the way.
+fn is_lower(margin: &Margin, than: &Margin) -> bool {
+    let by = margin.share - than.share;
+    by < -FLAT || by < 0.0 && than.share < WIDE || by < FLAT && than.share > WIDE && margin.size < than.size
 }
 
 /// A way downhill.
@@ -147,11 +165,11 @@ impl<'m> Search<'_, 'm> {
             return None;
         }
         let mut steps: Vec<f64> = self.slots.iter().map(|at| FIRST * self.width(*at)).collect();
-        let mut taken = 0;
-        while taken < STEPS && margin > -DIFFERENCE {
+        let (mut taken, mut again) = (0, vec![true; steps.len()]);
+        while taken < STEPS && margin.share > -DIFFERENCE {
             let before = base.clone();
             for k in 0..steps.len() {
-                let mut lower = None;
+                let (mut lower, ran) = (None, again[k]);
                 for step in [steps[k], -steps[k]] {
                     taken += 1;
                     lower = self.lower(&base, &[(k, step)], margin).map(|found| (found, step));
@@ -159,12 +177,13 @@ impl<'m> Search<'_, 'm> {
                         break;
                     }
                 }
+                again[k] = lower.is_some();
                 match lower {
                     Some(((less, moved), step)) => {
                         (margin, base) = (less, moved);
-                        steps[k] = 2.0 * step;
+                        steps[k] = if ran { LONGER * step } else { step };
                     }
-                    None => steps[k] *= 0.5,
+                    None => steps[k] *= SHORTER,
                 }
             }
             let further = match base != before {
@@ -178,11 +197,11 @@ impl<'m> Search<'_, 'm> {
             let largest =
                 self.slots.iter().zip(&steps).map(|(at, step)| step.abs() / self.width(*at)).fold(0.0, f64::max);
             let stuck = base == before && largest < SMALL;
-            if largest < LAST || largest < SMALL && margin > WIDE || margin.abs() < NOTHING {
+            if largest < LAST || largest < SMALL && margin.share > WIDE || margin.share.abs() < NOTHING {
                 break;
             }
             if stuck
-                && margin < WIDE * SMALL
+                && margin.share < WIDE * SMALL
                 && !self.at(base.clone()).is_some_and(|(.., scene)| self.is_inside(&scene))
             {
                 break;
@@ -192,15 +211,15 @@ impl<'m> Search<'_, 'm> {
     }
 
     /// The state, if the inequality fails there for certain: clearly, or at an equality that is reached.
-    fn settle(&mut self, margin: f64, base: Vec<f64>) -> Option<Scene<'m, Measured>> {
-        if margin < -DIFFERENCE {
+    fn settle(&mut self, margin: Margin, base: Vec<f64>) -> Option<Scene<'m, Measured>> {
+        if margin.share < -DIFFERENCE {
             return self.at(base).map(|(_, _, scene)| scene);
         }
-        if !is_strict(self.link.relation) || margin > CLOSED.sqrt() {
+        if !is_strict(self.link.relation) || margin.share > CLOSED.sqrt() {
             return None;
         }
         let (margin, base) = self.simple(margin, base);
-        let (_, base, scene) = self.at(base).filter(|_| margin < CLOSED)?;
+        let (_, base, scene) = self.at(base).filter(|_| margin.share < CLOSED)?;
         (self.is_inside(&scene) && is_reached(self.link, &mut self.solver, &base)).then_some(scene)
     }
 
@@ -211,13 +230,13 @@ impl<'m> Search<'_, 'm> {
     }
 
     /// The state near a base, with its margin, if it obeys all hypotheses.
-    fn at(&mut self, base: Vec<f64>) -> Option<(f64, Vec<f64>, Scene<'m, Measured>)> {
+    fn at(&mut self, base: Vec<f64>) -> Option<(Margin, Vec<f64>, Scene<'m, Measured>)> {
         let (base, scene) = self.solver.state(base).ok()??;
         margin(self.link, &scene).map(|margin| (margin, base, scene))
     }
 
     /// What is lower than a margin, some steps away.
-    fn lower(&mut self, base: &[f64], steps: &[(usize, f64)], margin: f64) -> Option<(f64, Vec<f64>)> {
+    fn lower(&mut self, base: &[f64], steps: &[(usize, f64)], margin: Margin) -> Option<(Margin, Vec<f64>)> {
         let mut moved = base.to_vec();
         for (k, step) in steps {
             let at = self.slots[*k];
@@ -226,11 +245,11 @@ impl<'m> Search<'_, 'm> {
         if moved == base {
             return None;
         }
-        self.at(moved).filter(|(less, ..)| *less < margin).map(|(less, base, _)| (less, base))
+        self.at(moved).filter(|(less, ..)| is_lower(less, &margin)).map(|(less, base, _)| (less, base))
     }
 
     /// The numbers on which the margin depends, but for those that hypotheses are solved for.
-    fn that_matter(&mut self, base: &[f64], margin: f64) -> Vec<usize> {
+    fn that_matter(&mut self, base: &[f64], margin: Margin) -> Vec<usize> {
         let mut found = Vec::new();
         let planned: Vec<usize> = self.solver.plan.iter().map(|(_, slot)| *slot).collect();
         for at in (1..base.len()).filter(|at| !planned.contains(at)) {
@@ -290,9 +309,10 @@ impl<'m> Search<'_, 'm> {
     }
 
     /// The same state with simple numbers in the places of those that are near to them, where that is no higher.
-    fn simple(&mut self, margin: f64, base: Vec<f64>) -> (f64, Vec<f64>) {
+    fn simple(&mut self, margin: Margin, base: Vec<f64>) -> (Margin, Vec<f64>) {
         let (mut margin, mut base) = (margin, base);
-        for at in self.slots.clone() {
+        // One after the other, and again: a number may wait for another.
+        for at in self.slots.repeat(self.slots.len().min(PASSES)) {
             let unit = if is_angle(&self.solver.slots[at].range) { std::f64::consts::PI } else { 1.0 } / 12.0;
             let x = base[at];
             let others =
@@ -302,7 +322,7 @@ impl<'m> Search<'_, 'm> {
                 let mut moved = base.clone();
                 moved[at] = simple;
                 if contains(&self.solver.slots[at].range, simple)
-                    && let Some((less, moved, _)) = self.at(moved).filter(|(less, ..)| *less <= margin)
+                    && let Some((less, moved, _)) = self.at(moved).filter(|(less, ..)| less.share <= margin.share)
                 {
                     (margin, base) = (less, moved);
                 }

@@ -111,7 +111,7 @@ fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&Scene<'_, Measured>) -> bo
 pub(super) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensemble<'_>) {
     let is_close = |scene: &Scene<'_, Measured>| {
         let margin = || Sides::of(link, scene).ok()?.margin(link.relation);
-        matches!(judge::test(link, scene), Ok(Point::Doubtful)) && margin().is_some_and(|margin| margin > 0.0)
+        matches!(judge::test(link, scene), Ok(Point::Doubtful)) && margin().is_some_and(|margin| margin.share > 0.0)
     };
     ensemble.scenes.retain(|scene| !is_close(scene));
     if !is_strict(link.relation) {
@@ -154,10 +154,13 @@ pub(super) fn is_reached(link: &Link, solver: &mut Solver<'_>, base: &[f64]) -> 
                 moved[at] =
                     if base[at] == 0.0 { (factor - 1.0) * f64::from(k) / 2.0 } else { base[at] * factor.powi(k) };
                 let scene = contains(&solver.slots[at].range, moved[at]).then(|| solver.state(moved));
-                match scene.map(|scene| scene.map(|found| found.map(|(_, scene)| judge::test(&equal, &scene)))) {
-                    Some(Ok(Some(Ok(Point::Holds(_))))) => seen = seen.or(Some(true)),
-                    Some(Ok(Some(Ok(Point::Fails(_) | Point::Doubtful)))) => return Some(false),
-                    _ => {}
+                match scene {
+                    Some(Ok(Some((_, scene)))) => match judge::test(&equal, &scene) {
+                        Ok(Point::Fails(_) | Point::Doubtful) => return Some(false),
+                        // Beyond what a double holds nothing tells the sides apart.
+                        _ => seen = Some(true),
+                    },
+                    _ => break,
                 }
             }
             seen
