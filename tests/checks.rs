@@ -15,6 +15,8 @@ mod continua;
 mod coupled;
 #[path = "checks/difference.rs"]
 mod difference;
+#[path = "checks/doubles.rs"]
+mod doubles;
 #[path = "checks/edges.rs"]
 mod edges;
 #[path = "checks/evidence.rs"]
@@ -35,6 +37,8 @@ mod rigid;
 mod sentences;
 #[path = "checks/shared.rs"]
 mod shared;
+#[path = "checks/sizes.rs"]
+mod sizes;
 #[path = "checks/small.rs"]
 mod small;
 #[path = "checks/steps.rs"]
@@ -45,3 +49,5 @@ mod terms;
 mod units;
 #[path = "checks/wide.rs"]
 mod wide;
+#[path = "checks/worst.rs"]
+mod worst;

@@ -228,6 +228,11 @@ impl<B: Number> Base<B> {
         Base { numbers, layout, time, direction, continua, series, frame_angles }
     }
 
+    /// All numbers, in their order.
+    pub fn numbers(&self) -> &[B] {
+        &self.numbers
+    }
+
     /// The numbers of a constant.
     pub fn constant(&self, i: usize) -> &[B] {
         &self.numbers[self.layout.constants[i].clone()]

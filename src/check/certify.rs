@@ -18,11 +18,13 @@ use super::any_body::{Generality, PRINCIPAL_AXES};
 use super::draw::{Draw, last};
 use super::ensemble::Ensemble;
 use super::evidence;
+use super::growth::{Growing, Sums};
 use super::identity::Context;
 use super::judge::{self, Link};
 use super::model::{Meaning, Model};
 use super::rules::{Action, Rule};
 use super::scene::Scene;
+use super::sizes;
 use super::solved::{OTHER_WAYS, Solved, is_never_zero};
 use super::solver::Solver;
 use super::verdict::{Finding, Verdict};
@@ -39,6 +41,9 @@ const ATTEMPTS: u32 = 64;
 
 /// The reason to ask a second field.
 const TOO_LARGE: &str = "coefficients that could be as large as the field";
+
+/// Why a claim about families of any size stays open.
+const HOW_IT_GROWS: &str = "sums over families, of which numbers of members were tried that do not tell of all";
 
 /// So many values of whole numbers are tried, one after the other.
 const WHOLES: usize = 32;
@@ -57,6 +62,8 @@ pub enum Certificate {
     Unseen(String),
     /// It is none, although numbers do not show it.
     Differs,
+    /// It is none where families have so many members.
+    DiffersFor(u32),
 }
 
 impl Certificate {
@@ -75,6 +82,10 @@ impl Certificate {
                 let message = "the two sides differ by less than numbers show: as an identity it is false".to_owned();
                 Finding { verdict: Verdict::Refuted, message, ..finding }
             }
+            Certificate::DiffersFor(size) => {
+                let message = format!("as an identity it is false: it fails for {size} members");
+                Finding { verdict: Verdict::Refuted, message, ..finding }
+            }
         }
     }
 }
@@ -86,6 +97,11 @@ pub(super) type Differences<F> = Result<Vec<Modular<F>>, String>;
 pub(super) trait Claim {
     /// The differences, at a state.
     fn differences<F: Modulus>(&self, scene: &mut Scene<'_, Modular<F>>) -> Differences<F>;
+
+    /// The free letters, where they are the differences of the formulas that are decided on, one by one.
+    fn free(&self) -> Option<&[IndexId]> {
+        None
+    }
 }
 
 /// Decides a claim between two formulas, under the hypotheses by which an ensemble was drawn.
@@ -184,6 +200,10 @@ impl Claim for Link {
             }
         }
     }
+
+    fn free(&self) -> Option<&[IndexId]> {
+        Some(&self.free)
+    }
 }
 
 fn unavailable(reason: &Unavailable, model: &Model) -> String {
@@ -194,36 +214,72 @@ fn unavailable(reason: &Unavailable, model: &Model) -> String {
     }
 }
 
-/// Decides whether differences vanish, over a second field as well where coefficients may be as large as the first: what
-/// vanishes modulo two primes has coefficients that their product divides.
+/// Decides whether differences vanish; where families are counted, whatever the number of their members.
 pub(super) fn decide(
     formulas: &[&Expr],
     context: &Context<'_>,
     ensemble: &Ensemble<'_>,
     claim: &impl Claim,
 ) -> Certificate {
-    let solver = &ensemble.solver;
+    if sizes::counts(context.model).is_empty() {
+        return decide_by((&ensemble.solver, Some(&Sums::default())), formulas, context, ensemble, claim);
+    }
+    let mut growing = Growing::new(context.model, &ensemble.rules);
+    let sums = growing.obeys(&ensemble.solver);
+    let grows = growing.of_difference(formulas).filter(|growth| claim.free().is_some() || *growth == 0);
+    let told_apart = growing.told_apart(formulas, claim.free().unwrap_or_default());
+    let mut reason = HOW_IT_GROWS.to_owned();
+    // One thing, or two, may be too few for anything to be defined. Hypotheses that are not solved for few are not for more.
+    let attempts: &[u32] = if ensemble.solver.equalities().next().is_none() { &[1, 3] } else { &[1] };
+    for least in attempts.iter().copied() {
+        let (Some(growth), least) = (grows, told_apart.max(least)) else { break };
+        let most = least + growth;
+        if most > sizes::MOST {
+            break;
+        }
+        let model = sizes::resized(context.model, least, most);
+        let context = Context { model: &model, ..*context };
+        let solver = Solver::new(&model, &context.setting(ensemble.mode));
+        match decide_by((&solver, sums.as_ref()), formulas, &context, ensemble, claim) {
+            Certificate::Open(found) => reason = found,
+            decided => return decided,
+        }
+    }
+    Certificate::Open(reason)
+}
+
+/// Decides whether differences vanish, over a second field as well where coefficients may be as large as the first: what
+/// vanishes modulo two primes has coefficients that their product divides. With the hypotheses that are sums over members; not
+/// given, where none may be solved.
+fn decide_by(
+    (solver, sums): (&Solver<'_>, Option<&Sums>),
+    formulas: &[&Expr],
+    context: &Context<'_>,
+    ensemble: &Ensemble<'_>,
+    claim: &impl Claim,
+) -> Certificate {
     let sides = solver.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]).collect::<Vec<_>>();
-    let generality = Generality::of(formulas, context.model, &ensemble.rules);
-    let hypotheses = Generality::of(&sides, context.model, &ensemble.rules);
+    let generality = Generality::of(formulas, context.model, &solver.rules);
+    let hypotheses = Generality::of(&sides, context.model, &solver.rules);
     let (Some(generality), Some(Generality::Themselves)) = (generality, hypotheses) else {
         return Certificate::Open(PRINCIPAL_AXES.to_owned());
     };
-    let found = reached(formulas, solver, ensemble)
+    let found = reached(formulas, solver)
         .and_then(|reached| wholes(solver, &reached).ok_or_else(|| "whole numbers of so many values".to_owned()));
     let wholes = match found {
         Ok(wholes) => wholes,
         Err(reason) => return Certificate::Open(reason),
     };
-    let context = (context, generality);
+    let context = (context, generality, sums);
+    let states = (solver, ensemble);
     let one = Modular::<Large>::most_bits();
-    match decide_in::<Large>(&wholes, context, ensemble, claim, one) {
+    match decide_in::<Large>(&wholes, context, states, claim, one) {
         Certificate::Open(reason) if reason == TOO_LARGE => {}
         decided => return decided,
     }
     let both = one + Modular::<Second>::most_bits();
-    match decide_in::<Large>(&wholes, context, ensemble, claim, both) {
-        Certificate::Identity(first) => match decide_in::<Second>(&wholes, context, ensemble, claim, both) {
+    match decide_in::<Large>(&wholes, context, states, claim, both) {
+        Certificate::Identity(first) => match decide_in::<Second>(&wholes, context, states, claim, both) {
             Certificate::Identity(second) => Certificate::Identity(first.max(second)),
             decided => decided,
         },
@@ -234,20 +290,32 @@ pub(super) fn decide(
 /// Decides over one field, where coefficients have no more than so many bits.
 fn decide_in<F: Modulus>(
     wholes: &[Vec<(usize, f64)>],
-    (context, generality): (&Context<'_>, Generality),
-    ensemble: &Ensemble<'_>,
+    (context, generality, sums): (&Context<'_>, Generality, Option<&Sums>),
+    (solver, ensemble): (&Solver<'_>, &Ensemble<'_>),
     claim: &impl Claim,
     most_bits: f64,
 ) -> Certificate {
-    let solver = &ensemble.solver;
+    let counts = sizes::counts(context.model);
+    // The number of members, and whether states were drawn with it.
+    let size = |whole: &[(usize, f64)]| {
+        let counted = |(at, _): &&(usize, f64)| solver.slots[*at].symbol.is_some_and(|id| counts.contains(&id));
+        whole.iter().find(counted).map(|(_, value)| *value as u32)
+    };
+    let was_drawn = |whole: &[(usize, f64)]| {
+        let place = |at: usize| ensemble.solver.slots.iter().position(|slot| slot.symbol == solver.slots[at].symbol);
+        ensemble.bases.iter().any(|base| whole.iter().all(|(at, x)| place(*at).is_some_and(|at| base[at] == *x)))
+    };
     let mut draw = Draw::new(context.options.seed, &format!("{}/{}/field", context.topic, ensemble.mode.on_shell));
     let (mut worst, least) = (f64::NEG_INFINITY, POINTS.start().div_ceil(wholes.len()));
     for whole in wholes {
-        let is_drawn = ensemble.bases.iter().any(|base| whole.iter().all(|(at, value)| base[*at] == *value));
         let found = match generality {
             // hypotheses are of the particles
             Generality::AnyTensor => Err(PRINCIPAL_AXES.to_owned()),
-            _ => Solved::<F>::new(solver, whole.clone(), draw.seed()),
+            _ => match sums {
+                None => Err(HOW_IT_GROWS.to_owned()),
+                Some(sums) => Solved::<F>::new(solver, whole.clone(), draw.seed())
+                    .and_then(|solved| if solved.moves(sums) { Ok(solved) } else { Err(HOW_IT_GROWS.to_owned()) }),
+            },
         };
         let (solved, reason) = match found {
             Ok(solved) => (solved, (generality == Generality::AnyAxes).then(|| PRINCIPAL_AXES.to_owned())),
@@ -259,8 +327,10 @@ fn decide_in<F: Modulus>(
             (Certificate::Identity(log2), _) => worst = worst.max(log2),
             (Certificate::Open(large), Some(_)) if large == TOO_LARGE => return Certificate::Open(large),
             (_, Some(reason)) => return Certificate::Open(reason),
-            (Certificate::Differs, None) if !is_drawn => {
-                return Certificate::Open("a value of a whole number at which no state was drawn".to_owned());
+            (Certificate::Differs, None) if !was_drawn(whole) => {
+                let open = || Certificate::Open("a value of a whole number at which no state was drawn".to_owned());
+                let other = size(whole).filter(|_| whole.len() == counts.len());
+                return other.map_or_else(open, Certificate::DiffersFor);
             }
             (other, None) => return other,
         }
@@ -314,14 +384,10 @@ fn wholes(solver: &Solver<'_>, reached: &[SymbolId]) -> Option<Vec<Vec<(usize, f
 ///
 /// # Errors
 /// Why the claim cannot be decided over a field, as far as its formulas show.
-pub(super) fn reached(
-    formulas: &[&Expr],
-    solver: &Solver<'_>,
-    ensemble: &Ensemble<'_>,
-) -> Result<Vec<SymbolId>, String> {
+pub(super) fn reached(formulas: &[&Expr], solver: &Solver<'_>) -> Result<Vec<SymbolId>, String> {
     let model = solver.model;
     let of_conditions = solver.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
-    let of_rules = ensemble.rules.iter().flat_map(|rule| rule.action.formulas());
+    let of_rules = solver.rules.iter().flat_map(|rule| rule.action.formulas());
     let divided_by_zero = |rule: &Rule| match &rule.action {
         Action::Follows { formula: Expr { node: Node::Quotient(_, coefficient), .. }, .. } => {
             !is_never_zero(model, coefficient)
@@ -330,7 +396,7 @@ pub(super) fn reached(
         Action::Together(_) => true,
         _ => false,
     };
-    if ensemble.rules.iter().any(divided_by_zero) {
+    if solver.rules.iter().any(divided_by_zero) {
         return Err("a law whose coefficient may vanish".to_owned());
     }
     let mut waiting: Vec<&Expr> = formulas.iter().copied().chain(of_conditions).chain(of_rules).collect();

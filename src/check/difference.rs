@@ -196,7 +196,7 @@ pub(super) fn normal(model: &Model, ensemble: &Ensemble<'_>, link: &Link, number
 /// Whether states are made of numbers that have names, and not moved onto hypotheses.
 fn is_nameable(sides: &[&Expr], model: &Model, ensemble: &Ensemble<'_>) -> bool {
     ensemble.solver.equalities().next().is_none()
-        && certify::reached(sides, &ensemble.solver, ensemble).is_ok()
+        && certify::reached(sides, &ensemble.solver).is_ok()
         && Generality::of(sides, model, &ensemble.rules) == Some(Generality::Themselves)
 }
 

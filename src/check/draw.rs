@@ -22,6 +22,8 @@ const TURNS: f64 = 8.0;
 pub enum Reach {
     /// Within them; numbers without a range of their own are of order one.
     Declared,
+    /// Within them, and of order one where they reach so far in.
+    Near,
     /// Beyond them too.
     Beyond,
     /// Within them; numbers without a range of their own are of any order, and ends of ranges are met.
@@ -67,7 +69,7 @@ impl Draw {
     /// A value of a range.
     pub fn value(&mut self, range: &Range, reach: Reach) -> f64 {
         let (small, large) = match reach {
-            Reach::Declared => (0.3, 3.0),
+            Reach::Declared | Reach::Near => (0.3, 3.0),
             Reach::Beyond => (0.1, 10.0),
             Reach::Vast if self.unit() < 0.5 => (0.3, 3.0),
             Reach::Vast | Reach::Wide => (1e-4, 1e4),
@@ -101,7 +103,10 @@ impl Draw {
                 }
                 let margin = if reach == Reach::Wide { 1e-3 } else { 0.05 };
                 let keep = |open: bool| if open { margin * width } else { 0.0 };
-                let (low, high) = (low + keep(*low_open), high - keep(*high_open));
+                let (mut low, mut high) = (low + keep(*low_open), high - keep(*high_open));
+                if reach == Reach::Near && low < large && high > -large {
+                    (low, high) = (low.max(-large), high.min(large));
+                }
                 if is_angle(range) { self.angle(low, high) } else { self.between(low, high) }
             }
             // Vectors and indices are drawn elsewhere.

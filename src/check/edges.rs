@@ -105,7 +105,7 @@ pub(super) fn states<'m>(
 }
 
 /// Whether the sides of a comparison are far from equal at a state.
-fn is_clear((lhs, rhs): &Comparison, scene: &Scene<'_, Measured>) -> bool {
+pub(super) fn is_clear((lhs, rhs): &Comparison, scene: &Scene<'_, Measured>) -> bool {
     let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = (scene.now(lhs, &[]), scene.now(rhs, &[])) else {
         return false;
     };
@@ -140,7 +140,7 @@ fn distance(a: &Scene<'_, Measured>, b: &Scene<'_, Measured>) -> f64 {
 
 /// Whether no number of a state has run to an end that its range leaves out: there both sides may be equal to rounding,
 /// though they are equal nowhere in the range.
-fn is_ordinary(scene: &Scene<'_, Measured>) -> bool {
+pub(super) fn is_ordinary(scene: &Scene<'_, Measured>) -> bool {
     numbers(scene).iter().all(|(range, x)| match range {
         Range::Positive | Range::Negative => x.abs() > END,
         Range::Interval { low, high, low_open, high_open } => {

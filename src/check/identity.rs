@@ -10,7 +10,6 @@ use crate::latex::typeset;
 use crate::scalar::{Measured, TERMS};
 use crate::source::Span;
 
-use super::certify;
 use super::draw::{Draw, Reach};
 use super::ensemble::{Condition, Ensemble, Setting};
 use super::evidence::{self, Emptiness};
@@ -20,7 +19,7 @@ use super::rules::{Action, Rule};
 use super::scene::{Mode, Scene};
 use super::twins::{Twin, twins};
 use super::verdict::{Counterexample, Finding, Verdict};
-use super::{branches, difference, edges, forced, formal, nothing, tautology, wide};
+use super::{adversary, branches, difference, edges, forced, formal, nothing, reached, sizes, tautology, wide};
 
 /// How many states a pass needs.
 pub const FEWEST: usize = 8;
@@ -310,7 +309,9 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
             ensemble.scenes.extend(edges);
         }
         ensemble.scenes.extend(special.scenes);
+        reached::reached(link, context, &mut ensemble);
     }
+    reached::within_doubles(link, context, &mut ensemble)?;
     let fails = |scene: &Scene<'_, Measured>| matches!(judge::test(link, scene), Ok(Point::Fails(_)));
     ensemble.scenes.extend(branches::states(context, &ensemble)?.into_iter().filter(fails));
     let states = AtStates::new(link, &ensemble.scenes);
@@ -331,7 +332,9 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         return Ok((finding, next));
     }
     if !is_equality(link.relation) {
-        return Ok((Finding { not_certified_because: Some("an ordering".to_owned()), ..finding }, next));
+        let finding = Finding { not_certified_because: Some("an ordering".to_owned()), ..finding };
+        let finding = sizes::looked_at(link, context, mode, finding)?;
+        return Ok((adversary::looked_at(link, context, &ensemble, finding), next));
     }
     let withheld =
         |message: String| Ok((Finding { verdict: Verdict::Undecided, message, ..finding.clone() }, Next::Settled));
@@ -360,7 +363,8 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
             finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
         }
         drop(states);
-        finding = certify::certify(link, context, &ensemble).stamp(finding);
+        finding = sizes::certified(link, context, &ensemble, finding)?;
+        finding = sizes::looked_at(link, context, ensemble.mode, finding)?;
         finding = wide::looked_at(link, context, ensemble.mode, finding)?;
     }
     let next = if finding.verdict == Verdict::Refuted { Next::OnShell } else { Next::Settled };
@@ -636,7 +640,7 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     finding.message = match finding.verdict {
         Verdict::Verified => {
             finding.message = "constant on shell".to_owned();
-            return Ok(certify::certify(&link, &on_shell, &ensemble).stamp(finding));
+            return sizes::certified(&link, &on_shell, &ensemble, finding);
         }
         Verdict::Refuted => "it varies on shell".to_owned(),
         _ => finding.message,

@@ -97,6 +97,15 @@ pub fn holds(relation: Relation, difference: Measured) -> bool {
     }
 }
 
+/// By how much an inequality holds; negative, where it fails.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margin {
+    /// Relative to the terms of its sides.
+    pub share: f64,
+    /// As a number.
+    pub size: f64,
+}
+
 /// The values of the two sides of a link at a state, for all values of its free indices: twins share one of them.
 pub struct Sides {
     lhs: Vec<Value<Measured>>,
@@ -115,6 +124,29 @@ impl Sides {
                 return Ok(sides);
             }
         }
+    }
+
+    /// By how much an inequality between numbers holds, where it holds by least.
+    pub fn margin(self, relation: Relation) -> Option<Margin> {
+        let mut least: Option<Margin> = None;
+        for (lhs, rhs) in self.lhs.into_iter().zip(self.rhs) {
+            let (Value::Scalar(a), Value::Scalar(b)) = (lhs, rhs) else { return None };
+            let difference = match relation {
+                Relation::Less | Relation::LessEqual => b.value - a.value,
+                Relation::Greater | Relation::GreaterEqual => a.value - b.value,
+                Relation::NotEqual => (a.value - b.value).abs(),
+                _ => return None,
+            };
+            let scale = a.magnitude + b.magnitude;
+            let share = if scale > 0.0 { difference / scale } else { 0.0 };
+            if !share.is_finite() {
+                return None;
+            }
+            if least.is_none_or(|least| share < least.share) {
+                least = Some(Margin { share, size: difference });
+            }
+        }
+        least
     }
 }
 

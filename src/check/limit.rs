@@ -34,9 +34,10 @@ pub enum Towards {
 }
 
 impl Towards {
-    /// The k-th step towards the limit; towards a number from above, if `side` is 1, and from below, if it is −1.
-    pub fn step(self, k: i32, side: f64) -> f64 {
-        let far = 16.0 * 2f64.powi(k);
+    /// The k-th step towards the limit, and what lies between two; towards a number from above, if `side` is 1, and from
+    /// below, if it is −1.
+    pub fn step(self, k: f64, side: f64) -> f64 {
+        let far = 16.0 * k.exp2();
         match self {
             Towards::Infinity => far,
             Towards::MinusInfinity => -far,
@@ -61,8 +62,8 @@ pub(super) fn sides(range: &Range, end: f64) -> &'static [f64] {
 enum Approach {
     /// The error falls as this power of the distance from the limit.
     Power(f64),
-    /// It does not fall, from this side.
-    Fails(Failure, f64),
+    /// It does not fall, from this side, up to this step.
+    Fails(Failure, f64, f64),
     /// Too few steps can tell.
     Useless,
 }
@@ -99,17 +100,17 @@ fn check_in(
     let mut used: Vec<Steps<'_>> = Vec::new();
     for base in &ensemble.bases {
         let steps = Steps { context, mode, base, rules: &ensemble.rules, variable, towards };
-        match steps.approach(link) {
+        match steps.approach(link, FARTHEST) {
             Ok(Approach::Power(power)) => {
                 powers.push(power);
                 used.push(steps);
             }
-            Ok(Approach::Fails(failure, side)) => {
+            Ok(Approach::Fails(failure, side, k)) => {
                 return Ok(Finding {
                     points: powers.len() + 1,
                     tried: ensemble.tried,
                     max_residual: Some(failure.residual),
-                    counterexample: steps.scene(LAST, side).map(|scene| counterexample(link, &scene, &failure)),
+                    counterexample: steps.scene(k, side).map(|scene| counterexample(link, &scene, &failure)),
                     ..context.finding(Verdict::Refuted, "the two sides do not approach each other in this limit")
                 });
             }
@@ -128,7 +129,7 @@ fn check_in(
             continue;
         }
         let as_near = used.iter().zip(&powers).all(
-            |(steps, power)| matches!(steps.approach(&twin.link), Ok(Approach::Power(other)) if other > power - 0.5),
+            |(steps, power)| matches!(steps.approach(&twin.link, LAST), Ok(Approach::Power(other)) if other > power - 0.5),
         );
         if as_near {
             let message = format!("these states cannot tell it from the same claim with {}", twin.change);
@@ -151,8 +152,15 @@ fn check_in(
     })
 }
 
-/// The last step that is taken.
+/// The last step that is taken with a slip; and with the claim itself, as long as rounding leaves an error: what is left of
+/// it may be small, as the 10⁻⁴ of √(1 + a) ≈ 1.0001.
 const LAST: i32 = 10;
+const FARTHEST: i32 = 26;
+
+/// Where the error is gone at the first steps, as that of tanh a ≈ 1 − 2e⁻²ᵃ, shorter ones are taken before them: so many, of
+/// this share of a step.
+const BEFORE: i32 = 16;
+const SHORT: f64 = 0.25;
 
 /// The states on the way to a limit: one base, with the variable moved.
 struct Steps<'a> {
@@ -166,7 +174,7 @@ struct Steps<'a> {
 
 impl<'a> Steps<'a> {
     /// The state at the k-th step: a number of the base is moved there, anything else is given that value.
-    fn scene(&self, k: i32, side: f64) -> Option<Scene<'a, Measured>> {
+    fn scene(&self, k: f64, side: f64) -> Option<Scene<'a, Measured>> {
         let x = self.towards.step(k, side);
         let model = self.context.model;
         let slot = self.slot();
@@ -210,19 +218,19 @@ impl<'a> Steps<'a> {
         if inequalities().next().is_none() {
             return true;
         }
-        let Some(scene) = self.scene(LAST, side) else { return false };
+        let Some(scene) = self.scene(LAST.into(), side) else { return false };
         inequalities().all(|condition| {
             let Condition { lhs, relation, rhs, free, .. } = condition.clone();
             !matches!(judge::test(&Link { lhs, relation, rhs, free }, &scene), Ok(Point::Fails(_)))
         })
     }
 
-    /// How the sides of a link approach each other, the slower of the two ways where there are two.
-    fn approach(&self, link: &Link) -> Result<Approach, Unavailable> {
+    /// How the sides of a link approach each other up to a step, the slower of the two ways where there are two.
+    fn approach(&self, link: &Link, last: i32) -> Result<Approach, Unavailable> {
         let mut slowest = Approach::Useless;
         for side in self.sides() {
-            slowest = match (slowest, self.approach_from(side, link)?) {
-                (_, Approach::Fails(failure, side)) => return Ok(Approach::Fails(failure, side)),
+            slowest = match (slowest, self.approach_from(side, link, last)?) {
+                (_, Approach::Fails(failure, side, k)) => return Ok(Approach::Fails(failure, side, k)),
                 (Approach::Power(a), Approach::Power(b)) => Approach::Power(a.min(b)),
                 (Approach::Useless, other) | (other, Approach::Useless) => other,
                 (fails @ Approach::Fails(..), _) => fails,
@@ -231,10 +239,27 @@ impl<'a> Steps<'a> {
         Ok(slowest)
     }
 
-    fn approach_from(&self, side: f64, link: &Link) -> Result<Approach, Unavailable> {
-        let mut errors: Vec<f64> = Vec::new();
-        let mut last = None;
-        for k in 0..=LAST {
+    fn approach_from(&self, side: f64, link: &Link, last: i32) -> Result<Approach, Unavailable> {
+        let mut errors = self.errors(link, side, (0..=last).map(f64::from))?;
+        if errors.list.len() < 3 {
+            let before = errors.list.len() as i32 - 1;
+            let closer = (-BEFORE..=before * (1.0 / SHORT) as i32).map(|k| SHORT * f64::from(k));
+            errors = self.errors(link, side, closer)?;
+        }
+        let Errors { list, last: Some((failure, k)) } = errors else { return Ok(Approach::Useless) };
+        let tail = &list[list.len().saturating_sub(4)..];
+        let ([(first, more), .., (end, less)], 3..) = (tail, list.len()) else {
+            // The sides are one to rounding: then they agree in the limit too.
+            return Ok(if failure.residual < 1e-9 { Approach::Power(f64::INFINITY) } else { Approach::Useless });
+        };
+        let power = (more / less).log2() / (end - first);
+        Ok(if power > 0.3 && *less < 0.05 { Approach::Power(power) } else { Approach::Fails(failure, side, k) })
+    }
+
+    /// The relative errors at some steps, as long as rounding leaves any.
+    fn errors(&self, link: &Link, side: f64, steps: impl Iterator<Item = f64>) -> Result<Errors, Unavailable> {
+        let mut errors = Errors { list: Vec::new(), last: None };
+        for k in steps {
             let Some(scene) = self.scene(k, side) else { continue };
             let (Value::Scalar(a), Value::Scalar(b)) = (scene.now(&link.lhs, &[])?, scene.now(&link.rhs, &[])?) else {
                 return Err(Unavailable::Operation("a limit of something that is no number"));
@@ -245,20 +270,18 @@ impl<'a> Steps<'a> {
             let scale = if b.value == 0.0 { 1.0 } else { b.value.abs() };
             let error = (a.value - b.value).abs() / scale;
             let noise = 1e-13 * (a.magnitude + b.magnitude) / scale;
-            last = Some(Failure { lhs: a.value, rhs: b.value, residual: error, entry: None });
+            errors.last = Some((Failure { lhs: a.value, rhs: b.value, residual: error, entry: None }, k));
             if error <= noise {
                 break;
             }
-            errors.push(error);
+            errors.list.push((k, error));
         }
-        let Some(last) = last else { return Ok(Approach::Useless) };
-        if errors.len() < 3 {
-            // The sides are one to rounding: then they agree in the limit too.
-            return Ok(if last.residual < 1e-9 { Approach::Power(f64::INFINITY) } else { Approach::Useless });
-        }
-        let tail = &errors[errors.len().saturating_sub(4)..];
-        let power = (tail[0] / tail[tail.len() - 1]).log2() / (tail.len() - 1) as f64;
-        let small = errors.last().is_some_and(|error| *error < 0.05);
-        Ok(if power > 0.3 && small { Approach::Power(power) } else { Approach::Fails(last, side) })
+        Ok(errors)
     }
+}
+
+/// What was seen on the way to a limit: steps and errors, and the last state.
+struct Errors {
+    list: Vec<(f64, f64)>,
+    last: Option<(Failure, f64)>,
 }

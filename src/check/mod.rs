@@ -6,6 +6,7 @@
 //! made in [`ensemble`] (drawn, and moved onto the hypotheses), evaluated in [`scene`], judged in [`judge`]; and every
 //! pass is held against its [`twins`]. Where units are declared, [`units`] comes before all of these.
 
+mod adversary;
 mod any_body;
 mod base;
 mod branches;
@@ -31,6 +32,7 @@ mod formal;
 pub mod functions;
 mod gaps;
 pub mod generates;
+mod growth;
 pub mod identity;
 mod instant;
 pub mod judge;
@@ -47,6 +49,7 @@ pub mod plain;
 mod premise;
 mod probe;
 mod progress;
+mod reached;
 mod reading;
 mod redefinition;
 mod repair;
@@ -56,6 +59,7 @@ mod rules;
 pub mod scene;
 mod sentences;
 mod shared;
+mod sizes;
 mod small;
 mod solved;
 mod solver;

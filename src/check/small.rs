@@ -21,13 +21,25 @@ use super::verdict::{Finding, Verdict};
 /// The steps: ε = 2⁻ᵏ.
 const STEPS: std::ops::RangeInclusive<i32> = 2..=8;
 
+/// The steps after these, as long as an error is left that is not small beside rounding: what is left over may be small.
+const FURTHER: [i32; 4] = [11, 14, 17, 20];
+
+/// The share of the sides that rounding may make, and so many times that is clear of it.
+const ROUNDING: f64 = 1e-12;
+const CLEAR: f64 = 10.0;
+
 /// How far below a whole power a measured one may lie.
 const SLACK: f64 = 0.25;
 
 /// States along which some quantities become small.
 struct Shrinkage<'m> {
     scenes: Vec<Scene<'m, Measured>>,
+    /// Where they are smaller still, and at which step.
+    further: Vec<(i32, Scene<'m, Measured>)>,
 }
+
+/// A state, and what fails there.
+type Shown<'s, 'm> = (&'s Scene<'m, Measured>, Failure);
 
 /// Checks a claim to an order in some small quantities: always, else on shell.
 ///
@@ -45,15 +57,14 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     }
     let (mut slowest, mut told) = (f64::INFINITY, 0);
     for family in &families {
-        match family.power(link) {
+        match family.power_further(link) {
             Err(reason) => return Ok(context.unavailable(&reason)),
             Ok((power, failure)) if power < missed => {
-                let last = family.scenes.last().zip(failure.as_ref());
                 return Ok(Finding {
                     points: families.len(),
                     tried: families.len(),
-                    max_residual: failure.as_ref().map(|failure| failure.residual),
-                    counterexample: last.map(|(scene, failure)| counterexample(link, scene, failure)),
+                    max_residual: failure.as_ref().map(|(_, failure)| failure.residual),
+                    counterexample: failure.map(|(scene, failure)| counterexample(link, scene, &failure)),
                     ..context.finding(
                         Verdict::Refuted,
                         format!("the sides differ at order {:.0} of what is small", power.max(0.0)),
@@ -77,14 +88,22 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     let all_reach = |link: &Link, families: &[Shrinkage<'_>], least: f64| {
         families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
     };
+    let could_be_anything = |term: &Expr| {
+        let words = crate::formula::text::formula(term, &context.model.symbols);
+        format!("“{words}” is smaller than the order that is claimed, and so could be anything")
+    };
     // Off shell nothing makes a term small but what it is made of. One beyond the order could be anything.
     let free = self::families(link, small, context, false)?;
     for term in terms(link) {
         let alone = Link { lhs: term.clone(), rhs: Expr::integer(0, term.span), ..link.clone() };
         if !free.is_empty() && all_reach(&alone, &free, wanted) {
-            let words = crate::formula::text::formula(term, &context.model.symbols);
-            let message = format!("“{words}” is smaller than the order that is claimed, and so could be anything");
-            return Ok(context.finding(Verdict::Undecided, message));
+            return Ok(context.finding(Verdict::Undecided, could_be_anything(term)));
+        }
+    }
+    for (term, without) in omissions(&link.rhs) {
+        let without = Link { lhs: link.rhs.clone(), rhs: without, ..link.clone() };
+        if !free.is_empty() && all_reach(&without, &free, wanted) {
+            return Ok(context.finding(Verdict::Undecided, could_be_anything(&term)));
         }
     }
     let survivors: Vec<_> =
@@ -122,6 +141,31 @@ fn terms(link: &Link) -> Vec<&Expr> {
     found
 }
 
+/// A formula without one of the terms of a sum inside of it, for each of these.
+fn omissions(expr: &Expr) -> Vec<(Expr, Expr)> {
+    let mut found = Vec::new();
+    for (at, child) in expr.children().into_iter().enumerate() {
+        let mut variants = omissions(child);
+        if let Node::Sum(terms) = &child.node
+            && terms.len() > 1
+        {
+            for (k, term) in terms.iter().enumerate() {
+                let mut left = terms.clone();
+                left.remove(k);
+                variants.push((term.expr.clone(), Expr::new(Node::Sum(left), child.span)));
+            }
+        }
+        for (term, variant) in variants {
+            let mut whole = expr.clone();
+            if let Some(place) = whole.children_mut().into_iter().nth(at) {
+                *place = variant;
+            }
+            found.push((term, whole));
+        }
+    }
+    found
+}
+
 /// Families of states, from states of the claim.
 fn families<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bool) -> Result<Vec<Shrinkage<'m>>> {
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
@@ -141,13 +185,18 @@ fn families<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bo
             scenes.extend(family.at(base, &scaled)?);
         }
         if scenes.len() == STEPS.count() {
-            found.push(Shrinkage { scenes });
+            let mut further = Vec::new();
+            for k in FURTHER {
+                let scaled: Vec<f64> = values.iter().map(|value| value * 2f64.powi(-k)).collect();
+                further.extend(family.at(base, &scaled)?.map(|scene| (k, scene)));
+            }
+            found.push(Shrinkage { scenes, further });
         }
     }
     Ok(found)
 }
 
-impl Shrinkage<'_> {
+impl<'m> Shrinkage<'m> {
     /// Whether the difference of the sides falls as this power at least, in the last steps or on the whole.
     fn falls(&self, link: &Link, least: f64) -> bool {
         let at = |scene: &Scene<'_, Measured>| -> Option<f64> {
@@ -165,20 +214,9 @@ impl Shrinkage<'_> {
         let mut errors: Vec<f64> = Vec::new();
         let mut last = None;
         for scene in &self.scenes {
-            let (lhs, rhs) = pair(scene.now(&link.lhs, &[])?, scene.now(&link.rhs, &[])?);
-            let (mut error, mut noise) = (0.0_f64, 0.0_f64);
-            for (a, b) in lhs.into_iter().zip(rhs) {
-                let difference = (a.value - b.value).abs();
-                // Where too little is left of a number to tell, nothing is told.
-                if difference.is_nan() {
-                    return Ok((f64::NAN, None));
-                }
-                if difference >= error {
-                    last = Some(Failure { lhs: a.value, rhs: b.value, residual: difference, entry: None });
-                }
-                error = error.max(difference);
-                noise = noise.max(1e-12 * (a.magnitude + b.magnitude));
-            }
+            // Where too little is left of a number to tell, nothing is told.
+            let Some((error, noise, failure)) = error(link, scene)? else { return Ok((f64::NAN, None)) };
+            last = failure;
             if error <= noise {
                 break;
             }
@@ -190,4 +228,43 @@ impl Shrinkage<'_> {
         let tail = &errors[errors.len() - 3..];
         Ok(((tail[0] / tail[2]).log2() / 2.0, last))
     }
+
+    /// The same, or the power with which it falls further on, where that is less; and the last state that shows it.
+    fn power_further(&self, link: &Link) -> Result<(f64, Option<Shown<'_, 'm>>), Unavailable> {
+        let (mut slowest, failure) = self.power(link)?;
+        let Some(end) = self.scenes.last() else { return Ok((slowest, None)) };
+        let mut shown = failure.map(|failure| (end, failure));
+        let mut before = error(link, end)?.filter(|_| slowest.is_finite()).map(|(error, ..)| (*STEPS.end(), error));
+        for (k, scene) in &self.further {
+            let (Some((step, larger)), Some((error, noise, failure))) = (before, error(link, scene)?) else { break };
+            if error <= CLEAR * noise {
+                break;
+            }
+            let power = (larger / error).log2() / f64::from(k - step);
+            if power < slowest {
+                (slowest, shown) = (power, failure.map(|failure| (scene, failure)));
+            }
+            before = Some((*k, error));
+        }
+        Ok((slowest, shown))
+    }
+}
+
+/// The difference of the sides at a state, what rounding may make of it, and the entry where it is largest; nothing where
+/// too little is left of a number.
+fn error(link: &Link, scene: &Scene<'_, Measured>) -> Result<Option<(f64, f64, Option<Failure>)>, Unavailable> {
+    let (lhs, rhs) = pair(scene.now(&link.lhs, &[])?, scene.now(&link.rhs, &[])?);
+    let (mut error, mut noise, mut failure) = (0.0_f64, 0.0_f64, None);
+    for (a, b) in lhs.into_iter().zip(rhs) {
+        let difference = (a.value - b.value).abs();
+        if difference.is_nan() {
+            return Ok(None);
+        }
+        if difference >= error {
+            failure = Some(Failure { lhs: a.value, rhs: b.value, residual: difference, entry: None });
+        }
+        error = error.max(difference);
+        noise = noise.max(ROUNDING * (a.magnitude + b.magnitude));
+    }
+    Ok(Some((error, noise, failure)))
 }

@@ -142,6 +142,23 @@ fn a_limit_is_at_its_end_with_its_coefficient() {
 }
 
 #[test]
+fn what_is_left_over_in_a_limit_is_found_however_small() {
+    let limit = |latex: &str, end: &str| verdict(&numbers(), &[latex], json!({ "limit": end }));
+    for (right, wrong, end) in [
+        (r"\sqrt{1 + a} \approx 1", r"\sqrt{1 + a} \approx 1.0001", r"a \to 0"),
+        (r"\sqrt{1 + a} \approx 1", r"\sqrt{1 + a} \approx 1 + 10^{-6}", r"a \to 0"),
+        (r"\sin a \approx a", r"\sin a \approx (1 + 10^{-6}) a", r"a \to 0"),
+        (r"\frac{a + b}{a + c} \approx 1", r"\frac{a + b}{a + c} \approx 1.00001", r"a \to \infty"),
+        (r"\frac{b a^2 + c}{a^2} \approx b", r"\frac{b a^2 + c}{a^2} \approx b + 10^{-5}", r"a \to \infty"),
+        // Gone before the limit is near.
+        (r"\tanh a \approx 1 - 2 e^{-2a}", r"\tanh a \approx 1 - 3 e^{-2a}", r"a \to \infty"),
+    ] {
+        assert_eq!(limit(right, end), Verified, "{right}");
+        assert!(!limit(wrong, end).passes(), "{wrong}");
+    }
+}
+
+#[test]
 fn a_term_that_dies_in_the_limit_is_no_reason_for_doubt() {
     let limit = |latex: &str, end: &str| verdict(&numbers(), &[latex], json!({ "limit": end }));
     assert_eq!(limit(r"\sqrt{x^2 + a^2} \approx x", r"x \to \infty"), Verified);

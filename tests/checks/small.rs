@@ -35,6 +35,37 @@ fn small_alone_is_first_order() {
 }
 
 #[test]
+fn what_is_left_over_may_be_small_itself() {
+    let to_order =
+        |latex: &str, order: u32| verdict(&numbers_with("any"), &[latex], json!({ "small": "x", "order": order }));
+    for (right, wrong, order) in [
+        (r"\sin x \approx x", r"\sin x \approx 1.00001 x", 1),
+        (r"\cos x \approx 1", r"\cos x \approx 1 - 10^{-5} x", 1),
+        (r"\cos x \approx 1 - \frac{x^2}{2}", r"\cos x \approx 1 - \frac{x^2}{2.0001}", 2),
+        (r"a (1 - \cos x) \approx \frac12 a x^2", r"a (1 - \cos x) \approx 0.5005 a x^2", 2),
+    ] {
+        assert_eq!(to_order(right, order), Verified, "{right}");
+        assert!(!to_order(wrong, order).passes(), "{wrong}");
+    }
+}
+
+#[test]
+fn a_term_beyond_the_order_could_be_anything_inside_of_a_factor_too() {
+    let small = |latex: &str| verdict(&numbers_with("any"), &[latex], json!({ "small": "x" }));
+    for (right, wrong) in [
+        (r"\sin x \approx x", r"\sin x \approx x (1 + x)"),
+        (r"(1 + x)^2 \approx 1 + 2x", r"(1 + x)^2 \approx (1 + 2x)(1 + 3 x^2)"),
+        (r"(1 + x)^2 \approx a \frac{1 + 2x}{a}", r"(1 + x)^2 \approx \frac{1 + 2x}{1 + 3 x^2}"),
+        (r"\frac{1}{1 + x} \approx \sqrt{1 - 2x}", r"\frac{1}{1 + x} \approx \sqrt{1 - 2x + 7 x^2}"),
+    ] {
+        assert_eq!(small(right), Verified, "{right}");
+        assert_eq!(small(wrong), Undecided, "{wrong}");
+    }
+    // On the left the exact formula may stand.
+    assert_eq!(small(r"\sqrt{1 + a x + 7 x^2} \approx 1 + \frac12 a x"), Verified);
+}
+
+#[test]
 fn several_things_are_small_together() {
     let small = |latex: &str, which: Json| verdict(&numbers_with("any"), &[latex], json!({ "small": which }));
     assert_eq!(small(r"(a + x)(b + y) \approx ab + ay + bx", json!(["x", "y"])), Verified);

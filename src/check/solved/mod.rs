@@ -25,6 +25,7 @@ use super::any_body::{AnyBody, Generality};
 use super::base::{self, Slot};
 use super::draw::{Draw, Reach};
 use super::ensemble::Condition;
+use super::growth::Sums;
 use super::scene::Scene;
 use super::solver::{Row, Solver};
 
@@ -146,6 +147,17 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     /// Whether there was anything to solve.
     pub fn is_free(&self) -> bool {
         self.plan.is_empty()
+    }
+
+    /// Whether hypotheses that are sums over members are solved for numbers of these families, and the others for none of
+    /// other families.
+    pub fn moves(&self, sums: &Sums) -> bool {
+        let Solver { model, slots, .. } = self.solver;
+        let is_known = |at: &usize| slots[*at].symbol.is_some_and(|id| sums.families.contains(&id));
+        let is_single = |at: &usize| slots[*at].symbol.is_none_or(|id| model.symbols.entry(id).slots.is_empty());
+        let is_sum = |step: &Step| sums.conditions.contains(&step.rows[0].0);
+        let moves = |step: &Step| step.slots.iter().all(|at| is_known(at) || !is_sum(step) && is_single(at));
+        sums.conditions.is_empty() || self.plan.iter().all(moves)
     }
 
     /// The state at the point at hand.
