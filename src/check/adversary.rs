@@ -82,7 +82,7 @@ pub(super) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<
     let random: Vec<(f64, Vec<f64>)> = starts.drain(..own).collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
     let others = starts.into_iter().filter(|(margin, _)| *margin > CLOSED).take(STARTS - STARTS / 2);
-    let nearest: Vec<Vec<f64>> = random.iter().cloned().take(STARTS / 2).chain(others).map(|(_, base)| base).collect();
+    let nearest: Vec<Vec<f64>> = random.iter().take(STARTS / 2).cloned().chain(others).map(|(_, base)| base).collect();
     let random: Vec<Vec<f64>> = random.into_iter().map(|(_, base)| base).collect();
     // Inside of all hypotheses, and along the edge of each: no straight way leads along an edge that slants.
     let edges = context.conditions.iter().filter_map(|condition| along_the_edge(condition, context, ensemble));
