@@ -24,6 +24,9 @@ const STEPS: std::ops::RangeInclusive<i32> = 2..=8;
 /// The steps after these, as long as an error is left that is not small beside rounding: what is left over may be small.
 const FURTHER: [i32; 4] = [11, 14, 17, 20];
 
+/// Along so many of the states: what is left over shows at any.
+const FOLLOWED: usize = 4;
+
 /// The share of the sides that rounding may make, and so many times that is clear of it.
 const ROUNDING: f64 = 1e-12;
 const CLEAR: f64 = 10.0;
@@ -186,9 +189,9 @@ fn families<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bo
         }
         if scenes.len() == STEPS.count() {
             let mut further = Vec::new();
-            for k in FURTHER {
+            for k in FURTHER.iter().filter(|_| found.len() < FOLLOWED) {
                 let scaled: Vec<f64> = values.iter().map(|value| value * 2f64.powi(-k)).collect();
-                further.extend(family.at(base, &scaled)?.map(|scene| (k, scene)));
+                further.extend(family.at(base, &scaled)?.map(|scene| (*k, scene)));
             }
             found.push(Shrinkage { scenes, further });
         }
