@@ -27,6 +27,9 @@ use super::verdict::{Finding, Verdict};
 /// It goes downhill from so many states.
 const STARTS: usize = 4;
 
+/// And from so many along the edge of each hypothesis.
+const ALONG: usize = 2;
+
 /// With so many steps from each, and so many numbers that are moved.
 const STEPS: usize = 700;
 const MOVED: usize = 16;
@@ -83,7 +86,7 @@ pub(super) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
     let others = starts.into_iter().filter(|(margin, _)| *margin > CLOSED).take(STARTS - STARTS / 2);
     let nearest: Vec<Vec<f64>> = random.iter().take(STARTS / 2).cloned().chain(others).map(|(_, base)| base).collect();
-    let random: Vec<Vec<f64>> = random.into_iter().map(|(_, base)| base).collect();
+    let random: Vec<Vec<f64>> = random.into_iter().take(ALONG).map(|(_, base)| base).collect();
     // Inside of all hypotheses, and along the edge of each: no straight way leads along an edge that slants.
     let edges = context.conditions.iter().filter_map(|condition| along_the_edge(condition, context, ensemble));
     let places = std::iter::once((context.conditions.to_vec(), &nearest)).chain(edges.map(|edge| (edge, &random)));
@@ -92,7 +95,7 @@ pub(super) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<
             Solver::new(context.model, &Context { conditions: &conditions, ..*context }.setting(ensemble.mode));
         let draw = context.draw(ensemble.mode, "adversary");
         let mut search = Search { link, context, solver, draw, slots: Vec::new() };
-        let found = starts.iter().take(STARTS).find_map(|start| {
+        let found = starts.iter().find_map(|start| {
             let scene = search.worst_from(start.clone())?;
             match judge::test(link, &scene) {
                 Ok(Point::Fails(failure)) => Some((scene, failure)),
