@@ -60,6 +60,16 @@ impl Desk<'_> {
         Ok(Link { lhs, relation, rhs, free: shape::union(&a.free, &b.free) })
     }
 
+    /// What a statement takes for granted, link by link; of a = b = 0 each is said to be 0.
+    fn links(&self, statement: &Statement) -> Result<Vec<Link>> {
+        let (members, last) = (&statement.members, statement.members.len() - 1);
+        let ends_in_zero =
+            members[last].is_null() && statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+        let next = |at: usize| if ends_in_zero { last } else { at + 1 };
+        let links = statement.relations.iter().enumerate();
+        links.map(|(at, (relation, _))| self.link(&members[at], *relation, &members[next(at)])).collect()
+    }
+
     /// The hypotheses of a claim: its own and those of the whole file.
     pub fn conditions(&self, claim: &Claim) -> Result<Vec<Condition>> {
         let mut conditions = Vec::new();
@@ -189,14 +199,12 @@ impl Desk<'_> {
         };
         let mut conditions = Vec::new();
         for statement in &statements {
-            // Of a = b = 0 each is said to be 0.
-            let ends_in_zero = statement.members.last().is_some_and(Expr::is_null)
-                && statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-            for (at, (relation, _)) in statement.relations.iter().enumerate() {
-                let next = if ends_in_zero { statement.members.len() - 1 } else { at + 1 };
-                let link = self.link(&statement.members[at], *relation, &statement.members[next])?;
-                conditions.push(Condition::of(link, true));
+            if statement.relations.is_empty() {
+                let message = format!("“{}” is no law", what.value);
+                return Err(Error::at(&self.claims.source, what.span, message)
+                    .help("a law is an equation, by its number or as LaTeX; give each law a name of its own"));
             }
+            conditions.extend(self.links(statement)?.into_iter().map(|link| Condition::of(link, true)));
         }
         let printed = printed.unwrap_or_default();
         let units_off = !self.claims.units.is_empty()
@@ -263,14 +271,7 @@ impl Desk<'_> {
                 return Err(Error::at(&self.claims.source, latex.span, message)
                     .help("write a relation, \\dot\\theta = 0, or the name of one of the \"conditions\""));
             }
-            // Of a = b = 0 each is said to be 0.
-            let ends_in_zero = statement.members.last().is_some_and(Expr::is_null)
-                && statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-            for (at, (relation, _)) in statement.relations.iter().enumerate() {
-                let next = if ends_in_zero { statement.members.len() - 1 } else { at + 1 };
-                let link = self.link(&statement.members[at], *relation, &statement.members[next])?;
-                into.push(Condition::of(link, throughout));
-            }
+            into.extend(self.links(&statement)?.into_iter().map(|link| Condition::of(link, throughout)));
         }
         Ok(())
     }

@@ -22,6 +22,7 @@ use super::identity::Options;
 use super::model::Model;
 use super::progress::Progress;
 use super::reading;
+use super::repair::is_wrong;
 use super::sentences;
 use super::units;
 use super::verdict::{Document, Equation, Finding, Verdict};
@@ -74,20 +75,23 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             let found = desk.equation(at, desk.assigned[at]).or_else(|error| desk.excused(at, error))?;
             Ok(desk.without_lost_laws(found, None))
         };
-        let equation = |at: usize| match derivations.iter().flatten().any(|step| *step == at) {
-            // What a step is to be mended to depends on those before it.
-            true => judged(at),
-            false => desk.with_repairs(run, at, judged(at)?),
-        };
         let sentence = |(at, sentence)| {
             let found = sentences::check(&desk, at, sentence);
             let found = found.or_else(|error| desk.excused_sentence(at, sentence, error))?;
             Ok(desk.without_lost_laws(found, Some(sentence)))
         };
-        let equations: Result<Vec<Equation>> = work.par_iter().with_max_len(1).map(|at| told(equation(*at))).collect();
+        let equations: Result<Vec<Equation>> = work.par_iter().with_max_len(1).map(|at| told(judged(*at))).collect();
         let sentences: Result<Vec<Equation>> =
             sentences.par_iter().enumerate().with_max_len(1).map(|s| told(sentence(s))).collect();
-        let (equations, sentences) = (desk.with_steps(run, &derivations, (&work, equations?), judged)?, sentences?);
+        let (equations, sentences) = (equations?, sentences?);
+        let alone = equations.iter().filter(|equation| !equation.ok && is_wrong(equation)).count() == 1;
+        // What a step is to be mended to depends on those before it.
+        let mended = |(at, equation): (&usize, Equation)| match derivations.iter().flatten().any(|step| step == at) {
+            true => Ok(equation),
+            false => desk.with_repairs(run, *at, equation, alone),
+        };
+        let equations: Result<Vec<Equation>> = work.par_iter().zip(equations).with_max_len(1).map(mended).collect();
+        let equations = desk.with_steps(run, &derivations, (&work, equations?), judged)?;
         Ok(Document {
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),

@@ -501,12 +501,15 @@ impl Desk<'_> {
             parts.push(self.part(finding, reading));
         }
         if let Some(conserved) = &claim.conserved {
-            let what = match &conserved.value {
-                Conserved::Expression(latex) => self.formula(&Spanned::new(latex.clone(), conserved.span))?,
-                Conserved::This => printed.clone(),
+            // Of several statements each has something that is constant.
+            let all = match &conserved.value {
+                Conserved::Expression(latex) => vec![self.formula(&Spanned::new(latex.clone(), conserved.span))?],
+                Conserved::This => statements.iter().filter_map(|s| s.members.last().cloned()).collect(),
             };
-            let finding = identity::conserved(&what, &context)?;
-            parts.push(self.part(finding, format!("{} is constant", text::formula(&what, &self.model.symbols))));
+            for what in all {
+                let finding = identity::conserved(&what, &context)?;
+                parts.push(self.part(finding, format!("{} is constant", text::formula(&what, &self.model.symbols))));
+            }
         }
         if claim.generates.is_some() {
             let finding = generates::check(printed, &context)?;

@@ -24,15 +24,15 @@ use super::verdict::{Repair, Verdict};
 const DOCUMENTS: usize = 4;
 
 impl Desk<'_> {
-    /// The edits of what a wrong equation defines, or of a definition that it stands on, with which the whole document
-    /// passes.
+    /// The edits of what a wrong equation defines, or, if it is alone in being wrong, of a definition that it stands on,
+    /// with which the whole document passes.
     ///
     /// # Errors
     /// As for a check of the equation.
-    pub(super) fn repairs_of_definitions(&self, run: &Run<'_>, at: usize) -> Result<Vec<Repair>> {
+    pub(super) fn repairs_of_definitions(&self, run: &Run<'_>, at: usize, alone: bool) -> Result<Vec<Repair>> {
         let members = || self.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         let used = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
-        let others = (0..self.notes.equations.len()).filter(|other| *other != at);
+        let others = (0..self.notes.equations.len()).filter(|other| alone && *other != at);
         for other in std::iter::once(at).chain(others) {
             let display = &self.notes.equations[other];
             let (reading, none) = (&self.readings[other], Claim::default());

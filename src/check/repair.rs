@@ -71,11 +71,19 @@ impl Wrong<'_> {
 }
 
 impl Desk<'_> {
-    /// An equation with the edits that would make it pass, if it is refuted or cannot be read and ought not to be.
+    /// An equation with the edits that would make it pass, if it is refuted or cannot be read and ought not to be. One in
+    /// another display is looked for if the equation is alone in being wrong; else that is for
+    /// [`super::shared`] to find.
     ///
     /// # Errors
     /// As for a check of the equation.
-    pub(super) fn with_repairs(&self, run: &Run<'_>, at: usize, mut equation: Equation) -> Result<Equation> {
+    pub(super) fn with_repairs(
+        &self,
+        run: &Run<'_>,
+        at: usize,
+        mut equation: Equation,
+        alone: bool,
+    ) -> Result<Equation> {
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
         let is_known = claim.expect.is_some() || !claim.errata.is_empty();
@@ -91,7 +99,7 @@ impl Desk<'_> {
         if is_wrong(&equation) && is_judged {
             let contradicted = self.contradicts_definitions(at)?;
             if contradicted {
-                equation.repairs = self.repairs_of_definitions(run, at)?;
+                equation.repairs = self.repairs_of_definitions(run, at, alone)?;
             }
             if equation.repairs.is_empty() {
                 // Nothing is to be learnt from what is wrong, the units of its terms neither.
@@ -99,7 +107,7 @@ impl Desk<'_> {
                 equation.repairs = in_file(self, &wrong, display.body.start, found);
             }
             if equation.repairs.is_empty() && !contradicted {
-                equation.repairs = self.repairs_of_definitions(run, at)?;
+                equation.repairs = self.repairs_of_definitions(run, at, alone)?;
             }
             if !equation.repairs.is_empty() {
                 equation.parts.iter_mut().for_each(|part| part.finding.fit = None);
@@ -111,7 +119,7 @@ impl Desk<'_> {
 }
 
 /// Whether an equation says something false, or nothing that can be read.
-fn is_wrong(equation: &Equation) -> bool {
+pub(super) fn is_wrong(equation: &Equation) -> bool {
     let wrong = |verdict| matches!(verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
     wrong(equation.finding.verdict) || equation.parts.iter().any(|part| wrong(part.finding.verdict))
 }

@@ -165,7 +165,12 @@ impl Desk<'_> {
         file.replace_range(edit.span.shifted(self.notes.equations[at].body.start).range(), &edit.replacement);
         let notes: Notes = retyped(self.notes, file).ok()?;
         let is_alike = notes.equations.len() == self.notes.equations.len();
-        is_alike.then(|| with_desk(run, self.claims, &notes, |desk| Ok(judge(&desk))).ok())?
+        let introduced = |desk: &Desk<'_>| -> Vec<String> {
+            desk.readings[at].introduced.iter().map(|new| desk.model.name(new.symbol)).collect()
+        };
+        // A display that names other things says something else, however it is judged.
+        let judged = |desk: Desk<'_>| Ok((introduced(&desk) == introduced(self)).then(|| judge(&desk)));
+        is_alike.then(|| with_desk(run, self.claims, &notes, judged).ok())??
     }
 
     /// Those of these displays that pass, with their verdicts; none is looked at after two that do not.

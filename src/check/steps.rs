@@ -134,7 +134,7 @@ impl Desk<'_> {
         let is_step = |at: &usize| derivations.iter().any(|derivation| derivation.contains(at));
         let mended = work.par_iter().with_max_len(1).map(|at| match found.get(at).cloned() {
             Some(equation) if is_step(at) && equation.finding.follows_from.is_none() => {
-                self.with_repairs(run, *at, equation)
+                self.with_repairs(run, *at, equation, true)
             }
             Some(equation) => Ok(equation),
             None => judge(*at),
