@@ -4,6 +4,8 @@
 //! itself. Such an edit makes another model. It is held against the equations that use the name ([`super::pins`]), then
 //! against the display itself in the other model, and what is left is offered if the whole document passes with it.
 
+use rayon::prelude::*;
+
 use crate::Result;
 use crate::formula::{Expr, Node};
 use crate::latex::slips::{self, Edit, Pool};
@@ -22,6 +24,9 @@ use super::verdict::{Repair, Verdict};
 
 /// With so many edits the whole document is checked at most.
 const DOCUMENTS: usize = 4;
+
+/// So many of the likeliest that nothing notices are tried in the display itself.
+const TRIED: usize = 24;
 
 impl Desk<'_> {
     /// The edits of what a wrong equation defines, or, if it is alone in being wrong, of a definition that it stands on,
@@ -81,27 +86,25 @@ impl Desk<'_> {
         for pool in pools {
             let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
             edits.retain(|edit| is_real(self, wrong.text, edit, start) && !tried.contains(edit));
-            let mut candidates: Vec<Suggestion> = Vec::new();
+            let mut unnoticed: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
             for edit in &edits {
                 let text = edit.applied(wrong.text);
                 let formulas = trial.redefines(&text).or_else(|| self.defined_anew(wrong, &text));
                 let Some(formulas) = formulas else { continue };
                 let mut changed =
                     introduced.iter().zip(&formulas).zip(&pins).filter(|((was, is), _)| was.formula != **is).peekable();
-                if changed.peek().is_none() || changed.any(|((_, formula), holds)| holds.notice(formula)) {
-                    continue;
-                }
-                if self.passes_redefined(wrong, &text, &formulas) {
-                    let reading = wrong.reading.clone();
-                    candidates.push(Suggestion {
-                        edit: edit.clone(),
-                        reading,
-                        verdict: Verdict::Definition,
-                        step: false,
-                    });
+                if changed.peek().is_some() && !changed.any(|((_, formula), holds)| holds.notice(formula)) {
+                    unnoticed.push((edit, text, formulas));
                 }
             }
-            candidates.sort_by_key(|suggestion| likelihood(wrong.text, &suggestion.edit, suggestion.step));
+            unnoticed.sort_by_key(|(edit, ..)| likelihood(wrong.text, edit, false));
+            unnoticed.truncate(TRIED);
+            let passes = |(edit, text, formulas): (&Edit, String, Vec<Expr>)| {
+                let (edit, reading) = (edit.clone(), wrong.reading.clone());
+                let suggestion = || Suggestion { edit, reading, verdict: Verdict::Definition, step: false };
+                self.passes_redefined(wrong, &text, &formulas).then(suggestion)
+            };
+            let mut candidates: Vec<Suggestion> = unnoticed.into_par_iter().filter_map(passes).collect();
             candidates.truncate(DOCUMENTS);
             candidates.retain(|suggestion| self.document_passes(run, wrong.at, &suggestion.edit));
             candidates.truncate(OFFERED);

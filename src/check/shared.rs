@@ -26,6 +26,9 @@ use super::verdict::{Equation, Repair, Shared, Verdict};
 /// With so many edits of one display the whole document is checked at most.
 const DOCUMENTS: usize = 4;
 
+/// So many of the likeliest are tried, as each of them makes another document.
+const TRIED: usize = 160;
+
 /// Most edits mend nothing, which so many states show.
 const STATES: usize = 2;
 
@@ -119,6 +122,8 @@ impl Desk<'_> {
             let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
             edits.retain(|edit| is_real(self, &display.text, edit, display.body.start));
             edits.retain(|edit| !branches(&edit.replacement) || branches(&display.text));
+            edits.sort_by_key(|edit| likelihood(&display.text, edit, false));
+            edits.truncate(TRIED);
             likely = edits
                 .into_par_iter()
                 .filter_map(|edit| {
