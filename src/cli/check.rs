@@ -53,19 +53,16 @@ pub struct Arguments {
 pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     let colour = colours(&std::io::stderr());
     let (mut result, mut errors) = checked(arguments, registry);
-    while arguments.fix {
+    let mut again = arguments.fix;
+    while again {
+        again = false;
         match fix(&result, arguments.yes) {
-            Ok(Made::Nothing) => break,
+            Ok(Made::Nothing) => {}
             Ok(made) => {
                 (result, errors) = checked(arguments, registry);
-                if made == Made::All {
-                    break;
-                }
+                again = made == Made::Shared;
             }
-            Err(error) => {
-                errors.push(error);
-                break;
-            }
+            Err(error) => errors.push(error),
         }
     }
     let code = if errors.is_empty() { result.exit_code() } else { 2 };
