@@ -117,7 +117,7 @@ fn what_two_wrong_equations_stand_on_is_mended_and_not_they() {
         "laws": { "the rocket": "1" },
     });
     desk.write("notes.json", claims.to_string());
-    desk.write("notes.md", &notes(r"\dot m u +", "-"));
+    desk.write("notes.md", notes(r"\dot m u +", "-"));
     let run = desk.onshell(&["check", "notes.md"]);
     assert!(run.out.contains("In (1), on which (2), (3) and (4) stand"), "{}", run.out);
     assert!(run.out.contains("the edit of (1) that is shown at (2) mends this as well"), "{}", run.out);
@@ -125,7 +125,7 @@ fn what_two_wrong_equations_stand_on_is_mended_and_not_they() {
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
     assert_eq!(desk.read("notes.md"), notes(r"-\dot m u +", "-"));
     // The twin: one that holds speaks for the law.
-    desk.write("notes.md", &notes(r"\dot m u +", "+"));
+    desk.write("notes.md", notes(r"\dot m u +", "+"));
     let run = desk.onshell(&["check", "notes.md"]);
     assert!(run.code == 1 && !run.out.contains("In (1)"), "{}", run.out);
 }
