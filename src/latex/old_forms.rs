@@ -261,13 +261,13 @@ mod tests {
 
     #[test]
     fn nothing_is_lost_and_places_are_kept() {
-        let text = "\\boxed{{\\bf v} = {a \\over b}}";
+        let text = "\\boxed{{\\bf q} = {w \\over z}}";
         let place = |letter: char| {
             let kind = TokenKind::Letter(letter);
             renewed(tokens(text)).iter().find(|token| token.kind == kind).map(|token| token.span.start)
         };
-        for letter in ['v', 'a', 'b'] {
-            assert_eq!(place(letter), text.rfind(&format!("{letter}")), "{letter}");
+        for letter in ['q', 'w', 'z'] {
+            assert_eq!(place(letter), text.find(letter), "{letter}");
         }
         for broken in
             ["{a \\over b", "\\boxed", "\\boxed{", "\\stackrel{!}", "\\underbrace{x}_", "\\textcolor{red}", "\\bf"]
