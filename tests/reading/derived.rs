@@ -45,6 +45,21 @@ fn a_declared_vector_gives_its_norm_its_direction_and_its_components() {
 }
 
 #[test]
+fn a_length_is_not_crossed_with_a_vector() {
+    for (lost, place) in [
+        (r"r_i \times \vec v", "r_i"),
+        (r"\vec r_i \times m_i v", "v"),
+        (r"\vec r_i \times \dot r_i", r"\dot r_i"),
+        (r"M v \times \vec r_i", "v"),
+    ] {
+        assert_eq!(refused(lost), place, "{lost}");
+    }
+    for plain in [r"2 \times \vec v", r"M \times \vec v", r"r_i \times v", r"r_i \cdot \vec v", r"r_i \hat r_i \times \vec v"] {
+        assert!(!read(plain).is_empty(), "{plain}");
+    }
+}
+
+#[test]
 fn a_declared_name_comes_first() {
     let mut symbols = particles();
     add(&mut symbols, "r_i", Kind::Scalar);

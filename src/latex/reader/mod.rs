@@ -281,6 +281,14 @@ impl Reader<'_> {
             let is_vector = self.shape_of(&expr)? == Shape::Vector;
             parts.push((joint, expr, is_vector));
         }
+        let lost = parts.windows(2).find_map(|pair| match pair {
+            [(_, number, false), (Joint::Times, _, true)] | [(_, _, true), (Joint::Times, number, false)] => length(number),
+            _ => None,
+        });
+        if let Some(span) = lost {
+            return Err(Fault::new(span, "× stands between a length and a vector: is an arrow lost here?")
+                .help("write the vector with its arrow; a plain product is written without ×"));
+        }
         if parts.iter().filter(|(_, _, is_vector)| *is_vector).count() < 2 {
             return Ok(Expr::new(Node::Product(factors), whole));
         }
@@ -372,6 +380,16 @@ fn beside(mut factors: Vec<Expr>) -> Expr {
         _ => Span::default(),
     };
     Expr::new(Node::Product(factors), span)
+}
+
+/// Where the length of a vector, or a rate of it, is a factor of a number.
+fn length(number: &Expr) -> Option<Span> {
+    match &number.node {
+        Node::Product(factors) => factors.iter().find_map(length),
+        Node::TimeDerivative(_, inner) => length(inner).map(|_| number.span),
+        Node::Norm(_) => Some(number.span),
+        _ => None,
+    }
 }
 
 fn two_ways(span: Span, what: &str) -> Fault {
