@@ -195,7 +195,7 @@ impl Desk<'_> {
                 reach: Reach::Declared,
                 local: &local,
             };
-            if let Some(finding) = context.joined(&statement.members.iter().collect::<Vec<_>>()) {
+            if let Some(finding) = context.unclear(&statement.members.iter().collect::<Vec<_>>()) {
                 parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
                 continue;
             }

@@ -23,7 +23,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
     }
     let formulas = [&link.lhs, &link.rhs].into_iter().chain(conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]));
     let formulas: Vec<_> = formulas.collect();
-    if let Some(finding) = context.joined(&formulas) {
+    if let Some(finding) = context.unclear(&formulas) {
         return Ok(finding);
     }
     let mode = context.mode(context.on_shell.unwrap_or(context.model.has_motion()), &formulas);

@@ -107,19 +107,6 @@ impl<'a> Context<'a> {
         Finding::new(verdict, self.span, message)
     }
 
-    /// The finding that a formula, or a hypothesis, names a family that is joined of several in this claim: which of them
-    /// is meant is not clear. What is defined by sums over it is.
-    pub fn joined(&self, formulas: &[&Expr]) -> Option<Finding> {
-        let hypotheses = self.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
-        let all: Vec<&Expr> = formulas.iter().copied().chain(hypotheses).collect();
-        let is_named = |id: SymbolId| all.iter().any(|side| side.symbols().iter().any(|(known, _)| *known == id));
-        let unions = self.local.iter().filter(|rule| matches!(rule.action, Action::Union(_)));
-        let rule = unions.into_iter().find(|rule| is_named(rule.symbol))?;
-        let name = text::plain(&self.model.name(rule.symbol));
-        let message = format!("{name} is joined of several families here, so which of them is printed is not clear");
-        Some(self.finding(Verdict::Unreadable, message))
-    }
-
     /// The finding that this claim holds, by numbers alone: a field has no word for what it is about.
     pub fn verified(&self, message: impl Into<String>, about: &str) -> Finding {
         Finding { not_certified_because: Some(about.to_owned()), ..self.finding(Verdict::Verified, message) }
@@ -383,7 +370,7 @@ fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     if is_equality(link.relation) && opened(&link.lhs) == opened(&link.rhs) {
         return Some(context.finding(Verdict::Definition, "true by definition: the claims file defines it so"));
     }
-    if let Some(finding) = context.joined(&[&link.lhs, &link.rhs]) {
+    if let Some(finding) = context.unclear(&[&link.lhs, &link.rhs]) {
         return Some(finding);
     }
     for rule in context.local {
@@ -596,7 +583,7 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if !context.model.has_motion() {
         return Ok(context.finding(Verdict::Undecided, "nothing says how it moves: name a \"system\" or \"laws\""));
     }
-    if let Some(finding) = context.joined(&[expr]) {
+    if let Some(finding) = context.unclear(&[expr]) {
         return Ok(finding);
     }
     // Constant is said of all times; a hypothesis about an instant would make of any turning point a constant.

@@ -71,6 +71,7 @@ mod terms;
 mod together;
 mod trial;
 pub mod twins;
+mod unclear;
 pub mod units;
 pub mod verdict;
 mod whole;

@@ -184,7 +184,7 @@ fn test(desk: &Desk<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(
         Test::Of(of, property) => {
             let function = function(desk, of)?;
             let words = text::formula(&function, symbols);
-            if let Some(finding) = context.joined(&[&function]) {
+            if let Some(finding) = context.unclear(&[&function]) {
                 return Ok((finding, words));
             }
             let mut findings = Vec::new();
@@ -250,7 +250,7 @@ fn claim(desk: &Desk<'_>, sentence: &Sentence, statements: &[Statement], context
         return Ok(context.finding(Verdict::Unreadable, message));
     }
     let members: Vec<&Expr> = statements.iter().flat_map(|statement| &statement.members).collect();
-    if let Some(finding) = context.joined(&members) {
+    if let Some(finding) = context.unclear(&members) {
         return Ok(finding);
     }
     let mut findings = Vec::new();

@@ -188,3 +188,22 @@ fn bodies_that_are_none_are_refused() {
         assert!(found.starts_with("claims.json:"), "{body}: {found}");
     }
 }
+
+#[test]
+fn how_the_matter_moves_at_a_place_is_not_known() {
+    let mut ball =
+        with(&solid(json!([{ "ball": "R" }])), "define", json!({ "z": r"\vec r \cdot \hat z", "u": r"\dot z" }));
+    ball = with(&ball, "varies with time", json!({ r"\omega": "any" }));
+    let about_the_axis = |height: &str| format!(r"(|\vec r|^2 - {height})");
+    assert_eq!(of(&ball, &mean(&about_the_axis("z^2")), r"\frac25 R^2"), Verified);
+    for moving in [r"\dot z^2", r"\dot{\vec r}^2", "u^2", r"\frac{dz}{dt}"] {
+        assert_eq!(of(&ball, &mean(&about_the_axis(moving)), r"\frac35 R^2"), Unreadable, "{moving}");
+    }
+    // What does not depend on the place may move, and so may the whole.
+    let turning = mean(r"\dot\omega |\vec r \times \hat z|^2");
+    assert_eq!(of(&ball, &turning, r"\frac25 R^2 \dot\omega"), Verified);
+    assert_eq!(of(&ball, &turning, r"\frac35 R^2 \dot\omega"), Refuted);
+    let energy = format!(r"\frac{{d}}{{dt}} ({})", mean(r"\omega^2 |\vec r \times \hat z|^2"));
+    assert_eq!(of(&ball, &energy, r"\frac45 R^2 \omega \dot\omega"), Verified);
+    assert_eq!(of(&ball, &energy, r"\frac25 R^2 \omega \dot\omega"), Refuted);
+}

@@ -54,7 +54,9 @@ fn a_length_is_not_crossed_with_a_vector() {
     ] {
         assert_eq!(refused(lost), place, "{lost}");
     }
-    for plain in [r"2 \times \vec v", r"M \times \vec v", r"r_i \times v", r"r_i \cdot \vec v", r"r_i \hat r_i \times \vec v"] {
+    for plain in
+        [r"2 \times \vec v", r"M \times \vec v", r"r_i \times v", r"r_i \cdot \vec v", r"r_i \hat r_i \times \vec v"]
+    {
         assert!(!read(plain).is_empty(), "{plain}");
     }
 }

@@ -282,7 +282,9 @@ impl Reader<'_> {
             parts.push((joint, expr, is_vector));
         }
         let lost = parts.windows(2).find_map(|pair| match pair {
-            [(_, number, false), (Joint::Times, _, true)] | [(_, _, true), (Joint::Times, number, false)] => length(number),
+            [(_, number, false), (Joint::Times, _, true)] | [(_, _, true), (Joint::Times, number, false)] => {
+                length(number)
+            }
             _ => None,
         });
         if let Some(span) = lost {
