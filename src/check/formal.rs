@@ -4,7 +4,7 @@
 //! So x·y + y·x is 2xy, |−r|² is r², and Σ_ab I_ba ω_a ω_b is Σ_ab I_ab ω_a ω_b; that I is symmetric is not known here.
 //! What holds so holds for every meaning, and needs no state of any system.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 
 use nalgebra::{DMatrix, Vector3};
@@ -51,22 +51,47 @@ pub(super) fn is_identity(a: &Expr, b: &Expr, model: &Model) -> bool {
 
 /// Whether two formulas agree in numbers of which nothing is known but that some are the values of formulas.
 pub(super) fn is_identity_where(a: &Expr, b: &Expr, rules: &[Rule], model: &Model) -> bool {
+    is_one_of_multiples(a, b, &[(1, 1)], rules, model)
+}
+
+/// Whether one formula is another, or twice it, or half of it, or the opposite of one of these.
+pub(super) fn is_multiple(a: &Expr, b: &Expr, model: &Model) -> bool {
+    is_one_of_multiples(a, b, &[(1, 1), (1, -1), (1, 2), (1, -2), (2, 1), (2, -1)], &[], model)
+}
+
+/// Whether n times one formula is m times another, for one of these n and m.
+fn is_one_of_multiples(a: &Expr, b: &Expr, multiples: &[(i64, i64)], rules: &[Rule], model: &Model) -> bool {
     let mut free: Vec<IndexId> = Vec::new();
+    let mut shapes = Vec::new();
     for side in [a, b] {
         let Ok((_, found)) = crate::formula::shape::bind(side.clone(), &model.symbols) else { return false };
         free = crate::formula::shape::union(&free, &found.free);
+        shapes.push(found.shape);
     }
-    let (mut log2, mut finest) = (0.0, 1);
+    // A scalar zero may stand for a vector's.
+    if shapes[0] != shapes[1] && !a.is_null() && !b.is_null() {
+        return false;
+    }
+    // Of several the one that holds at the first point is meant: that it does so by accident has as many ways.
+    let (mut log2, mut finest) = ((multiples.len() as f64).log2(), 1);
+    let mut multiples = multiples.to_vec();
     for seed in 1..=POINTS {
+        let holding = Cell::new(multiples[0]);
         let differences = || {
             let drawn = Drawn::<Large> { model, rules, values: RefCell::default(), opened: RefCell::default() };
-            drawn.differences(a, b, &free).map_err(|_| "a symbol without a value".to_owned())
+            let pairs = drawn.pairs(a, b, &free).map_err(|_| "a symbol without a value".to_owned())?;
+            let times = |n: i64, x: &Modular<Large>| *x * n as f64;
+            let vanish = |(n, m): &&(i64, i64)| pairs.iter().all(|(a, b)| (times(*n, a) - times(*m, b)).vanishes());
+            let (n, m) = multiples.iter().find(vanish).copied().unwrap_or(multiples[0]);
+            holding.set((n, m));
+            Ok(pairs.iter().map(|(a, b)| times(n, a) - times(m, b)).collect())
         };
         let most_bits = Modular::<Large>::most_bits();
         match at_one_point(&differences, true, seed << 32, &mut finest, most_bits) {
             Certificate::Identity(bound) => log2 += bound,
             _ => return false,
         }
+        multiples = vec![holding.get()];
     }
     log2 <= certify::FALSE_ACCEPT_LOG2
 }
@@ -85,14 +110,15 @@ struct Drawn<'s, F: Modulus> {
 }
 
 impl<F: Modulus> Drawn<'_, F> {
-    fn differences(&self, a: &Expr, b: &Expr, free: &[IndexId]) -> Result<Vec<Modular<F>>, Unavailable> {
+    /// The numbers of two formulas, side by side.
+    fn pairs(&self, a: &Expr, b: &Expr, free: &[IndexId]) -> Result<Vec<(Modular<F>, Modular<F>)>, Unavailable> {
         let mut indices: Vec<(IndexId, u8)> = free.iter().map(|id| (*id, 1)).collect();
         let mut all = Vec::new();
         loop {
             let (a, b) = (evaluate_to(1, a, self, &indices)?, evaluate_to(1, b, self, &indices)?);
             let value = |value: Value<Series<Modular<F>>>| value.each(Series::value);
             let (a, b) = judge::pair(value(a), value(b));
-            all.extend(a.into_iter().zip(b).map(|(a, b)| a - b));
+            all.extend(a.into_iter().zip(b));
             let mut carried = true;
             for (id, value) in &mut indices {
                 *value += 1;

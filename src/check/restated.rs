@@ -63,17 +63,8 @@ fn is_rate(link: &Link, defines: &Link, model: &Model) -> bool {
         });
         let of = defines.lhs.clone().minus(defines.rhs.clone());
         let value = Expr::new(Node::TimeDerivative(order, Box::new(of)), link.lhs.span);
-        let times = |factor: u32, of: &Expr| {
-            Expr::new(Node::Product(vec![Expr::integer(factor, of.span), of.clone()]), of.span)
-        };
-        let is_multiple = |factor: u32| {
-            [value.clone(), value.clone().negated()].iter().any(|value| {
-                formal::is_identity(&times(factor, &difference), value, model)
-                    || formal::is_identity(&difference, &times(factor, value), model)
-            })
-        };
         rate.as_ref().is_some_and(|rate| same_monomials(link, rate) || same_terms(link, rate))
-            || (1..=2).any(is_multiple)
+            || formal::is_multiple(&difference, &value, model)
     })
 }
 
