@@ -10,10 +10,11 @@ use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, Value};
 use crate::scalar::Measured;
 
-use super::ensemble::Setting;
+use super::ensemble::Ensemble;
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{Failure, Link, pair};
-use super::scene::Scene;
+use super::model::Model;
+use super::scene::{Mode, Scene};
 use super::solver::Family;
 use super::twins::twins;
 use super::verdict::{Finding, Verdict};
@@ -27,6 +28,9 @@ const FURTHER: [i32; 4] = [11, 14, 17, 20];
 /// Along so many of the states: what is left over shows at any.
 const FOLLOWED: usize = 4;
 
+/// Most slips are seen along so many.
+const SCREENED: usize = 3;
+
 /// The share of the sides that rounding may make, and so many times that is clear of it.
 const ROUNDING: f64 = 1e-12;
 const CLEAR: f64 = 10.0;
@@ -35,7 +39,7 @@ const CLEAR: f64 = 10.0;
 const SLACK: f64 = 0.25;
 
 /// States along which some quantities become small.
-struct Shrinkage<'m> {
+pub(super) struct Shrinkage<'m> {
     scenes: Vec<Scene<'m, Measured>>,
     /// Where they are smaller still, and at which step.
     further: Vec<(i32, Scene<'m, Measured>)>,
@@ -44,6 +48,29 @@ struct Shrinkage<'m> {
 /// A state, and what fails there.
 type Shown<'s, 'm> = (&'s Scene<'m, Measured>, Failure);
 
+/// A few families of states for claims about what stands in some formulas, and in others like them.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub(super) fn screen<'m>(
+    model: &'m Model,
+    mode: Mode,
+    small: &[Expr],
+    context: &Context<'_>,
+) -> Result<Vec<Shrinkage<'m>>> {
+    families(model, (mode, SCREENED, 0), small, context)
+}
+
+/// Whether a claim to an order fails along one of these families for certain.
+pub(super) fn is_missed(link: &Link, order: u32, families: &[Shrinkage<'_>]) -> bool {
+    families.iter().any(|family| family.power(link).is_ok_and(|(power, _)| power < missed(order)))
+}
+
+/// Below this power an order is missed for certain, and not by what rounding makes of the measurement.
+fn missed(order: u32) -> f64 {
+    f64::from(order) + SLACK
+}
+
 /// Checks a claim to an order in some small quantities: always, else on shell.
 ///
 /// # Errors
@@ -51,9 +78,8 @@ type Shown<'s, 'm> = (&'s Scene<'m, Measured>, Failure);
 pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Result<Finding> {
     let on_shell = context.on_shell.unwrap_or(context.model.has_motion());
     let wanted = f64::from(order + 1) - SLACK;
-    // Below this the order is missed for certain, and not by what rounding makes of the measurement.
-    let missed = f64::from(order) + SLACK;
-    let families = families(link, small, context, on_shell)?;
+    let missed = missed(order);
+    let families = drawn(link, small, context, on_shell)?;
     if families.len() < FEWEST.min(context.options.points) {
         let message = format!("only {} states have small quantities that can be scaled", families.len());
         return Ok(context.finding(Verdict::Undecided, message));
@@ -96,7 +122,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         format!("“{words}” is smaller than the order that is claimed, and so could be anything")
     };
     // Off shell nothing makes a term small but what it is made of. One beyond the order could be anything.
-    let free = self::families(link, small, context, false)?;
+    let free = drawn(link, small, context, false)?;
     for term in terms(link) {
         let alone = Link { lhs: term.clone(), rhs: Expr::integer(0, term.span), ..link.clone() };
         if !free.is_empty() && all_reach(&alone, &free, wanted) {
@@ -113,7 +139,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         twins(link, context.model).into_iter().filter(|twin| all_reach(&twin.link, &families, wanted)).collect();
     if !survivors.is_empty() {
         let wide = Context { reach: super::draw::Reach::Beyond, ..*context };
-        let mut wide = self::families(link, small, &wide, on_shell)?;
+        let mut wide = drawn(link, small, &wide, on_shell)?;
         // Far out not every state has a family: those at which the claim itself can be seen to hold count.
         wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
         // Far out rounding may drown the last steps: what falls on the whole falls.
@@ -169,12 +195,22 @@ fn omissions(expr: &Expr) -> Vec<(Expr, Expr)> {
     found
 }
 
-/// Families of states, from states of the claim.
-fn families<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bool) -> Result<Vec<Shrinkage<'m>>> {
+/// Families of states for a claim.
+fn drawn<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bool) -> Result<Vec<Shrinkage<'m>>> {
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
-    let ensemble = context.ensemble(mode, false, context.options.points.min(2 * FEWEST))?;
-    let setting = Setting { conditions: context.conditions, local: context.local, mode, reach: context.reach };
-    let mut family = Family::new(context.model, &setting, small);
+    families(context.model, (mode, context.options.points.min(2 * FEWEST), FOLLOWED), small, context)
+}
+
+/// Families of states, from so many states of the claim; so many of them are followed further.
+fn families<'m>(
+    model: &'m Model,
+    (mode, points, followed): (Mode, usize, usize),
+    small: &[Expr],
+    context: &Context<'_>,
+) -> Result<Vec<Shrinkage<'m>>> {
+    let setting = context.setting(mode);
+    let ensemble = Ensemble::draw(model, &setting, points, &mut context.draw(mode, ""))?;
+    let mut family = Family::new(model, &setting, small);
     let mut found = Vec::new();
     for (scene, base) in ensemble.scenes.iter().zip(&ensemble.bases) {
         let value = |expr: &Expr| match scene.now(expr, &[]) {
@@ -189,7 +225,7 @@ fn families<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bo
         }
         if scenes.len() == STEPS.count() {
             let mut further = Vec::new();
-            for k in FURTHER.iter().filter(|_| found.len() < FOLLOWED) {
+            for k in FURTHER.iter().filter(|_| found.len() < followed) {
                 let scaled: Vec<f64> = values.iter().map(|value| value * 2f64.powi(-k)).collect();
                 further.extend(family.at(base, &scaled)?.map(|scene| (*k, scene)));
             }

@@ -22,6 +22,7 @@ use super::judge::{self, Link, Point};
 use super::model::Meaning;
 use super::reading::for_each;
 use super::rules::Rule;
+use super::small::{self, Shrinkage};
 use super::solved::is_never_zero;
 use super::verdict::{Part, Verdict};
 use super::{formal, reprint, restated};
@@ -57,6 +58,8 @@ pub(super) struct Trial<'d, 'a> {
     local: Vec<Rule>,
     /// States for each statement; none where what is claimed is more than an equation.
     screens: Vec<Option<Ensemble<'d>>>,
+    /// Families of states for each statement of which something is claimed while some quantities are small.
+    shrinking: Vec<Vec<Shrinkage<'d>>>,
     /// The one step of a chain that is looked at, by its statement and the member it leads to.
     step: Option<(usize, usize)>,
 }
@@ -84,6 +87,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             conditions,
             local,
             screens: Vec::new(),
+            shrinking: Vec::new(),
             step: None,
         };
         if is_screened(claim) {
@@ -94,6 +98,9 @@ impl<'d, 'a> Trial<'d, 'a> {
                     trial.screen(n, &members)
                 })
                 .collect();
+        }
+        if !claim.small.is_empty() {
+            trial.shrinking = (0..now.statements.len()).map(|n| trial.shrinking(n)).collect();
         }
         Ok(trial)
     }
@@ -113,6 +120,22 @@ impl<'d, 'a> Trial<'d, 'a> {
         mode.order = (mode.order + 1).clamp(3, TERMS - 1);
         let drawn = Ensemble::draw(self.desk.model, &context.setting(mode), STATES, &mut context.draw(mode, "trial"));
         drawn.ok().filter(|ensemble| !ensemble.scenes.is_empty())
+    }
+
+    /// Families of states for what a statement says while some quantities are small.
+    fn shrinking(&self, statement: usize) -> Vec<Shrinkage<'d>> {
+        let (desk, topic) = (self.desk, format!("{} trial {statement}", self.topic));
+        let context = self.context(&topic);
+        let is_approximate = |relation: Relation| relation == Relation::Approximately;
+        let links: Vec<Link> = links(desk, (self.now, statement), self.claim, is_approximate).collect();
+        let sides: Vec<&Expr> = links.iter().flat_map(|link| [&link.lhs, &link.rhs]).collect();
+        let on_shell = self.claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
+        let mut mode = context.mode(on_shell.unwrap_or(desk.model.has_motion()), &sides);
+        // A slip may need one derivative more.
+        mode.order = (mode.order + 1).min(TERMS - 1);
+        let small: Result<Vec<Expr>> = self.claim.small.iter().map(|latex| desk.formula(latex)).collect();
+        let families = small.and_then(|small| small::screen(desk.model, mode, &small, &context));
+        families.ok().filter(|_| !links.is_empty()).unwrap_or_default()
     }
 
     /// What is said of a text in the place of the display.
@@ -318,8 +341,17 @@ impl<'d, 'a> Trial<'d, 'a> {
         }
     }
 
-    /// Whether one of the few states refutes a reading.
+    /// Whether one of the few states refutes a reading, or one of the few families.
     fn fails(&self, reading: &Reading) -> bool {
+        let order = self.claim.order.as_ref().map_or(1, |order| order.value);
+        let is_approximate = |relation: Relation| relation == Relation::Approximately;
+        let is_missed = |(n, families): (usize, &Vec<Shrinkage<'_>>)| {
+            links(self.desk, (reading, n), self.claim, is_approximate)
+                .any(|link| small::is_missed(&link, order, families))
+        };
+        if reading.statements.len() == self.shrinking.len() && self.shrinking.iter().enumerate().any(is_missed) {
+            return true;
+        }
         if reading.statements.len() != self.screens.len() {
             return false;
         }
@@ -337,6 +369,17 @@ pub(super) fn tested<'r>(
     (reading, n): (&'r Reading, usize),
     claim: &'r Claim,
 ) -> impl Iterator<Item = Link> + 'r {
+    links(desk, (reading, n), claim, is_tested)
+}
+
+/// The links of a statement with a relation that is wanted, but for those that define something, and those that are
+/// claimed of a limit or of what is dropped.
+fn links<'r>(
+    desk: &'r Desk<'_>,
+    (reading, n): (&'r Reading, usize),
+    claim: &'r Claim,
+    wanted: impl Fn(Relation) -> bool + 'r,
+) -> impl Iterator<Item = Link> + 'r {
     let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|new| new.statement == n).collect();
     let defines = move |at: usize| introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0);
     reading.statements[n].iter().flat_map(move |statement| {
@@ -344,7 +387,7 @@ pub(super) fn tested<'r>(
         let solves = |at: usize| at == 0 && desk.is_unknown_of(&statement.members[0], claim).unwrap_or(true);
         let drops = |at: usize| at + 1 == count && claim.dropping.is_some();
         let link = |at: usize| desk.link(&statement.members[at], statement.relations[at].0, &statement.members[at + 1]);
-        let checked = (0..count).filter(|at| is_tested(statement.relations[*at].0) && !defines(*at));
+        let checked = (0..count).filter(|at| wanted(statement.relations[*at].0) && !defines(*at));
         checked.filter(|at| !solves(*at) && !drops(*at)).filter_map(|at| link(at).ok()).collect::<Vec<_>>()
     })
 }
