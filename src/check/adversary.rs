@@ -254,7 +254,7 @@ impl<'m> Search<'_, 'm> {
     /// The numbers on which the margin depends, but for those that hypotheses are solved for.
     fn that_matter(&mut self, base: &[f64], margin: Margin) -> Vec<usize> {
         let mut found = Vec::new();
-        let planned: Vec<usize> = self.solver.plan.iter().map(|(_, slot)| *slot).collect();
+        let planned: Vec<usize> = self.solver.progress.plan.iter().map(|(_, slot)| *slot).collect();
         for at in (1..base.len()).filter(|at| !planned.contains(at)) {
             if found.len() == MOVED || matches!(self.solver.slots[at].range, Range::Integer { .. }) {
                 continue;

@@ -13,6 +13,7 @@ use crate::{Error, Result};
 
 use super::base::Slot;
 use super::draw::{Draw, Reach, contains};
+use super::drawn::{Found, Wanted};
 use super::judge::Link;
 use super::model::Model;
 use super::rules::Rule;
@@ -23,7 +24,7 @@ use super::solver::Solver;
 const USUAL: usize = 128;
 
 /// A hypothesis of a claim.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
     /// Its left side.
     pub lhs: Expr,
@@ -84,7 +85,7 @@ impl<'m> Ensemble<'m> {
         let mut solver = Solver::new(model, setting);
         let (mut scenes, mut bases, mut tried) = (Vec::with_capacity(points.min(USUAL)), Vec::new(), 0);
         let mut failure: Option<Error> = None;
-        while scenes.len() < points && tried < 4 * points + 32 && !solver.hopeless {
+        while scenes.len() < points && tried < 4 * points + 32 && !solver.progress.hopeless {
             tried += 1;
             let base = draw.base(&solver.slots, setting.reach);
             match solver.state(base) {
@@ -104,6 +105,34 @@ impl<'m> Ensemble<'m> {
 }
 
 impl<'m> Ensemble<'m> {
+    /// The states that [`Ensemble::draw`] gives for a stream of this name. Where they have to be moved onto hypotheses,
+    /// those that were found before are taken again.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn named(model: &'m Model, setting: &Setting<'_>, points: usize, seed: u64, name: &str) -> Result<Self> {
+        let mut solver = Solver::new(model, setting);
+        let mut draw = Draw::new(seed, name);
+        // What symbols mean in one claim only is not compared.
+        if solver.equalities().next().is_none() || !setting.local.is_empty() {
+            return Self::draw(model, setting, points, &mut draw);
+        }
+        let Setting { mode, reach, .. } = *setting;
+        let stream = (seed, name.to_owned());
+        let wanted = Wanted { stream, mode, reach, points, conditions: setting.conditions.to_vec() };
+        let Some(found) = model.drawn.find(&wanted) else {
+            let ensemble = Self::draw(model, setting, points, &mut draw)?;
+            let Ensemble { bases, tried, solver, .. } = &ensemble;
+            let found = Found { bases: bases.clone(), tried: *tried, progress: solver.progress.clone() };
+            model.drawn.keep(wanted, found);
+            return Ok(ensemble);
+        };
+        solver.progress = found.progress.clone();
+        let scenes = found.bases.iter().map(|base| solver.measured(base)).collect::<Result<_>>()?;
+        let (bases, tried) = (found.bases.clone(), found.tried);
+        Ok(Ensemble { scenes, bases, tried, mode, rules: solver.rules.clone(), solver })
+    }
+
     /// States at special places: each number of the base in turn far larger and far smaller than the rest, zero, of the
     /// other sign, at the ends of its range, equal and opposite to another; and at rest.
     ///
@@ -130,7 +159,7 @@ impl<'m> Ensemble<'m> {
         for place in places {
             // Hypotheses may exclude a state that is drawn, and not the place.
             for _ in 0..8 {
-                if solver.hopeless {
+                if solver.progress.hopeless {
                     break;
                 }
                 tried += 1;

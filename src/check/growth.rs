@@ -156,7 +156,7 @@ impl<'a> Growing<'a> {
             }
         }
         if !sums.is_empty() {
-            let symbols = solver.plan.iter().filter_map(|(_, slot)| solver.slots[*slot].symbol);
+            let symbols = solver.progress.plan.iter().filter_map(|(_, slot)| solver.slots[*slot].symbol);
             self.solved = symbols.filter(|id| self.is_counted(*id)).collect();
             for (_, Condition { lhs, rhs, throughout, .. }) in solver.equalities() {
                 self.zeros.extend(

@@ -85,8 +85,21 @@ impl<'a> Context<'a> {
     /// When the mass matrix is singular at all of them.
     pub fn ensemble(&self, mode: Mode, relaxed: bool, points: usize) -> Result<Ensemble<'a>> {
         let reach = if relaxed { Reach::Beyond } else { self.reach };
-        let setting = Setting { reach, ..self.setting(mode) };
-        Ensemble::draw(self.model, &setting, points, &mut self.draw(mode, if relaxed { "beyond" } else { "" }))
+        Context { reach, ..*self }.ensemble_of(self.model, mode, points, if relaxed { "beyond" } else { "" })
+    }
+
+    /// States of the claim as a model has it, from a stream of their own.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at all of them.
+    pub(super) fn ensemble_of<'m>(
+        &self,
+        model: &'m Model,
+        mode: Mode,
+        points: usize,
+        what: &str,
+    ) -> Result<Ensemble<'m>> {
+        Ensemble::named(model, &self.setting(mode), points, self.options.seed, &self.stream(mode, what))
     }
 
     /// States of the claim at special places.
@@ -99,7 +112,12 @@ impl<'a> Context<'a> {
 
     /// The random numbers of its states.
     pub(super) fn draw(&self, mode: Mode, what: &str) -> Draw {
-        Draw::new(self.options.seed, &format!("{}/{}/{what}", self.topic, mode.on_shell))
+        Draw::new(self.options.seed, &self.stream(mode, what))
+    }
+
+    /// The name of their stream.
+    fn stream(&self, mode: Mode, what: &str) -> String {
+        format!("{}/{}/{what}", self.topic, mode.on_shell)
     }
 
     /// A finding about this claim.

@@ -21,6 +21,7 @@ mod desk;
 mod difference;
 pub mod document;
 pub mod draw;
+pub mod drawn;
 mod edges;
 pub mod ensemble;
 mod equation;

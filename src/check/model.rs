@@ -16,6 +16,7 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 use super::builder;
+use super::drawn::Drawn;
 use super::ensemble::Condition;
 
 /// What gives a symbol its value.
@@ -231,6 +232,8 @@ pub struct Model {
     pub lost_laws: Vec<Lost>,
     /// What was inferred, for the reader of the report.
     pub inferred: Vec<String>,
+    /// States that were found before.
+    pub drawn: Drawn,
 }
 
 impl Model {
@@ -253,6 +256,7 @@ impl Model {
             lost: Vec::new(),
             lost_laws: Vec::new(),
             inferred: Vec::new(),
+            drawn: Drawn::default(),
         }
     }
 

@@ -240,6 +240,6 @@ impl Premise {
             let values: Vec<f64> = ensemble.bases.iter().map(|base| base[*slot]).collect();
             *derivative > 0 || values.iter().enumerate().all(|(n, a)| values[..n].iter().all(|b| apart(*a, *b)))
         };
-        Ok(solver.plan.iter().filter(|(row, _)| row.0 >= first).all(|row| is_free(row) && varies(row)))
+        Ok(solver.progress.plan.iter().filter(|(row, _)| row.0 >= first).all(|row| is_free(row) && varies(row)))
     }
 }

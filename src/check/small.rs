@@ -10,7 +10,6 @@ use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, Value};
 use crate::scalar::Measured;
 
-use super::ensemble::Ensemble;
 use super::identity::{Context, FEWEST, counterexample};
 use super::judge::{Failure, Link, pair};
 use super::model::Model;
@@ -209,7 +208,7 @@ fn families<'m>(
     context: &Context<'_>,
 ) -> Result<Vec<Shrinkage<'m>>> {
     let setting = context.setting(mode);
-    let ensemble = Ensemble::draw(model, &setting, points, &mut context.draw(mode, ""))?;
+    let ensemble = context.ensemble_of(model, mode, points, "")?;
     let mut family = Family::new(model, &setting, small);
     let mut found = Vec::new();
     for (scene, base) in ensemble.scenes.iter().zip(&ensemble.bases) {

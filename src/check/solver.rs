@@ -45,6 +45,15 @@ pub struct Solver<'m> {
     pub(super) rules: Arc<[Rule]>,
     /// What a base consists of.
     pub(super) slots: Vec<Slot>,
+    pub(super) progress: Progress,
+    /// How many derivatives the hypotheses need that are solved.
+    terms: usize,
+    layout: Arc<Layout>,
+}
+
+/// What a solver has learnt from the states that it has moved.
+#[derive(Clone, Default)]
+pub struct Progress {
     /// Which row is solved for which slot; found at the first state that works.
     pub(super) plan: Vec<(Row, usize)>,
     /// How many states were accepted.
@@ -53,9 +62,6 @@ pub struct Solver<'m> {
     moved: (usize, usize),
     /// Whether there is more to solve than is solved.
     pub(super) hopeless: bool,
-    /// How many derivatives the hypotheses need that are solved.
-    terms: usize,
-    layout: Arc<Layout>,
 }
 
 /// States that differ from others in the values of some quantities and in nothing else that is free.
@@ -113,8 +119,7 @@ impl<'m> Solver<'m> {
         }
         let (found, explicit) = rules(model, setting.local, &conditions);
         let slots = slots(model, mode);
-        let (rules, plan) = (found.into(), Vec::new());
-        let terms = 0;
+        let (rules, terms) = (found.into(), 0);
         let mut solver = Solver {
             model,
             mode,
@@ -123,10 +128,7 @@ impl<'m> Solver<'m> {
             explicit,
             rules,
             slots,
-            plan,
-            accepted: 0,
-            moved: (0, 0),
-            hopeless: false,
+            progress: Progress::default(),
             terms,
             layout: Layout::of(model, mode),
         };
@@ -183,12 +185,12 @@ impl<'m> Solver<'m> {
     /// The state near a base at which every hypothesis holds, if there is one.
     pub(super) fn state(&mut self, base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
         let Some((base, scene)) = self.solve(base)? else {
-            self.moved.0 += 1;
+            self.progress.moved.0 += 1;
             // To look further costs more the less there is to be found.
-            self.hopeless |= self.moved.1 == 0 && self.moved.0 == GIVEN_UP;
+            self.progress.hopeless |= self.progress.moved.1 == 0 && self.progress.moved.0 == GIVEN_UP;
             return Ok(None);
         };
-        self.moved.1 += 1;
+        self.progress.moved.1 += 1;
         Ok(self.accepts(&scene).then_some((base, scene)))
     }
 
@@ -199,14 +201,14 @@ impl<'m> Solver<'m> {
             return Ok(Some((base, scene)));
         }
         let drawn = base.clone();
-        if self.plan.is_empty() || self.newton(&mut base, &self.plan.clone())? {
+        if self.progress.plan.is_empty() || self.newton(&mut base, &self.progress.plan.clone())? {
             return self.complete(base);
         }
         // Another number of particles may want another plan.
-        let known = std::mem::take(&mut self.plan);
+        let known = std::mem::take(&mut self.progress.plan);
         let solved = self.complete(drawn);
         if !matches!(solved, Ok(Some(_))) {
-            self.plan = known;
+            self.progress.plan = known;
         }
         solved
     }
@@ -216,12 +218,12 @@ impl<'m> Solver<'m> {
         let mut scene = self.measured(&base)?;
         let rows = self.rows(&scene);
         if rows.len() > MOST {
-            self.hopeless = true;
+            self.progress.hopeless = true;
             return Ok(None);
         }
         let mut moved = false;
         for (row, mut value) in rows {
-            if self.plan.iter().any(|(planned, _)| *planned == row) {
+            if self.progress.plan.iter().any(|(planned, _)| *planned == row) {
                 continue;
             }
             if moved {
@@ -232,19 +234,19 @@ impl<'m> Solver<'m> {
                 continue;
             }
             let Some(slot) = self.pivot(&base, row)? else { return Ok(None) };
-            let mut plan = self.plan.clone();
+            let mut plan = self.progress.plan.clone();
             plan.push((row, slot));
             if !self.newton(&mut base, &plan)? {
                 return Ok(None);
             }
-            self.plan = plan;
+            self.progress.plan = plan;
             scene = self.measured(&base)?;
             moved = true;
         }
         Ok(Some((base, scene)))
     }
 
-    fn measured(&self, base: &[f64]) -> Result<Scene<'m, Measured>> {
+    pub(super) fn measured(&self, base: &[f64]) -> Result<Scene<'m, Measured>> {
         let base: Vec<Measured> = base.iter().map(|x| Measured::new(*x)).collect();
         self.scene(&base, self.mode.order + 1)
     }
@@ -298,11 +300,11 @@ impl<'m> Solver<'m> {
             !plain || highest.is_some_and(|highest| slot.order <= usize::from(highest) + row.1)
         };
         let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
-        candidates.retain(|at| !self.plan.iter().any(|(_, taken)| taken == at) && concerns(&self.slots[*at]));
+        candidates.retain(|at| !self.progress.plan.iter().any(|(_, taken)| taken == at) && concerns(&self.slots[*at]));
         candidates.sort_by_key(|at| std::cmp::Reverse((class(&self.slots[*at]), *at)));
-        let rows: Vec<Row> = self.plan.iter().map(|(row, _)| *row).chain([row]).collect();
+        let rows: Vec<Row> = self.progress.plan.iter().map(|(row, _)| *row).chain([row]).collect();
         let mut columns = Vec::new();
-        for (_, slot) in &self.plan {
+        for (_, slot) in &self.progress.plan {
             let Some(column) = self.column(base, *slot, &rows)? else { return Ok(None) };
             columns.push(column);
         }
@@ -401,7 +403,7 @@ impl<'m> Solver<'m> {
     /// Whether every hypothesis holds at a state.
     fn accepts(&mut self, scene: &Scene<'m, Measured>) -> bool {
         // Rules hold by what they are, unless one undoes another: that shows at once.
-        let all = self.accepted < 2;
+        let all = self.progress.accepted < 2;
         let to_check = self.conditions.iter().zip(&self.explicit).filter(|(_, is_rule)| all || !**is_rule);
         for (condition, _) in to_check {
             let Ok(entries) = difference(scene, condition) else { return false };
@@ -416,7 +418,7 @@ impl<'m> Solver<'m> {
                 return false;
             }
         }
-        self.accepted += 1;
+        self.progress.accepted += 1;
         true
     }
 }

@@ -326,7 +326,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     fn candidates(&self, wanted: &[Row]) -> Vec<Vec<usize>> {
         let matters = |slot: &usize| wanted.iter().any(|row| !self.is_idle(*row, *slot));
         if let [row] = wanted {
-            let known = self.solver.plan.iter().filter(|(planned, _)| planned == row).map(|(_, slot)| *slot);
+            let known = self.solver.progress.plan.iter().filter(|(planned, _)| planned == row).map(|(_, slot)| *slot);
             let open = known.chain((1..self.anywhere.len()).rev()).filter(|slot| self.is_open(*slot)).take(CANDIDATES);
             return open.collect::<Vec<_>>().into_iter().filter(matters).map(|slot| vec![slot]).collect();
         }
