@@ -86,17 +86,25 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         let (equations, sentences) = (equations?, sentences?);
         let alone = equations.iter().filter(|equation| !equation.ok && is_wrong(equation)).count() == 1;
         // What a step is to be mended to depends on those before it.
-        let mended = |(at, equation): (&usize, Equation)| match derivations.iter().flatten().any(|step| step == at) {
-            true => Ok(equation),
-            false => desk.with_repairs(run, *at, equation, alone),
+        // What several of them share comes first; what a step follows from is known later.
+        let has_steps = !derivations.is_empty();
+        let equations = if has_steps { equations } else { desk.with_shared_repairs(run, equations, &sentences) };
+        let mended = |(at, equation): (&usize, Equation)| {
+            let is_step = derivations.iter().flatten().any(|step| step == at);
+            match is_step || !equation.repairs.is_empty() {
+                true => Ok(equation),
+                false => desk.with_repairs(run, *at, equation, alone),
+            }
         };
         let equations: Result<Vec<Equation>> = work.par_iter().zip(equations).with_max_len(1).map(mended).collect();
         let equations = desk.with_steps(run, &derivations, (&work, equations?), judged)?;
+        let equations = if has_steps { desk.with_shared_repairs(run, equations, &sentences) } else { equations };
         Ok(Document {
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),
             source: notes.source.clone(),
-            equations: desk.with_shared_repairs(run, equations, &sentences),
+            // Of one display alone nothing else is known.
+            equations: if run.only.is_none() { desk.with_doubts(equations) } else { equations },
             sentences,
             unnumbered: desk
                 .assigned
@@ -249,6 +257,7 @@ pub(super) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -
         because: None,
         parts: Vec::new(),
         repairs: Vec::new(),
+        elsewhere: Vec::new(),
     }
 }
 

@@ -104,6 +104,7 @@ impl Desk<'_> {
             because,
             parts: if parts.len() > 1 { parts } else { Vec::new() },
             repairs: Vec::new(),
+            elsewhere: Vec::new(),
         }
     }
 
@@ -179,6 +180,11 @@ impl Desk<'_> {
                     continue;
                 }
             };
+            // Nobody asks for the rest of what is wrong already.
+            let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
+            if !self.options.explain && claim.expect.is_none() && parts.iter().any(is_wrong) {
+                return Ok(parts);
+            }
             let Ok(statement) = statement else { continue };
             if let Some(finding) = self.unit_conflict((display, offset), statement, claim) {
                 parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));

@@ -20,6 +20,7 @@ pub mod definitions;
 mod desk;
 mod difference;
 pub mod document;
+mod doubt;
 pub mod draw;
 pub mod drawn;
 mod edges;

@@ -62,6 +62,7 @@ pub(super) fn check(desk: &Desk<'_>, at: usize, sentence: &Sentence) -> Result<E
         because: sentence.claim.expect.as_ref().map(|expect| expect.because.value.clone()),
         parts: Vec::new(),
         repairs: Vec::new(),
+        elsewhere: Vec::new(),
         id: name,
     })
 }

@@ -2,8 +2,8 @@
 //!
 //! Where a law has a slip, or a definition, whatever stands on it fails, and each of these equations could be made to agree
 //! with the slip. One slip in what they share is likelier than one in each of them. So where two equations or more are
-//! refuted, what they stand on is tried with every edit that undoes a slip, and an edit that mends several of them, and
-//! spoils nothing that held, is what each is offered first.
+//! refuted, what they stand on, which may be one of them, is tried with every edit that undoes a slip, and an edit that
+//! mends several of them, and spoils nothing that held, is what each is offered.
 
 use std::cmp::{Ordering, Reverse};
 
@@ -56,8 +56,11 @@ impl Desk<'_> {
         };
         let mut best: Vec<Found> = Vec::new();
         for at in (0..self.notes.equations.len()).filter(|at| self.is_open(*at)) {
-            let stand_on_it: Vec<usize> =
-                wrong.iter().map(|(_, other)| *other).filter(|other| self.stands_on(*other, at)).collect();
+            let stand_on_it: Vec<usize> = wrong
+                .iter()
+                .map(|(_, other)| *other)
+                .filter(|other| *other == at || self.stands_on(*other, at))
+                .collect();
             if stand_on_it.len() < 2 {
                 continue;
             }
@@ -83,6 +86,8 @@ impl Desk<'_> {
                     shared: Some(Shared { of: shown(display), mends: mends.clone() }),
                 };
                 for (nth, _) in wrong.iter().filter(|(_, other)| *other == at) {
+                    equations[*nth].parts.iter_mut().for_each(|part| part.finding.fit = None);
+                    equations[*nth].finding.fit = None;
                     let known = &mut equations[*nth].repairs;
                     known.retain(|other| (other.span, &other.replacement) != (repair.span, &repair.replacement));
                     known.insert(0, repair.clone());
@@ -93,17 +98,17 @@ impl Desk<'_> {
         equations
     }
 
-    fn display_of(&self, equation: &Equation) -> Option<usize> {
+    pub(super) fn display_of(&self, equation: &Equation) -> Option<usize> {
         self.notes.equations.iter().position(|display| shown(display) == equation.id)
     }
 
     /// Whether nothing is said of a display that makes its slips no slips.
-    fn is_open(&self, at: usize) -> bool {
+    pub(super) fn is_open(&self, at: usize) -> bool {
         self.assigned[at].is_none_or(|claim| claim.expect.is_none() && claim.errata.is_empty())
     }
 
     /// Whether what an equation says depends on what a display takes for granted or introduces.
-    fn stands_on(&self, equation: usize, at: usize) -> bool {
+    pub(super) fn stands_on(&self, equation: usize, at: usize) -> bool {
         let is_law = self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at));
         let members = || self.readings[equation].statements.iter().flatten().flat_map(|statement| &statement.members);
         let uses = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
@@ -118,12 +123,17 @@ impl Desk<'_> {
         let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
         let branches = |text: &str| text.contains(r"\pm") || text.contains(r"\mp");
         let mut likely: Vec<Found> = Vec::new();
-        for pool in [&Pool::empty as &dyn Fn() -> Pool, &own] {
+        let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
+        let all = || Pool::of(texts(), symbols, macros, MISSING).factors_only();
+        let mut tried: Vec<Edit> = Vec::new();
+        for pool in [&Pool::empty as &dyn Fn() -> Pool, &own, &all] {
             let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
+            edits.retain(|edit| !tried.contains(edit));
             edits.retain(|edit| is_real(self, &display.text, edit, display.body.start));
             edits.retain(|edit| !branches(&edit.replacement) || branches(&display.text));
             edits.sort_by_key(|edit| likelihood(&display.text, edit, false));
             edits.truncate(TRIED);
+            tried.extend(edits.iter().cloned());
             likely = edits
                 .into_par_iter()
                 .filter_map(|edit| {

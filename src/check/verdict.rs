@@ -269,6 +269,8 @@ pub struct Equation {
     pub parts: Vec<Part>,
     /// Where it does not pass: the single edits with which it would, the likeliest first.
     pub repairs: Vec<Repair>,
+    /// What it stands on, and nothing that holds does, by what it is called: the slip may be there.
+    pub elsewhere: Vec<String>,
 }
 
 /// The equations that a false one follows from, by what they are called.

@@ -1,13 +1,15 @@
 //! `onshell check --fix`: the one repair of an equation that leaves no doubt, made in the file.
 //!
 //! A repair is made if it is the only one, or of a likelier kind of slip than the next; after asking, or at once with
-//! `--yes`. One that mends what several wrong equations stand on goes before those of the equations themselves. One that
-//! mends a step alone, which the rest carries on, is left to the author. Nothing else in the file changes, and nothing at
-//! all if the file is no longer as it was checked.
+//! `--yes`. One that mends what several wrong equations stand on goes before those of the equations themselves. Left to
+//! the author is one that mends a step alone, which the rest carries on; one of an equation that stands on what nothing
+//! else vouches for; and one that puts in what stands nowhere in the notes, but for a number. Nothing else in the file
+//! changes, and nothing at all if the file is no longer as it was checked.
 
 use std::io::{BufRead, IsTerminal, Write};
 
 use crate::check::{Document, Equation, Repair, Report};
+use crate::latex::slips::Slip;
 use crate::report::diagnostic;
 use crate::{Error, Result};
 
@@ -30,7 +32,7 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
     for document in &report.documents {
         let mut chosen: Vec<&Repair> = Vec::new();
         let mut clear: Vec<(&Equation, &Repair)> =
-            document.equations.iter().filter_map(|equation| Some((equation, clear(equation)?))).collect();
+            document.equations.iter().filter_map(|equation| Some((equation, clear(document, equation)?))).collect();
         if clear.iter().any(|(_, repair)| repair.shared.is_some()) {
             clear.retain(|(_, repair)| repair.shared.is_some());
         }
@@ -54,16 +56,26 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
 }
 
 /// The repair of an equation that is the only one, or clearly the likeliest.
-fn clear(equation: &Equation) -> Option<&Repair> {
+fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> {
+    let is_vouched_for = |repair: &&Repair| repair.shared.is_some() || equation.elsewhere.is_empty();
     match equation.repairs.as_slice() {
         [only] => Some(only),
         // Of what several equations stand on: likelier than a slip in each of them.
         [first, second, ..] if first.shared.is_some() && second.shared.is_none() => Some(first),
         [first, second, ..] if first.shared.is_some() && second.shared.is_some() && first.slip >= second.slip => None,
+        // A sign put in makes true what was meant otherwise.
+        [first, ..] if first.slip == Slip::Sign && first.span.start == first.span.end => None,
         [first, second, ..] if first.slip < second.slip => Some(first),
         _ => None,
     }
-    .filter(|repair| !repair.step)
+    .filter(|repair| !repair.step && is_vouched_for(repair) && is_own(document, &repair.replacement))
+}
+
+/// Whether what is put in stands in the notes already, or is a number.
+fn is_own(document: &Document, replacement: &str) -> bool {
+    let put_in = replacement.trim().trim_end_matches(r"\,").trim();
+    let is_number = put_in.replace(r"\frac", "").chars().all(|c| c.is_ascii_digit() || "{} /".contains(c));
+    is_number || document.source.text.contains(put_in)
 }
 
 /// Asks whether a repair is to be made.

@@ -90,9 +90,18 @@ pub fn fit(fit: &Fit, source: &Source, colour: bool) -> String {
 
 /// That an edit which was shown mends one more equation.
 pub fn mended_as_well(shared: &Shared, colour: bool) -> String {
-    let first = shared.mends.first().map_or("", String::as_str);
-    let title = format!("the edit of ({}) that is shown at ({first}) mends this as well", shared.of);
+    let at = match shared.mends.first() {
+        Some(first) if *first != shared.of => format!(" that is shown at ({first})"),
+        _ => String::new(),
+    };
+    let title = format!("the edit of ({}){at} mends this as well", shared.of);
     renderer(colour).render(&[Group::with_title(Level::HELP.secondary_title(title))])
+}
+
+/// What the slip may be in instead.
+pub fn elsewhere(displays: &[String], colour: bool) -> String {
+    let title = format!("nothing that holds stands on {}: the slip may be there", listed(displays));
+    renderer(colour).render(&[Group::with_title(Level::NOTE.secondary_title(title))])
 }
 
 /// Equations by their numbers.
@@ -115,6 +124,9 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, colour: bool) -> St
     };
     let asked = if first { "did you mean" } else { "or" };
     let then = match (&repair.shared, repair.step) {
+        (Some(Shared { of, mends }), _) if mends.contains(of) => {
+            format!("In ({of}); then {} hold", listed(mends))
+        }
         (Some(Shared { of, mends }), _) => {
             format!("In ({of}), on which {} stand; all of them would hold", listed(mends))
         }

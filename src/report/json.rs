@@ -52,6 +52,7 @@ fn equation(equation: &Equation) -> Value {
     }
     if !equation.ok {
         fields.insert("repairs".to_owned(), equation.repairs.iter().map(repair).collect());
+        fields.insert("elsewhere".to_owned(), json!(equation.elsewhere));
     }
     if !equation.parts.is_empty() {
         let parts = equation.parts.iter().map(|part| {
