@@ -104,7 +104,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             claims: Some(claims.source.path.clone()),
             source: notes.source.clone(),
             // Of one display alone nothing else is known.
-            equations: if run.only.is_none() { desk.with_doubts(equations) } else { equations },
+            equations: if run.only.is_none() { desk.with_doubts(run, equations, &sentences) } else { equations },
             sentences,
             unnumbered: desk
                 .assigned

@@ -6,32 +6,60 @@
 use crate::formula::SymbolId;
 
 use super::desk::Desk;
-use super::document::shown;
+use super::document::{Run, shown};
 use super::identity::{FEWEST, Options};
 use super::model::Model;
-use super::verdict::{Equation, Verdict};
+use super::repair::OFFERED;
+use super::shared::is_refuted;
+use super::verdict::{Equation, Repair, Verdict};
 
 impl Desk<'_> {
-    /// The equations of a document, those that are mended alone with the displays that may be wrong instead.
-    pub(super) fn with_doubts(&self, mut equations: Vec<Equation>) -> Vec<Equation> {
+    /// The equations of a document, those that no edit mends together with others with the displays that may be wrong
+    /// instead; and where their own notes have nothing to mend them with, with the edits of those displays that would.
+    pub(super) fn with_doubts(
+        &self,
+        run: &Run<'_>,
+        mut equations: Vec<Equation>,
+        sentences: &[Equation],
+    ) -> Vec<Equation> {
         let displays: Vec<Option<usize>> = equations.iter().map(|equation| self.display_of(equation)).collect();
         let holds = |equation: &Equation| {
             equation.ok && matches!(equation.finding.verdict, Verdict::Certified | Verdict::Verified)
         };
         let holding: Vec<usize> =
             equations.iter().zip(&displays).filter(|(equation, _)| holds(equation)).filter_map(|(_, at)| *at).collect();
+        let held = self.held(&equations, sentences);
         let mut vouched: Vec<Option<bool>> = vec![None; self.notes.equations.len()];
         for (equation, own) in equations.iter_mut().zip(&displays) {
-            let (Some(own), false) = (*own, equation.repairs.iter().all(|repair| repair.shared.is_some())) else {
+            let is_shared = equation.repairs.iter().any(|repair| repair.shared.is_some());
+            let is_alone = is_refuted(equation) && equation.finding.follows_from.is_none() && !is_shared;
+            let Some(own) = own.filter(|at| is_alone && self.is_open(*at)) else { continue };
+            let stands_on = (0..vouched.len()).filter(|at| self.is_open(*at) && self.stands_on(own, *at));
+            let (certain, doubtful): (Vec<usize>, Vec<usize>) = stands_on.partition(|at| {
+                let vouch = || holding.iter().any(|other| self.vouches_for(*other, *at));
+                *vouched[*at].get_or_insert_with(vouch)
+            });
+            equation.elsewhere = doubtful.iter().map(|at| shown(&self.notes.equations[*at])).collect();
+            let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);
+            if !self.options.explain || equation.repairs.iter().any(from_notes) {
                 continue;
-            };
-            for at in (0..vouched.len()).filter(|at| self.is_open(*at) && self.stands_on(own, *at)) {
-                let is_vouched =
-                    *vouched[at].get_or_insert_with(|| holding.iter().any(|other| self.vouches_for(*other, at)));
-                if !is_vouched {
-                    equation.elsewhere.push(shown(&self.notes.equations[at]));
-                }
             }
+            // What is vouched for may be wrong where the others do not look.
+            let found_in = |displays: Vec<usize>| -> Vec<Repair> {
+                let found = displays.into_iter().flat_map(|at| self.edits_that_mend(run, at, &[own], &held));
+                found.flat_map(|found| self.shared_repairs(found.at, &found.edit, &found.mended)).collect()
+            };
+            let mut repairs = found_in(doubtful);
+            if repairs.is_empty() {
+                repairs = found_in(certain);
+            }
+            if !repairs.is_empty() {
+                equation.parts.iter_mut().for_each(|part| part.finding.fit = None);
+                equation.finding.fit = None;
+            }
+            repairs.append(&mut equation.repairs);
+            repairs.truncate(OFFERED);
+            equation.repairs = repairs;
         }
         equations
     }

@@ -20,7 +20,7 @@ use super::document::Run;
 use super::formal;
 use super::lost;
 use super::model::Model;
-use super::tautology::is_lost;
+use super::tautology::{is_lost, is_reordered};
 use super::trial::{Answer, Trial, cut, is_plain};
 use super::verdict::{Equation, Finding, Part, Repair, Verdict};
 
@@ -270,9 +270,12 @@ fn is_empty(reading: &Reading, model: &Model) -> bool {
     reading.statements.iter().flatten().flat_map(|statement| &statement.members).any(vanishes)
 }
 
-/// Whether two readings say the same, whatever their symbols mean, member for member.
+/// Whether two readings say the same, whatever their symbols mean, member for member. Of what holds whatever they mean
+/// every correction does: that says the same only if it is the same in another order.
 fn is_one(a: &Reading, b: &Reading, model: &Model) -> bool {
-    is_each(a, b, |a, b| formal::same(a, b, model))
+    let holds_formally = |members: &[Expr]| formal::is_identity(&members[0], &members[1], model);
+    let is_formal = a.statements.iter().flatten().any(|s| s.members.windows(2).any(holds_formally));
+    is_each(a, b, |a, b| if is_formal { is_reordered(a, b) } else { formal::same(a, b, model) })
 }
 
 /// Whether two readings are alike member for member, by what is asked of each pair.
@@ -293,7 +296,8 @@ pub(super) fn likelihood(text: &str, edit: &Edit, step: bool) -> (Slip, bool, us
     let Edit { span, replacement, slip } = edit;
     // A minus before a whole side is wanting less often than a sign is wrong, and on the right more often than on the left;
     // within an argument, below a fraction, nobody means it.
-    if *slip == Slip::Sign && span.start == span.end {
+    let in_cell = ["&", r"\\", "matrix}"].iter().any(|edge| text[..span.start].trim_end().ends_with(edge));
+    if *slip == Slip::Sign && span.start == span.end && !in_cell {
         let braces = |brace: char| text[..span.start].matches(brace).count();
         let depth = braces('{').saturating_sub(braces('}'));
         return (Slip::Fraction, step, depth, text.len() - span.start);

@@ -9,17 +9,19 @@ use std::cmp::{Ordering, Reverse};
 
 use rayon::prelude::*;
 
-use crate::formula::Expr;
-use crate::latex::slips::{self, Edit, Pool};
-use crate::latex::{Introduced, Reading};
+use crate::formula::{Expr, Node, Statement};
+use crate::latex::slips::{self, Edit, Pool, Slip};
+use crate::latex::{Introduced, Reading, read_display};
 use crate::notes::Notes;
 use crate::notes::claims::Claim;
+use crate::source::Fault;
 
 use super::desk::Desk;
 use super::document::{Run, retyped, shown, with_desk};
 use super::formal;
 use super::identity::Options;
-use super::repair::{MISSING, OFFERED, is_each, is_real, likelihood};
+use super::reading::for_each;
+use super::repair::{MISSING, OFFERED, is_each, is_real, is_wrong, likelihood};
 use super::sentences;
 use super::verdict::{Equation, Repair, Shared, Verdict};
 
@@ -43,24 +45,23 @@ impl Desk<'_> {
         let wrong: Vec<(usize, usize)> = equations
             .iter()
             .enumerate()
-            .filter(|(_, equation)| equation.finding.follows_from.is_none() && is_refuted(equation))
+            .filter(|(_, equation)| equation.finding.follows_from.is_none() && !equation.ok && is_wrong(equation))
             .filter_map(|(nth, equation)| Some((nth, self.display_of(equation)?)))
             .filter(|(_, at)| self.is_open(*at))
             .collect();
         if wrong.len() < 2 || !self.options.explain {
             return equations;
         }
-        let held = Held {
-            displays: equations.iter().filter(|equation| equation.ok).filter_map(|e| self.display_of(e)).collect(),
-            sentences: (0..sentences.len()).filter(|at| sentences[*at].ok).collect(),
-        };
+        let held = self.held(&equations, sentences);
         let mut best: Vec<Found> = Vec::new();
         for at in (0..self.notes.equations.len()).filter(|at| self.is_open(*at)) {
-            let stand_on_it: Vec<usize> = wrong
-                .iter()
-                .map(|(_, other)| *other)
-                .filter(|other| *other == at || self.stands_on(*other, at))
-                .collect();
+            let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
+            let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
+            // What stands on a display that cannot be read cannot be told either.
+            let stand_on_it: Vec<usize> = match self.is_damaged(at) && wrong.iter().any(|(_, other)| *other == at) {
+                true => std::iter::once(at).chain(others).collect(),
+                false => refuted.filter(|other| *other == at || self.stands_on(*other, at)).collect(),
+            };
             if stand_on_it.len() < 2 {
                 continue;
             }
@@ -74,17 +75,8 @@ impl Desk<'_> {
         }
         best.truncate(OFFERED);
         for Found { at, edit, mended } in best.into_iter().rev() {
-            let display = &self.notes.equations[at];
-            let mends: Vec<String> = mended.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
-            for (at, verdict) in mended {
-                let repair = Repair {
-                    span: edit.span.shifted(display.body.start),
-                    replacement: edit.replacement.clone(),
-                    slip: edit.slip,
-                    verdict,
-                    step: false,
-                    shared: Some(Shared { of: shown(display), mends: mends.clone() }),
-                };
+            let repairs = self.shared_repairs(at, &edit, &mended);
+            for ((at, _), repair) in mended.into_iter().zip(repairs) {
                 for (nth, _) in wrong.iter().filter(|(_, other)| *other == at) {
                     equations[*nth].parts.iter_mut().for_each(|part| part.finding.fit = None);
                     equations[*nth].finding.fit = None;
@@ -96,6 +88,29 @@ impl Desk<'_> {
             }
         }
         equations
+    }
+
+    /// An edit of a display as a repair of each equation that it mends.
+    pub(super) fn shared_repairs(&self, at: usize, edit: &Edit, mended: &[(usize, Verdict)]) -> Vec<Repair> {
+        let display = &self.notes.equations[at];
+        let mends: Vec<String> = mended.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
+        let repair = |(_, verdict): &(usize, Verdict)| Repair {
+            span: edit.span.shifted(display.body.start),
+            replacement: edit.replacement.clone(),
+            slip: edit.slip,
+            verdict: *verdict,
+            step: false,
+            shared: Some(Shared { of: shown(display), mends: mends.clone() }),
+        };
+        mended.iter().map(repair).collect()
+    }
+
+    /// What is as it should be.
+    pub(super) fn held(&self, equations: &[Equation], sentences: &[Equation]) -> Held {
+        Held {
+            displays: equations.iter().filter(|equation| equation.ok).filter_map(|e| self.display_of(e)).collect(),
+            sentences: (0..sentences.len()).filter(|at| sentences[*at].ok).collect(),
+        }
     }
 
     pub(super) fn display_of(&self, equation: &Equation) -> Option<usize> {
@@ -115,12 +130,13 @@ impl Desk<'_> {
         equation != at && (is_law || self.readings[at].introduced.iter().any(uses))
     }
 
-    /// The edits of a display that mend most of these equations, two at least, and spoil nothing.
-    fn edits_that_mend(&self, run: &Run<'_>, at: usize, wrong: &[usize], held: &Held) -> Vec<Found> {
+    /// The edits of a display that mend most of these equations, two at least if there are several, and spoil nothing.
+    pub(super) fn edits_that_mend(&self, run: &Run<'_>, at: usize, wrong: &[usize], held: &Held) -> Vec<Found> {
         let display = &self.notes.equations[at];
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
         let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
+        let least = wrong.len().min(2);
         let branches = |text: &str| text.contains(r"\pm") || text.contains(r"\mp");
         let mut likely: Vec<Found> = Vec::new();
         let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
@@ -130,7 +146,11 @@ impl Desk<'_> {
             let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
             edits.retain(|edit| !tried.contains(edit));
             edits.retain(|edit| is_real(self, &display.text, edit, display.body.start));
+            // That something is 0 says more than that it does not change; what it is that does not change is the law.
+            let names = |edit: &Edit| matches!(edit.slip, Slip::Dot | Slip::Symbol | Slip::Name);
+            edits.retain(|edit| !names(edit) || !self.says_that_nothing_moves(at));
             edits.retain(|edit| !branches(&edit.replacement) || branches(&display.text));
+            edits.retain(|edit| !self.is_damaged(at) || self.is_readable(at, &edit.applied(&display.text)));
             edits.sort_by_key(|edit| likelihood(&display.text, edit, false));
             edits.truncate(TRIED);
             tried.extend(edits.iter().cloned());
@@ -140,7 +160,7 @@ impl Desk<'_> {
                     let mended = self.edited(&Run { options: quick, ..*run }, at, &edit, |desk| desk.mended(wrong))?;
                     Some(Found { at, edit, mended })
                 })
-                .filter(|found| found.mended.len() > 1)
+                .filter(|found| found.mended.len() >= least)
                 .collect();
             if !likely.is_empty() {
                 break;
@@ -165,13 +185,34 @@ impl Desk<'_> {
         for (Found { edit, .. }, _) in distinct {
             let judge = |desk: &Desk<'_>| desk.still_holds(held).then(|| desk.mended(wrong));
             match self.edited(&Run { options: full, ..*run }, at, &edit, judge).flatten() {
-                Some(mended) if mended.len() > 1 => found.push(Found { at, edit, mended }),
+                Some(mended) if mended.len() >= least => found.push(Found { at, edit, mended }),
                 _ => {}
             }
         }
         let most = found.iter().map(|found| found.mended.len()).max().unwrap_or(0);
         found.retain(|found| found.mended.len() == most);
         found
+    }
+
+    /// Whether a display cannot be read by itself.
+    fn is_damaged(&self, at: usize) -> bool {
+        let own = |statement: &Result<Statement, Fault>| statement.as_ref().is_err_and(|fault| fault.missing.is_none());
+        self.readings[at].statements.iter().any(own)
+    }
+
+    /// Whether a text in the place of a display can be read, whatever it names.
+    fn is_readable(&self, at: usize, text: &str) -> bool {
+        let mut symbols = self.model.symbols.clone();
+        symbols.for_each = for_each(self.assigned[at], self.model);
+        read_display(text, &mut symbols, &self.model.macros).statements.iter().all(Result::is_ok)
+    }
+
+    /// Whether a statement of a display is that a rate is 0.
+    fn says_that_nothing_moves(&self, at: usize) -> bool {
+        let moves = |member: &Expr| matches!(member.node, Node::Symbol { dots: 1.., .. } | Node::TimeDerivative(..));
+        let is_law = self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at));
+        let says_so = |s: &Statement| s.members.iter().any(Expr::is_null) && s.members.iter().any(moves);
+        is_law && self.readings[at].statements.iter().flatten().any(says_so)
     }
 
     /// What is found on the desk of the same document with an edit of a display; nothing, if that is none.
@@ -184,7 +225,8 @@ impl Desk<'_> {
             desk.readings[at].introduced.iter().map(|new| desk.model.name(new.symbol)).collect()
         };
         // A display that names other things says something else, however it is judged.
-        let judged = |desk: Desk<'_>| Ok((introduced(&desk) == introduced(self)).then(|| judge(&desk)));
+        let is_same = |desk: &Desk<'_>| introduced(desk) == introduced(self) || self.is_damaged(at);
+        let judged = |desk: Desk<'_>| Ok(is_same(&desk).then(|| judge(&desk)));
         is_alike.then(|| with_desk(run, self.claims, &notes, judged).ok())??
     }
 
@@ -211,19 +253,19 @@ impl Desk<'_> {
 }
 
 /// What is as it should be, by its place.
-struct Held {
+pub(super) struct Held {
     displays: Vec<usize>,
     sentences: Vec<usize>,
 }
 
 /// An edit of a display, and the displays that pass with it.
-struct Found {
-    at: usize,
-    edit: Edit,
-    mended: Vec<(usize, Verdict)>,
+pub(super) struct Found {
+    pub at: usize,
+    pub edit: Edit,
+    pub mended: Vec<(usize, Verdict)>,
 }
 
 /// Whether an equation says something false.
-fn is_refuted(equation: &Equation) -> bool {
+pub(super) fn is_refuted(equation: &Equation) -> bool {
     !equation.ok && matches!(equation.finding.verdict, Verdict::Refuted | Verdict::Domain)
 }

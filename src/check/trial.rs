@@ -165,12 +165,23 @@ impl<'d, 'a> Trial<'d, 'a> {
         if !is_plain(self.claim) && judged(&self.quick).is_ok_and(|parts| parts.iter().any(is_wrong)) {
             return Ok(Answer::Refuted);
         }
-        let Ok(parts) = judged(&self.full) else { return Ok(Answer::Refused) };
+        let Ok(parts) = self.judged(&reading, offset) else { return Ok(Answer::Refused) };
         Ok(match parts.iter().all(|part| part.finding.verdict.passes()) {
             true => Answer::Passes(reading, parts),
             false if parts.iter().any(is_wrong) => Answer::Refuted,
             false => Answer::Refused,
         })
+    }
+
+    /// The findings on a reading, in full. What it introduces is held to what the rest of it says.
+    fn judged(&self, reading: &Reading, offset: usize) -> Result<Vec<Part>> {
+        let judged = |desk: &Desk<'_>| desk.parts((self.at, offset), reading, self.claim, &self.topic);
+        if reading.introduced.is_empty() || reading.statements.len() < 2 {
+            return judged(&self.full);
+        }
+        let mut readings = self.full.readings.to_vec();
+        readings[self.at] = reading.clone();
+        judged(&Desk { readings: &readings, units: self.full.units.clone(), ..self.full })
     }
 
     /// What a text in the place of the display makes of the names that the display introduces, one formula for each; none,

@@ -171,6 +171,15 @@ pub struct Repair {
     pub shared: Option<Shared>,
 }
 
+impl Repair {
+    /// Whether what it puts in stands in the notes already, or is a number; else it was put together from what is true.
+    pub fn is_in_the_notes(&self, notes: &str) -> bool {
+        let put_in = self.replacement.trim().trim_end_matches(r"\,").trim().trim_start_matches(['+', '-']).trim();
+        let is_number = put_in.replace(r"\frac", "").chars().all(|c| c.is_ascii_digit() || "{} /".contains(c));
+        is_number || notes.contains(put_in)
+    }
+}
+
 /// What one edit of a display mends beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shared {

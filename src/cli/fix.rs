@@ -57,7 +57,8 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
 
 /// The repair of an equation that is the only one, or clearly the likeliest.
 fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> {
-    let is_vouched_for = |repair: &&Repair| repair.shared.is_some() || equation.elsewhere.is_empty();
+    let mends_several = |repair: &Repair| repair.shared.as_ref().is_some_and(|shared| shared.mends.len() > 1);
+    let is_vouched_for = |repair: &&Repair| mends_several(repair) || equation.elsewhere.is_empty();
     match equation.repairs.as_slice() {
         [only] => Some(only),
         // Of what several equations stand on: likelier than a slip in each of them.
@@ -68,14 +69,7 @@ fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> 
         [first, second, ..] if first.slip < second.slip => Some(first),
         _ => None,
     }
-    .filter(|repair| !repair.step && is_vouched_for(repair) && is_own(document, &repair.replacement))
-}
-
-/// Whether what is put in stands in the notes already, or is a number.
-fn is_own(document: &Document, replacement: &str) -> bool {
-    let put_in = replacement.trim().trim_end_matches(r"\,").trim();
-    let is_number = put_in.replace(r"\frac", "").chars().all(|c| c.is_ascii_digit() || "{} /".contains(c));
-    is_number || document.source.text.contains(put_in)
+    .filter(|repair| !repair.step && is_vouched_for(repair) && repair.is_in_the_notes(&document.source.text))
 }
 
 /// Asks whether a repair is to be made.

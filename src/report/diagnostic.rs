@@ -127,9 +127,10 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, colour: bool) -> St
         (Some(Shared { of, mends }), _) if mends.contains(of) => {
             format!("In ({of}); then {} hold", listed(mends))
         }
-        (Some(Shared { of, mends }), _) => {
-            format!("In ({of}), on which {} stand; all of them would hold", listed(mends))
-        }
+        (Some(Shared { of, mends }), _) => match mends.as_slice() {
+            [one] => format!("In ({of}), on which ({one}) stands: it would be {}", repair.verdict),
+            _ => format!("In ({of}), on which {} stand; all of them would hold", listed(mends)),
+        },
         (None, true) => format!("This step would be {}, and the rest is left to mend", repair.verdict),
         (None, false) => format!("It would be {}", repair.verdict),
     };

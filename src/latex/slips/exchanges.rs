@@ -6,6 +6,7 @@ use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
 use super::super::names;
+use super::insertions::insides;
 use super::lists::{Factor, Term, formulas, is_sum, is_times};
 use super::{Finder, Slip, ends_in_command};
 
@@ -14,6 +15,15 @@ const EXCHANGES: usize = 24;
 
 /// An entry of a matrix is exchanged with so many after it.
 const MOST_CELLS: usize = 8;
+
+/// The names in an item, and whether they stand in a fraction or in parentheses.
+fn gather<'i>(item: &'i Item, within: bool, names: &mut Vec<(&'i Item, bool)>) {
+    if names::printed(item, None).is_some() {
+        names.push((item, within));
+    } else if matches!(item.layout, Layout::Fraction(..) | Layout::Fence(..) | Layout::Group(_)) {
+        insides(item).into_iter().flatten().for_each(|inner| gather(inner, true, names));
+    }
+}
 
 impl Finder<'_> {
     /// Two names of a formula exchanged.
@@ -31,6 +41,27 @@ impl Finder<'_> {
         };
         let pairs: Vec<_> = pairs.filter(differ).take(EXCHANGES).collect();
         for (a, b) in pairs {
+            self.edit(Slip::Name, a.span.to(b.span), self.exchanged(a.span, b.span));
+        }
+        terms.iter().for_each(|term| self.exchange_within(term));
+    }
+
+    /// Two names of a term exchanged, of which one at least stands in a fraction or in parentheses.
+    fn exchange_within(&mut self, term: &Term<'_>) {
+        let mut names: Vec<(&Item, bool)> = Vec::new();
+        for item in term.items {
+            gather(item, false, &mut names);
+        }
+        let pairs = names.iter().enumerate().flat_map(|(at, a)| names[at + 1..].iter().map(move |b| (*a, *b)));
+        let differ = |((a, a_within), (b, b_within)): &((&Item, bool), (&Item, bool))| {
+            (*a_within || *b_within)
+                && a.span.end <= b.span.start
+                && self.slice(a.span) != self.slice(b.span)
+                && self.kind(a).is_some()
+                && self.kind(a) == self.kind(b)
+        };
+        let pairs: Vec<_> = pairs.filter(differ).take(EXCHANGES).collect();
+        for ((a, _), (b, _)) in pairs {
             self.edit(Slip::Name, a.span.to(b.span), self.exchanged(a.span, b.span));
         }
     }

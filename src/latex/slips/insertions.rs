@@ -181,6 +181,15 @@ impl Finder<'_> {
         }
     }
 
+    /// A sign between two factors of a term, which was two.
+    pub(super) fn split(&mut self, factors: &[Factor<'_>]) {
+        for factor in factors.iter().skip(1).filter(|factor| factor.operator.is_none()) {
+            for sign in ["-", "+"] {
+                self.edit(Slip::Term, Span::at(factor.span().start), format!("{sign} "));
+            }
+        }
+    }
+
     /// Each Σ of the pool put before a factor.
     pub(super) fn insert_sums(&mut self, factors: &[Factor<'_>]) {
         let Some(pool) = self.pool else { return };

@@ -372,6 +372,7 @@ impl Finder<'_> {
         self.fences(&factors);
         if self.pool.is_some() {
             self.insert_factors(&factors);
+            self.split(&factors);
             self.insert_sums(&factors);
             self.divide(&factors);
         }
