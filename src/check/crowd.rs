@@ -248,6 +248,12 @@ impl<B: Number> Scene<'_, B> {
         self.place.borrow().part.as_ref().filter(|part| part.of == at).map(|part| self.constant(part.size))
     }
 
+    /// Whether nothing is evaluated at a place in a continuum, in a part of one, or with what stands in for others.
+    pub(super) fn is_nowhere(&self) -> bool {
+        let place = self.place.borrow();
+        place.point.is_none() && place.part.is_none() && self.is_uncrowded() && !self.is_following()
+    }
+
     /// An integral over a continuum.
     pub(super) fn integrate<D: Number>(
         &self,

@@ -169,8 +169,19 @@ impl<B: Number> Environment<Instant<B>> for Now<'_, '_, B> {
         self.0.count(index)
     }
 
-    fn integral(&self, region: SymbolId, body: Body<'_, Instant<B>>) -> Valued<B> {
-        self.0.integrate(region, body, Instant)
+    /// An integral that is not under another one has one value at a state, whatever stands beside it.
+    fn integral(&self, region: SymbolId, integrand: Option<&Expr>, body: Body<'_, Instant<B>>) -> Valued<B> {
+        let scene = self.0;
+        let Some(integrand) = integrand.filter(|_| scene.is_nowhere()) else {
+            return scene.integrate(region, body, Instant);
+        };
+        let is_it = |(at, of, _): &&(SymbolId, Expr, Value<Instant<B>>)| *at == region && of == integrand;
+        if let Some((.., value)) = scene.integrals.borrow().iter().find(is_it) {
+            return Ok(value.clone());
+        }
+        let value = scene.integrate(region, body, Instant)?;
+        scene.integrals.borrow_mut().push((region, integrand.clone(), value.clone()));
+        Ok(value)
     }
 
     fn shrinking(&self, region: SymbolId, body: Body<'_, Instant<B>>) -> Valued<B> {

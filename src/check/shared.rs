@@ -23,6 +23,7 @@ use super::identity::Options;
 use super::reading::for_each;
 use super::repair::{MISSING, OFFERED, is_each, is_real, is_wrong, likelihood};
 use super::sentences;
+use super::trial::Trial;
 use super::verdict::{Equation, Repair, Shared, Verdict};
 
 /// With so many edits of one display the whole document is checked at most.
@@ -58,13 +59,15 @@ impl Desk<'_> {
             let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
             let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
             // What stands on a display that cannot be read cannot be told either.
-            let stand_on_it: Vec<usize> = match self.is_damaged(at) && wrong.iter().any(|(_, other)| *other == at) {
+            let mut stand_on_it: Vec<usize> = match self.is_damaged(at) && wrong.iter().any(|(_, other)| *other == at) {
                 true => std::iter::once(at).chain(others).collect(),
                 false => refuted.filter(|other| *other == at || self.stands_on(*other, at)).collect(),
             };
             if stand_on_it.len() < 2 {
                 continue;
             }
+            // Its own definition takes the longest to judge.
+            stand_on_it.sort_by_key(|other| *other == at && !self.is_damaged(at));
             let found = self.edits_that_mend(run, at, &stand_on_it, &held);
             let most = |found: &[Found]| found.first().map_or(0, |found| found.mended.len());
             match most(&found).cmp(&most(&best)) {
@@ -157,7 +160,8 @@ impl Desk<'_> {
             likely = edits
                 .into_par_iter()
                 .filter_map(|edit| {
-                    let mended = self.edited(&Run { options: quick, ..*run }, at, &edit, |desk| desk.mended(wrong))?;
+                    let mended =
+                        self.edited(&Run { options: quick, ..*run }, at, &edit, |desk| desk.mended(wrong, true))?;
                     Some(Found { at, edit, mended })
                 })
                 .filter(|found| found.mended.len() >= least)
@@ -183,9 +187,12 @@ impl Desk<'_> {
         let full = Options { explain: false, ..self.options };
         let mut found: Vec<Found> = Vec::new();
         for (Found { edit, .. }, _) in distinct {
-            let judge = |desk: &Desk<'_>| desk.still_holds(held).then(|| desk.mended(wrong));
+            let judge = |desk: &Desk<'_>| desk.still_holds(held).then(|| desk.mended(wrong, false));
             match self.edited(&Run { options: full, ..*run }, at, &edit, judge).flatten() {
-                Some(mended) if mended.len() >= least => found.push(Found { at, edit, mended }),
+                Some(mut mended) if mended.len() >= least => {
+                    mended.sort_by_key(|(at, _)| *at);
+                    found.push(Found { at, edit, mended });
+                }
                 _ => {}
             }
         }
@@ -230,13 +237,28 @@ impl Desk<'_> {
         is_alike.then(|| with_desk(run, self.claims, &notes, judged).ok())??
     }
 
-    /// Those of these displays that pass, with their verdicts; none is looked at after two that do not.
-    fn mended(&self, wrong: &[usize]) -> Vec<(usize, Verdict)> {
+    /// Those of these displays that pass, with their verdicts; none is looked at after two that do not, or where too few
+    /// are left. In haste what holds at a few states passes where it defines something.
+    fn mended(&self, wrong: &[usize], haste: bool) -> Vec<(usize, Verdict)> {
+        let none = Claim::default();
+        let judged = |at: usize| -> Option<Verdict> {
+            let (reading, claim) = (&self.readings[at], self.assigned[at].unwrap_or(&none));
+            let is_readable = reading.statements.iter().all(Result::is_ok);
+            if haste && !(is_readable && Trial::new(self, at, reading, claim).ok()?.stands()) {
+                return None;
+            }
+            if haste && !reading.introduced.is_empty() {
+                return Some(Verdict::Definition);
+            }
+            let found = self.equation(at, self.assigned[at]).ok()?;
+            found.ok.then_some(found.finding.verdict)
+        };
         let mut mended = Vec::new();
+        let least = wrong.len().min(2);
         for (looked_at, at) in wrong.iter().enumerate() {
-            match self.equation(*at, self.assigned[*at]) {
-                Ok(equation) if equation.ok => mended.push((*at, equation.finding.verdict)),
-                _ if looked_at > mended.len() => return mended,
+            match judged(*at) {
+                Some(verdict) => mended.push((*at, verdict)),
+                _ if looked_at > mended.len() || mended.len() + wrong.len() <= looked_at + least => return mended,
                 _ => {}
             }
         }

@@ -173,6 +173,11 @@ impl<'d, 'a> Trial<'d, 'a> {
         })
     }
 
+    /// Whether what stands there holds at the few states.
+    pub fn stands(&self) -> bool {
+        !self.fails(self.now)
+    }
+
     /// The findings on a reading, in full. What it introduces is held to what the rest of it says.
     fn judged(&self, reading: &Reading, offset: usize) -> Result<Vec<Part>> {
         let judged = |desk: &Desk<'_>| desk.parts((self.at, offset), reading, self.claim, &self.topic);

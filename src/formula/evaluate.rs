@@ -78,8 +78,14 @@ pub trait Environment<D: Moving> {
         let entry = &self.symbols().indices[index.0];
         entry.count.map_or(Ok(entry.upper), |count| Err(Unavailable::Symbol(count)))
     }
-    /// The integral over a continuum of what `body` gives at the point at hand.
-    fn integral(&self, region: SymbolId, _body: Body<'_, D>) -> Result<Value<D>, Unavailable> {
+    /// The integral over a continuum of what `body` gives at the point at hand. The integrand itself comes with it where it
+    /// has no letter that stands for an index.
+    fn integral(
+        &self,
+        region: SymbolId,
+        _integrand: Option<&Expr>,
+        _body: Body<'_, D>,
+    ) -> Result<Value<D>, Unavailable> {
         Err(Unavailable::Symbol(region))
     }
     /// What `body` tends to as the part of a continuum at hand shrinks to its point.
@@ -248,7 +254,8 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
             }
             Node::Integral(region, body) => {
                 let environment = self.environment;
-                environment.integral(*region, &mut || self.value(body))?
+                let closed = self.indices.is_empty().then_some(&**body);
+                environment.integral(*region, closed, &mut || self.value(body))?
             }
             Node::Shrinking(region, body) => {
                 let environment = self.environment;
