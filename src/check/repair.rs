@@ -9,7 +9,7 @@
 use rayon::prelude::*;
 
 use crate::Result;
-use crate::formula::{Expr, Statement};
+use crate::formula::{Expr, Node, Statement};
 use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::latex::{Reading, names};
 use crate::notes::claims::Claim;
@@ -196,7 +196,7 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
     let found: Result<Vec<Vec<Suggestion>>> = edits
         .par_chunks(share)
         .map(|share| {
-            let trial = Trial::new(desk, wrong.at, wrong.reading, wrong.claim)?;
+            let whole = Trial::new(desk, wrong.at, wrong.reading, wrong.claim)?;
             let cuts: Vec<_> = wrong.steps.iter().map(|step| (*step, step_of(wrong.reading, *step))).collect();
             let mut steps = Vec::new();
             for (step, now) in cuts.iter().filter(|_| is_plain(wrong.claim)) {
@@ -205,22 +205,21 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
             let mut passing = Vec::new();
             for edit in share {
                 let text = edit.applied(wrong.text);
-                let mut add = |answer, now: &Reading, step| match answer {
-                    Answer::Passes(reading, parts)
-                        if !is_empty(&reading, desk.model)
-                            && !is_lost(now, &reading, desk.model)
-                            && !trial.stands_still(&reading) =>
-                    {
-                        passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts), step });
-                        true
-                    }
-                    _ => false,
+                let mut passes = |trial: &Trial<'_, '_>, now: &Reading, step: bool| -> Result<bool> {
+                    let says_something = |reading: &Reading| {
+                        !is_empty(reading, desk.model)
+                            && !is_lost(now, reading, desk.model)
+                            && !whole.stands_still(reading)
+                    };
+                    let Answer::Passes(reading, parts) = trial.of_one(&text, says_something)? else { return Ok(false) };
+                    passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts), step });
+                    Ok(true)
                 };
-                if add(trial.of(&text)?, wrong.reading, false) {
+                if passes(&whole, wrong.reading, false)? {
                     continue;
                 }
                 for (_, now, trial) in steps.iter().filter(|(step, ..)| stands_in(edit, wrong.reading, *step)) {
-                    if add(trial.of(&text)?, now, true) {
+                    if passes(trial, now, true)? {
                         break;
                     }
                 }
@@ -270,12 +269,15 @@ fn is_empty(reading: &Reading, model: &Model) -> bool {
     reading.statements.iter().flatten().flat_map(|statement| &statement.members).any(vanishes)
 }
 
-/// Whether two readings say the same, whatever their symbols mean, member for member. Of what holds whatever they mean
-/// every correction does: that says the same only if it is the same in another order.
+/// Whether two readings say the same, whatever their symbols mean, member for member. Two matrices that do the same to
+/// one vector are two.
 fn is_one(a: &Reading, b: &Reading, model: &Model) -> bool {
-    let holds_formally = |members: &[Expr]| formal::is_identity(&members[0], &members[1], model);
-    let is_formal = a.statements.iter().flatten().any(|s| s.members.windows(2).any(holds_formally));
-    is_each(a, b, |a, b| if is_formal { is_reordered(a, b) } else { formal::same(a, b, model) })
+    let has_cells = |expr: &Expr| {
+        let mut found = false;
+        expr.walk(&mut |inner| found |= matches!(inner.node, Node::Matrix(_)));
+        found
+    };
+    is_each(a, b, |a, b| if has_cells(a) { is_reordered(a, b) } else { formal::same(a, b, model) })
 }
 
 /// Whether two readings are alike member for member, by what is asked of each pair.

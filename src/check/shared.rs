@@ -23,7 +23,7 @@ use super::identity::Options;
 use super::reading::for_each;
 use super::repair::{MISSING, OFFERED, is_each, is_real, is_wrong, likelihood};
 use super::sentences;
-use super::trial::Trial;
+use super::trial::{self, Trial};
 use super::verdict::{Equation, Repair, Shared, Verdict};
 
 /// With so many edits of one display the whole document is checked at most.
@@ -130,7 +130,12 @@ impl Desk<'_> {
         let is_law = self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at));
         let members = || self.readings[equation].statements.iter().flatten().flat_map(|statement| &statement.members);
         let uses = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
-        equation != at && (is_law || self.readings[at].introduced.iter().any(uses))
+        let named = |new: &Introduced| {
+            self.model.laws.iter().flat_map(|law| &law.conditions).any(|condition| {
+                [&condition.lhs, &condition.rhs].iter().any(|side| self.model.depends_on(side, &[new.symbol]))
+            })
+        };
+        equation != at && (is_law || self.readings[at].introduced.iter().any(|new| uses(new) || named(new)))
     }
 
     /// The edits of a display that mend most of these equations, two at least if there are several, and spoil nothing.
@@ -247,7 +252,7 @@ impl Desk<'_> {
             if haste && !(is_readable && Trial::new(self, at, reading, claim).ok()?.stands()) {
                 return None;
             }
-            if haste && !reading.introduced.is_empty() {
+            if haste && !reading.introduced.is_empty() && trial::is_plain(claim) {
                 return Some(Verdict::Definition);
             }
             let found = self.equation(at, self.assigned[at]).ok()?;

@@ -143,6 +143,14 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// # Errors
     /// As for a check of the display itself.
     pub fn of(&self, text: &str) -> Result<Answer> {
+        self.of_one(text, |_| true)
+    }
+
+    /// The same; a reading that says nothing of interest is refused before it is checked in full.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn of_one(&self, text: &str, says_something: impl Fn(&Reading) -> bool) -> Result<Answer> {
         let mut reading = reprint::read(self.desk, &self.desk.model.macros, self.at, text, self.claim);
         if let Some(step) = self.step {
             cut(&mut reading, step);
@@ -156,7 +164,7 @@ impl<'d, 'a> Trial<'d, 'a> {
         if self.fails(&reading) {
             return Ok(Answer::Refuted);
         }
-        if reprint::lost(self.desk, &reading, self.now).is_some() {
+        if !says_something(&reading) || reprint::lost(self.desk, &reading, self.now).is_some() {
             return Ok(Answer::Refused);
         }
         let offset = self.desk.notes.equations[self.at].body.start;

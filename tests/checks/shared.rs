@@ -81,3 +81,86 @@ fn a_slip_in_what_a_name_means_is_mended_there() {
     assert_eq!(wrong, vec![("1", vec!["2", "3"]); 2]);
     assert_eq!(mended(&found), numbered(&["s = a^2 + b^2", uses[0], uses[1]]));
 }
+
+#[test]
+fn a_display_that_is_wrong_itself_is_mended_with_what_stands_on_it() {
+    let claims = json!({ "constants": { "a, b": "> 0" } });
+    let (sum, square) = ("s = a^2 + b^2 = (a + b)^2 - 2ab", "(a - b)^2 = s - 2ab");
+    let found = checked(&claims, &[&sum.replace("a^2 + b^2", "a^2 - b^2"), square]);
+    assert_eq!(shared(&found), vec![Some(("1", vec!["1", "2"])); 2]);
+    assert_eq!(mended(&found), numbered(&[sum, square]));
+    // The twin: a slip behind the definition is nobody else's.
+    let found = checked(&claims, &["s = a^2 + b^2 = (a + b)^2 - 3ab", square]);
+    assert_eq!(shared(&found), [None]);
+    assert_eq!(mended(&found), numbered(&[sum, square]));
+}
+
+#[test]
+fn a_definition_that_cannot_be_read_is_mended_for_what_stands_on_it() {
+    let claims = json!({ "constants": { "a, b": "> 0" }, "axes": { r"\hat x, \hat y, \hat z": "fixed" } });
+    let uses = [r"|\vec r|^2 = a^2 + b^2", r"\vec r \cdot (\hat x + \hat y) = a - b"];
+    let found = checked(&claims, &[r"\vec r = a \hat x b \hat y", uses[0], uses[1]]);
+    assert_eq!(shared(&found), vec![Some(("1", vec!["1", "2", "3"])); 3]);
+    assert_eq!(mended(&found), numbered(&[r"\vec r = a \hat x - b \hat y", uses[0], uses[1]]));
+}
+
+#[test]
+fn that_a_momentum_does_not_change_is_not_made_that_there_is_none() {
+    let claims = json!({ "varies with time": { "r": "> 0", r"\phi": "angle" }, "constants": { "m": "> 0" }, "laws": { "rotation": "1" } });
+    let rates = [r"\dot p = 0", r"\frac{d}{dt} (r^2 \dot\phi) = 0", r"2 \dot r \dot\phi + r \ddot\phi = 0"];
+    let displays = |momentum: &'static str| [rates[0], momentum, rates[1], rates[2]];
+    let found = checked(&claims, &displays(r"p = m r \dot\phi"));
+    assert_eq!(shared(&found).into_iter().flatten().collect::<Vec<_>>(), vec![("2", vec!["3", "4"]); 2]);
+    let offered =
+        found.equations.iter().flat_map(|equation| &equation.repairs).filter_map(|repair| repair.shared.as_ref());
+    assert!(offered.into_iter().all(|shared| shared.of == "2"));
+}
+
+/// An oscillator whose energy is constant.
+fn oscillator() -> Json {
+    json!({
+        "varies with time": { "x": "any" },
+        "constants": { "m, k": "> 0" },
+        "laws": { "Hooke's law": "1" },
+        "equations": { "2": { "conserved": true } },
+    })
+}
+
+const HOOKE: &str = r"m \ddot x = -k x";
+const ENERGY: &str = r"E = \frac12 m \dot x^2 + \frac12 k x^2";
+const PERIOD: &str = r"\ddot x = -\frac{k}{m} x";
+
+#[test]
+fn what_one_equation_alone_notices_is_mended_where_it_stands() {
+    let found = checked(&oscillator(), &[r"m \ddot x = -k x^2", ENERGY]);
+    assert_eq!(shared(&found), [Some(("1", vec!["2"]))]);
+    assert_eq!(mended(&found), numbered(&[HOOKE, ENERGY]));
+}
+
+#[test]
+fn what_nothing_else_stands_on_may_be_wrong_instead() {
+    let wrong = ENERGY.replace('+', "-");
+    let doubts = |displays: &[&str]| {
+        let found = checked(&oscillator(), displays);
+        let energy = found.equations.into_iter().find(|equation| equation.id == "2");
+        energy.map_or(Vec::new(), |energy| energy.elsewhere)
+    };
+    assert_eq!(doubts(&[HOOKE, &wrong]), ["1"]);
+    assert!(doubts(&[HOOKE, &wrong, PERIOD]).is_empty(), "the third vouches for the first");
+    // An identity needs no law, and so vouches for none.
+    assert_eq!(doubts(&[HOOKE, &wrong, r"\frac{d}{dt} x^2 = 2 x \dot x"]), ["1"]);
+    assert!(doubts(&[HOOKE, ENERGY]).is_empty());
+}
+
+#[test]
+fn what_a_display_says_of_the_name_that_it_introduces_is_mended() {
+    let mut claims = oscillator();
+    claims["constants"] = json!({ "m, k, b": "> 0" });
+    claims["equations"] = json!({});
+    let damped = r"m \ddot x = -k x - b \dot x";
+    let loss = |loss: &str| format!(r"{ENERGY}, \qquad \dot E = {loss}");
+    for slip in [r"b \dot x^2", r"-b \dot x", r"-k \dot x^2"] {
+        let found = checked(&claims, &[damped, &loss(slip)]);
+        assert_eq!(mended(&found), numbered(&[damped, &loss(r"-b \dot x^2")]), "{slip}");
+    }
+}

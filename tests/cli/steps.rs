@@ -129,3 +129,30 @@ fn what_two_wrong_equations_stand_on_is_mended_and_not_they() {
     let run = desk.onshell(&["check", "notes.md"]);
     assert!(run.code == 1 && !run.out.contains("In (1)"), "{}", run.out);
 }
+
+#[test]
+fn what_nothing_vouches_for_is_left_to_the_author() {
+    let desk = Desk::new("fix-vouched");
+    let notes = |sign: &str, more: &str| {
+        format!(
+            "$$ m \\ddot x = -k x \\tag{{1}} $$\n\n$$ E = \\frac12 m \\dot x^2 {sign} \\frac12 k x^2 \\tag{{2}} $$\n\n{more}"
+        )
+    };
+    let claims = json!({
+        "notes": "notes.md",
+        "varies with time": { "x": "any" },
+        "constants": { "m, k": "> 0" },
+        "laws": { "Hooke's law": "1" },
+        "equations": { "2": { "conserved": true } },
+    });
+    desk.write("notes.json", claims.to_string());
+    desk.write("notes.md", notes("-", ""));
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!((run.code, desk.read("notes.md")), (1, notes("-", "")), "the law may be wrong as well: {}", run.out);
+    assert!(run.out.contains("nothing that holds stands on (1): the slip may be there"), "{}", run.out);
+    // The twin: where another equation holds by the law, it is vouched for.
+    let period = "$$ \\ddot x = -\\frac{k}{m} x \\tag{3} $$\n";
+    desk.write("notes.md", notes("-", period));
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!((run.code, desk.read("notes.md")), (0, notes("+", period)), "{}", run.out);
+}

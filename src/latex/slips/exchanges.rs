@@ -43,11 +43,10 @@ impl Finder<'_> {
         for (a, b) in pairs {
             self.edit(Slip::Name, a.span.to(b.span), self.exchanged(a.span, b.span));
         }
-        terms.iter().for_each(|term| self.exchange_within(term));
     }
 
     /// Two names of a term exchanged, of which one at least stands in a fraction or in parentheses.
-    fn exchange_within(&mut self, term: &Term<'_>) {
+    pub(super) fn exchange_within(&mut self, term: &Term<'_>) {
         let mut names: Vec<(&Item, bool)> = Vec::new();
         for item in term.items {
             gather(item, false, &mut names);

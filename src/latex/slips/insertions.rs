@@ -183,7 +183,10 @@ impl Finder<'_> {
 
     /// A sign between two factors of a term, which was two.
     pub(super) fn split(&mut self, factors: &[Factor<'_>]) {
-        for factor in factors.iter().skip(1).filter(|factor| factor.operator.is_none()) {
+        // What acts on all that follows is no term by itself.
+        let acts = |factor: &Factor<'_>| is_big(&factor.items[0]) || self.slice(factor.span()).contains("{dt");
+        let apart = factors.iter().take_while(|factor| !acts(factor)).count();
+        for factor in factors[..apart].iter().skip(1).filter(|factor| factor.operator.is_none()) {
             for sign in ["-", "+"] {
                 self.edit(Slip::Term, Span::at(factor.span().start), format!("{sign} "));
             }

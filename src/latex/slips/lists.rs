@@ -249,6 +249,9 @@ impl Finder<'_> {
                 self.item(item);
             }
         }
+        if self.pool.is_some() {
+            formulas(items).iter().flatten().for_each(|term| self.exchange_within(term));
+        }
     }
 
     /// Whether a term is 0 or the zero vector, or a product with it.

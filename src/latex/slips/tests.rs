@@ -186,6 +186,9 @@ fn what_authors_do_and_no_slip_of_one_kind_undoes_is_undone() {
         ("\\left( m + l x", "\\left( m + l x\\right)"),
         ("\\frac{M (m + l}{x}", "\\frac{M (m + l)}{x}"),
         ("\\theta - \\phi x", "\\phi - \\theta x"),
+        ("\\frac{2 m}{M} x", "\\frac{2 M}{m} x"),
+        ("\\vec v (\\vec\\omega \\cdot \\vec r)", "\\vec\\omega (\\vec v \\cdot \\vec r)"),
+        ("m x l \\sin\\theta", "m x - l \\sin\\theta"),
         ("m \\vec\\omega \\times \\vec v", "m |\\vec\\omega \\times \\vec v|"),
     ] {
         let mended = corrections(wrong, &symbols, &macros, &pool(wrong));
