@@ -248,12 +248,10 @@ impl Desk<'_> {
         let none = Claim::default();
         let judged = |at: usize| -> Option<Verdict> {
             let (reading, claim) = (&self.readings[at], self.assigned[at].unwrap_or(&none));
-            let is_readable = reading.statements.iter().all(Result::is_ok);
-            if haste && !(is_readable && Trial::new(self, at, reading, claim).ok()?.stands()) {
-                return None;
-            }
             if haste && !reading.introduced.is_empty() && trial::is_plain(claim) {
-                return Some(Verdict::Definition);
+                let is_readable = reading.statements.iter().all(Result::is_ok);
+                let stands = is_readable && Trial::new(self, at, reading, claim).ok()?.stands();
+                return stands.then_some(Verdict::Definition);
             }
             let found = self.equation(at, self.assigned[at]).ok()?;
             found.ok.then_some(found.finding.verdict)

@@ -118,7 +118,7 @@ impl<'d, 'a> Trial<'d, 'a> {
         let mut mode = context.mode(!always && self.desk.model.has_motion(), members);
         // A slip may need one derivative more.
         mode.order = (mode.order + 1).clamp(3, TERMS - 1);
-        let drawn = context.ensemble_of(self.desk.model, mode, STATES, "trial");
+        let drawn = context.ensemble_of(self.desk.model, mode, STATES.min(self.desk.options.points), "trial");
         drawn.ok().filter(|ensemble| !ensemble.scenes.is_empty())
     }
 
