@@ -96,6 +96,9 @@ fn is_one_of_multiples(a: &Expr, b: &Expr, multiples: &[(i64, i64)], rules: &[Ru
     log2 <= certify::FALSE_ACCEPT_LOG2
 }
 
+/// The entries of two formulas, side by side.
+type Pairs<F> = Vec<(Modular<F>, Modular<F>)>;
+
 /// The values of symbols, by their indices.
 type Drawings<F> = HashMap<(SymbolId, Vec<u8>), Value<Series<Modular<F>>>>;
 
@@ -111,7 +114,7 @@ struct Drawn<'s, F: Modulus> {
 
 impl<F: Modulus> Drawn<'_, F> {
     /// The numbers of two formulas, side by side.
-    fn pairs(&self, a: &Expr, b: &Expr, free: &[IndexId]) -> Result<Vec<(Modular<F>, Modular<F>)>, Unavailable> {
+    fn pairs(&self, a: &Expr, b: &Expr, free: &[IndexId]) -> Result<Pairs<F>, Unavailable> {
         let mut indices: Vec<(IndexId, u8)> = free.iter().map(|id| (*id, 1)).collect();
         let mut all = Vec::new();
         loop {

@@ -101,10 +101,16 @@ impl Desk<'_> {
             if contradicted {
                 equation.repairs = self.repairs_of_definitions(run, at, alone)?;
             }
-            if equation.repairs.is_empty() {
+            if equation.repairs.len() < OFFERED {
                 // Nothing is to be learnt from what is wrong, the units of its terms neither.
                 let found = suggestions(&self.doubting(at), &wrong)?;
-                equation.repairs = in_file(self, &wrong, display.body.start, found);
+                for repair in in_file(self, &wrong, display.body.start, found) {
+                    let is_it = |known: &Repair| (known.span, &known.replacement) == (repair.span, &repair.replacement);
+                    if !equation.repairs.iter().any(is_it) {
+                        equation.repairs.push(repair);
+                    }
+                }
+                equation.repairs.truncate(OFFERED);
             }
             if equation.repairs.is_empty() && !contradicted {
                 equation.repairs = self.repairs_of_definitions(run, at, alone)?;

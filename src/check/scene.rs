@@ -104,8 +104,11 @@ pub struct Scene<'m, B: Number> {
     /// The same where the value alone was asked for.
     values: RefCell<FxHashMap<Key, Value<Instant<B>>>>,
     /// The values of integrals.
-    pub(super) integrals: RefCell<Vec<(SymbolId, Expr, Value<Instant<B>>)>>,
+    pub(super) integrals: RefCell<Integrals<B>>,
 }
+
+/// Integrals over a continuum with their integrands and values.
+type Integrals<B> = Vec<(SymbolId, Expr, Value<Instant<B>>)>;
 
 impl<'m, B: Number> Scene<'m, B> {
     /// The state with this base.

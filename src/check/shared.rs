@@ -146,7 +146,6 @@ impl Desk<'_> {
         let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
         let least = wrong.len().min(2);
         let branches = |text: &str| text.contains(r"\pm") || text.contains(r"\mp");
-        let mut likely: Vec<Found> = Vec::new();
         let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
         let all = || Pool::of(texts(), symbols, macros, MISSING).factors_only();
         let mut tried: Vec<Edit> = Vec::new();
@@ -162,30 +161,40 @@ impl Desk<'_> {
             edits.sort_by_key(|edit| likelihood(&display.text, edit, false));
             edits.truncate(TRIED);
             tried.extend(edits.iter().cloned());
-            likely = edits
-                .into_par_iter()
-                .filter_map(|edit| {
-                    let mended =
-                        self.edited(&Run { options: quick, ..*run }, at, &edit, |desk| desk.mended(wrong, true))?;
-                    Some(Found { at, edit, mended })
-                })
-                .filter(|found| found.mended.len() >= least)
-                .collect();
-            if !likely.is_empty() {
-                break;
+            let mended =
+                |edit: &Edit| self.edited(&Run { options: quick, ..*run }, at, edit, |desk| desk.mended(wrong, true));
+            let likely = edits.into_par_iter().filter_map(|edit| {
+                let mended = mended(&edit)?;
+                Some(Found { at, edit, mended }).filter(|found| found.mended.len() >= least)
+            });
+            let found = self.confirmed(run, at, likely.collect(), (wrong, held));
+            if !found.is_empty() {
+                return found;
             }
         }
-        let rank = |found: &Found| (Reverse(found.mended.len()), likelihood(&display.text, &found.edit, false));
-        likely.sort_by_key(rank);
-        // Two edits may say the same.
+        Vec::new()
+    }
+
+    /// Those of some edits of a display that mend most, by the full check.
+    fn confirmed(
+        &self,
+        run: &Run<'_>,
+        at: usize,
+        mut likely: Vec<Found>,
+        (wrong, held): (&[usize], &Held),
+    ) -> Vec<Found> {
+        let text = &self.notes.equations[at].text;
+        let least = wrong.len().min(2);
+        likely.sort_by_key(|found| (Reverse(found.mended.len()), likelihood(text, &found.edit, false)));
+        // Two edits may say the same; of what cannot be read as it stands that is not known.
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
-        let read = |edit: &Edit| self.as_printed(&edit.applied(&display.text), claim, macros);
         let equal = |a: &Expr, b: &Expr| formal::is_identity(a, b, self.model);
         let mut distinct: Vec<(Found, Reading)> = Vec::new();
         for found in likely {
-            let reading = read(&found.edit);
-            if distinct.len() < DOCUMENTS && !distinct.iter().any(|(_, known)| is_each(known, &reading, equal)) {
+            let reading = self.as_printed(&found.edit.applied(text), claim, &self.model.macros);
+            let is_known = || distinct.iter().any(|(_, known)| is_each(known, &reading, equal));
+            if distinct.len() < DOCUMENTS && (self.is_damaged(at) || !is_known()) {
                 distinct.push((found, reading));
             }
         }

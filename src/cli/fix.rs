@@ -2,9 +2,10 @@
 //!
 //! A repair is made if it is the only one, or of a likelier kind of slip than the next; after asking, or at once with
 //! `--yes`. One that mends what several wrong equations stand on goes before those of the equations themselves. Left to
-//! the author is one that mends a step alone, which the rest carries on; one of an equation that stands on what nothing
-//! else vouches for; and one that puts in what stands nowhere in the notes, but for a number. Nothing else in the file
-//! changes, and nothing at all if the file is no longer as it was checked.
+//! the author is one that mends a step alone, which the rest carries on, and one that puts in what stands nowhere in the
+//! notes, but for a number. One of an equation that stands on what nothing else vouches for, or that changes a statement
+//! which is not wrong by itself, is made after asking alone. Nothing else in the file changes, and nothing at all if the
+//! file is no longer as it was checked.
 
 use std::io::{BufRead, IsTerminal, Write};
 
@@ -42,6 +43,12 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
                 other.span != repair.span
                     && (other.span.end <= repair.span.start || repair.span.end <= other.span.start)
             };
+            let doubt = doubt(equation, repair);
+            if let (true, Some(doubt)) = (yes, &doubt) {
+                let left = format!("({}): its repair is left to you, as {doubt}", equation.id);
+                writeln!(std::io::stderr(), "{left}").map_err(|error| Error::new(format!("cannot say: {error}")))?;
+                continue;
+            }
             if chosen.iter().all(apart) && (yes || agreed(document, equation, repair)?) {
                 chosen.push(repair);
             }
@@ -57,8 +64,6 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
 
 /// The repair of an equation that is the only one, or clearly the likeliest.
 fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> {
-    let mends_several = |repair: &Repair| repair.shared.as_ref().is_some_and(|shared| shared.mends.len() > 1);
-    let is_vouched_for = |repair: &&Repair| mends_several(repair) || equation.elsewhere.is_empty();
     match equation.repairs.as_slice() {
         [only] => Some(only),
         // Of what several equations stand on: likelier than a slip in each of them.
@@ -69,7 +74,21 @@ fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> 
         [first, second, ..] if first.slip < second.slip => Some(first),
         _ => None,
     }
-    .filter(|repair| !repair.step && is_vouched_for(repair) && repair.is_in_the_notes(&document.source.text))
+    .filter(|repair| !repair.step && repair.is_in_the_notes(&document.source.text))
+}
+
+/// Why a repair is for its author to make: the slip may be in another place.
+fn doubt(equation: &Equation, repair: &Repair) -> Option<String> {
+    if repair.shared.as_ref().is_some_and(|shared| shared.mends.len() > 1) {
+        return None;
+    }
+    if !equation.elsewhere.is_empty() {
+        return Some(format!("nothing that holds stands on ({})", equation.elsewhere.join("), (")));
+    }
+    let mut wrong = equation.parts.iter().filter(|part| !part.ok).map(|part| part.finding.span);
+    let is_elsewhere =
+        repair.shared.is_none() && wrong.clone().next().is_some() && !wrong.any(|w| w.contains(repair.span));
+    is_elsewhere.then(|| "it changes what is not wrong by itself".to_owned())
 }
 
 /// Asks whether a repair is to be made.

@@ -164,3 +164,24 @@ fn what_a_display_says_of_the_name_that_it_introduces_is_mended() {
         assert_eq!(mended(&found), numbered(&[damped, &loss(r"-b \dot x^2")]), "{slip}");
     }
 }
+
+#[test]
+fn a_name_and_what_is_said_of_it_may_either_be_wrong() {
+    let claims = json!({ "constants": { "a, b": "> 0" } });
+    let display = |s: &str, square: &str| numbered(&[&format!(r"s = {s}, \qquad s^2 = {square}")]);
+    let (sum, difference) = (display("a + b", "a^2 + 2ab + b^2"), display("a - b", "a^2 - 2ab + b^2"));
+    let found = checked(&claims, &[r"s = a - b, \qquad s^2 = a^2 + 2ab + b^2"]);
+    let offered: Vec<String> = found.equations[0]
+        .repairs
+        .iter()
+        .map(|repair| {
+            let mut text = found.source.text.clone();
+            text.replace_range(repair.span.range(), &repair.replacement);
+            text
+        })
+        .collect();
+    assert!(offered.contains(&sum) && offered.contains(&difference), "{offered:?}");
+    // What passes offers nothing.
+    let holds = checked(&claims, &[r"s = a - b, \qquad s^2 = a^2 - 2ab + b^2"]);
+    assert!(holds.equations[0].ok && holds.equations[0].repairs.is_empty());
+}
