@@ -85,8 +85,8 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             sentences.par_iter().enumerate().with_max_len(1).map(|s| told(sentence(s))).collect();
         let (equations, sentences) = (equations?, sentences?);
         let alone = equations.iter().filter(|equation| !equation.ok && is_wrong(equation)).count() == 1;
-        // What a step is to be mended to depends on those before it.
-        // What several of them share comes first; what a step follows from is known later.
+        // What several of them share comes first; but what a step follows from, and what it is to be mended to, depends on
+        // those before it.
         let has_steps = !derivations.is_empty();
         let equations = if has_steps { equations } else { desk.with_shared_repairs(run, equations, &sentences) };
         let mended = |(at, equation): (&usize, Equation)| {

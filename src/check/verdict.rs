@@ -172,8 +172,12 @@ pub struct Repair {
 }
 
 impl Repair {
-    /// Whether what it puts in stands in the notes already, or is a number; else it was put together from what is true.
+    /// Whether it changes what stands in the notes, or puts in what stands there already, or a number; else the factor or
+    /// the term was put together from what is true.
     pub fn is_in_the_notes(&self, notes: &str) -> bool {
+        if !matches!(self.slip, Slip::Factor | Slip::Term) {
+            return true;
+        }
         let put_in = self.replacement.trim().trim_end_matches(r"\,").trim().trim_start_matches(['+', '-']).trim();
         let is_number = put_in.replace(r"\frac", "").chars().all(|c| c.is_ascii_digit() || "{} /".contains(c));
         is_number || notes.contains(put_in)

@@ -2,8 +2,8 @@
 //!
 //! A repair is made if it is the only one, or of a likelier kind of slip than the next; after asking, or at once with
 //! `--yes`. One that mends what several wrong equations stand on goes before those of the equations themselves. Left to
-//! the author is one that mends a step alone, which the rest carries on, and one that puts in what stands nowhere in the
-//! notes, but for a number. One of an equation that stands on what nothing else vouches for, or that changes a statement
+//! the author is one that mends a step alone, which the rest carries on, and a term or a factor that stands nowhere in the
+//! notes and is no number. One of an equation that stands on what nothing else vouches for, or that changes a statement
 //! which is not wrong by itself, is made after asking alone. Nothing else in the file changes, and nothing at all if the
 //! file is no longer as it was checked.
 
@@ -34,8 +34,8 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
         let mut chosen: Vec<&Repair> = Vec::new();
         let mut clear: Vec<(&Equation, &Repair)> =
             document.equations.iter().filter_map(|equation| Some((equation, clear(document, equation)?))).collect();
-        if clear.iter().any(|(_, repair)| repair.shared.is_some()) {
-            clear.retain(|(_, repair)| repair.shared.is_some());
+        if clear.iter().any(|(_, repair)| mends_several(repair)) {
+            clear.retain(|(_, repair)| mends_several(repair));
         }
         for (equation, repair) in clear {
             // Of two that put something in at one place only the first is made.
@@ -77,9 +77,14 @@ fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> 
     .filter(|repair| !repair.step && repair.is_in_the_notes(&document.source.text))
 }
 
+/// Whether several equations are mended at once.
+fn mends_several(repair: &Repair) -> bool {
+    repair.shared.as_ref().is_some_and(|shared| shared.mends.len() > 1)
+}
+
 /// Why a repair is for its author to make: the slip may be in another place.
 fn doubt(equation: &Equation, repair: &Repair) -> Option<String> {
-    if repair.shared.as_ref().is_some_and(|shared| shared.mends.len() > 1) {
+    if mends_several(repair) {
         return None;
     }
     if !equation.elsewhere.is_empty() {

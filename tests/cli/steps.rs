@@ -156,3 +156,29 @@ fn what_nothing_vouches_for_is_left_to_the_author() {
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
     assert_eq!((run.code, desk.read("notes.md")), (0, notes("+", period)), "{}", run.out);
 }
+
+#[test]
+fn a_change_of_what_stands_there_is_made_though_its_text_is_new() {
+    let desk = Desk::new("fix-new-text");
+    desk.write("notes.json", json!({ "notes": "notes.md", "constants": { "a, b": "> 0" } }).to_string());
+    let notes = |right: &str| format!("$$ \\frac{{1}}{{a}} - \\frac{{1}}{{b}} = {right} \\tag{{1}} $$\n");
+    desk.write("notes.md", notes("\\frac{ab}{b - a}"));
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!((run.code, desk.read("notes.md")), (0, notes("\\frac{b - a}{ab}")), "{}{}", run.out, run.err);
+}
+
+#[test]
+fn what_is_left_to_the_author_holds_nothing_else_back() {
+    let desk = Desk::new("fix-beside");
+    desk.write("notes.json", json!({ "notes": "notes.md", "constants": { "a, b": "> 0" } }).to_string());
+    let notes = |right: &str| {
+        format!(
+            "$$ s = (a - b)(a + 2b) \\tag{{1}} $$\n\n$$ s^2 = a^4 - 2 a^2 b^2 + b^4 \\tag{{2}} $$\n\n\
+             $$ \\frac{{1}}{{a}} - \\frac{{1}}{{b}} = {right} \\tag{{3}} $$\n"
+        )
+    };
+    desk.write("notes.md", notes("\\frac{ab}{b - a}"));
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!((run.code, desk.read("notes.md")), (1, notes("\\frac{b - a}{ab}")), "{}{}", run.out, run.err);
+    assert!(run.err.contains("(2): its repair is left to you, as nothing that holds stands on (1)"), "{}", run.err);
+}
