@@ -7,8 +7,9 @@ use crate::Result;
 use crate::formula::evaluate::evaluate;
 use crate::formula::{Expr, Relation, SymbolId, text};
 
-use super::identity::{Context, run};
+use super::identity::{Context, FEWEST, run};
 use super::judge::{self, Link, Point};
+use super::model::Model;
 use super::nothing;
 use super::twins::twins;
 use super::verdict::{Finding, Verdict};
@@ -23,13 +24,18 @@ pub struct User<'a> {
     pub context: Context<'a>,
 }
 
-/// The verdict on `symbol = formula`, which `users` stand on.
+/// The verdict on `symbol = formula`, which `users` stand on, and others `by_law`: a law that they hold by names the symbol.
 ///
 /// # Errors
 /// When the world's mass matrix is singular.
-pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: &Context<'_>) -> Result<Finding> {
+pub fn check(
+    symbol: SymbolId,
+    formula: &Expr,
+    (users, by_law): (&mut [User<'_>], &[User<'_>]),
+    context: &Context<'_>,
+) -> Result<Finding> {
     let name = text::plain(&context.model.name(symbol));
-    if users.is_empty() {
+    if users.is_empty() && by_law.is_empty() {
         return Ok(context.finding(Verdict::Undecided, format!("introduces {name}, which nothing else checks")));
     }
     if nothing::is_nothing(formula, context)? {
@@ -75,6 +81,16 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
             break;
         }
     }
+    for user in by_law {
+        if loose.is_empty() || !holds_by_law(user, context.model)? {
+            continue;
+        }
+        let before = loose.len();
+        loose.retain(|(twin, _)| !breaks_by_law(user, symbol, twin));
+        if loose.len() < before && !names.contains(&user.id) {
+            names.push(user.id.clone());
+        }
+    }
     // A twin that is the same formula in other words breaks nothing, and need not.
     let mode = context.mode(false, &[formula]);
     let states = context.ensemble(mode, true, context.options.points)?;
@@ -105,4 +121,22 @@ pub fn check(symbol: SymbolId, formula: &Expr, users: &mut [User<'_>], context: 
             Ok(Finding { points, tried: points, ..context.finding(Verdict::Definition, message) })
         }
     }
+}
+
+/// Whether an equation holds on shell.
+fn holds_by_law(user: &User<'_>, model: &Model) -> Result<bool> {
+    let mode = user.context.mode(true, &[&user.link.lhs, &user.link.rhs]);
+    let states = user.context.ensemble_of(model, mode, FEWEST, "")?;
+    Ok(run(&user.link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.points > 0))
+}
+
+/// Whether an equation does not hold on shell any more where a name that its laws use stands for another formula.
+fn breaks_by_law(user: &User<'_>, symbol: SymbolId, twin: &Expr) -> bool {
+    // What is defined by itself is not defined.
+    if user.context.model.depends_on(twin, &[symbol]) {
+        return true;
+    }
+    let mut model = user.context.model.clone();
+    model.define(symbol, twin.clone());
+    !holds_by_law(user, &model).is_ok_and(|holds| holds)
 }

@@ -15,12 +15,10 @@ use super::ensemble::Condition;
 use super::identity::{self, Context, is_equality};
 use super::judge::Link;
 use super::model::Meaning;
-use super::pins::Use;
 use super::reading::for_each;
-use super::restated::Restated;
 use super::rules::{Action, Rule};
 use super::verdict::{Equation, Finding, Part, Verdict};
-use super::{definitions, exactly, formal, gaps, generates, limit, restated, solves, tautology, terms, trial};
+use super::{exactly, formal, gaps, generates, limit, solves, tautology, terms};
 
 /// The verdict that a claims file expects.
 pub(super) fn expected(expect: &Expect) -> Verdict {
@@ -335,90 +333,6 @@ impl Desk<'_> {
         let Some(solves) = &claim.solves else { return Ok(false) };
         let unknowns: Result<Vec<SymbolId>> = solves.unknowns.iter().map(|unknown| self.symbol(unknown)).collect();
         Ok(member.as_plain_symbol().is_some_and(|id| unknowns.is_ok_and(|unknowns| unknowns.contains(&id))))
-    }
-
-    /// The verdict on a statement that introduces a symbol.
-    fn definition(&self, introduced: &Introduced, context: &Context<'_>) -> Result<Finding> {
-        let symbol = introduced.symbol;
-        let (uses, restated) = self.uses(introduced)?;
-        if uses.is_empty() && !restated.is_empty() {
-            let name = text::plain(&self.model.name(symbol));
-            let message = format!("introduces {name}, and {} says the same in other words", restated.join(", "));
-            return Ok(context.finding(Verdict::Undecided, message));
-        }
-        let mut users: Vec<definitions::User<'_>> = uses
-            .iter()
-            .map(|Use { id, link, conditions, local, .. }| definitions::User {
-                id: id.clone(),
-                link: link.clone(),
-                context: Context { conditions, local, topic: id, on_shell: None, ..*context },
-            })
-            .collect();
-        definitions::check(symbol, &introduced.formula, &mut users, context)
-    }
-
-    /// The equations and sentences that use a defined name; and those that only say the definition in other words, which
-    /// hold whatever the definition says.
-    pub(super) fn uses(&self, introduced: &Introduced) -> Result<(Vec<Use>, Vec<String>)> {
-        let symbol = introduced.symbol;
-        let depends = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
-        let (mut uses, mut restated) = (Vec::new(), Vec::new());
-        let mut add = |name: String, (statement, k): (&Statement, usize), claim: &Claim| {
-            let relation = statement.relations[k].0;
-            if !is_equality(relation) || !statement.members[k..k + 2].iter().any(depends) {
-                return Ok(());
-            }
-            let (a, b) = (&statement.members[k], &statement.members[k + 1]);
-            let mut link = self.link(a, relation, b)?;
-            let says_it_again = |link: &Link| restated::restates(link, symbol, &introduced.formula, self.model);
-            let how = says_it_again(&link);
-            let mut is_restated = how.is_some();
-            if how == Some(Restated::Differentiated)
-                && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
-            {
-                // Of a chain that goes on from there, the name is also held to the rest: Ė = … = 0 says Ė = 0.
-                let member = if depends(a) { a } else { b };
-                let others = (0..statement.members.len()).filter(|at| *at != k && *at != k + 1);
-                for other in others.map(|at| &statement.members[at]).filter(|other| !depends(other)) {
-                    let across = self.link(member, Relation::Equal, other)?;
-                    if is_restated && says_it_again(&across).is_none() {
-                        (link, is_restated) = (across, false);
-                    }
-                }
-            }
-            match is_restated {
-                true => restated.push(name),
-                false => {
-                    let (conditions, local) = (self.conditions(claim)?, self.local(claim)?);
-                    let is_plain = claim.expect.is_none() && trial::is_plain(claim);
-                    uses.push(Use { id: name, link, conditions, local, is_plain });
-                }
-            }
-            Ok::<(), Error>(())
-        };
-        for (at, reading) in self.readings.iter().enumerate() {
-            let none = Claim::default();
-            let claim = self.assigned[at].unwrap_or(&none);
-            for (place, statement) in reading.statements.iter().enumerate() {
-                let Ok(statement) = statement else { continue };
-                for k in 0..statement.relations.len() {
-                    let defines =
-                        |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
-                    if !reading.introduced.iter().any(defines) {
-                        add(format!("({})", shown(&self.notes.equations[at])), (statement, k), claim)?;
-                    }
-                }
-            }
-        }
-        for sentence in self.claims.sentences.iter().filter(|sentence| sentence.claim.expect.is_none()) {
-            for statement in self.claimed_by(sentence).iter().flatten() {
-                for k in 0..statement.relations.len() {
-                    let name = sentence.name.as_ref().map_or("a sentence", |name| name.value.as_str());
-                    add(format!("“{name}”"), (statement, k), &sentence.claim)?;
-                }
-            }
-        }
-        Ok((uses, restated))
     }
 
     /// Whether a link says of a formula what the display says by naming it, or the same in another order.

@@ -75,6 +75,7 @@ mod trial;
 pub mod twins;
 mod unclear;
 pub mod units;
+mod uses;
 pub mod verdict;
 mod whole;
 mod wide;

@@ -287,7 +287,7 @@ fn fate(
 /// Whether what a display defines is what it defined before, or else an equation that uses the name fails; what is a law
 /// is not held by others.
 fn holds_fast(desk: &Desk<'_>, at: usize, pins: &[Pins<'_, '_>], formulas: &[Expr]) -> bool {
-    if desk.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at)) {
+    if desk.is_law(at) {
         return false;
     }
     let before = desk.readings[at].introduced.iter().map(|introduced| &introduced.formula);

@@ -101,7 +101,8 @@ impl Desk<'_> {
             unnoticed.truncate(TRIED);
             let passes = |(edit, text, formulas): (&Edit, String, Vec<Expr>)| {
                 let (edit, reading) = (edit.clone(), wrong.reading.clone());
-                let suggestion = || Suggestion { edit, reading, verdict: Verdict::Definition, step: false };
+                let suggestion =
+                    || Suggestion { edit, reading, verdict: Verdict::Definition, step: false, idle: false };
                 self.passes_redefined(wrong, &text, &formulas).then(suggestion)
             };
             let mut candidates: Vec<Suggestion> = unnoticed.into_par_iter().filter_map(passes).collect();

@@ -6,6 +6,8 @@
 //! What may have been left out is looked for only where nothing else helps: first what the display itself has, then what
 //! the document has, then what follows from what is true ([`super::lost`]).
 
+use std::cell::Cell;
+
 use rayon::prelude::*;
 
 use crate::Result;
@@ -46,6 +48,8 @@ pub(super) struct Suggestion {
     pub verdict: Verdict,
     /// Whether it mends a step of a chain alone.
     pub step: bool,
+    /// Whether a member is then zero whatever its symbols mean: it is true, and says nothing.
+    pub idle: bool,
 }
 
 /// What is to be mended.
@@ -152,15 +156,18 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);
     let others = || desk.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
     let texts = || std::iter::once(wrong.text).chain(others().map(|(_, display)| display.text.as_str()));
-    let all = || Pool::of(texts(), symbols, macros, MISSING);
+    let all = || Pool::of(texts(), symbols, macros, MISSING).with_members(wrong.text, symbols, macros);
     let like = || own().of_like_terms(symbols, macros);
     let pools: [&dyn Fn() -> Pool; 4] = [&|| own().factors_only(), &|| all().factors_only(), &all, &like];
     // With a term or a factor less much is true that nobody meant: then what was lost is looked for as well.
     let mut less: Vec<Suggestion> = Vec::new();
+    // What says nothing is offered where nothing else is.
+    let mut idle: Vec<Suggestion> = Vec::new();
     for (at, pool) in pools.iter().enumerate() {
         // What is found from what is true comes after all that stands in the document, and before what is only like it.
         if at == LAST {
-            let found = passing(desk, wrong, &lost::edits(desk, wrong)?)?;
+            let mut found = passing(desk, wrong, &lost::edits(desk, wrong)?)?;
+            found.retain(|suggestion| !suggestion.idle);
             if !found.is_empty() {
                 return Ok(distinct(desk, less.into_iter().chain(found)));
             }
@@ -170,13 +177,14 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
         let mut found = passing(desk, wrong, &edits)?;
         tried.extend(edits);
         found.sort_by_key(|suggestion| likelihood(wrong.text, &suggestion.edit, suggestion.step));
+        idle.extend(found.extract_if(.., |suggestion| suggestion.idle).filter(|_| at < LAST));
         let is_less = found.iter().all(|suggestion| takes_away(&suggestion.edit));
         less.extend(found);
         if !is_less {
             break;
         }
     }
-    Ok(distinct(desk, less))
+    Ok(distinct(desk, if less.is_empty() { idle } else { less }))
 }
 
 /// Whether an edit leaves out a term or a factor that stands there once.
@@ -211,14 +219,22 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
             let mut passing = Vec::new();
             for edit in share {
                 let text = edit.applied(wrong.text);
+                // A name put beside its like, and the product of vectors with one of them, are zero too easily.
+                let multiplies = ["\\times", "\\cdot"].iter().any(|operator| edit.replacement.contains(operator));
+                let may_say_nothing = !takes_away(edit) && edit.slip != Slip::Name && !multiplies;
                 let mut passes = |trial: &Trial<'_, '_>, now: &Reading, step: bool| -> Result<bool> {
-                    let says_something = |reading: &Reading| {
-                        !is_empty(reading, desk.model)
-                            && !is_lost(now, reading, desk.model)
-                            && !whole.stands_still(reading)
+                    let idle = Cell::new(false);
+                    let is_meant = |reading: &Reading| {
+                        idle.set(is_empty(now, reading, desk.model));
+                        let says_something = match idle.get() {
+                            true => may_say_nothing && is_null(reading),
+                            false => !is_lost(now, reading, desk.model),
+                        };
+                        says_something && !whole.stands_still(reading)
                     };
-                    let Answer::Passes(reading, parts) = trial.of_one(&text, says_something)? else { return Ok(false) };
-                    passing.push(Suggestion { edit: edit.clone(), reading, verdict: worst(&parts), step });
+                    let Answer::Passes(reading, parts) = trial.of_one(&text, is_meant)? else { return Ok(false) };
+                    let (edit, verdict, idle) = (edit.clone(), worst(&parts), idle.get());
+                    passing.push(Suggestion { edit, reading, verdict, step, idle });
                     Ok(true)
                 };
                 if passes(&whole, wrong.reading, false)? {
@@ -268,11 +284,18 @@ fn stands_in(edit: &Edit, reading: &Reading, (statement, member): (usize, usize)
     statement.and_then(|statement| statement.members.get(member)).is_some_and(|member| member.span.contains(edit.span))
 }
 
-/// Whether a member is zero whatever its symbols mean, and not written so: it is true, and says nothing.
-fn is_empty(reading: &Reading, model: &Model) -> bool {
+/// Whether a member has become zero whatever its symbols mean, and is not written so: it is true, and says nothing.
+fn is_empty(before: &Reading, after: &Reading, model: &Model) -> bool {
     let vanishes =
         |member: &Expr| !member.is_null() && formal::is_identity(member, &Expr::integer(0, member.span), model);
-    reading.statements.iter().flatten().flat_map(|statement| &statement.members).any(vanishes)
+    let known: Vec<&Expr> = before.statements.iter().flatten().flat_map(|statement| &statement.members).collect();
+    let mut members = after.statements.iter().flatten().flat_map(|statement| &statement.members);
+    members.any(|member| vanishes(member) && !known.contains(&member))
+}
+
+/// Whether something is said to be zero.
+fn is_null(reading: &Reading) -> bool {
+    reading.statements.iter().flatten().any(|statement| statement.members.iter().any(Expr::is_null))
 }
 
 /// Whether two readings say the same, whatever their symbols mean, member for member. Two matrices that do the same to
@@ -330,12 +353,13 @@ pub(super) fn is_real(desk: &Desk<'_>, text: &str, edit: &Edit, offset: usize) -
 /// Suggestions as edits of the file in which the display's text starts at `offset`. What stands in the file in another
 /// way than it was read, between two displays of one number, is not touched.
 pub(super) fn in_file(desk: &Desk<'_>, wrong: &Wrong<'_>, offset: usize, found: Vec<Suggestion>) -> Vec<Repair> {
-    let repair = |Suggestion { edit, verdict, step, .. }: Suggestion| Repair {
+    let repair = |Suggestion { edit, verdict, step, idle, .. }: Suggestion| Repair {
         span: edit.span.shifted(offset),
         replacement: edit.replacement,
         slip: edit.slip,
         verdict,
         step,
+        idle,
         shared: None,
     };
     found.into_iter().filter(|found| is_real(desk, wrong.text, &found.edit, offset)).map(repair).collect()

@@ -103,6 +103,7 @@ impl Desk<'_> {
             slip: edit.slip,
             verdict: *verdict,
             step: false,
+            idle: false,
             shared: Some(Shared { of: shown(display), mends: mends.clone() }),
         };
         mended.iter().map(repair).collect()
@@ -127,7 +128,7 @@ impl Desk<'_> {
 
     /// Whether what an equation says depends on what a display takes for granted or introduces.
     pub(super) fn stands_on(&self, equation: usize, at: usize) -> bool {
-        let is_law = self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at));
+        let is_law = self.is_law(at);
         let members = || self.readings[equation].statements.iter().flatten().flat_map(|statement| &statement.members);
         let uses = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
         let named = |new: &Introduced| {
@@ -231,7 +232,7 @@ impl Desk<'_> {
     /// Whether a statement of a display is that a rate is 0.
     fn says_that_nothing_moves(&self, at: usize) -> bool {
         let moves = |member: &Expr| matches!(member.node, Node::Symbol { dots: 1.., .. } | Node::TimeDerivative(..));
-        let is_law = self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at));
+        let is_law = self.is_law(at);
         let says_so = |s: &Statement| s.members.iter().any(Expr::is_null) && s.members.iter().any(moves);
         is_law && self.readings[at].statements.iter().flatten().any(says_so)
     }

@@ -26,8 +26,10 @@ pub(super) fn is_lost(before: &Reading, after: &Reading, model: &Model) -> bool 
             subject_is_gone(before, after, model)
                 || changed.any(|((before, after), (relation, _))| match relation {
                     Relation::Approximately => {
-                        let nulls = |members: &[Expr]| members.iter().filter(|member| member.is_null()).count();
-                        nulls(after) > nulls(before) || is_emptied(before, after)
+                        let is_nothing = |(before, after): (&Expr, &Expr)| {
+                            after.is_null() && !before.is_null() && !before.symbols().is_empty()
+                        };
+                        before.iter().zip(after.iter()).any(is_nothing) || is_emptied(before, after)
                     }
                     relation => is_equality(*relation) && is_emptied(before, after),
                 })

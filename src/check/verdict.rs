@@ -167,6 +167,8 @@ pub struct Repair {
     pub verdict: Verdict,
     /// Whether it mends a step of a chain and not yet the rest, which carries the slip on or has another.
     pub step: bool,
+    /// Whether a side is then zero whatever its symbols mean: offered where nothing else is, and for its author to make.
+    pub idle: bool,
     /// Where it changes another display, on which several wrong equations stand.
     pub shared: Option<Shared>,
 }

@@ -74,7 +74,7 @@ fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> 
         [first, second, ..] if first.slip < second.slip => Some(first),
         _ => None,
     }
-    .filter(|repair| !repair.step && repair.is_in_the_notes(&document.source.text))
+    .filter(|repair| !repair.step && !repair.idle && repair.is_in_the_notes(&document.source.text))
 }
 
 /// Whether several equations are mended at once.

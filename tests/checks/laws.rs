@@ -160,3 +160,26 @@ fn what_is_constant_at_an_instant_is_not_conserved() {
     assert_eq!(conserved("E", json!({ "assume": "m = l" })), Verified);
     assert_eq!(conserved("T", json!({ "assume": "m = l" })), Refuted);
 }
+
+#[test]
+fn a_definition_that_only_a_law_uses_is_held_by_what_follows_from_the_law() {
+    let claims = json!({
+        "constants": { "m, b, k": "> 0" },
+        "varies with time": { "x": "any" },
+        "laws": { "Newton": "2" },
+        "equations": { "1": {}, "3": {} },
+    });
+    let law = r"\ddot x + 2 \gamma \dot x + \frac{k}{m} x = 0";
+    let of = |definition: &str, power: &str| {
+        let found = document(&claims, &numbered(&[definition, law, power]), &Registry::standard(), None);
+        found.unwrap_or_else(|error| panic!("{error}")).equations
+    };
+    let power = r"m \dot x \ddot x + k x \dot x = - b \dot x^2";
+    let found = of(r"\gamma = \frac{b}{2m}", power);
+    assert!(found.iter().all(|equation| equation.ok), "{found:?}");
+    assert!(message(&found[0]).ends_with("each slip in it breaks (3)"), "{}", message(&found[0]));
+    // The twins: the definition is wrong; and what follows from the law does not say what γ is.
+    assert!(!of(r"\gamma = \frac{b}{m}", power)[2].ok);
+    let loose = of(r"\gamma = \frac{b}{2m}", r"\frac{d}{dt} x^2 = 2 x \dot x");
+    assert_eq!(loose[0].finding.verdict, Undecided, "{}", message(&loose[0]));
+}

@@ -172,3 +172,51 @@ fn nothing_is_mended_to_an_equation_that_says_nothing() {
         assert!(all.iter().any(|text| bare(text) == bare(right)), "{wrong}: {all:?}");
     }
 }
+
+#[test]
+fn an_identity_that_is_zero_is_offered_where_nothing_else_is_and_for_its_author_to_make() {
+    let claims = json!({ "indices": { "i": "1..n" }, "constants": { "M, m_i": "> 0", r"\vec r_i": "any" } });
+    let wrong = r"\frac{m_i \vec{r}_i - m_i (-\vec{r}_i)}{M} = 0";
+    let found = equation(&claims, &[wrong], json!({}));
+    assert!(is_mended(&claims, wrong, json!({}), r"\frac{m_i \vec{r}_i + m_i (-\vec{r}_i)}{M} = 0"), "{found:?}");
+    assert!(found.repairs.iter().all(|repair| repair.idle), "{found:?}");
+    // The twins: what would only be a name beside itself, and what is zero in no way.
+    let vectors = json!({ "constants": { r"\vec a, \vec b": "any" } });
+    for wrong in [r"\vec a \times \vec b = 0", r"\vec a \cdot \vec b = 0", r"\vec a = 0"] {
+        assert_eq!(equation(&vectors, &[wrong], json!({})).repairs, Vec::new(), "{wrong}");
+    }
+}
+
+#[test]
+fn a_factor_that_stands_nowhere_else_is_found_in_an_equation_of_vectors() {
+    let claims = json!({
+        "indices": { "i": "1..n" },
+        "constants": { "m_i": "> 0" },
+        "varies with time": { r"\vec r_i": "any" },
+        "define": { "M": r"\sum_i m_i", r"\vec s": r"\frac{\sum_i m_i \vec r_i}{\sum_i m_i}" },
+    });
+    let wrong = r"\vec s = \sum_i m_i \vec r_i";
+    assert!(is_mended(&claims, wrong, json!({}), r"\vec s = \sum_i m_i \vec r_i \frac{1}{M}"), "{:?}", {
+        equation(&claims, &[wrong], json!({})).repairs
+    });
+    // A member that was zero before the slip was made is no reason to doubt.
+    let found = equation(&claims, &[r"\sum_i m_i (\vec r_i + \vec s) = M (\vec s - \vec s) = 0"], json!({}));
+    assert!(found.repairs.iter().any(|repair| repair.replacement == "-" && !repair.idle), "{found:?}");
+    // The twin: no number makes one vector of two.
+    let two = r"\vec s = \sum_i m_i \dot{\vec r}_i";
+    assert_eq!(equation(&claims, &[two], json!({})).repairs, Vec::new());
+}
+
+#[test]
+fn what_holds_for_each_of_many_is_mended_however_many_there_are() {
+    let claims = json!({
+        "indices": { "i": "1..n" },
+        "constants": { "m_i, k": "> 0" },
+        "varies with time": { "x_i": "any" },
+    });
+    let rate = r"\frac{d}{dt} (m_i x_i^2 + k x_i)";
+    let right = r"2 m_i x_i \dot x_i + k \dot x_i";
+    let wrong = format!("{rate} + k x_i = {right}");
+    let all = equation(&claims, &[&wrong], json!({})).repairs;
+    assert!(is_mended(&claims, &wrong, json!({}), &format!("{rate} = {right}")), "{all:?}");
+}

@@ -20,6 +20,7 @@ use crate::latex::slips::{self, Edit, Hole, Slip};
 use crate::latex::{Reading, read_formula, typeset};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::{DualNum, Measured, Symbol, TERMS};
+use crate::source::Span;
 
 use super::desk::Desk;
 use super::difference::{self, entries, normal};
@@ -70,6 +71,8 @@ struct Lost<'w, 'a> {
 struct Needed {
     /// Which of the rows says so.
     row: usize,
+    /// How many there are.
+    rows: usize,
     values: Vec<f64>,
     slopes: Vec<f64>,
     /// Which states these are.
@@ -150,10 +153,12 @@ impl<'w, 'a> Lost<'w, 'a> {
                 continue;
             }
             let Some(needed) = self.needed(hole, &one, &two) else { continue };
-            let Some(link) = self.link(self.wrong.reading, needed.row) else { continue };
-            let found = self.product(hole, &needed, &link);
-            let found =
-                if found.is_empty() { self.sum(hole, &needed, &link, &one).into_iter().collect() } else { found };
+            let Some((link, row)) = self.link(self.wrong.reading, needed.row) else { continue };
+            proposals.extend(self.number(hole, &needed));
+            let mut found = self.product(hole, &needed, &link);
+            if found.is_empty() {
+                found.extend(self.sum(hole, &needed, (&link, row), &one));
+            }
             proposals.extend(found);
         }
         proposals
@@ -175,7 +180,8 @@ impl<'w, 'a> Lost<'w, 'a> {
 
     /// The value that a hole must have at each state, where it enters linearly and all rows agree on it.
     fn needed(&self, hole: Hole, one: &Reading, two: &Reading) -> Option<Needed> {
-        let mut needed = Needed { row: usize::MAX, values: Vec::new(), slopes: Vec::new(), states: Vec::new() };
+        let mut needed =
+            Needed { row: usize::MAX, rows: 0, values: Vec::new(), slopes: Vec::new(), states: Vec::new() };
         for (at, scene) in self.ensemble.scenes.iter().enumerate() {
             let Some(off) = &self.off[at] else { continue };
             let (Some(first), Some(second)) = (self.residuals(one, scene), self.residuals(two, scene)) else {
@@ -189,6 +195,11 @@ impl<'w, 'a> Lost<'w, 'a> {
                 let share = |row: &usize| (slope(*row) / first[*row].magnitude).abs();
                 let changed = (0..off.len()).filter(|row| !is_small(slope(*row), &first[*row]));
                 needed.row = changed.max_by(|a, b| share(a).total_cmp(&share(b)))?;
+                needed.rows = off.len();
+            }
+            // With as many rows as there are particles at a state, a row is not the same at each.
+            if off.len() != needed.rows {
+                return None;
             }
             let before = -off[needed.row].value / slope(needed.row);
             for row in 0..off.len() {
@@ -207,14 +218,14 @@ impl<'w, 'a> Lost<'w, 'a> {
         (is_known && 4 * needed.states.len() >= 3 * STATES).then_some(needed)
     }
 
-    /// The link of a reading that a row belongs to, if it has no other.
-    fn link(&self, reading: &Reading, row: usize) -> Option<Link> {
+    /// The link of a reading that a row belongs to, and which of its rows that is.
+    fn link(&self, reading: &Reading, row: usize) -> Option<(Link, usize)> {
         let scene = self.ensemble.scenes.first()?;
         let mut start = 0;
         for link in (0..reading.statements.len()).flat_map(|n| tested(self.desk, (reading, n), self.wrong.claim)) {
             let count = entries(&link, scene).ok()?.len();
             if row < start + count {
-                return (count == 1).then_some(link);
+                return Some((link, row - start));
             }
             start += count;
         }
@@ -283,6 +294,18 @@ impl<'w, 'a> Lost<'w, 'a> {
         states.iter().map(at).collect()
     }
 
+    /// The number that was left out of a product which has none.
+    fn number(&self, hole: Hole, needed: &Needed) -> Option<Proposal> {
+        let (whole, first) = (&self.wrong.text[hole.whole.range()], *needed.values.first()?);
+        let is_one = needed.values.iter().all(|value| (value - first).abs() <= NEAR * first.abs());
+        if hole.slip == Slip::Term || !is_one || first < 0.0 || whole.contains(|c: char| c.is_ascii_digit()) {
+            return None;
+        }
+        let replacement = format!("{} \\, ", product::constant(first)?);
+        let edit = Edit { span: Span::at(hole.whole.start), replacement, slip: Slip::Factor };
+        Some(Proposal { cost: 2, edit })
+    }
+
     /// What should stand in a hole as a product of powers.
     fn product(&self, hole: Hole, needed: &Needed, link: &Link) -> Vec<Proposal> {
         let factors = self.factors.get_or_init(|| Factors::of(self.desk, self.wrong, &self.ensemble.scenes));
@@ -292,7 +315,8 @@ impl<'w, 'a> Lost<'w, 'a> {
         }
         let symbols = &self.desk.model.symbols;
         let read = read_formula(&product.latex, &mut symbols.clone(), &self.desk.model.macros);
-        if hole.slip == Slip::Term && !read.is_ok_and(|term| !self.undoes(&product.signed(term), hole, link, needed)) {
+        let adds = |term: Expr| !self.undoes(&product.signed(term), hole, link, needed);
+        if hole.slip == Slip::Term && !read.is_ok_and(adds) {
             return Vec::new();
         }
         let sign = if product.is_negative() { '-' } else { '+' };
@@ -309,10 +333,10 @@ impl<'w, 'a> Lost<'w, 'a> {
     }
 
     /// What should stand in a hole in normal form, where the states are made of symbols.
-    fn sum(&self, hole: Hole, needed: &Needed, link: &Link, one: &Reading) -> Option<Proposal> {
-        let one = self.link(one, needed.row)?;
+    fn sum(&self, hole: Hole, needed: &Needed, (link, row): (&Link, usize), one: &Reading) -> Option<Proposal> {
+        let (one, _) = self.link(one, needed.row)?;
         let off = |link: &Link, scene: &Scene<'_, Symbol>| {
-            let sides = entries(link, scene).ok()?.first().copied()?;
+            let sides = entries(link, scene).ok()?.get(row).copied()?;
             Some(sides.0 - sides.1)
         };
         let missing = |scene: &Scene<'_, Symbol>| {

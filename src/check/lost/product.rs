@@ -248,6 +248,23 @@ fn quotient(number: Fraction, mut above: Vec<String>, mut below: Vec<String>) ->
     if below.is_empty() { above } else { format!("\\frac{{{above}}}{{{below}}}") }
 }
 
+/// A number as a fraction, or as the root of one.
+pub(super) fn constant(value: f64) -> Option<String> {
+    let fraction = |(above, below): (String, String)| match below.as_str() {
+        "1" => above,
+        _ => format!("\\frac{{{above}}}{{{below}}}"),
+    };
+    if let Some(Fraction { numerator, denominator }) = Fraction::near(value) {
+        return Some(fraction((numerator.to_string(), denominator.to_string())));
+    }
+    let square = Fraction::near(value * value)?;
+    let root = |n: u32| {
+        let whole = f64::from(n).sqrt();
+        if whole.fract() == 0.0 { whole.to_string() } else { format!("\\sqrt{{{n}}}") }
+    };
+    Some(fraction((root(square.numerator.unsigned_abs()), root(square.denominator.unsigned_abs()))))
+}
+
 fn norm(vector: &[f64]) -> f64 {
     vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }

@@ -1,7 +1,7 @@
 //! Slips in a single thing: a name, its index, its dots and accents; a number; a function; a fraction; a power.
 
 use crate::formula::symbols::{Entry, Name};
-use crate::formula::{Index, IndexId, SymbolId};
+use crate::formula::{Index, IndexId, Kind, SymbolId};
 use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
@@ -129,6 +129,9 @@ impl Finder<'_> {
         if let [Item { layout: Layout::Number(digits), .. }] = inner
             && let Ok(n) = digits.parse::<u32>()
         {
+            if self.pool.is_some() {
+                self.edit(Slip::Sign, sup.span, format!("{{-{n}}}"));
+            }
             for other in [n.saturating_add(1), n.saturating_sub(1)].into_iter().filter(|other| *other > 1) {
                 self.edit(Slip::Exponent, sup.span, other.to_string());
             }
@@ -162,6 +165,7 @@ impl Finder<'_> {
                 }
             }
         }
+        self.accent_lost(item, printed);
         if printed.dots > 0 {
             self.dots(nucleus(item));
         }
@@ -172,13 +176,32 @@ impl Finder<'_> {
             // A component of a vector, `\omega_1` beside `\vec\omega`, is known without being declared.
             let is_known = found.is_some() || self.symbols.derived.contains_key(&printed.name.to_string());
             let family = |(_, entry): (SymbolId, &Entry)| {
-                let name = &entry.name;
-                name.base == printed.name.base && entry.slots.len() == printed.name.subscript.len()
+                let count = printed.name.subscript.len();
+                let is_component = entry.kind == Kind::Vector
+                    && unaccented(&entry.name).base == printed.name.base
+                    && entry.slots.len() + 1 == count;
+                is_component || entry.name.base == printed.name.base && entry.slots.len() == count
             };
             let tensor = matches!(printed.name.base.as_str(), "\\delta" | "\\epsilon" | "\\varepsilon");
             let is_like = self.pool.is_some() && (tensor || self.symbols.iter().any(family));
             self.indices(sub, is_known || is_like);
         }
+    }
+
+    /// The accents that a bare letter has elsewhere, and a hat where it is a vector.
+    fn accent_lost(&mut self, item: &Item, printed: &Printed<'_>) {
+        let bare = &printed.name.base;
+        if self.pool.is_none() || unaccented(&printed.name).base != *bare {
+            return;
+        }
+        let mut accented: Vec<String> = Vec::new();
+        for (_, entry) in self.symbols.iter().filter(|(_, entry)| unaccented(&entry.name).base == *bare) {
+            let hat = (entry.kind == Kind::Vector).then(|| format!("\\hat{{{bare}}}"));
+            let own = Some(entry.name.base.clone()).filter(|base| base != bare);
+            accented.extend(own.into_iter().chain(hat));
+        }
+        let nucleus = nucleus(item).span;
+        accented.into_iter().for_each(|accented| self.edit(Slip::Accent, nucleus, accented));
     }
 
     /// The symbols that could be meant where this one stands.
@@ -363,7 +386,7 @@ fn nucleus(item: &Item) -> &Item {
 }
 
 /// A symbol as it is spelled with these indices and dots.
-fn spelled(entry: &Entry, indices: &[Index], dots: u8, symbols: &crate::formula::Symbols) -> Option<String> {
+pub(super) fn spelled(entry: &Entry, indices: &[Index], dots: u8, symbols: &crate::formula::Symbols) -> Option<String> {
     let mut name = entry.name.clone();
     for ((at, _), index) in entry.slots.iter().zip(indices) {
         name.subscript[*at] = match index {

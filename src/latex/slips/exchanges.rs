@@ -159,7 +159,10 @@ impl Finder<'_> {
     pub(super) fn limits(&mut self, item: &Item, sub: &Item) {
         let Some(pool) = self.pool else { return };
         if is_sum(item) {
-            pool.sums.iter().for_each(|sum| self.edit(Slip::Index, item.span, sum.clone()));
+            pool.sums
+                .iter()
+                .filter(|sum| sum.starts_with("\\sum"))
+                .for_each(|sum| self.edit(Slip::Index, item.span, sum.clone()));
         } else {
             self.argument(item, sub);
         }

@@ -33,6 +33,16 @@ fn fence(item: &Item) -> Option<Fence<'_>> {
 impl Finder<'_> {
     /// Slips at the parentheses of a term.
     pub(super) fn fences(&mut self, factors: &[Factor<'_>]) {
+        for (rotation, angle) in factors.iter().zip(factors.iter().skip(1)) {
+            if self.pool.is_some()
+                && self.is_matrix(rotation)
+                && fence(&angle.items[0]).is_none()
+                && angle.operator.is_none()
+            {
+                let enclosed = format!("({})", self.slice(angle.span()));
+                self.edit(Slip::Parenthesis, angle.span(), enclosed);
+            }
+        }
         for (at, factor) in factors.iter().enumerate() {
             let Some(last) = factor.items.last() else { continue };
             let Some(fence) = fence(last) else { continue };
@@ -85,16 +95,9 @@ impl Finder<'_> {
     /// undone, one that was lost is put back.
     pub(super) fn enclose(&mut self, terms: &[Term<'_>]) {
         for (at, term) in terms.iter().enumerate() {
-            let factors = self.factors(term.items);
-            let Some(fence) = factors.last().and_then(|factor| fence(factor.items.last()?)) else { continue };
-            let open = self.slice(Span::new(fence.whole.start, fence.inner.start)).to_owned();
-            let close = self.slice(Span::new(fence.inner.end, fence.whole.end)).to_owned();
-            let inner = self.slice(fence.inner).to_owned();
-            for next in terms[at + 1..].iter().take(FARTHEST) {
-                for factor in self.factors(next.items) {
-                    let more = self.slice(Span::new(fence.whole.end, factor.span().end)).to_owned();
-                    let span = Span::new(fence.whole.start, factor.span().end);
-                    self.edit(Slip::Parenthesis, span, format!("{open}{inner}{more}{close}"));
+            for factor in self.factors(term.items) {
+                if let Some(fence) = factor.items.last().and_then(fence) {
+                    self.take_in(&fence, &terms[at + 1..]);
                 }
             }
         }
@@ -133,6 +136,20 @@ impl Finder<'_> {
                     let enclosed = format!("({})", self.slice(span));
                     self.edit(Slip::Parenthesis, span, enclosed);
                 }
+            }
+        }
+    }
+
+    /// A parenthesis that closes after any factor of the terms behind it.
+    fn take_in(&mut self, fence: &Fence<'_>, behind: &[Term<'_>]) {
+        let open = self.slice(Span::new(fence.whole.start, fence.inner.start)).to_owned();
+        let close = self.slice(Span::new(fence.inner.end, fence.whole.end)).to_owned();
+        let inner = self.slice(fence.inner).to_owned();
+        for next in behind.iter().take(FARTHEST) {
+            for factor in self.factors(next.items) {
+                let more = self.slice(Span::new(fence.whole.end, factor.span().end)).to_owned();
+                let span = Span::new(fence.whole.start, factor.span().end);
+                self.edit(Slip::Parenthesis, span, format!("{open}{inner}{more}{close}"));
             }
         }
     }

@@ -9,7 +9,7 @@ use super::super::layout::{Item, Layout};
 use super::super::macros::Macros;
 use super::super::names;
 use super::super::reader::typeset_items;
-use super::lists::{Factor, Term, formulas, is_big, is_function, is_sum};
+use super::lists::{Factor, Term, formulas, is_big, is_function, is_integral, is_sum, is_times};
 use super::{Finder, Slip, slips};
 
 /// Factors and terms that may be put in, as their authors typed them.
@@ -19,7 +19,7 @@ pub struct Pool {
     terms: Vec<String>,
     /// `\sin`, `\cos^2`: what may stand before a name.
     functions: Vec<String>,
-    /// `\sum_{i=1}^{n}`: what may stand before factors.
+    /// `\sum_{i=1}^{n}`, `\int_V`: what may stand before factors.
     pub(super) sums: Vec<String>,
     /// The symbols that stand there.
     pub(super) names: Vec<SymbolId>,
@@ -80,6 +80,16 @@ impl Pool {
         Pool { terms, ..Pool::default() }
     }
 
+    /// With the members of families that have the index letters of a text.
+    pub fn with_members(mut self, text: &str, symbols: &Symbols, macros: &Macros) -> Pool {
+        if let Ok(items) = typeset_items(text, macros) {
+            let members = Finder { text, symbols, pool: None, edits: Vec::new() }.members(&items);
+            self.factors
+                .extend(members.into_iter().filter(|member| !self.factors.contains(member)).collect::<Vec<_>>());
+        }
+        self
+    }
+
     /// The factors alone.
     pub fn factors_only(mut self) -> Pool {
         self.terms.clear();
@@ -126,7 +136,7 @@ impl Finder<'_> {
                     if is_function(first) {
                         count(&mut counts.functions, first.span);
                     }
-                    if is_sum(first) {
+                    if is_sum(first) || is_integral(first) {
                         count(&mut counts.sums, first.span);
                     }
                 }
@@ -159,12 +169,19 @@ impl Finder<'_> {
             let slip = if is_number(factor) { Slip::Number } else { Slip::Factor };
             for at in &before {
                 self.edit(slip, Span::at(*at), format!("{factor} \\, "));
+                // `\rho(\vec r)`, what depends on a place, is one thing.
+                if self.text[*at..].starts_with('(') {
+                    self.edit(slip, Span::at(*at), factor);
+                }
             }
             // A number stands before what it multiplies.
             if !is_number(factor) {
                 self.edit(Slip::Factor, Span::at(end), format!(" \\, {factor}"));
             }
             if !is_vector(factor) {
+                for at in self.between_vectors(factors) {
+                    self.edit(Slip::Factor, Span::at(at), format!("\\times {factor} "));
+                }
                 continue;
             }
             for at in factors
@@ -178,6 +195,54 @@ impl Finder<'_> {
                     self.edit(Slip::Factor, Span::at(at.end), format!(" {operator} {factor}"));
                 }
             }
+        }
+    }
+
+    /// Where a vector stands after another with nothing between them.
+    fn between_vectors(&self, factors: &[Factor<'_>]) -> Vec<usize> {
+        let is = |factor: &Factor<'_>| is_vector(self.slice(factor.span()));
+        let pairs = factors.iter().zip(factors.iter().skip(1));
+        let bare = pairs.filter(|(a, b)| b.operator.is_none() && is(a) && is(b));
+        bare.map(|(_, second)| second.span().start).collect()
+    }
+
+    /// The product of two vectors, where it is not said which.
+    pub(super) fn multiply(&mut self, factors: &[Factor<'_>]) {
+        for at in self.between_vectors(factors) {
+            for operator in ["\\times ", "\\cdot "] {
+                self.edit(Slip::Order, Span::at(at), operator);
+            }
+        }
+    }
+
+    /// Parentheses around a product of two vectors that is a factor of another.
+    pub(super) fn associate(&mut self, factors: &[Factor<'_>]) {
+        if factors.iter().filter(|factor| factor.operator.is_some_and(is_times)).count() < 2 {
+            return;
+        }
+        for (a, b) in factors.iter().zip(&factors[1..]).filter(|(_, b)| b.operator.is_some_and(is_times)) {
+            let product = a.span().to(b.span());
+            self.edit(Slip::Parenthesis, product, format!("({})", self.slice(product)));
+        }
+    }
+
+    /// What an integral is taken over: the d or its power lost, or what stands after it.
+    pub(super) fn elements(&mut self, factors: &[Factor<'_>]) {
+        let Some(pool) = self.pool.filter(|_| factors.iter().any(|factor| is_integral(&factor.items[0]))) else {
+            return;
+        };
+        let is_d = |factor: &&Factor<'_>| self.slice(factor.span()).trim_end_matches("{}").starts_with('d');
+        let Some(last) = factors.last().map(Factor::span) else { return };
+        match factors.iter().find(is_d).map(|factor| (factor.span(), factor.items)) {
+            Some((d, [Item { layout: Layout::Letter(_), .. }])) => {
+                ["d^2", "d^3"].iter().for_each(|element| self.edit(Slip::Exponent, d, *element));
+            }
+            Some((d, _)) if d == last => {
+                let letters = pool.factors.iter().filter(|factor| factor.len() == 1);
+                letters.for_each(|letter| self.edit(Slip::Factor, Span::at(d.end), letter.as_str()));
+            }
+            Some(_) => {}
+            None => ["d", "d^2", "d^3"].iter().for_each(|d| self.edit(Slip::Factor, Span::at(last.start), *d)),
         }
     }
 

@@ -108,6 +108,11 @@ pub(super) fn is_sum(item: &Item) -> bool {
     command(item) == Some("\\sum")
 }
 
+/// ∫ alone.
+pub(super) fn is_integral(item: &Item) -> bool {
+    command(item) == Some("\\int")
+}
+
 /// `\sin` and the like, with a power perhaps.
 pub(super) fn is_function(item: &Item) -> bool {
     command(item)
@@ -199,7 +204,7 @@ impl Finder<'_> {
         self.kind(item) == Some(Kind::Rotation)
     }
 
-    fn is_matrix(&self, factor: &Factor<'_>) -> bool {
+    pub(super) fn is_matrix(&self, factor: &Factor<'_>) -> bool {
         let item = &factor.items[0];
         matches!(item.layout, Layout::Environment(..)) || matches!(self.kind(item), Some(Kind::Matrix | Kind::Rotation))
     }
@@ -353,6 +358,10 @@ impl Finder<'_> {
                     self.edit(self.doubling(Slip::Factor), Span::at(factor.span().end), twice);
                 }
             }
+            let has_power = matches!(factor.items[0].layout, Layout::Scripts { sup: Some(_), .. });
+            if self.pool.is_some() && self.is_matrix(factor) && factor.items.len() == 1 && !has_power {
+                self.edit(Slip::Exponent, Span::at(factor.span().end), "^{-1}");
+            }
             let Some(before) = at.checked_sub(1).map(|before| &factors[before]) else { continue };
             let swapped = Span::new(before.span().start, factor.span().end);
             let (a, b) = (self.slice(before.span()).to_owned(), self.slice(factor.span()).to_owned());
@@ -378,6 +387,9 @@ impl Finder<'_> {
             self.split(&factors);
             self.insert_sums(&factors);
             self.divide(&factors);
+            self.multiply(&factors);
+            self.associate(&factors);
+            self.elements(&factors);
         }
     }
 

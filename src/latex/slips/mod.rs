@@ -11,6 +11,7 @@
 mod atoms;
 mod brackets;
 mod exchanges;
+mod families;
 mod fences;
 mod holes;
 mod insertions;

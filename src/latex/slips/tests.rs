@@ -58,7 +58,8 @@ fn of_kind(slip: Slip, text: &str) -> Vec<String> {
 }
 
 /// A slip, a formula, and what the slip makes of it.
-const OCCUR: [(Slip, &str, &str); 43] = [
+const OCCUR: [(Slip, &str, &str); 44] = [
+    (Slip::Parenthesis, "(m) x^2 + l M", "(m x^2 + l) M"),
     (Slip::Sign, "m + M", "m - M"),
     (Slip::Sign, "m - M", "m + M"),
     (Slip::Sign, "m + M", "-m + M"),
@@ -190,6 +191,17 @@ fn what_authors_do_and_no_slip_of_one_kind_undoes_is_undone() {
         ("\\vec v (\\vec\\omega \\cdot \\vec r)", "\\vec\\omega (\\vec v \\cdot \\vec r)"),
         ("m x l \\sin\\theta", "m x - l \\sin\\theta"),
         ("m \\vec\\omega \\times \\vec v", "m |\\vec\\omega \\times \\vec v|"),
+        ("m \\omega \\cdot \\vec v", "m \\hat\\omega \\cdot \\vec v"),
+        ("\\mathbf{R} \\theta", "\\mathbf{R} (\\theta)"),
+        ("\\mathbf{R} \\mathbf{S}", "\\mathbf{R} \\mathbf{S}^{-1}"),
+        ("m^2 x", "m^{-2} x"),
+        ("m \\vec v \\vec\\omega", "m \\vec v \\times \\vec\\omega"),
+        ("M m_i + \\vec v \\vec r_i", "M m_i + \\vec v \\times m_i \\vec r_i"),
+        ("\\vec v \\times \\vec\\omega \\times \\vec v", "\\vec v \\times (\\vec\\omega \\times \\vec v)"),
+        ("\\int M \\, dx", "\\int M \\, d^3x"),
+        ("\\int M \\, x", "\\int M \\, d^3 x"),
+        ("M x + \\int l \\, d", "M x + \\int l \\, d x"),
+        ("\\int M d x + l d x", "\\int M d x + \\int l d x"),
     ] {
         let mended = corrections(wrong, &symbols, &macros, &pool(wrong));
         let texts: Vec<String> = mended.iter().map(|edit| bare(&edit.applied(wrong))).collect();
