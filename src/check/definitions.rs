@@ -14,6 +14,9 @@ use super::nothing;
 use super::twins::twins;
 use super::verdict::{Finding, Verdict};
 
+/// What is said of a definition of which nothing would notice the sign.
+pub const SIGN_ASIDE: &str = ", its sign aside,";
+
 /// An equation that uses a defined symbol, with the name that it is reported by.
 pub struct User<'a> {
     /// The number or label of the equation.
@@ -106,7 +109,7 @@ pub fn check(
         *twin != whole
             && !run(&link, &states.scenes).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
     });
-    let aside = if loose.len() < signed { ", its sign aside" } else { "" };
+    let aside = if loose.len() < signed { SIGN_ASIDE } else { "" };
     match loose.first() {
         _ if names.is_empty() => {
             let message = format!("introduces {name}, and nothing that holds uses it");

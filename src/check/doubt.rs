@@ -28,6 +28,14 @@ impl Desk<'_> {
         };
         let holding: Vec<usize> =
             equations.iter().zip(&displays).filter(|(equation, _)| holds(equation)).filter_map(|(_, at)| *at).collect();
+        // A definition that is pinned is vouched for; of one that is loose nobody knows.
+        let pinned: Vec<Option<bool>> = (0..self.notes.equations.len())
+            .map(|display| {
+                let is_definition = !self.readings[display].introduced.is_empty();
+                let own = equations.iter().zip(&displays).find(|(_, at)| **at == Some(display));
+                own.filter(|_| is_definition).map(|(equation, _)| equation.ok)
+            })
+            .collect();
         let held = self.held(&equations, sentences);
         let mut vouched: Vec<Option<bool>> = vec![None; self.notes.equations.len()];
         for (equation, own) in equations.iter_mut().zip(&displays) {
@@ -37,7 +45,7 @@ impl Desk<'_> {
             let stands_on = (0..vouched.len()).filter(|at| self.is_open(*at) && self.stands_on(own, *at));
             let (certain, doubtful): (Vec<usize>, Vec<usize>) = stands_on.partition(|at| {
                 let vouch = || holding.iter().any(|other| self.vouches_for(*other, *at));
-                *vouched[*at].get_or_insert_with(vouch)
+                *vouched[*at].get_or_insert_with(|| pinned[*at].unwrap_or_else(vouch))
             });
             equation.elsewhere = doubtful.iter().map(|at| shown(&self.notes.equations[*at])).collect();
             let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);

@@ -14,6 +14,7 @@ use crate::notes::claims::Claim;
 
 use super::desk::Desk;
 use super::document::{Run, first_unexpected, retyped, shown};
+use super::formal;
 use super::identity::{FEWEST, Options};
 use super::model::Model;
 use super::pins::Pins;
@@ -98,14 +99,23 @@ impl Desk<'_> {
                 }
             }
             unnoticed.sort_by_key(|(edit, ..)| likelihood(wrong.text, edit, false));
-            unnoticed.truncate(TRIED);
+            // A factor put in at two places is one edit.
+            let mut distinct: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
+            for candidate in unnoticed {
+                let is_it = |known: &Vec<Expr>| {
+                    known.iter().zip(&candidate.2).all(|(known, new)| formal::same(known, new, self.model))
+                };
+                if distinct.len() < TRIED && !distinct.iter().any(|(.., known)| is_it(known)) {
+                    distinct.push(candidate);
+                }
+            }
             let passes = |(edit, text, formulas): (&Edit, String, Vec<Expr>)| {
                 let (edit, reading) = (edit.clone(), wrong.reading.clone());
                 let suggestion =
                     || Suggestion { edit, reading, verdict: Verdict::Definition, step: false, idle: false };
                 self.passes_redefined(wrong, &text, &formulas).then(suggestion)
             };
-            let mut candidates: Vec<Suggestion> = unnoticed.into_par_iter().filter_map(passes).collect();
+            let mut candidates: Vec<Suggestion> = distinct.into_par_iter().filter_map(passes).collect();
             candidates.truncate(DOCUMENTS);
             candidates.retain(|suggestion| self.document_passes(run, wrong.at, &suggestion.edit));
             candidates.truncate(OFFERED);

@@ -228,7 +228,7 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
                         idle.set(is_empty(now, reading, desk.model));
                         let says_something = match idle.get() {
                             true => may_say_nothing && is_null(reading),
-                            false => !is_lost(now, reading, desk.model),
+                            false => !is_lost(now, reading, desk.model) && !says_twice(reading),
                         };
                         says_something && !whole.stands_still(reading)
                     };
@@ -291,6 +291,16 @@ fn is_empty(before: &Reading, after: &Reading, model: &Model) -> bool {
     let known: Vec<&Expr> = before.statements.iter().flatten().flat_map(|statement| &statement.members).collect();
     let mut members = after.statements.iter().flatten().flat_map(|statement| &statement.members);
     members.any(|member| vanishes(member) && !known.contains(&member))
+}
+
+/// Whether two statements are one.
+fn says_twice(reading: &Reading) -> bool {
+    let mut said: Vec<&[Expr]> = Vec::new();
+    reading.statements.iter().flatten().any(|statement| {
+        let again = said.contains(&statement.members.as_slice());
+        said.push(&statement.members);
+        again
+    })
 }
 
 /// Whether something is said to be zero.

@@ -1,6 +1,6 @@
 //! Who uses a defined name: the equations and sentences that say something of it, and those that hold by a law that does.
 
-use crate::formula::{Expr, Relation, Statement, text};
+use crate::formula::{Expr, Node, Relation, Statement, text};
 use crate::latex::Introduced;
 use crate::notes::claims::Claim;
 use crate::{Error, Result};
@@ -74,7 +74,7 @@ impl Desk<'_> {
     pub(super) fn uses(&self, introduced: &Introduced) -> Result<(Vec<Use>, Vec<String>)> {
         let symbol = introduced.symbol;
         let depends = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
-        let (mut uses, mut restated) = (Vec::new(), Vec::new());
+        let (mut uses, mut restated, mut constant) = (Vec::new(), Vec::new(), Vec::new());
         let mut add = |name: String, (statement, k): (&Statement, usize), claim: &Claim| {
             let relation = statement.relations[k].0;
             if !is_equality(relation) || !statement.members[k..k + 2].iter().any(depends) {
@@ -121,6 +121,20 @@ impl Desk<'_> {
                         add(format!("({})", shown(&self.notes.equations[at])), (statement, k), claim)?;
                     }
                 }
+                let last = statement.members.last().filter(|member| statement.constant.is_some() && depends(member));
+                if let Some(member) = last {
+                    let rate = Expr::new(Node::TimeDerivative(1, Box::new(member.clone())), member.span);
+                    let link = self.link(&rate, Relation::Equal, &Expr::integer(0, member.span))?;
+                    let (conditions, local) = (self.conditions(claim)?, self.local(claim)?);
+                    let id = format!("({})", shown(&self.notes.equations[at]));
+                    constant.push(Use {
+                        id,
+                        link,
+                        conditions,
+                        local,
+                        is_plain: claim.expect.is_none() && trial::is_plain(claim),
+                    });
+                }
             }
         }
         for sentence in self.claims.sentences.iter().filter(|sentence| sentence.claim.expect.is_none()) {
@@ -131,6 +145,7 @@ impl Desk<'_> {
                 }
             }
         }
+        uses.append(&mut constant);
         Ok((uses, restated))
     }
 

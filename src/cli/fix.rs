@@ -2,10 +2,12 @@
 //!
 //! A repair is made if it is the only one, or of a likelier kind of slip than the next; after asking, or at once with
 //! `--yes`. One that mends what several wrong equations stand on goes before those of the equations themselves. Left to
-//! the author is one that mends a step alone, which the rest carries on, and a term or a factor that stands nowhere in the
-//! notes and is no number. One of an equation that stands on what nothing else vouches for, or that changes a statement
-//! which is not wrong by itself, is made after asking alone. Nothing else in the file changes, and nothing at all if the
-//! file is no longer as it was checked.
+//! the author are: one that mends a step alone, which the rest carries on; one after which a side is zero whatever it is
+//! made of; a term or a factor that stands nowhere in the notes and is no number; another name, a term or a factor where
+//! anything else is offered; edits of two displays of which either mends all; and what leaves out a part of another
+//! display. One of an equation that stands on what nothing else vouches for, or that changes a statement which is not
+//! wrong by itself, is made after asking alone. Nothing else in the file changes, and nothing at all if the file is no
+//! longer as it was checked.
 
 use std::io::{BufRead, IsTerminal, Write};
 
@@ -64,16 +66,30 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
 
 /// The repair of an equation that is the only one, or clearly the likeliest.
 fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> {
+    let display = |repair: &Repair| repair.shared.as_ref().map(|shared| shared.of.clone());
     match equation.repairs.as_slice() {
         [only] => Some(only),
+        // Two displays could be wrong instead.
+        [first, second, ..]
+            if first.shared.is_some() && second.shared.is_some() && display(first) != display(second) =>
+        {
+            None
+        }
         // Of what several equations stand on: likelier than a slip in each of them.
         [first, second, ..] if first.shared.is_some() && second.shared.is_none() => Some(first),
         [first, second, ..] if first.shared.is_some() && second.shared.is_some() && first.slip >= second.slip => None,
         // A sign put in makes true what was meant otherwise.
         [first, ..] if first.slip == Slip::Sign && first.span.start == first.span.end => None,
+        // So does another name, or what is put in or left out.
+        [first, _, ..] if matches!(first.slip, Slip::Name | Slip::Factor | Slip::Term) => None,
         [first, second, ..] if first.slip < second.slip => Some(first),
         _ => None,
     }
+    // Without a term of a definition much is true that nobody meant.
+    .filter(|repair| {
+        let leaves_out = matches!(repair.slip, Slip::Factor | Slip::Term) && repair.replacement.trim().is_empty();
+        repair.shared.is_none() || !leaves_out
+    })
     .filter(|repair| !repair.step && !repair.idle && repair.is_in_the_notes(&document.source.text))
 }
 

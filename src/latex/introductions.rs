@@ -9,7 +9,7 @@ use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
 use crate::formula::tree::{Expr, Index, IndexId, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
-use super::layout::{Item, Layout};
+use super::layout::{Delimiter, Item, Layout};
 use super::names;
 use super::reader::Reader;
 
@@ -68,6 +68,12 @@ impl New {
     }
 }
 
+/// Whether an item is the time in parentheses.
+fn is_time(item: &Item, time: Option<&Name>) -> bool {
+    let Layout::Fence(Delimiter::Round, inner) = &item.layout else { return false };
+    matches!(inner.as_slice(), [only] if names::printed(only, None).is_some_and(|printed| Some(&printed.name) == time))
+}
+
 impl Unknown {
     /// What these items introduce, if anything.
     pub(super) fn of(items: &[Item], place: Place, symbols: &mut Symbols, branch: Option<Sign>) -> Option<Unknown> {
@@ -75,9 +81,11 @@ impl Unknown {
             return None;
         }
         let significant: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        let time = symbols.time.clone();
         let mut name = |item: &Item, squared: bool| {
             let printed = names::printed(item, branch).filter(|printed| printed.dots == 0)?;
-            let reserved = ["e", "i", "d", "\\pi"].contains(&printed.name.base.as_str())
+            let reserved = printed.name.subscript.is_empty()
+                && ["e", "i", "d", "\\pi"].contains(&printed.name.base.as_str())
                 || Some(&printed.name) == symbols.time.as_ref();
             let raised = match printed.sup {
                 None => !squared,
@@ -98,6 +106,10 @@ impl Unknown {
                 }
                 None => None,
             },
+            // `x(t)` is x, which may vary with time.
+            [only, argument] if place == Place::First && is_time(argument, time.as_ref()) => {
+                name(only, false).map(|(name, span)| Unknown::Name(name, span.to(argument.span)))
+            }
             [first, rest @ ..] if place == Place::AfterIdentical && rest.len() % 2 == 0 => {
                 let mut terms = vec![name(first, false)?];
                 for pair in rest.chunks(2) {

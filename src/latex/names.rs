@@ -109,7 +109,21 @@ pub fn mentions(text: &str, name: &str, macros: &Macros) -> bool {
             TokenKind::Command(command) => is_letter(command),
             _ => false,
         };
-        tokens.into_iter().map(|token| token.kind).filter(is_letter).collect()
+        // `\begin{matrix}` and `\text{for}` have no names in them.
+        let mut words = false;
+        let is_word = |kind: &TokenKind| {
+            match kind {
+                TokenKind::Command(command) => words = ["\\begin", "\\end", "\\text"].contains(&command.as_str()),
+                TokenKind::Close => words = false,
+                _ => {}
+            }
+            words
+        };
+        let kinds = tokens.into_iter().map(|token| token.kind);
+        kinds
+            .scan(is_word, |is_word, kind| Some((is_word(&kind), kind)))
+            .filter_map(|(is_word, kind)| (!is_word && is_letter(&kind)).then_some(kind))
+            .collect()
     };
     let (text, name) = (letters(text), letters(name));
     !name.is_empty() && text.windows(name.len()).any(|part| part == name)

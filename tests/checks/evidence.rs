@@ -260,3 +260,39 @@ fn what_where_says_in_another_order_is_no_evidence() {
     assert_eq!(meant("E = T + a", "a", "U"), Verified);
     assert_eq!(meant(r"E = 2mgl\cos\theta", "E", r"m l g \cos\theta"), Refuted);
 }
+
+#[test]
+fn what_is_constant_holds_what_it_is_made_of() {
+    let claims = json!({
+        "constants": { "m, k": "> 0" },
+        "varies with time": { "x": "any" },
+        "laws": { "Hooke": r"m \ddot x = - k x" },
+    });
+    let of = |energy: &str| {
+        let notes = numbered(&[energy, r"\frac12 m \dot x^2 + U = \text{const}"]);
+        document(&claims, &notes, &Default::default(), None).unwrap().equations
+    };
+    let found = of(r"U = \frac12 k x^2");
+    assert!(found.iter().all(|equation| equation.ok), "{found:?}");
+    assert!(found[0].finding.message.contains("each slip in it breaks (2)"), "{:?}", found[0]);
+    // The twins: a slip; and a term that no rate notices.
+    assert!(!of(r"U = k x^2")[1].ok);
+    let free = of(r"U = \frac12 k x^2 - \frac12 k m^2");
+    assert_eq!(free[0].finding.verdict, Undecided, "{:?}", free[0]);
+}
+
+#[test]
+fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
+    let line = |display: &str| {
+        let notes = numbered(&[display, "s^2 = a^2 + 2ab + b^2", "p (a + b) = a^2 b + a b^2"]);
+        let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
+        let report = onshell::check::Report { documents: vec![found] };
+        onshell::report::text::report(&report, false, false)
+    };
+    let says = "nothing checks the sign of a definition in it";
+    let open = line(r"(a - b)^2 = a^2 - 2ab + b^2 , \quad p = ab , \quad s = a + b");
+    assert!(open.contains("(3 parts)") && open.contains(says), "{open}");
+    // The twin: alone it says so itself.
+    let alone = line(r"s = a + b , \quad p = ab");
+    assert!(alone.contains("its sign aside") && !alone.contains(says), "{alone}");
+}

@@ -228,3 +228,29 @@ fn definitions_in_a_circle_are_an_error() {
     // The twin: one after the other is no circle, in whatever order.
     assert!(circular(json!({ "A": "B", "B": "a" })).is_ok());
 }
+
+#[test]
+fn a_function_of_the_time_is_introduced_with_it_and_d_and_e_with_an_index() {
+    let moving = json!({ "constants": { "a, b, c": "> 0" } });
+    let displays = |velocity: &str| verdicts(&moving, &["x(t) = a + b t", velocity]);
+    assert_eq!(displays(r"\dot x^2 = b \dot x")[1], Verified);
+    assert_eq!(displays(r"\dot x(t)^2 = b \dot x")[1], Verified);
+    assert_eq!(displays(r"\dot x = a")[1], Refuted);
+    assert_eq!(verdicts(&moving, &["d_{11} = a + b", "c d_{11} = a c + b c"]), [Definition, Verified]);
+    assert_eq!(verdicts(&moving, &["d_{11} = a + b", "c d_{11} = a c - b c"])[1], Refuted);
+    // The twins: a place that is no time, and names that mean something.
+    assert_eq!(verdicts(&moving, &["x(a) = a + b", "x = b"])[0], Unreadable);
+    assert_eq!(verdicts(&moving, &["d = a + b", "e = a + b"]), [Unreadable, Unreadable]);
+}
+
+#[test]
+fn the_word_for_a_matrix_has_no_names_in_it() {
+    let claims = json!({ "constants": { "a, b": "> 0" } });
+    let blamed = check(&claims, &[r"\begin{pmatrix} a & q \end{pmatrix} = b", "a i = b"]);
+    let message = &blamed.equations[1].finding.message;
+    assert!(!message.contains("where it stands"), "{message}");
+    // The twin: a name that stands in what cannot be read.
+    let blamed = check(&claims, &[r"s = a \foo + b", "3 s = 2b"]);
+    let message = &blamed.equations[1].finding.message;
+    assert!(message.contains("(1), where it stands"), "{message}");
+}

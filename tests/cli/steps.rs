@@ -182,3 +182,60 @@ fn what_is_left_to_the_author_holds_nothing_else_back() {
     assert_eq!((run.code, desk.read("notes.md")), (1, notes("\\frac{b - a}{ab}")), "{}{}", run.out, run.err);
     assert!(run.err.contains("(2): its repair is left to you, as nothing that holds stands on (1)"), "{}", run.err);
 }
+
+#[test]
+fn an_equation_is_not_made_to_agree_with_a_definition_that_nothing_pins() {
+    let desk = Desk::new("fix-loose");
+    let claims = json!({
+        "notes": "notes.md",
+        "constants": { r"\Omega": "> 0", r"\lambda": r"(0, \pi)" },
+        "varies with time": { "x, y": "any" },
+        "laws": { "Foucault": "2" },
+    });
+    let notes = |definition: &str, period: &str, more: &str| {
+        format!(
+            "$$ W = \\Omega {definition}\\lambda \\tag{{1}} $$\n\n$$ \\ddot x = 2 W \\dot y , \\quad \\ddot y = -2 W \\dot x \\tag{{2}} $$\n\n\
+             $$ \\frac{{d}}{{dt}} (\\dot x + \\dot y) = 2 W (\\dot y - \\dot x) \\tag{{3}} $$\n\n\
+             $$ P = \\frac{{2\\pi}}{{W}} = \\frac{{2\\pi}}{{\\Omega{period}\\lambda}} \\tag{{4}} $$\n\n{more}"
+        )
+    };
+    desk.write("notes.json", claims.to_string());
+    // (3) holds by the law whatever W is: it does not speak for the sine.
+    desk.write("notes.md", notes(r"\sin", r"\cos", ""));
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!((run.code, desk.read("notes.md")), (1, notes(r"\sin", r"\cos", "")), "{}", run.out);
+    assert!(run.err.contains("(4): its repair is left to you, as nothing that holds stands on (1)"), "{}", run.err);
+    // The twin: another equation does.
+    let pinned = "$$ W^2 = \\Omega^2 (1 - \\cos^2\\lambda) \\tag{5} $$\n";
+    desk.write("notes.md", notes(r"\sin", r"\cos", pinned));
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!((run.code, desk.read("notes.md")), (0, notes(r"\sin", r"\sin", pinned)), "{}", run.out);
+}
+
+#[test]
+fn nothing_is_chosen_between_two_displays_that_could_be_wrong_and_nothing_is_multiplied_by_zero() {
+    let desk = Desk::new("fix-two-displays");
+    let claims = json!({
+        "notes": "notes.md",
+        "indices": { "i": "1..n" },
+        "constants": { "m_i": "> 0" },
+        "varies with time": { r"\vec r_i": "any" },
+    });
+    let notes = |mean: &str| {
+        format!(
+            "$$ \\vec R = \\frac{{1}}{{M}} \\sum_i {mean}\\vec r_i , \\quad M = \\sum_i m_i \\tag{{1}} $$\n\n\
+             $$ \\vec s_i = \\vec r_i - \\vec R \\tag{{2}} $$\n\n\
+             $$ \\sum_i m_i \\vec r_i \\times \\dot{{\\vec r}}_i = M \\vec R \\times \\dot{{\\vec R}} + \\sum_i m_i \\vec s_i \\times \\dot{{\\vec s}}_i \\tag{{3}} $$\n\n\
+             $$ \\frac12 \\sum_i m_i \\dot{{\\vec r}}_i^2 = \\frac12 M \\dot{{\\vec R}}^2 + \\frac12 \\sum_i m_i \\dot{{\\vec s}}_i^2 \\tag{{4}} $$\n"
+        )
+    };
+    desk.write("notes.json", claims.to_string());
+    desk.write("notes.md", notes(""));
+    let run = desk.onshell(&["check", "notes.md"]);
+    assert!(run.out.contains(r"did you mean “m_i \,” put in? In (1)"), "{}", run.out);
+    assert!(!run.out.contains("“0” for “1”"), "{}", run.out);
+    // The twin: as it should be it stays as it is.
+    desk.write("notes.md", notes("m_i "));
+    let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
+    assert_eq!((run.code, desk.read("notes.md")), (0, notes("m_i ")), "{}", run.out);
+}

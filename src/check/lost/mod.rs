@@ -49,6 +49,8 @@ const NEAR: f64 = 1e-9;
 /// So many edits are proposed at most, the shortest formulas first.
 const PROPOSED: usize = 12;
 
+/// What was left out of a sum has so many terms.
+const MOST_TERMS: usize = 2;
 /// Nobody leaves out a sum of more letters.
 const LONGEST: usize = 64;
 
@@ -320,7 +322,11 @@ impl<'w, 'a> Lost<'w, 'a> {
             return Vec::new();
         }
         let sign = if product.is_negative() { '-' } else { '+' };
-        if hole.slip == Slip::Factor && (sign == '-' || self.cancels(&product.below, hole)) {
+        let is_other_side = |side: &Expr| product.above.iter().any(|factor| factor == side);
+        let restates = is_other_side(&link.lhs) || is_other_side(&link.rhs);
+        let divides_by_a_sum = product.below.iter().any(|factor| matches!(factor.node, Node::Sum(_)));
+        let undoes = || sign == '-' || restates || divides_by_a_sum || self.cancels(&product.below, hole);
+        if hole.slip == Slip::Factor && undoes() {
             return Vec::new();
         }
         vec![self.proposal(hole, sign, &product.latex, product.cost)]
@@ -351,7 +357,9 @@ impl<'w, 'a> Lost<'w, 'a> {
         let mut is_whole = true;
         found.walk(&mut |part| is_whole &= !matches!(part.node, Node::Quotient(..)));
         // A factor that is a sum is no sum of quotients: that would be another term over the one that is printed.
-        if length > LONGEST || hole.slip == Slip::Factor && !is_whole {
+        // Nobody leaves out three terms at once.
+        let is_long = hole.slip == Slip::Term && matches!(&found.node, Node::Sum(terms) if terms.len() > MOST_TERMS);
+        if length > LONGEST || is_long || hole.slip == Slip::Factor && !is_whole {
             return None;
         }
         let near = |(a, b): (f64, &f64)| (a - b).abs() <= NEAR * b.abs();

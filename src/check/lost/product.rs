@@ -52,6 +52,8 @@ pub(super) struct Product {
     pub latex: String,
     /// How much it is to read.
     pub cost: usize,
+    /// What it multiplies by.
+    pub above: Vec<Expr>,
     /// What it divides by.
     pub below: Vec<Expr>,
     number: Fraction,
@@ -203,8 +205,10 @@ impl<'d> Factors<'d> {
         let mut used: Vec<(&Factor, i32)> = self.all.iter().zip(powers.iter().copied()).collect();
         used.retain(|(_, power)| *power != 0);
         used.sort_by_key(|(factor, _)| self.place(&factor.expr));
-        let divides: Vec<Expr> =
-            used.iter().filter(|(_, power)| *power < 0).map(|(factor, _)| factor.expr.clone()).collect();
+        let (multiplies, divides): (Vec<_>, Vec<_>) =
+            used.iter().map(|(factor, power)| (factor.expr.clone(), *power)).partition(|(_, power)| *power > 0);
+        let [multiplies, divides] =
+            [multiplies, divides].map(|part| part.into_iter().map(|(expr, _)| expr).collect::<Vec<Expr>>());
         for (factor, power) in used {
             let raised = |n: u32| {
                 let [base, power] = [factor.expr.clone(), Expr::integer(n, Span::default())].map(Box::new);
@@ -229,7 +233,7 @@ impl<'d> Factors<'d> {
         let factors = above.len() + below.len();
         cost += usize::from(number.numerator.abs() != 1) + usize::from(number.denominator != 1);
         let latex = quotient(number, above, below);
-        Product { latex, cost, below: divides, number, factors }
+        Product { latex, cost, above: multiplies, below: divides, number, factors }
     }
 }
 

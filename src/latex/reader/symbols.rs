@@ -189,6 +189,15 @@ impl Reader<'_> {
         cursor: &mut usize,
     ) -> Read<Expr> {
         let span = expr.span;
+        // `x(t)^2` is the square of x.
+        if let Some(Item { layout: Layout::Scripts { nucleus, sub: None, sup: Some(above), primes: 0 }, .. }) =
+            items.get(*cursor)
+            && sup.is_none()
+            && self.is_argument(nucleus, id)
+        {
+            *cursor += 1;
+            return self.raised(expr, above, span);
+        }
         if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor) {
             let plain = |item: &&Item| !matches!(item.layout, Layout::Space(_));
             let inside: Vec<&Item> = inside.iter().filter(plain).collect();
@@ -196,9 +205,7 @@ impl Reader<'_> {
                 names::printed(item, self.branch).is_some_and(|p| p.sup.is_none())
                     || matches!(item.layout, Layout::Other(','))
             }) && (inside.len() == 1 || inside.iter().any(|item| matches!(item.layout, Layout::Other(','))));
-            let argument = self.symbols.entry(id).argument.as_ref();
-            let is_time = self.is_time_in_parentheses(&items[*cursor]) && self.symbols.entry(id).varies;
-            if is_time || argument.is_some_and(|argument| is_lone(&items[*cursor], argument)) {
+            if self.is_argument(&items[*cursor], id) {
                 *cursor += 1;
             } else if lone {
                 let name = self.symbols.entry(id).name.to_string();
@@ -210,6 +217,13 @@ impl Reader<'_> {
             Some(sup) => self.raised(expr, sup, span),
             None => Ok(expr),
         }
+    }
+
+    /// Whether a parenthesis says what a symbol depends on, and is no factor: the time, or what it was declared with.
+    fn is_argument(&self, item: &Item, id: SymbolId) -> bool {
+        let entry = self.symbols.entry(id);
+        self.is_time_in_parentheses(item) && entry.varies
+            || entry.argument.as_ref().is_some_and(|argument| is_lone(item, argument))
     }
 
     fn rotation(

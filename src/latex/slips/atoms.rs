@@ -38,6 +38,8 @@ impl Finder<'_> {
                     if self.pool.is_some() && number_of(b).is_none() {
                         self.unfraction(item.span, a, b);
                     }
+                    self.root_lost(a);
+                    self.root_lost(b);
                 }
                 match (number_of(a), number_of(b)) {
                     // A fraction of two numbers is not mended into 1.
@@ -53,6 +55,9 @@ impl Finder<'_> {
             }
             Layout::Root(_, inner) => {
                 self.argument(item, inner);
+                if self.pool.is_some() {
+                    self.edit(Slip::Fraction, item.span, format!("\\frac{{1}}{{{}}}", self.slice(item.span)));
+                }
                 if self.inside(item, inner).is_some() {
                     let bare = self.bare(inner);
                     self.edit(Slip::Exponent, item.span, format!("({bare})"));
@@ -90,7 +95,8 @@ impl Finder<'_> {
         let Ok(n) = digits.parse::<u32>() else { return };
         let mut others = vec![n.saturating_mul(2), n.saturating_add(1)];
         others.extend((n % 2 == 0).then_some(n / 2));
-        others.extend(n.checked_sub(1));
+        // A product with 0 in it says nothing; where a number is a whole side, see `nothing`.
+        others.extend(n.checked_sub(1).filter(|less| *less > 0 || self.pool.is_none()));
         if self.pool.is_some() && digits.len() == 1 {
             others.extend(1..=9);
         }

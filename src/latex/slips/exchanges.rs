@@ -146,12 +146,50 @@ impl Finder<'_> {
         }
     }
 
-    /// Nothing in place of a name that is all of a side.
-    pub(super) fn nothing(&mut self, terms: &[Term<'_>]) {
-        if let [Term { sign: None, items: [only] }] = terms
-            && names::printed(only, None).is_some()
+    /// The root of a sum that stands above or below in a fraction.
+    pub(super) fn root_lost(&mut self, argument: &Item) {
+        if let Layout::Group(items) = &argument.layout
+            && self.pool.is_some()
+            && formulas(items).iter().any(|terms| terms.len() > 1)
         {
-            self.edit(Slip::Term, only.span, "0");
+            self.edit(Slip::Exponent, argument.span, format!("{{\\sqrt{}}}", self.slice(argument.span)));
+        }
+    }
+
+    /// The power of each term of a parenthesis put on the whole.
+    pub(super) fn power_gathered(&mut self, whole: Span, open: &str, inside: &[Item], close: &str) {
+        let [terms] = &formulas(inside)[..] else { return };
+        let mut gathered = String::new();
+        let mut power: Option<String> = None;
+        for (at, term) in terms.iter().enumerate() {
+            let Some(Item { layout: Layout::Scripts { nucleus, sub, sup: Some(sup), .. }, .. }) = term.items.last()
+            else {
+                return;
+            };
+            let this = self.slice(sup.span).to_owned();
+            if power.as_ref().is_some_and(|power| *power != this) || at == 0 && term.sign.is_some() {
+                return;
+            }
+            let base = sub.as_ref().map_or(nucleus.span, |sub| nucleus.span.to(sub.span));
+            let sign = term.sign.map_or(String::new(), |sign| format!(" {} ", self.slice(sign.span)));
+            gathered = format!("{gathered}{sign}{}", self.slice(Span::new(term.span().start, base.end)));
+            power = Some(this);
+        }
+        if let (Some(power), true) = (power, terms.len() > 1) {
+            self.edit(Slip::Exponent, whole, format!("{open}{gathered}{close}^{power}"));
+        }
+    }
+
+    /// Nothing in place of a name or a number that is all of a side.
+    pub(super) fn nothing(&mut self, terms: &[Term<'_>]) {
+        if let [Term { sign: None, items: [only] }] = terms {
+            if names::printed(only, None).is_some() {
+                self.edit(Slip::Term, only.span, "0");
+            } else if matches!(only.layout, Layout::Number(_))
+                && !self.text[..only.span.start].trim_end().ends_with(['{', '('])
+            {
+                self.edit(Slip::Number, only.span, "0");
+            }
         }
     }
 

@@ -53,6 +53,7 @@ impl Finder<'_> {
                 self.edit(Slip::Parenthesis, fence.whole, inner.clone());
                 if self.pool.is_some() {
                     self.edit(Slip::Exponent, fence.whole, format!("\\sqrt{{{inner}}}"));
+                    self.power_gathered(fence.whole, &open, fence.items, &close);
                 }
             }
             if self.pool.is_some()
