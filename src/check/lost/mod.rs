@@ -51,6 +51,9 @@ const PROPOSED: usize = 12;
 
 /// What was left out of a sum has so many terms.
 const MOST_TERMS: usize = 2;
+
+/// What was left out of a product has so many factors, a power counted once.
+const MOST_FACTORS: usize = 4;
 /// Nobody leaves out a sum of more letters.
 const LONGEST: usize = 64;
 
@@ -324,8 +327,11 @@ impl<'w, 'a> Lost<'w, 'a> {
         let sign = if product.is_negative() { '-' } else { '+' };
         let is_other_side = |side: &Expr| product.above.iter().any(|factor| factor == side);
         let restates = is_other_side(&link.lhs) || is_other_side(&link.rhs);
-        let divides_by_a_sum = product.below.iter().any(|factor| matches!(factor.node, Node::Sum(_)));
-        let undoes = || sign == '-' || restates || divides_by_a_sum || self.cancels(&product.below, hole);
+        // Nobody leaves out a quotient by a sum or by a rate, or many factors at once.
+        let is_rate = |factor: &Expr| matches!(factor.node, Node::Symbol { dots: 1.., .. });
+        let divides = product.below.iter().any(|factor| matches!(factor.node, Node::Sum(_)) || is_rate(factor));
+        let is_far = divides || product.above.len() + product.below.len() > MOST_FACTORS;
+        let undoes = || sign == '-' || restates || is_far || self.cancels(&product.below, hole);
         if hole.slip == Slip::Factor && undoes() {
             return Vec::new();
         }

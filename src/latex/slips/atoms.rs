@@ -172,6 +172,7 @@ impl Finder<'_> {
             }
         }
         self.accent_lost(item, printed);
+        self.rate_squared(item, printed);
         if printed.dots > 0 {
             self.dots(nucleus(item));
         }
@@ -191,6 +192,19 @@ impl Finder<'_> {
             let tensor = matches!(printed.name.base.as_str(), "\\delta" | "\\epsilon" | "\\varepsilon");
             let is_like = self.pool.is_some() && (tensor || self.symbols.iter().any(family));
             self.indices(sub, is_known || is_like);
+        }
+    }
+
+    /// `\dot x^2` for `\ddot x`; the other way round too much is true that nobody meant.
+    fn rate_squared(&mut self, item: &Item, printed: &Printed<'_>) {
+        if self.pool.is_none() || printed.dots != 2 || printed.sup.is_some() {
+            return;
+        }
+        let letter = Name { subscript: Vec::new(), ..printed.name.clone() };
+        if let Some(rate) = names::with_dots(&letter, 1) {
+            let subscript = self.slice(Span::new(nucleus(item).span.end, item.span.end));
+            let square = format!("{rate}{subscript}^2");
+            self.edit(Slip::Dot, item.span, square);
         }
     }
 

@@ -359,8 +359,12 @@ impl Finder<'_> {
                 }
             }
             let has_power = matches!(factor.items[0].layout, Layout::Scripts { sup: Some(_), .. });
-            if self.pool.is_some() && self.is_matrix(factor) && factor.items.len() == 1 && !has_power {
+            let is_name = factor.items.len() == 1 && names::printed(&factor.items[0], None).is_some();
+            if self.pool.is_some() && is_name && self.is_matrix(factor) && !has_power {
                 self.edit(Slip::Exponent, Span::at(factor.span().end), "^{-1}");
+            }
+            if self.pool.is_some() {
+                self.multiple_angle(&factors, at);
             }
             let Some(before) = at.checked_sub(1).map(|before| &factors[before]) else { continue };
             let swapped = Span::new(before.span().start, factor.span().end);
@@ -390,6 +394,27 @@ impl Finder<'_> {
             self.multiply(&factors);
             self.associate(&factors);
             self.elements(&factors);
+        }
+    }
+
+    /// `2 \cos\theta` for `\cos 2\theta`, and the other way round.
+    fn multiple_angle(&mut self, factors: &[Factor<'_>], at: usize) {
+        let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
+        let factor = &factors[at];
+        match factor.items {
+            [function, .., number] if is_function(function) && is_number(number) => {
+                let outside = format!("{} {}", self.slice(number.span), self.slice(function.span));
+                self.edit(Slip::Function, factor.span(), outside);
+            }
+            [number] if is_number(number) => {
+                let Some(Factor { operator: None, items: [function, rest @ ..] }) = factors.get(at + 1) else { return };
+                if let (true, Some(argument)) = (is_function(function), rest.last()) {
+                    let function = self.slice(function.span);
+                    let inside = format!("{function} {} {}", self.slice(number.span), self.slice(argument.span));
+                    self.edit(Slip::Function, number.span.to(argument.span), inside);
+                }
+            }
+            _ => {}
         }
     }
 
