@@ -72,9 +72,9 @@ pub struct Scene<'m, B: Number> {
     coordinates: Vec<Series<B>>,
     pub(super) rules: Arc<[Rule]>,
     overrides: Vec<(SymbolId, Value<Series<B>>)>,
-    quantities: OnceCell<Option<Quantities<Series<B>>>>,
+    quantities: OnceCell<Option<Box<Quantities<Series<B>>>>>,
     /// The same, as values alone.
-    quantities_now: OnceCell<Option<Quantities<Instant<B>>>>,
+    quantities_now: OnceCell<Option<Box<Quantities<Instant<B>>>>>,
     /// The frame that turns, known to so many terms as its place here says.
     frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
     /// Its axes' coefficients of each order.
@@ -223,9 +223,9 @@ impl<'m, B: Number> Scene<'m, B> {
         let compute = || {
             let world = self.model.world.as_ref()?;
             let (q, v) = (&self.coordinates, self.velocities());
-            Some(world.quantities(self.time(), q, &v, &self.parameters()))
+            Some(Box::new(world.quantities(self.time(), q, &v, &self.parameters())))
         };
-        self.quantities.get_or_init(compute).as_ref()
+        self.quantities.get_or_init(compute).as_deref()
     }
 
     /// The same as values alone.
@@ -237,9 +237,10 @@ impl<'m, B: Number> Scene<'m, B> {
             };
             let parameters: Vec<_> =
                 self.model.parameters.iter().map(|place| Instant(self.base.constant(*place)[0])).collect();
-            Some(world.quantities(Instant(self.base.time), &derivative(0)?, &derivative(1)?, &parameters))
+            let time = Instant(self.base.time);
+            Some(Box::new(world.quantities(time, &derivative(0)?, &derivative(1)?, &parameters)))
         };
-        self.quantities_now.get_or_init(compute).as_ref()
+        self.quantities_now.get_or_init(compute).as_deref()
     }
 
     /// What the world says of a quantity, as a value alone, where it is one of those that it gives all at once.

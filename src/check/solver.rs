@@ -31,6 +31,9 @@ const THROUGHOUT: usize = 3;
 /// After so many bases none of which could be moved onto the hypotheses no more are tried.
 const GIVEN_UP: usize = 12;
 
+/// So many steps of Newton's are made to move a base.
+const MOST_ROUNDS: usize = 30;
+
 /// So many equations are solved at most; hypotheses about whole families are rules instead.
 const MOST: usize = 24;
 
@@ -62,6 +65,13 @@ pub struct Progress {
     moved: (usize, usize),
     /// Whether there is more to solve than is solved.
     pub(super) hopeless: bool,
+}
+
+/// A base that was moved onto the equalities, as a state, and the hypotheses that are known to hold there.
+struct Moved<'m> {
+    base: Vec<f64>,
+    scene: Scene<'m, Measured>,
+    obeys: Vec<usize>,
 }
 
 /// States that differ from others in the values of some quantities and in nothing else that is free.
@@ -184,29 +194,34 @@ impl<'m> Solver<'m> {
 
     /// The state near a base at which every hypothesis holds, if there is one.
     pub(super) fn state(&mut self, base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
-        let Some((base, scene)) = self.solve(base)? else {
+        let Some(Moved { base, scene, obeys }) = self.solve(base)? else {
             self.progress.moved.0 += 1;
             // To look further costs more the less there is to be found.
             self.progress.hopeless |= self.progress.moved.1 == 0 && self.progress.moved.0 == GIVEN_UP;
             return Ok(None);
         };
         self.progress.moved.1 += 1;
-        Ok(self.accepts(&scene).then_some((base, scene)))
+        Ok(self.accepts(&scene, &obeys).then_some((base, scene)))
     }
 
     /// Moves a base onto the equalities.
-    fn solve(&mut self, mut base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
+    fn solve(&mut self, mut base: Vec<f64>) -> Result<Option<Moved<'m>>> {
         if self.equalities().next().is_none() {
             let scene = self.measured(&base)?;
-            return Ok(Some((base, scene)));
+            return Ok(Some(Moved { base, scene, obeys: Vec::new() }));
         }
         let drawn = base.clone();
-        if self.progress.plan.is_empty() || self.newton(&mut base, &self.progress.plan.clone())? {
-            return self.complete(base);
+        if self.progress.plan.is_empty() {
+            let scene = self.measured(&base)?;
+            return self.complete(base, scene);
+        }
+        if let Some(scene) = self.newton(&mut base, &self.progress.plan)? {
+            return self.complete(base, scene);
         }
         // Another number of particles may want another plan.
         let known = std::mem::take(&mut self.progress.plan);
-        let solved = self.complete(drawn);
+        let scene = self.measured(&drawn)?;
+        let solved = self.complete(drawn, scene);
         if !matches!(solved, Ok(Some(_))) {
             self.progress.plan = known;
         }
@@ -214,19 +229,19 @@ impl<'m> Solver<'m> {
     }
 
     /// Solves the rows that are not planned yet, from a base that obeys those that are.
-    fn complete(&mut self, mut base: Vec<f64>) -> Result<Option<(Vec<f64>, Scene<'m, Measured>)>> {
-        let mut scene = self.measured(&base)?;
+    fn complete(&mut self, mut base: Vec<f64>, mut scene: Scene<'m, Measured>) -> Result<Option<Moved<'m>>> {
         let rows = self.rows(&scene);
         if rows.len() > MOST {
             self.progress.hopeless = true;
             return Ok(None);
         }
-        let mut moved = false;
+        let mut obeys = self.obeyed(&rows);
         for (row, mut value) in rows {
             if self.progress.plan.iter().any(|(planned, _)| *planned == row) {
                 continue;
             }
-            if moved {
+            // What was moved for a row before this one may have moved the others.
+            if obeys.is_empty() {
                 let Some(values) = self.values(&scene, &[row]) else { return Ok(None) };
                 value = values[0];
             }
@@ -236,14 +251,18 @@ impl<'m> Solver<'m> {
             let Some(slot) = self.pivot(&base, row)? else { return Ok(None) };
             let mut plan = self.progress.plan.clone();
             plan.push((row, slot));
-            if !self.newton(&mut base, &plan)? {
-                return Ok(None);
-            }
+            let Some(moved) = self.newton(&mut base, &plan)? else { return Ok(None) };
+            (scene, obeys) = (moved, Vec::new());
             self.progress.plan = plan;
-            scene = self.measured(&base)?;
-            moved = true;
         }
-        Ok(Some((base, scene)))
+        Ok(Some(Moved { base, scene, obeys }))
+    }
+
+    /// The hypotheses all of whose rows vanish.
+    fn obeyed(&self, rows: &[(Row, Measured)]) -> Vec<usize> {
+        let of = |at: usize| rows.iter().filter(move |(row, _)| row.0 == at).map(|(_, value)| *value);
+        let vanish = |at: &usize| of(*at).next().is_some() && of(*at).all(judge::vanishes);
+        self.equalities().map(|(at, _)| at).filter(vanish).collect()
     }
 
     pub(super) fn measured(&self, base: &[f64]) -> Result<Scene<'m, Measured>> {
@@ -380,32 +399,40 @@ impl<'m> Solver<'m> {
         Ok(Some((jacobian, values)))
     }
 
-    fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<bool> {
-        for _ in 0..30 {
-            let Some((jacobian, values)) = self.linearised(base, plan)? else { return Ok(false) };
-            let Some(step) = jacobian.lu().solve(&values) else { return Ok(false) };
+    /// Moves a base until the rows of a plan are as near to 0 as rounding lets them come, if they do; the state there.
+    fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<Option<Scene<'m, Measured>>> {
+        let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
+        let in_range = |base: &[f64]| {
+            let is_in = |slot: usize| self.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
+            plan.iter().all(|(_, slot)| is_in(*slot))
+        };
+        for round in 1..=MOST_ROUNDS {
+            let Some((jacobian, values)) = self.linearised(base, plan)? else { return Ok(None) };
+            let Some(step) = jacobian.lu().solve(&values) else { return Ok(None) };
             let mut largest = 0.0_f64;
             for ((_, slot), step) in plan.iter().zip(step.iter()) {
                 base[*slot] -= step;
                 largest = largest.max(step.abs() / (1.0 + base[*slot].abs()));
             }
             if largest.is_nan() || largest > 1e6 {
-                return Ok(false);
+                return Ok(None);
             }
-            if largest < 1e-15 {
-                break;
+            let scene = self.measured(base)?;
+            let is_noise = |value: &Measured| value.value.abs() <= f64::EPSILON * value.magnitude;
+            let values = || self.values(&scene, &rows);
+            if largest < 1e-15 || round == MOST_ROUNDS || values().is_some_and(|values| values.iter().all(is_noise)) {
+                return Ok(in_range(base).then_some(scene));
             }
         }
-        let in_range = |slot: usize| self.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
-        Ok(plan.iter().all(|(_, slot)| in_range(*slot)))
+        Ok(None)
     }
 
-    /// Whether every hypothesis holds at a state.
-    fn accepts(&mut self, scene: &Scene<'m, Measured>) -> bool {
+    /// Whether every hypothesis holds at a state, beside those of which that is known.
+    fn accepts(&mut self, scene: &Scene<'m, Measured>, obeyed: &[usize]) -> bool {
         // Rules hold by what they are, unless one undoes another: that shows at once.
         let all = self.progress.accepted < 2;
-        let to_check = self.conditions.iter().zip(&self.explicit).filter(|(_, is_rule)| all || !**is_rule);
-        for (condition, _) in to_check {
+        let is_open = |(at, _): &(usize, &Condition)| (all || !self.explicit[*at]) && !obeyed.contains(at);
+        for (_, condition) in self.conditions.iter().enumerate().filter(is_open) {
             let Ok(entries) = difference(scene, condition) else { return false };
             let holds = entries.iter().all(|entry| match condition.relation {
                 Relation::Equal | Relation::Identical | Relation::Proportional => {

@@ -163,7 +163,10 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     /// The state at the point at hand.
     pub fn scene(&self) -> Result<Scene<'m, Modular<F>>, String> {
         let mut base = self.drawn();
-        self.follow(&mut base)?;
+        // That the rows are linear, so that this is the only way, is seen at every point anew.
+        for step in &self.plan {
+            self.put_if_linear(&mut base, step)?.ok_or(NOT_SOLVED)?;
+        }
         let mut scene = self.state(&base)?;
         scene.set_body(AnyBody::drawn(self.generality));
         if !self.obeys {
@@ -260,16 +263,40 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         step.slots.iter().map(along).collect()
     }
 
-    /// Moves numbers of the base so that rows vanish, if the rows are linear in them, and independent.
-    fn put(&self, base: &mut [Modular<F>], step: &Step) -> Result<Option<()>, String> {
+    /// Moves numbers of the base so that rows vanish that are linear in them, if they are independent; the determinant of
+    /// their slopes.
+    fn put(&self, base: &mut [Modular<F>], step: &Step) -> Result<Option<Modular<F>>, String> {
         let zero = self.values(base, &step.rows)?;
         let slopes = self.slopes(base, step, &zero)?;
+        Ok(self.put_by(base, step, (&zero, &slopes)))
+    }
+
+    /// The same for rows of which these are the values and slopes.
+    fn put_by(
+        &self,
+        base: &mut [Modular<F>],
+        step: &Step,
+        (zero, slopes): (&Vec<Modular<F>>, &[Vec<Modular<F>>]),
+    ) -> Option<Modular<F>> {
+        let slope = determinant(slopes);
         // most numbers have nothing to do with a row
-        let slope = determinant(&slopes);
         if slope.vanishes() {
-            return Ok(None);
+            return None;
         }
+        for (at, slot) in step.slots.iter().enumerate() {
+            let mut instead = slopes.to_vec();
+            instead[at].clone_from(zero);
+            base[*slot] -= determinant(&instead) / slope;
+        }
+        Some(slope)
+    }
+
+    /// The same for rows that may not be linear; nothing then.
+    fn put_if_linear(&self, base: &mut [Modular<F>], step: &Step) -> Result<Option<Modular<F>>, String> {
+        let zero = self.values(base, &step.rows)?;
+        let slopes = self.slopes(base, step, &zero)?;
         let mut far = base.to_vec();
+        let Some(slope) = self.put_by(base, step, (&zero, &slopes)) else { return Ok(None) };
         step.slots.iter().enumerate().for_each(|(at, slot)| far[*slot] += (at + 2) as f64);
         for (row, value) in self.values(&far, &step.rows)?.into_iter().enumerate() {
             let linear = slopes.iter().enumerate().map(|(at, slopes)| slopes[row] * (at + 2) as f64);
@@ -277,12 +304,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
                 return Ok(None);
             }
         }
-        for (at, slot) in step.slots.iter().enumerate() {
-            let mut instead = slopes.clone();
-            instead[at].clone_from(&zero);
-            base[*slot] -= determinant(&instead) / slope;
-        }
-        Ok(Some(()))
+        Ok(Some(slope))
     }
 
     /// Finds numbers to solve rows for, such that the rows before them hold still, and such that this is the only way to
@@ -293,14 +315,12 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         for slots in self.candidates(wanted) {
             let step = Step { rows: wanted.to_vec(), slots };
             let mut moved = base.clone();
-            if self.put(&mut moved, &step)?.is_none() {
-                continue;
-            }
+            let Some(slope) = self.put_if_linear(&mut moved, &step)? else { continue };
             if !self.values(&moved, &before)?.iter().all(|value| value.vanishes()) {
                 continue;
             }
             asked += 1;
-            match self.zeros(base, &step, chosen.is_some() || asked > FOLLOWED)? {
+            match self.zeros((base, slope), &step, chosen.is_some() || asked > FOLLOWED)? {
                 Some(Zeros::Nowhere) => {
                     chosen = Some((step, moved, false));
                     break;

@@ -30,8 +30,12 @@ impl<F: Modulus> Solved<'_, '_, F> {
 
     /// Where the slope of a step vanishes; none where that is not known, or where its row vanishes with it. Of a slope that
     /// varies nothing more is asked if it must vanish nowhere.
-    pub(super) fn zeros(&self, base: &[Modular<F>], step: &Step, only_nowhere: bool) -> Result<Option<Zeros>, String> {
-        let slope = self.slope(base, step)?;
+    pub(super) fn zeros(
+        &self,
+        (base, slope): (&[Modular<F>], Modular<F>),
+        step: &Step,
+        only_nowhere: bool,
+    ) -> Result<Option<Zeros>, String> {
         let mut others = self.drawn();
         self.follow(&mut others)?;
         if (self.slope(&others, step)? - slope).vanishes() {
@@ -90,16 +94,20 @@ impl<F: Modulus> Solved<'_, '_, F> {
         }
         let alike = |at: &usize| (slots[*at].symbol, slots[*at].order) == (slots[slot].symbol, slots[slot].order);
         let all: Vec<usize> = (1..base.len()).filter(alike).filter(|at| self.is_open(*at)).collect();
-        let slope = |base: &[Modular<F>], at: usize| self.slope(base, &Step { rows: vec![row], slots: vec![at] });
         let mut moved = base.to_vec();
         all.iter().for_each(|at| moved[*at] = self.drawn_at(*at));
+        let at_zero = |base: &[Modular<F>]| self.values(base, &[row]);
+        let zeros = [at_zero(base)?, at_zero(&moved)?, at_zero(others)?];
+        let slope = |base: &[Modular<F>], at: usize, zero: &[Modular<F>]| {
+            Ok::<_, String>(determinant(&self.slopes(base, &Step { rows: vec![row], slots: vec![at] }, zero)?))
+        };
         let (mut sum, mut elsewhere) = (Modular::from(0.0), Modular::from(0.0));
         for at in all {
-            let here = slope(base, at)?;
-            if !(slope(&moved, at)? - here).vanishes() {
+            let here = slope(base, at, &zeros[0])?;
+            if !(slope(&moved, at, &zeros[1])? - here).vanishes() {
                 return Ok(false);
             }
-            let other = slope(others, at)?;
+            let other = slope(others, at, &zeros[2])?;
             (sum, elsewhere) = (sum + here * here, elsewhere + other * other);
         }
         Ok((sum - elsewhere).vanishes() && !sum.vanishes())
