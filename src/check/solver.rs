@@ -22,7 +22,7 @@ use super::identity::derivatives;
 use super::judge;
 use super::model::Model;
 use super::motion::order;
-use super::rules::{Rule, rules};
+use super::rules::{Action, Rule, rules};
 use super::scene::{Mode, Scene};
 
 /// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
@@ -77,8 +77,9 @@ struct Moved<'m> {
 /// States that differ from others in the values of some quantities and in nothing else that is free.
 pub struct Family<'m> {
     solver: Solver<'m>,
-    /// How many of the last conditions are the quantities' values.
-    quantities: usize,
+    /// Where each quantity stands in a base that is a number of it; the values of the others are conditions, the last of
+    /// the claim's.
+    places: Vec<Option<usize>>,
 }
 
 impl<'m> Family<'m> {
@@ -91,10 +92,15 @@ impl<'m> Family<'m> {
             free: Vec::new(),
             throughout: false,
         };
-        let conditions: Vec<Condition> =
-            setting.conditions.iter().cloned().chain(quantities.iter().map(value)).collect();
+        let plain = Solver::new(model, setting);
+        let nothing_is_solved = plain.equalities().next().is_none();
+        let place = |quantity: &Expr| plain.place(quantity).filter(|_| nothing_is_solved);
+        let places: Vec<Option<usize>> = quantities.iter().map(place).collect();
+        let solved = quantities.iter().zip(&places).filter(|(_, place)| place.is_none());
+        let values = solved.map(|(quantity, _)| value(quantity));
+        let conditions: Vec<Condition> = setting.conditions.iter().cloned().chain(values).collect();
         let solver = Solver::new(model, &Setting { conditions: &conditions, ..setting.clone() });
-        Family { solver, quantities: quantities.len() }
+        Family { solver, places }
     }
 
     /// The state near a base at which the quantities have these values, if there is one.
@@ -107,12 +113,23 @@ impl<'m> Family<'m> {
             false => 0,
         };
         let end = self.solver.conditions.len() - laws;
-        let conditions = &mut self.solver.conditions[end - self.quantities..end];
-        for (condition, value) in conditions.iter_mut().zip(values) {
-            let number = Expr::new(Node::Number(format!("{:e}", value.abs())), condition.lhs.span);
-            condition.rhs = if *value < 0.0 { number.negated() } else { number };
+        let solved = self.places.iter().filter(|place| place.is_none()).count();
+        let mut base = base.to_vec();
+        let mut next = end - solved;
+        for (place, value) in self.places.iter().zip(values) {
+            let Some(at) = place else {
+                let condition = &mut self.solver.conditions[next];
+                let number = Expr::new(Node::Number(format!("{:e}", value.abs())), condition.lhs.span);
+                condition.rhs = if *value < 0.0 { number.negated() } else { number };
+                next += 1;
+                continue;
+            };
+            if !self.solver.allows(*at, *value) {
+                return Ok(None);
+            }
+            base[*at] = *value;
         }
-        Ok(self.solver.state(base.to_vec())?.map(|(_, scene)| scene))
+        Ok(self.solver.state(base)?.map(|(_, scene)| scene))
     }
 }
 
@@ -173,6 +190,24 @@ impl<'m> Solver<'m> {
             values.push(entries.get(*entry)?.nth_derivative_value(*derivative)?);
         }
         Some(values)
+    }
+
+    /// Whether a number of a base may have a value.
+    fn allows(&self, slot: usize, value: f64) -> bool {
+        self.reach == Reach::Beyond || contains(&self.slots[slot].range, value)
+    }
+
+    /// Where a quantity stands in a base, if it is a number of it that no rule gives.
+    fn place(&self, quantity: &Expr) -> Option<usize> {
+        let Node::Symbol { id, indices, dots } = &quantity.node else { return None };
+        let is_free = |rule: &Rule| match &rule.action {
+            Action::Follows { order, .. } => dots < order,
+            Action::Together(laws) => laws.unknowns.iter().all(|(symbol, order)| symbol != id || dots < order),
+            _ => false,
+        };
+        let is_it = |slot: &Slot| slot.symbol == Some(*id) && !slot.one_of_many && slot.order == usize::from(*dots);
+        let at = self.slots.iter().position(is_it).filter(|_| indices.is_empty())?;
+        self.rules.iter().filter(|rule| rule.symbol == *id).all(is_free).then_some(at)
     }
 
     fn scene<B: Number>(&self, base: &[B], terms: usize) -> Result<Scene<'m, B>> {
@@ -402,10 +437,7 @@ impl<'m> Solver<'m> {
     /// Moves a base until the rows of a plan are as near to 0 as rounding lets them come, if they do; the state there.
     fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<Option<Scene<'m, Measured>>> {
         let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
-        let in_range = |base: &[f64]| {
-            let is_in = |slot: usize| self.reach == Reach::Beyond || contains(&self.slots[slot].range, base[slot]);
-            plan.iter().all(|(_, slot)| is_in(*slot))
-        };
+        let in_range = |base: &[f64]| plan.iter().all(|(_, slot)| self.allows(*slot, base[*slot]));
         for round in 1..=MOST_ROUNDS {
             let Some((jacobian, values)) = self.linearised(base, plan)? else { return Ok(None) };
             let Some(step) = jacobian.lu().solve(&values) else { return Ok(None) };
