@@ -7,6 +7,7 @@
 //! pass is held against its [`twins`]. Where units are declared, [`units`] comes before all of these.
 
 mod adversary;
+mod anew;
 mod any_body;
 mod base;
 mod branches;

@@ -262,7 +262,8 @@ fn fate(
     let display = &desk.notes.equations[at];
     let because = String::new();
     let text = edit.applied(&display.text);
-    let held = match trial.redefines(&text) {
+    let none = Claim::default();
+    let held = match desk.introduces(at, desk.assigned[at].unwrap_or(&none), &text) {
         Some(formulas) => holds_fast(desk, at, pins, &formulas),
         None => return Ok((Fate::Refused, because)),
     };

@@ -7,20 +7,17 @@
 use rayon::prelude::*;
 
 use crate::Result;
-use crate::formula::{Expr, Node};
+use crate::formula::Expr;
 use crate::latex::slips::{self, Edit, Pool};
-use crate::latex::{Introduced, Reading};
+use crate::latex::Introduced;
 use crate::notes::claims::Claim;
 
 use super::desk::Desk;
 use super::document::{Run, first_unexpected, retyped, shown};
 use super::formal;
 use super::identity::{FEWEST, Options};
-use super::model::Model;
 use super::pins::Pins;
 use super::repair::{MISSING, OFFERED, Suggestion, Wrong, in_file, is_real, likelihood};
-use super::reprint::defined;
-use super::trial::Trial;
 use super::verdict::{Repair, Verdict};
 
 /// With so many edits the whole document is checked at most.
@@ -76,7 +73,6 @@ impl Desk<'_> {
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let introduced = &wrong.reading.introduced;
         let pins: Vec<Pins<'_, '_>> = introduced.iter().map(|new| Pins::of(self, new, true)).collect::<Result<_>>()?;
-        let trial = Trial::new(self, wrong.at, wrong.reading, wrong.claim)?;
         let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING).factors_only();
         let others = self.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
         let texts = std::iter::once(wrong.text).chain(others.map(|(_, display)| display.text.as_str()));
@@ -90,8 +86,7 @@ impl Desk<'_> {
             let mut unnoticed: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
             for edit in &edits {
                 let text = edit.applied(wrong.text);
-                let formulas = trial.redefines(&text).or_else(|| self.defined_anew(wrong, &text));
-                let Some(formulas) = formulas else { continue };
+                let Some(formulas) = self.redefines(wrong.at, wrong.claim, &text) else { continue };
                 let mut changed =
                     introduced.iter().zip(&formulas).zip(&pins).filter(|((was, is), _)| was.formula != **is).peekable();
                 if changed.peek().is_some() && !changed.any(|((_, formula), holds)| holds.notice(formula)) {
@@ -127,34 +122,9 @@ impl Desk<'_> {
         Ok(Vec::new())
     }
 
-    /// What a text in the place of a display makes of the names that the display introduces, where these are known: some
-    /// displays use a name before they say what it is.
-    fn defined_anew(&self, wrong: &Wrong<'_>, text: &str) -> Option<Vec<Expr>> {
-        let reading = self.as_printed(text, wrong.claim, &self.model.macros);
-        let formula = |new: &Introduced| {
-            let (name, formula) = defined(reading.statements.get(new.statement)?.as_ref().ok()?, new)?;
-            matches!(name.node, Node::Symbol { id, dots: 0, .. } if id == new.symbol).then(|| formula.clone())
-        };
-        let is_read = reading.statements.iter().all(std::result::Result::is_ok);
-        is_read.then(|| wrong.reading.introduced.iter().map(formula).collect())?
-    }
-
     /// Whether nothing in a display is refuted, or cannot be read, where it has this text and so defines other things.
     fn passes_redefined(&self, wrong: &Wrong<'_>, text: &str, formulas: &[Expr]) -> bool {
-        let mut model: Model = self.model.clone();
-        let introduced = wrong.reading.introduced.iter().zip(formulas);
-        introduced.clone().for_each(|(new, formula)| model.define(new.symbol, formula.clone()));
-        let mut reading: Reading = self.as_printed(text, wrong.claim, &self.model.macros);
-        for (new, formula) in introduced {
-            let name = |reading: &Reading| {
-                let statement = reading.statements.get(new.statement)?.as_ref().ok()?;
-                defined(statement, new).map(|(name, _)| name.clone())
-            };
-            if name(&reading).is_none_or(|here| Some(here) != name(wrong.reading)) {
-                return false;
-            }
-            reading.introduced.push(Introduced { formula: formula.clone(), ..new.clone() });
-        }
+        let Some((model, reading)) = self.redefined(wrong.at, wrong.claim, text, formulas) else { return false };
         let options = Options { points: FEWEST.min(self.options.points), explain: false, ..self.options };
         let desk = Desk { model: &model, options, units: self.units.clone(), ..*self };
         let display = &self.notes.equations[wrong.at];

@@ -162,8 +162,10 @@ impl Desk<'_> {
             edits.sort_by_key(|edit| likelihood(&display.text, edit, false));
             edits.truncate(TRIED);
             tried.extend(edits.iter().cloned());
-            let mended =
-                |edit: &Edit| self.edited(&Run { options: quick, ..*run }, at, edit, |desk| desk.mended(wrong, true));
+            let mended = |edit: &Edit| match self.is_damaged(at) {
+                true => self.edited(&Run { options: quick, ..*run }, at, edit, |desk| desk.mended(wrong, true)),
+                false => self.with_text(quick, at, &edit.applied(&display.text), |desk| desk.mended(wrong, true)),
+            };
             let likely = edits.into_par_iter().filter_map(|edit| {
                 let mended = mended(&edit)?;
                 Some(Found { at, edit, mended }).filter(|found| found.mended.len() >= least)

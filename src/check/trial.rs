@@ -6,7 +6,7 @@
 
 use crate::Result;
 use crate::formula::{Expr, Index, Node, Relation, Statement, SymbolId};
-use crate::latex::{Introduced, Reading, read_display};
+use crate::latex::{Introduced, Reading};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::TERMS;
 use crate::source::Span;
@@ -20,7 +20,6 @@ use super::ensemble::{Condition, Ensemble};
 use super::identity::{self, Context, FEWEST, Options, is_equality};
 use super::judge::{self, Link, Point};
 use super::model::Meaning;
-use super::reading::for_each;
 use super::rules::Rule;
 use super::small::{self, Shrinkage};
 use super::solved::is_never_zero;
@@ -195,34 +194,6 @@ impl<'d, 'a> Trial<'d, 'a> {
         let mut readings = self.full.readings.to_vec();
         readings[self.at] = reading.clone();
         judged(&Desk { readings: &readings, units: self.full.units.clone(), ..self.full })
-    }
-
-    /// What a text in the place of the display makes of the names that the display introduces, one formula for each; none,
-    /// if it cannot be read where these names are not known, or does not introduce them all.
-    pub fn redefines(&self, text: &str) -> Option<Vec<Expr>> {
-        let model = self.desk.model;
-        let own = &self.desk.readings[self.at].introduced;
-        if own.is_empty() {
-            return Some(Vec::new());
-        }
-        let mut symbols = model.symbols.clone();
-        own.iter().for_each(|introduced| symbols.forget(introduced.symbol));
-        symbols.for_each = for_each(Some(self.claim), model);
-        let reading = read_display(text, &mut symbols, &model.macros);
-        if reading.statements.iter().any(std::result::Result::is_err) {
-            return None;
-        }
-        let known = |id: SymbolId| {
-            let name = &symbols.entry(id).name;
-            own.iter().map(|introduced| introduced.symbol).find(|old| model.symbols.entry(*old).name == *name)
-        };
-        let formula = |wanted: &Introduced| {
-            let new = reading.introduced.iter().find(|new| known(new.symbol) == Some(wanted.symbol))?;
-            let mut formula = new.formula.clone();
-            formula.rename(&|id| known(id).unwrap_or(id));
-            Some(formula)
-        };
-        own.iter().map(formula).collect()
     }
 
     /// Whether a reading is proved over a field to say what the display says, member for member, or to follow from it.
