@@ -174,6 +174,9 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
         }
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
         edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
+        // What is left out with a ± before it is a root.
+        let may_branch = |edit: &Edit| has_branches(wrong.text) || edit.replacement.contains("sqrt");
+        edits.retain(|edit| edit.slip != Slip::Term || !has_branches(&edit.replacement) || may_branch(edit));
         let mut found = passing(desk, wrong, &edits)?;
         tried.extend(edits);
         found.sort_by_key(|suggestion| likelihood(wrong.text, &suggestion.edit, suggestion.step));
@@ -185,6 +188,11 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
         }
     }
     Ok(distinct(desk, if less.is_empty() { idle } else { less }))
+}
+
+/// Whether a text says two things at once.
+pub(super) fn has_branches(text: &str) -> bool {
+    text.contains(r"\pm") || text.contains(r"\mp")
 }
 
 /// Whether an edit leaves out a term or a factor that stands there once.

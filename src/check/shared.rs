@@ -21,7 +21,7 @@ use super::document::{Run, retyped, shown, with_desk};
 use super::formal;
 use super::identity::Options;
 use super::reading::for_each;
-use super::repair::{MISSING, OFFERED, is_each, is_real, is_wrong, likelihood};
+use super::repair::{MISSING, OFFERED, has_branches, is_each, is_real, is_wrong, likelihood};
 use super::sentences;
 use super::trial::{self, Trial};
 use super::verdict::{Equation, Repair, Shared, Verdict};
@@ -146,7 +146,6 @@ impl Desk<'_> {
         let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
         let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
         let least = wrong.len().min(2);
-        let branches = |text: &str| text.contains(r"\pm") || text.contains(r"\mp");
         let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
         let all = || Pool::of(texts(), symbols, macros, MISSING).factors_only();
         let mut tried: Vec<Edit> = Vec::new();
@@ -157,7 +156,7 @@ impl Desk<'_> {
             // That something is 0 says more than that it does not change; what it is that does not change is the law.
             let names = |edit: &Edit| matches!(edit.slip, Slip::Dot | Slip::Symbol | Slip::Name);
             edits.retain(|edit| !names(edit) || !self.says_that_nothing_moves(at));
-            edits.retain(|edit| !branches(&edit.replacement) || branches(&display.text));
+            edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(&display.text));
             edits.retain(|edit| !self.is_damaged(at) || self.is_readable(at, &edit.applied(&display.text)));
             edits.sort_by_key(|edit| likelihood(&display.text, edit, false));
             edits.truncate(TRIED);

@@ -347,12 +347,14 @@ impl<'d, 'a> Trial<'d, 'a> {
         if reading.statements.len() == self.shrinking.len() && self.shrinking.iter().enumerate().any(is_missed) {
             return true;
         }
-        if reading.statements.len() != self.screens.len() {
-            return false;
-        }
-        (0..self.screens.len()).any(|n| {
-            let screen = self.screens[n].as_ref();
-            screen.is_some_and(|screen| tested(self.desk, (reading, n), self.claim).any(|link| refuted(&link, screen)))
+        // With a ± for a sign one statement has become two.
+        let screen = |n: usize| match self.screens.as_slice() {
+            [only] => only.as_ref(),
+            all if all.len() == reading.statements.len() => all[n].as_ref(),
+            _ => None,
+        };
+        (0..reading.statements.len()).any(|n| {
+            screen(n).is_some_and(|s| tested(self.desk, (reading, n), self.claim).any(|link| refuted(&link, s)))
         })
     }
 }
