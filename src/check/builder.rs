@@ -164,6 +164,12 @@ impl Builder<'_> {
         if let Range::Rigid { .. } | Range::FixedDirection = range {
             return self.moving_with_a_frame(declaration, kind);
         }
+        if !vector && latex.value.contains("\\hat") {
+            let vector = latex.value.replacen("\\hat", "\\vec", 1);
+            return Err(self
+                .error(latex, format!("{} would be a number here, and a hat marks a direction", latex.value))
+                .help(format!("declare {vector}: {} is then its direction; or name it under \"axes\"", latex.value)));
+        }
         let (meaning, varies) = match declaration.role {
             Role::Coordinate => (Meaning::Coordinate(self.model.coordinates.len()), true),
             Role::Constant => (Meaning::Constant(self.model.constants.len()), false),

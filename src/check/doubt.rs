@@ -2,15 +2,17 @@
 //!
 //! An equation that follows from a law or a definition is wrong if that is. Where something else holds by the same law, or
 //! through the same name, the law is vouched for, and the slip is in the equation; where nothing does, it may be in either.
+//! So it is within a chain that says what a name is, and then what that comes to.
 
 use crate::formula::SymbolId;
+use crate::latex::Introduced;
 
 use super::desk::Desk;
 use super::document::{Run, shown};
 use super::identity::{FEWEST, Options};
 use super::model::Model;
 use super::repair::OFFERED;
-use super::shared::is_refuted;
+use super::shared::{Item, is_refuted};
 use super::verdict::{Equation, Repair, Verdict};
 
 impl Desk<'_> {
@@ -48,13 +50,18 @@ impl Desk<'_> {
                 *vouched[*at].get_or_insert_with(|| pinned[*at].unwrap_or_else(vouch))
             });
             equation.elsewhere = doubtful.iter().map(|at| shown(&self.notes.equations[*at])).collect();
+            let is_loose = || !holding.iter().any(|other| self.vouches_for(*other, own));
+            if self.defines_in_a_chain(own) && is_loose() {
+                equation.elsewhere.push(shown(&self.notes.equations[own]));
+            }
             let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);
             if !self.options.explain || equation.repairs.iter().any(from_notes) {
                 continue;
             }
             // What is vouched for may be wrong where the others do not look.
             let found_in = |displays: Vec<usize>| -> Vec<Repair> {
-                let found = displays.into_iter().flat_map(|at| self.edits_that_mend(run, at, &[own], &held));
+                let found =
+                    displays.into_iter().flat_map(|at| self.edits_that_mend(run, at, &[Item::Display(own)], &held));
                 found.flat_map(|found| self.shared_repairs(found.at, &found.edit, &found.mended)).collect()
             };
             let mut repairs = found_in(doubtful);
@@ -70,6 +77,14 @@ impl Desk<'_> {
             equation.repairs = repairs;
         }
         equations
+    }
+
+    /// Whether a display says more than once what a name is that it introduces: then it may be wrong on either side.
+    fn defines_in_a_chain(&self, at: usize) -> bool {
+        let reading = &self.readings[at];
+        let statement =
+            |new: &Introduced| reading.statements.get(new.statement).and_then(|statement| statement.as_ref().ok());
+        reading.introduced.iter().any(|new| statement(new).is_some_and(|statement| statement.members.len() > 2))
     }
 
     /// Whether an equation that holds would not, if a display were not what it is.

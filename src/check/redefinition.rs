@@ -8,8 +8,8 @@ use rayon::prelude::*;
 
 use crate::Result;
 use crate::formula::Expr;
-use crate::latex::slips::{self, Edit, Pool};
 use crate::latex::Introduced;
+use crate::latex::slips::{self, Edit, Pool};
 use crate::notes::claims::Claim;
 
 use super::desk::Desk;

@@ -2,8 +2,8 @@
 //!
 //! Where a law has a slip, or a definition, whatever stands on it fails, and each of these equations could be made to agree
 //! with the slip. One slip in what they share is likelier than one in each of them. So where two equations or more are
-//! refuted, what they stand on, which may be one of them, is tried with every edit that undoes a slip, and an edit that
-//! mends several of them, and spoils nothing that held, is what each is offered.
+//! refuted, or one and a sentence, what they stand on, which may be one of them, is tried with every edit that undoes a
+//! slip, and an edit that mends several of them, and spoils nothing that held, is what each is offered.
 
 use std::cmp::{Ordering, Reverse};
 
@@ -50,7 +50,9 @@ impl Desk<'_> {
             .filter_map(|(nth, equation)| Some((nth, self.display_of(equation)?)))
             .filter(|(_, at)| self.is_open(*at))
             .collect();
-        if wrong.len() < 2 || !self.options.explain {
+        let failing: Vec<Item> =
+            (0..sentences.len()).filter(|at| is_refuted(&sentences[*at])).map(Item::Sentence).collect();
+        if wrong.is_empty() || wrong.len() + failing.len() < 2 || !self.options.explain {
             return equations;
         }
         let held = self.held(&equations, sentences);
@@ -63,11 +65,13 @@ impl Desk<'_> {
                 true => std::iter::once(at).chain(others).collect(),
                 false => refuted.filter(|other| *other == at || self.stands_on(*other, at)).collect(),
             };
-            if stand_on_it.len() < 2 {
-                continue;
-            }
             // Its own definition takes the longest to judge.
             stand_on_it.sort_by_key(|other| *other == at && !self.is_damaged(at));
+            let said = failing.iter().filter(|_| !self.readings[at].introduced.is_empty() || self.is_law(at)).copied();
+            let stand_on_it: Vec<Item> = stand_on_it.into_iter().map(Item::Display).chain(said).collect();
+            if stand_on_it.len() < 2 || !matches!(stand_on_it[0], Item::Display(_)) {
+                continue;
+            }
             let found = self.edits_that_mend(run, at, &stand_on_it, &held);
             let most = |found: &[Found]| found.first().map_or(0, |found| found.mended.len());
             match most(&found).cmp(&most(&best)) {
@@ -79,8 +83,8 @@ impl Desk<'_> {
         best.truncate(OFFERED);
         for Found { at, edit, mended } in best.into_iter().rev() {
             let repairs = self.shared_repairs(at, &edit, &mended);
-            for ((at, _), repair) in mended.into_iter().zip(repairs) {
-                for (nth, _) in wrong.iter().filter(|(_, other)| *other == at) {
+            for ((item, _), repair) in mended.into_iter().zip(repairs) {
+                for (nth, _) in wrong.iter().filter(|(_, other)| item == Item::Display(*other)) {
                     equations[*nth].parts.iter_mut().for_each(|part| part.finding.fit = None);
                     equations[*nth].finding.fit = None;
                     let known = &mut equations[*nth].repairs;
@@ -94,10 +98,14 @@ impl Desk<'_> {
     }
 
     /// An edit of a display as a repair of each equation that it mends.
-    pub(super) fn shared_repairs(&self, at: usize, edit: &Edit, mended: &[(usize, Verdict)]) -> Vec<Repair> {
+    pub(super) fn shared_repairs(&self, at: usize, edit: &Edit, mended: &[(Item, Verdict)]) -> Vec<Repair> {
         let display = &self.notes.equations[at];
-        let mends: Vec<String> = mended.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
-        let repair = |(_, verdict): &(usize, Verdict)| Repair {
+        let name = |item: &Item| match item {
+            Item::Display(at) => shown(&self.notes.equations[*at]),
+            Item::Sentence(at) => sentences::name(*at, &self.claims.sentences[*at]),
+        };
+        let mends: Vec<String> = mended.iter().map(|(item, _)| name(item)).collect();
+        let repair = |(_, verdict): &(Item, Verdict)| Repair {
             span: edit.span.shifted(display.body.start),
             replacement: edit.replacement.clone(),
             slip: edit.slip,
@@ -140,7 +148,7 @@ impl Desk<'_> {
     }
 
     /// The edits of a display that mend most of these equations, two at least if there are several, and spoil nothing.
-    pub(super) fn edits_that_mend(&self, run: &Run<'_>, at: usize, wrong: &[usize], held: &Held) -> Vec<Found> {
+    pub(super) fn edits_that_mend(&self, run: &Run<'_>, at: usize, wrong: &[Item], held: &Held) -> Vec<Found> {
         let display = &self.notes.equations[at];
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
@@ -183,7 +191,7 @@ impl Desk<'_> {
         run: &Run<'_>,
         at: usize,
         mut likely: Vec<Found>,
-        (wrong, held): (&[usize], &Held),
+        (wrong, held): (&[Item], &Held),
     ) -> Vec<Found> {
         let text = &self.notes.equations[at].text;
         let least = wrong.len().min(2);
@@ -206,7 +214,7 @@ impl Desk<'_> {
             let judge = |desk: &Desk<'_>| desk.still_holds(held).then(|| desk.mended(wrong, false));
             match self.edited(&Run { options: full, ..*run }, at, &edit, judge).flatten() {
                 Some(mut mended) if mended.len() >= least => {
-                    mended.sort_by_key(|(at, _)| *at);
+                    mended.sort_by_key(|(item, _)| *item);
                     found.push(Found { at, edit, mended });
                 }
                 _ => {}
@@ -253,11 +261,11 @@ impl Desk<'_> {
         is_alike.then(|| with_desk(run, self.claims, &notes, judged).ok())??
     }
 
-    /// Those of these displays that pass, with their verdicts; none is looked at after two that do not, or where too few
-    /// are left. In haste what holds at a few states passes where it defines something.
-    fn mended(&self, wrong: &[usize], haste: bool) -> Vec<(usize, Verdict)> {
+    /// Those of these that pass, with their verdicts; none is looked at after two that do not, or where too few are left.
+    /// In haste what holds at a few states passes where it defines something.
+    fn mended(&self, wrong: &[Item], haste: bool) -> Vec<(Item, Verdict)> {
         let none = Claim::default();
-        let judged = |at: usize| -> Option<Verdict> {
+        let display = |at: usize| -> Option<Verdict> {
             let (reading, claim) = (&self.readings[at], self.assigned[at].unwrap_or(&none));
             if haste && !reading.introduced.is_empty() && trial::is_plain(claim) {
                 let is_readable = reading.statements.iter().all(Result::is_ok);
@@ -267,11 +275,18 @@ impl Desk<'_> {
             let found = self.equation(at, self.assigned[at]).ok()?;
             found.ok.then_some(found.finding.verdict)
         };
+        let judged = |item: Item| match item {
+            Item::Display(at) => display(at),
+            Item::Sentence(at) => {
+                let found = sentences::check(self, at, &self.claims.sentences[at]).ok()?;
+                found.ok.then_some(found.finding.verdict)
+            }
+        };
         let mut mended = Vec::new();
         let least = wrong.len().min(2);
-        for (looked_at, at) in wrong.iter().enumerate() {
-            match judged(*at) {
-                Some(verdict) => mended.push((*at, verdict)),
+        for (looked_at, item) in wrong.iter().enumerate() {
+            match judged(*item) {
+                Some(verdict) => mended.push((*item, verdict)),
                 _ if looked_at > mended.len() || mended.len() + wrong.len() <= looked_at + least => return mended,
                 _ => {}
             }
@@ -294,11 +309,20 @@ pub(super) struct Held {
     sentences: Vec<usize>,
 }
 
-/// An edit of a display, and the displays that pass with it.
+/// What may be wrong, by its place.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Item {
+    /// A display.
+    Display(usize),
+    /// A sentence of the claims file.
+    Sentence(usize),
+}
+
+/// An edit of a display, and what passes with it.
 pub(super) struct Found {
     pub at: usize,
     pub edit: Edit,
-    pub mended: Vec<(usize, Verdict)>,
+    pub mended: Vec<(Item, Verdict)>,
 }
 
 /// Whether an equation says something false.

@@ -1,5 +1,5 @@
-//! Formulas that name something of which it is not clear what is meant: a family that is joined of several, and the motion
-//! of a place that is integrated over.
+//! Formulas that name something of which it is not clear what is meant: a family that is joined of several, the motion of a
+//! place that is integrated over, and the rate of what is declared not to change.
 
 use crate::formula::tree::Node;
 use crate::formula::{Expr, SymbolId, text};
@@ -14,7 +14,7 @@ impl Context<'_> {
     pub fn unclear(&self, formulas: &[&Expr]) -> Option<Finding> {
         let hypotheses = self.conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]);
         let all: Vec<&Expr> = formulas.iter().copied().chain(hypotheses).collect();
-        let message = self.joined(&all).or_else(|| self.moving_place(&all))?;
+        let message = self.joined(&all).or_else(|| self.moving_place(&all)).or_else(|| self.moving_constant(&all))?;
         Some(self.finding(Verdict::Unreadable, message))
     }
 
@@ -37,6 +37,37 @@ impl Context<'_> {
             "there is a dot on the place {name} that is integrated over, and nothing says how the matter there moves; \
              write its velocity out"
         ))
+    }
+}
+
+impl Context<'_> {
+    /// A dot on what is declared a constant: as 0 it would make true whatever stands beside it.
+    fn moving_constant(&self, formulas: &[&Expr]) -> Option<String> {
+        let mut seen = Vec::new();
+        let name = formulas.iter().find_map(|formula| moving_constant(formula, self.model, &mut seen))?;
+        let what = match self.model.meaning(name) {
+            Some(Meaning::Time) => "which is the time",
+            _ => "which is declared among the constants; if it changes, it belongs under \"varies with time\"",
+        };
+        Some(format!("there is a dot on {}, {what}", text::plain(&self.model.name(name))))
+    }
+}
+
+/// What has a dot on it, in a formula or in the definitions that it stands on, and is a constant, or the time.
+fn moving_constant(formula: &Expr, model: &Model, seen: &mut Vec<SymbolId>) -> Option<SymbolId> {
+    let constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Time)).then_some(id);
+    match &formula.node {
+        Node::TimeDerivative(_, inner) if matches!(inner.node, Node::Symbol { .. }) => {
+            let Node::Symbol { id, .. } = inner.node else { return None };
+            constant(id)
+        }
+        Node::Symbol { id, dots: 1.., .. } => constant(*id),
+        Node::Symbol { id, .. } if !seen.contains(id) => {
+            seen.push(*id);
+            let Some(Meaning::Defined(definition)) = model.meaning(*id) else { return None };
+            moving_constant(definition, model, seen)
+        }
+        _ => formula.children().into_iter().find_map(|inner| moving_constant(inner, model, seen)),
     }
 }
 

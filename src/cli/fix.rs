@@ -103,6 +103,9 @@ fn doubt(equation: &Equation, repair: &Repair) -> Option<String> {
     if mends_several(repair) {
         return None;
     }
+    if equation.elsewhere == [equation.id.as_str()] {
+        return Some("nothing that holds uses what it introduces, and either side may be wrong".to_owned());
+    }
     if !equation.elsewhere.is_empty() {
         return Some(format!("nothing that holds stands on ({})", equation.elsewhere.join("), (")));
     }

@@ -98,9 +98,12 @@ pub fn mended_as_well(shared: &Shared, colour: bool) -> String {
     renderer(colour).render(&[Group::with_title(Level::HELP.secondary_title(title))])
 }
 
-/// What the slip may be in instead.
-pub fn elsewhere(displays: &[String], colour: bool) -> String {
-    let title = format!("nothing that holds stands on {}: the slip may be there", listed(displays));
+/// What the slip of an equation may be in instead.
+pub fn elsewhere(id: &str, displays: &[String], colour: bool) -> String {
+    let title = match displays {
+        [own] if own == id => "nothing that holds uses what it introduces: either side may be wrong".to_owned(),
+        displays => format!("nothing that holds stands on {}: the slip may be there", listed(displays)),
+    };
     renderer(colour).render(&[Group::with_title(Level::NOTE.secondary_title(title))])
 }
 

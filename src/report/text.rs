@@ -144,7 +144,7 @@ fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
         Some(shared) if shared.mends.first() != Some(&item.id) => diagnostic::mended_as_well(shared, colour),
         _ => diagnostic::repair(repair, at == 0, &document.source, colour),
     });
-    let elsewhere = (!item.elsewhere.is_empty()).then(|| diagnostic::elsewhere(&item.elsewhere, colour));
+    let elsewhere = (!item.elsewhere.is_empty()).then(|| diagnostic::elsewhere(&item.id, &item.elsewhere, colour));
     shown.chain(repairs).chain(elsewhere).collect::<Vec<_>>().join("\n\n")
 }
 
