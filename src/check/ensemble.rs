@@ -14,6 +14,7 @@ use crate::{Error, Result};
 use super::base::Slot;
 use super::draw::{Draw, Reach, contains};
 use super::drawn::{Found, Wanted};
+use super::identity::FEWEST;
 use super::judge::Link;
 use super::model::Model;
 use super::rules::Rule;
@@ -22,6 +23,9 @@ use super::solver::Solver;
 
 /// More states than these are seldom asked for.
 const USUAL: usize = 128;
+
+/// Where a few states are enough, so many bases are tried before hypotheses are given up that none could be moved onto.
+const IN_HASTE: usize = 4;
 
 /// A hypothesis of a claim.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,7 +89,10 @@ impl<'m> Ensemble<'m> {
         let mut solver = Solver::new(model, setting);
         let (mut scenes, mut bases, mut tried) = (Vec::with_capacity(points.min(USUAL)), Vec::new(), 0);
         let mut failure: Option<Error> = None;
-        while scenes.len() < points && tried < 4 * points + 32 && !solver.progress.hopeless {
+        let is_in_vain = |solver: &Solver<'_>, tried: usize| {
+            solver.progress.hopeless || points < FEWEST && tried == IN_HASTE && solver.progress.is_stuck()
+        };
+        while scenes.len() < points && tried < 4 * points + 32 && !is_in_vain(&solver, tried) {
             tried += 1;
             let base = draw.base(&solver.slots, setting.reach);
             match solver.state(base) {
@@ -111,17 +118,30 @@ impl<'m> Ensemble<'m> {
     /// # Errors
     /// As there.
     pub fn named(model: &'m Model, setting: &Setting<'_>, points: usize, seed: u64, name: &str) -> Result<Self> {
+        let draw = |draw: &mut Draw| Self::draw(model, setting, points, draw);
+        Self::kept(model, setting, points, (seed, name), draw)
+    }
+
+    /// The states of this name that are kept, or else those that are found now. Where nothing has to be moved they are not
+    /// kept.
+    fn kept(
+        model: &'m Model,
+        setting: &Setting<'_>,
+        points: usize,
+        (seed, name): (u64, &str),
+        find: impl FnOnce(&mut Draw) -> Result<Self>,
+    ) -> Result<Self> {
         let mut solver = Solver::new(model, setting);
         let mut draw = Draw::new(seed, name);
         // What symbols mean in one claim only is not compared.
         if solver.equalities().next().is_none() || !setting.local.is_empty() {
-            return Self::draw(model, setting, points, &mut draw);
+            return find(&mut draw);
         }
         let Setting { mode, reach, .. } = *setting;
         let stream = (seed, name.to_owned());
         let wanted = Wanted { stream, mode, reach, points, conditions: setting.conditions.to_vec() };
         let Some(found) = model.drawn.find(&wanted) else {
-            let ensemble = Self::draw(model, setting, points, &mut draw)?;
+            let ensemble = find(&mut draw)?;
             let Ensemble { bases, tried, solver, .. } = &ensemble;
             let found = Found { bases: bases.clone(), tried: *tried, progress: solver.progress.clone() };
             model.drawn.keep(wanted, found);
@@ -138,7 +158,11 @@ impl<'m> Ensemble<'m> {
     ///
     /// # Errors
     /// When the mass matrix is singular at all of them.
-    pub fn special(model: &'m Model, setting: &Setting<'_>, draw: &mut Draw) -> Result<Self> {
+    pub fn special(model: &'m Model, setting: &Setting<'_>, seed: u64, name: &str) -> Result<Self> {
+        Self::kept(model, setting, 0, (seed, name), |draw| Self::at_special_places(model, setting, draw))
+    }
+
+    fn at_special_places(model: &'m Model, setting: &Setting<'_>, draw: &mut Draw) -> Result<Self> {
         let mode = setting.mode;
         let mut solver = Solver::new(model, setting);
         let (mut scenes, mut bases, mut tried) = (Vec::new(), Vec::new(), 0);

@@ -33,13 +33,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
     let own = stated.len();
     let hypotheses = context.conditions.iter().filter_map(edges::of_hypothesis);
     let comparisons: Vec<_> = stated.into_iter().chain(hypotheses).collect();
-    let special = context.special(mode)?;
-    let at_edges = edges::states((&comparisons, own), context, &ensemble, &special)?;
     let forced = forced::of_formulas(&formulas, context, &ensemble);
-    let mut scenes = ensemble.scenes;
-    scenes.extend(special.scenes);
-    let elsewhere = scenes.len();
-    scenes.extend(at_edges);
     let holds = |link: &Link, scene: &Scene<'_, Measured>| match judge::test(link, scene) {
         Ok(Point::Holds(_)) => Some(true),
         Ok(Point::Fails(_)) => Some(false),
@@ -47,7 +41,9 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
     };
     let (mut both, mut neither, mut other) = (0, 0, 0);
     let mut met_at = vec![0; alternatives.len()];
-    for (at, scene) in scenes.iter().enumerate() {
+    let mut tried = 0;
+    let mut looked_at = |scene: &Scene<'_, Measured>, at_an_edge: bool| {
+        tried += 1;
         let met = |condition: &Condition| {
             let Condition { lhs, relation, rhs, free, .. } = condition.clone();
             holds(&Link { lhs, relation, rhs, free }, scene)
@@ -73,15 +69,27 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
                 };
                 let (lhs, rhs) = (side(&link.lhs), side(&link.rhs));
                 let failure = judge::Failure { lhs, rhs, residual: 1.0, entry: None };
-                return Ok(Finding {
+                return Some(Finding {
                     points: both + neither + 1,
-                    tried: scenes.len(),
+                    tried,
                     counterexample: Some(counterexample(link, scene, &failure)),
                     ..context.finding(Verdict::Refuted, message)
                 });
             }
-            _ => other += usize::from(at < elsewhere),
+            _ => other += usize::from(!at_an_edge),
         }
+        None
+    };
+    if let Some(refuted) = ensemble.scenes.iter().find_map(|scene| looked_at(scene, false)) {
+        return Ok(refuted);
+    }
+    let special = context.special(mode)?;
+    if let Some(refuted) = special.scenes.iter().find_map(|scene| looked_at(scene, false)) {
+        return Ok(refuted);
+    }
+    let at_edges = edges::states((&comparisons, own), context, &ensemble, &special)?;
+    if let Some(refuted) = at_edges.iter().find_map(|scene| looked_at(scene, true)) {
+        return Ok(refuted);
     }
     if both < FEWEST / 2 || neither < FEWEST / 2 || both + neither < other {
         let message = format!("{both} states where it holds and {neither} where it does not are too few");
@@ -97,7 +105,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Condition>], context: &Context<'_>
     let message = format!("holds at {both} states, and at none of the {neither} others, as the conditions say");
     Ok(Finding {
         points: both + neither,
-        tried: scenes.len(),
+        tried,
         ..context.verified(message, "which states it holds at, and which not")
     })
 }

@@ -107,7 +107,7 @@ impl<'a> Context<'a> {
     /// # Errors
     /// When the mass matrix is singular at all of them.
     pub fn special(&self, mode: Mode) -> Result<Ensemble<'a>> {
-        Ensemble::special(self.model, &self.setting(mode), &mut self.draw(mode, "special"))
+        Ensemble::special(self.model, &self.setting(mode), self.options.seed, &self.stream(mode, "special"))
     }
 
     /// The random numbers of its states.

@@ -147,6 +147,15 @@ impl Desk<'_> {
         equation != at && (is_law || self.readings[at].introduced.iter().any(|new| uses(new) || named(new)))
     }
 
+    /// Whether a claim is about which states something holds at.
+    fn takes_many_states(&self, item: Item) -> bool {
+        let claim = match item {
+            Item::Display(at) => self.assigned[at],
+            Item::Sentence(at) => Some(&self.claims.sentences[at].claim),
+        };
+        claim.is_some_and(|claim| !claim.exactly_when.is_empty())
+    }
+
     /// The edits of a display that mend most of these equations, two at least if there are several, and spoil nothing.
     pub(super) fn edits_that_mend(&self, run: &Run<'_>, at: usize, wrong: &[Item], held: &Held) -> Vec<Found> {
         let display = &self.notes.equations[at];
@@ -154,6 +163,9 @@ impl Desk<'_> {
         let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
         let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
         let least = wrong.len().min(2);
+        // What takes many states to tell waits for the full check, where others can be looked at.
+        let soon: Vec<Item> = wrong.iter().copied().filter(|item| !self.takes_many_states(*item)).collect();
+        let soon = if soon.len() < least { wrong } else { &soon };
         let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
         let all = || Pool::of(texts(), symbols, macros, MISSING).factors_only();
         let mut tried: Vec<Edit> = Vec::new();
@@ -170,8 +182,8 @@ impl Desk<'_> {
             edits.truncate(TRIED);
             tried.extend(edits.iter().cloned());
             let mended = |edit: &Edit| match self.is_damaged(at) {
-                true => self.edited(&Run { options: quick, ..*run }, at, edit, |desk| desk.mended(wrong, true)),
-                false => self.with_text(quick, at, &edit.applied(&display.text), |desk| desk.mended(wrong, true)),
+                true => self.edited(&Run { options: quick, ..*run }, at, edit, |desk| desk.mended(soon, true)),
+                false => self.with_text(quick, at, &edit.applied(&display.text), |desk| desk.mended(soon, true)),
             };
             let likely = edits.into_par_iter().filter_map(|edit| {
                 let mended = mended(&edit)?;

@@ -31,8 +31,13 @@ const THROUGHOUT: usize = 3;
 /// After so many bases none of which could be moved onto the hypotheses no more are tried.
 const GIVEN_UP: usize = 12;
 
-/// So many steps of Newton's are made to move a base.
+/// So many steps of Newton's are made to move a base, and so many in a row that are not shorter by this than any before.
 const MOST_ROUNDS: usize = 30;
+const MOST_STALLED: usize = 5;
+const SHORTER: f64 = 0.9;
+
+/// Steps below this may be rounding where the rows are large.
+const ROUNDED: f64 = 1e-9;
 
 /// So many equations are solved at most; hypotheses about whole families are rules instead.
 const MOST: usize = 24;
@@ -72,6 +77,13 @@ struct Moved<'m> {
     base: Vec<f64>,
     scene: Scene<'m, Measured>,
     obeys: Vec<usize>,
+}
+
+impl Progress {
+    /// Whether no base could be moved onto the hypotheses so far.
+    pub(super) fn is_stuck(&self) -> bool {
+        self.moved.1 == 0
+    }
 }
 
 /// States that differ from others in the values of some quantities and in nothing else that is free.
@@ -438,6 +450,7 @@ impl<'m> Solver<'m> {
     fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<Option<Scene<'m, Measured>>> {
         let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
         let in_range = |base: &[f64]| plan.iter().all(|(_, slot)| self.allows(*slot, base[*slot]));
+        let (mut shortest, mut stalled) = (f64::INFINITY, 0);
         for round in 1..=MOST_ROUNDS {
             let Some((jacobian, values)) = self.linearised(base, plan)? else { return Ok(None) };
             let Some(step) = jacobian.lu().solve(&values) else { return Ok(None) };
@@ -449,10 +462,17 @@ impl<'m> Solver<'m> {
             if largest.is_nan() || largest > 1e6 {
                 return Ok(None);
             }
+            // Steps that no longer become shorter lead nowhere, but for those that are rounding.
+            stalled = if largest < SHORTER * shortest { 0 } else { stalled + 1 };
+            shortest = shortest.min(largest);
+            let is_last = stalled == MOST_STALLED && shortest < ROUNDED || round == MOST_ROUNDS;
+            if stalled == MOST_STALLED && !is_last {
+                return Ok(None);
+            }
             let scene = self.measured(base)?;
             let is_noise = |value: &Measured| value.value.abs() <= f64::EPSILON * value.magnitude;
             let values = || self.values(&scene, &rows);
-            if largest < 1e-15 || round == MOST_ROUNDS || values().is_some_and(|values| values.iter().all(is_noise)) {
+            if largest < 1e-15 || is_last || values().is_some_and(|values| values.iter().all(is_noise)) {
                 return Ok(in_range(base).then_some(scene));
             }
         }
