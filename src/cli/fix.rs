@@ -6,7 +6,8 @@
 //! made of; a term or a factor that stands nowhere in the notes and is no number; another name, a term or a factor where
 //! anything else is offered; edits of two displays of which either mends all; and what leaves out a part of another
 //! display. One of an equation that stands on what nothing else vouches for, or that changes a statement which is not
-//! wrong by itself, is made after asking alone. Nothing else in the file changes, and nothing at all if the file is no
+//! wrong by itself, is made after asking alone; so is a sign, a number or a factor in a chain that says what a name is, which
+//! could as well be mended on its other side. Nothing else in the file changes, and nothing at all if the file is no
 //! longer as it was checked.
 
 use std::io::{BufRead, IsTerminal, Write};
@@ -103,16 +104,24 @@ fn doubt(equation: &Equation, repair: &Repair) -> Option<String> {
     if mends_several(repair) {
         return None;
     }
-    if equation.elsewhere == [equation.id.as_str()] {
+    let others: Vec<&str> = equation.elsewhere.iter().map(String::as_str).filter(|id| *id != equation.id).collect();
+    if others.len() < equation.elsewhere.len() && is_undone_on_either_side(repair.slip) {
         return Some("nothing that holds uses what it introduces, and either side may be wrong".to_owned());
     }
-    if !equation.elsewhere.is_empty() {
-        return Some(format!("nothing that holds stands on ({})", equation.elsewhere.join("), (")));
+    if !others.is_empty() {
+        return Some(format!("nothing that holds stands on ({})", others.join("), (")));
     }
     let mut wrong = equation.parts.iter().filter(|part| !part.ok).map(|part| part.finding.span);
     let is_elsewhere =
         repair.shared.is_none() && wrong.clone().next().is_some() && !wrong.any(|w| w.contains(repair.span));
     is_elsewhere.then(|| "it changes what is not wrong by itself".to_owned())
+}
+
+/// Whether what a slip does to one side of an equation can be done to the other instead.
+fn is_undone_on_either_side(slip: Slip) -> bool {
+    let kinds =
+        [Slip::Sign, Slip::Number, Slip::Exponent, Slip::Order, Slip::Fraction, Slip::Name, Slip::Factor, Slip::Term];
+    kinds.contains(&slip)
 }
 
 /// Asks whether a repair is to be made.

@@ -254,3 +254,29 @@ fn the_word_for_a_matrix_has_no_names_in_it() {
     let message = &blamed.equations[1].finding.message;
     assert!(message.contains("(1), where it stands"), "{message}");
 }
+
+#[test]
+fn a_constant_has_no_dot() {
+    let found = |role: &str| {
+        let mut claims = json!({ "constants": { "g": "> 0" }, "varies with time": { r"\theta": "angle" } });
+        claims[role]["l"] = json!("> 0");
+        let display = r"\frac{d}{dt} (l \dot\theta) = \dot l \dot\theta + l \ddot\theta";
+        document(&claims, &numbered(&[display]), &Registry::standard(), None).unwrap().equations[0].finding.clone()
+    };
+    let constant = found("constants");
+    assert_eq!(constant.verdict, Verdict::Unreadable);
+    assert!(constant.message.contains("a dot on l"), "{}", constant.message);
+    assert_eq!(found("varies with time").verdict, Verdict::Certified);
+}
+
+#[test]
+fn a_hat_marks_a_direction_and_no_number() {
+    let display = r"\hat n \times (\hat n \times \vec r) = (\hat n \cdot \vec r) \hat n - \vec r";
+    let check = |vector: &str| {
+        let claims = json!({ "constants": { vector: "any", r"\vec r": "any" } });
+        document(&claims, &numbered(&[display]), &Registry::standard(), None)
+    };
+    let error = check(r"\hat n").map(|_| ()).unwrap_err().to_string();
+    assert!(error.contains(r"declare \vec n"), "{error}");
+    assert_eq!(check(r"\vec n").unwrap().equations[0].finding.verdict, Verdict::Certified);
+}

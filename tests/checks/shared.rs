@@ -185,3 +185,54 @@ fn a_name_and_what_is_said_of_it_may_either_be_wrong() {
     let holds = checked(&claims, &[r"s = a - b, \qquad s^2 = a^2 - 2ab + b^2"]);
     assert!(holds.equations[0].ok && holds.equations[0].repairs.is_empty());
 }
+
+/// A mass on a spring, its energy, and what is said of that.
+fn spring(energy: &str) -> Document {
+    let claims = json!({
+        "varies with time": { "x": "any" },
+        "constants": { "m, k": "> 0" },
+        "laws": { "Newton": "1" },
+        "sentences": [{ "name": "E does not change", "quote": r"m \ddot x = -k x", "conserved": "E" }],
+    });
+    checked(&claims, &[r"m \ddot x = -k x", energy])
+}
+
+#[test]
+fn a_sentence_tells_which_side_of_a_chain_is_wrong() {
+    let right = r"E = \frac{1}{2} m \dot x^2 + \frac{1}{2} k x^2 = \frac{m \dot x^2 + k x^2}{2}";
+    assert!(spring(right).equations.iter().all(|equation| equation.ok));
+    let first = spring(&right.replacen(r"+ \frac{1}{2} k", r"- \frac{1}{2} k", 1));
+    assert_eq!(mended(&first), numbered(&[r"m \ddot x = -k x", right]));
+    assert_eq!(shared(&first), [Some(("2", vec!["2", "E does not change"]))]);
+    // The twin: what the name is holds, and the slip is in what it comes to.
+    let second = spring(&right.replacen("^2 + k", "^2 - k", 1));
+    assert_eq!(mended(&second), numbered(&[r"m \ddot x = -k x", right]));
+    assert_eq!(shared(&second), [None]);
+}
+
+#[test]
+fn a_chain_that_nothing_uses_may_be_wrong_on_either_side() {
+    let claims = json!({ "constants": { "m, v, p": "> 0" } });
+    let chain = |last: &str| format!(r"T = \frac{{1}}{{2}} m v^2 = {last}");
+    let elsewhere = |displays: &[&str]| checked(&claims, displays).equations[0].elsewhere.clone();
+    assert_eq!(elsewhere(&[&chain(r"\frac{(m v)^2}{m}")]), ["1"]);
+    // The twin: another equation holds by what the name is.
+    let pinned = r"\frac{T}{m v} = \frac{v}{2}";
+    assert_eq!(elsewhere(&[&chain(r"\frac{(m v)^2}{m}"), pinned]), [] as [&str; 0]);
+}
+
+#[test]
+fn no_edit_defines_a_name_by_itself() {
+    // What mends (3) and (4) is the cosine; y for l in (1) would be 2x.
+    let claims = json!({ "constants": { "l": "> 0" }, "varies with time": { r"\theta": "angle" } });
+    let displays = |x: &str| {
+        let x = format!(r"x = l {x}\theta");
+        [x, "y = 2 x".to_owned(), r"x^2 = l^2 \cos^2\theta".to_owned(), r"y^2 = 4 l^2 \cos^2\theta".to_owned()]
+    };
+    let found = |x: &str| {
+        let displays = displays(x);
+        checked(&claims, &displays.each_ref().map(String::as_str))
+    };
+    assert!(found(r"\cos").equations.iter().all(|equation| equation.ok));
+    assert_eq!(mended(&found(r"\sin")), numbered(&displays(r"\cos").each_ref().map(String::as_str)));
+}
