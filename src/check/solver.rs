@@ -127,19 +127,16 @@ impl<'m> Family<'m> {
         let end = self.solver.conditions.len() - laws;
         let solved = self.places.iter().filter(|place| place.is_none()).count();
         let mut base = base.to_vec();
-        let mut next = end - solved;
-        for (place, value) in self.places.iter().zip(values) {
-            let Some(at) = place else {
-                let condition = &mut self.solver.conditions[next];
-                let number = Expr::new(Node::Number(format!("{:e}", value.abs())), condition.lhs.span);
-                condition.rhs = if *value < 0.0 { number.negated() } else { number };
-                next += 1;
-                continue;
-            };
-            if !self.solver.allows(*at, *value) {
+        for (at, value) in self.places.iter().zip(values).filter_map(|(place, value)| Some(((*place)?, *value))) {
+            if !self.solver.allows(at, value) {
                 return Ok(None);
             }
-            base[*at] = *value;
+            base[at] = value;
+        }
+        let others = self.places.iter().zip(values).filter(|(place, _)| place.is_none()).map(|(_, value)| value);
+        for (condition, value) in self.solver.conditions[end - solved..end].iter_mut().zip(others) {
+            let number = Expr::new(Node::Number(format!("{:e}", value.abs())), condition.lhs.span);
+            condition.rhs = if *value < 0.0 { number.negated() } else { number };
         }
         Ok(self.solver.state(base)?.map(|(_, scene)| scene))
     }
