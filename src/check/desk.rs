@@ -253,10 +253,16 @@ impl Desk<'_> {
         if let Some((_, named)) = self.claims.conditions.iter().find(|(name, _)| name.value == latex.value) {
             return named.iter().try_for_each(|latex| self.condition(latex, throughout, into));
         }
-        if self.display(&latex.value).is_some() {
-            let link = self.target(latex)?;
-            into.push(Condition::of(link, throughout));
-            return Ok(());
+        if let Some(reading) = self.display(&latex.value) {
+            let before = into.len();
+            for statement in &reading.statements {
+                let statement = statement.as_ref().map_err(|fault| self.unread(latex, fault))?;
+                if statement.relations.is_empty() {
+                    continue;
+                }
+                into.extend(self.links(statement)?.into_iter().map(|link| Condition::of(link, throughout)));
+            }
+            return if into.len() > before { Ok(()) } else { Err(self.no_equation(latex)) };
         }
         let statements = self.statements(latex).map_err(|error| {
             let names = self.claims.conditions.iter().map(|(name, _)| name.value.as_str());
@@ -309,19 +315,24 @@ impl Desk<'_> {
 
     /// The first statement of an equation, as a link between its first two members.
     pub fn target(&self, address: &Spanned<String>) -> Result<Link> {
-        let missing = |message: String| Error::at(&self.claims.source, address.span, message);
-        let reading =
-            self.display(&address.value).ok_or_else(|| missing(format!("there is no ({})", address.value)))?;
-        match reading.statements.first() {
+        let nowhere = || Error::at(&self.claims.source, address.span, format!("there is no ({})", address.value));
+        match self.display(&address.value).ok_or_else(nowhere)?.statements.first() {
             Some(Ok(Statement { members, relations, .. })) if members.len() > 1 => {
                 self.link(&members[0], relations[0].0, &members[1])
             }
-            Some(Err(fault)) => {
-                let unread = Some(Missing::Equation(address.value.clone()));
-                Err(missing(format!("({}) cannot be read: {}", address.value, fault.message)).lacking(unread))
-            }
-            _ => Err(missing(format!("({}) is not an equation", address.value))),
+            Some(Err(fault)) => Err(self.unread(address, fault)),
+            _ => Err(self.no_equation(address)),
         }
+    }
+
+    fn unread(&self, address: &Spanned<String>, fault: &Fault) -> Error {
+        let message = format!("({}) cannot be read: {}", address.value, fault.message);
+        let unread = Some(Missing::Equation(address.value.clone()));
+        Error::at(&self.claims.source, address.span, message).lacking(unread)
+    }
+
+    fn no_equation(&self, address: &Spanned<String>) -> Error {
+        Error::at(&self.claims.source, address.span, format!("({}) is not an equation", address.value))
     }
 
     /// `x \to a`.

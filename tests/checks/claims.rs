@@ -75,6 +75,18 @@ fn a_named_condition_is_what_its_name_says() {
     assert!(error(&named, &[r"E = -mgl\cos\theta"], json!({ "assume": "at rset" })).contains("claims.json:"));
 }
 
+#[test]
+fn an_equation_that_is_assumed_is_all_that_it_says() {
+    let at_rest = r"\dot\theta = 0 \, , \quad \theta = \frac{\pi}{3}";
+    let assumed = |claim: &str| verdict(&pendulum(), &[at_rest, claim], json!({ "assume": "1" }));
+    assert_eq!(assumed(r"E = -mgl\cos\theta"), Verified);
+    assert_eq!(assumed(r"E = -\frac12 mgl"), Verified);
+    assert_eq!(assumed(r"E = -\frac13 mgl"), Refuted);
+    let chain = |claim: &str| verdict(&numbers(), &["a = b = c", claim], json!({ "assume": "1" }));
+    assert_eq!(chain("a + b = 2c"), Verified);
+    assert_eq!(chain("a + b = 3c"), Refuted);
+}
+
 const QUADRATIC: &str = "x^2 - 2bx + c = 0";
 
 #[test]

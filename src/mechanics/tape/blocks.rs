@@ -130,6 +130,15 @@ fn run<S: Simd>(simd: S, program: &Program, registers: &mut Registers, inputs: &
             Action::MulSub(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| a.mul_sub(b, c)),
             Action::SubMul(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| (-a).mul_add(b, c)),
             Action::NegMulSub(a, b, c) => three(simd, [at(a), at(b), at(c)], out, |a, b, c| (-a).mul_sub(b, c)),
+            Action::ProductAdd(a, b, c, d) => {
+                four(simd, [at(a), at(b), at(c), at(d)], out, |a, b, c, d| (a * b).mul_add(c, d));
+            }
+            Action::ProductSub(a, b, c, d) => {
+                four(simd, [at(a), at(b), at(c), at(d)], out, |a, b, c, d| (a * b).mul_sub(c, d));
+            }
+            Action::SubProduct(a, b, c, d) => {
+                four(simd, [at(a), at(b), at(c), at(d)], out, |a, b, c, d| (-a * b).mul_add(c, d));
+            }
             Action::Neg(a) => one(simd, at(a), out, |a| -a),
             Action::Apply(Function::Sqrt, a) => one(simd, at(a), out, |a| a.sqrt()),
             Action::Powi(a, n) => one_by_one(at(a), at(a), out, |a, _| a.powi(n)),
@@ -196,13 +205,40 @@ fn two<S: Simd>(simd: S, a: Values, b: Values, out: &mut Block, f: impl Fn(S::f6
     of_two(simd, a, b, out, |_, a, b| f(a, b));
 }
 
+/// f(lane, a, b, c)
 #[inline(always)]
-fn three<S: Simd>(simd: S, [a, b, c]: [Values; 3], out: &mut Block, f: impl Fn(S::f64s, S::f64s, S::f64s) -> S::f64s) {
+fn of_three<S: Simd>(
+    simd: S,
+    [a, b, c]: [Values; 3],
+    out: &mut Block,
+    f: impl Fn(usize, S::f64s, S::f64s, S::f64s) -> S::f64s,
+) {
     match c {
-        Values::Each(c) => of_two(simd, a, b, out, |i, a, b| f(a, b, load(simd, c, i))),
+        Values::Each(c) => of_two(simd, a, b, out, |i, a, b| f(i, a, b, load(simd, c, i))),
         Values::All(c) => {
             let c = S::f64s::splat(simd, c);
-            of_two(simd, a, b, out, |_, a, b| f(a, b, c));
+            of_two(simd, a, b, out, |i, a, b| f(i, a, b, c));
+        }
+    }
+}
+
+#[inline(always)]
+fn three<S: Simd>(simd: S, abc: [Values; 3], out: &mut Block, f: impl Fn(S::f64s, S::f64s, S::f64s) -> S::f64s) {
+    of_three(simd, abc, out, |_, a, b, c| f(a, b, c));
+}
+
+#[inline(always)]
+fn four<S: Simd>(
+    simd: S,
+    [a, b, c, d]: [Values; 4],
+    out: &mut Block,
+    f: impl Fn(S::f64s, S::f64s, S::f64s, S::f64s) -> S::f64s,
+) {
+    match d {
+        Values::Each(d) => of_three(simd, [a, b, c], out, |i, a, b, c| f(a, b, c, load(simd, d, i))),
+        Values::All(d) => {
+            let d = S::f64s::splat(simd, d);
+            of_three(simd, [a, b, c], out, |_, a, b, c| f(a, b, c, d));
         }
     }
 }
@@ -245,11 +281,14 @@ pub(in crate::mechanics) mod tests {
             let products =
                 [x * y + p, x * y - p, p - x * y, x * p + y, x * p - y, y - x * p, x * y + sine, x * 3.0 + 2.0];
             let quotients = [x / y, p / y, x / p, (x * y).recip() * cosine, y.recip()];
+            let product = x * y.cos();
+            let of_four =
+                [x * y * y.sin() + p, x * y * x.ln() - p, p - x * p * y.ln(), product * p + y, x * p * product - y];
             let of_three = [x * y * y.exp(), x.exp() * (y * p), (x + y) * (x.exp() * x.cos()), x * p * y.ln()];
             let others = [x - p, p - x, x + p, -(x + y), (x + y).sqrt(), y.powf(0.3), x.powi(20), y.exp(), x.atan2(y)];
             let negations = [-(x - y), -(x * y + p), -(x * y - p), -(p - x * y), -(x * p), -(p - x), -(x * y)];
             let uniform = [p * p + 1.0, x, p, Symbol::from(2.5), x.atan2(p), (x * p) * (y * p), sine * cosine];
-            [&products[..], &quotients, &of_three, &others, &negations, &uniform].concat()
+            [&products[..], &quotients, &of_three, &of_four, &others, &negations, &uniform].concat()
         })
         .unwrap();
         Tape::new(&graph, 3, &outputs)
@@ -340,6 +379,9 @@ pub(in crate::mechanics) mod tests {
                 Action::MulSub(a, b, c) => Action::SubMul(a, b, c),
                 Action::SubMul(a, b, c) => Action::NegMulSub(a, b, c),
                 Action::NegMulSub(a, b, c) => Action::MulAdd(a, b, c),
+                Action::ProductAdd(a, b, c, d) => Action::ProductSub(a, b, c, d),
+                Action::ProductSub(a, b, c, d) => Action::SubProduct(a, b, c, d),
+                Action::SubProduct(a, b, c, d) => Action::ProductAdd(a, b, c, d),
                 Action::Neg(a) => Action::Add(a, a),
                 Action::Powi(a, n) => Action::Powi(a, n + 1),
                 Action::Powf(a, n) => Action::Powf(a, n + 0.1),

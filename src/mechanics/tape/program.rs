@@ -31,6 +31,12 @@ pub(super) enum Action {
     SubMul(u32, u32, u32),
     /// −a b − c; a varies
     NegMulSub(u32, u32, u32),
+    /// a b c + d; a varies
+    ProductAdd(u32, u32, u32, u32),
+    /// a b c − d; a varies
+    ProductSub(u32, u32, u32, u32),
+    /// d − a b c; a varies
+    SubProduct(u32, u32, u32, u32),
     Neg(u32),
     Powi(u32, i32),
     Powf(u32, f64),
@@ -53,6 +59,9 @@ impl Action {
             Action::MulSub(a, b, c) => Action::MulSub(place(a), place(b), place(c)),
             Action::SubMul(a, b, c) => Action::SubMul(place(a), place(b), place(c)),
             Action::NegMulSub(a, b, c) => Action::NegMulSub(place(a), place(b), place(c)),
+            Action::ProductAdd(a, b, c, d) => Action::ProductAdd(place(a), place(b), place(c), place(d)),
+            Action::ProductSub(a, b, c, d) => Action::ProductSub(place(a), place(b), place(c), place(d)),
+            Action::SubProduct(a, b, c, d) => Action::SubProduct(place(a), place(b), place(c), place(d)),
             Action::Neg(a) => Action::Neg(place(a)),
             Action::Powi(a, n) => Action::Powi(place(a), n),
             Action::Powf(a, n) => Action::Powf(place(a), n),
@@ -63,19 +72,22 @@ impl Action {
     }
 
     fn operands(self) -> impl Iterator<Item = u32> {
-        let (a, b, c) = match self {
+        let (a, others) = match self {
             Action::Add(a, b) | Action::Sub(a, b) | Action::Mul(a, b) | Action::Div(a, b) | Action::Atan2(a, b) => {
-                (a, Some(b), None)
+                (a, [Some(b), None, None])
             }
             Action::Product(a, b, c)
             | Action::MulAdd(a, b, c)
             | Action::MulSub(a, b, c)
             | Action::SubMul(a, b, c)
-            | Action::NegMulSub(a, b, c) => (a, Some(b), Some(c)),
-            Action::Neg(a) | Action::Powi(a, _) | Action::Powf(a, _) => (a, None, None),
-            Action::Apply(_, a) | Action::SinCos(a, _) => (a, None, None),
+            | Action::NegMulSub(a, b, c) => (a, [Some(b), Some(c), None]),
+            Action::ProductAdd(a, b, c, d) | Action::ProductSub(a, b, c, d) | Action::SubProduct(a, b, c, d) => {
+                (a, [Some(b), Some(c), Some(d)])
+            }
+            Action::Neg(a) | Action::Powi(a, _) | Action::Powf(a, _) => (a, [None; 3]),
+            Action::Apply(_, a) | Action::SinCos(a, _) => (a, [None; 3]),
         };
-        std::iter::once(a).chain(b).chain(c)
+        std::iter::once(a).chain(others.into_iter().flatten())
     }
 }
 
@@ -304,18 +316,26 @@ impl<'a> Writer<'a> {
         register.is_some() && register == self.constants.get(&1_f64.to_bits()).copied()
     }
 
-    /// A product that goes into nothing but another product is one with it.
+    /// A product that goes into nothing but another product, alone or before a sum, is one with it.
     fn join_products(&mut self) {
         for i in 0..self.steps.len() {
-            let Step { action: Action::Mul(a, b), to } = self.steps[i] else { continue };
+            let Step { action, to } = self.steps[i];
+            let (Action::Mul(a, b) | Action::MulAdd(a, b, _) | Action::MulSub(a, b, _) | Action::SubMul(a, b, _)) =
+                action
+            else {
+                continue;
+            };
             if self.written.get(&to) != Some(&i) {
                 continue;
             }
-            if let Some((x, y)) = self.fused(a) {
-                self.steps[i].action = Action::Product(x, y, b);
-            } else if let Some((x, y)) = self.fused(b) {
-                self.steps[i].action = Action::Product(x, y, a);
-            }
+            let joined = self.fused(a).map(|product| (product, b)).or_else(|| Some((self.fused(b)?, a)));
+            let Some(((x, y), z)) = joined else { continue };
+            self.steps[i].action = match action {
+                Action::MulAdd(.., c) => Action::ProductAdd(x, y, z, c),
+                Action::MulSub(.., c) => Action::ProductSub(x, y, z, c),
+                Action::SubMul(.., c) => Action::SubProduct(x, y, z, c),
+                _ => Action::Product(x, y, z),
+            };
         }
     }
 
