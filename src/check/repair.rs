@@ -4,7 +4,7 @@
 //! ([`crate::latex::slips::corrections`]). Those that hold at a few states get the full check, and only what passes it is
 //! offered: so no suggestion is wrong, though another one may have been meant. They are ranked by how likely the slip is.
 //! What may have been left out is looked for only where nothing else helps: first what the display itself has, then what
-//! the document has, then what follows from what is true ([`super::lost`]).
+//! other displays have, then what the sentences speak of, then what follows from what is true ([`super::lost`]).
 
 use std::cell::Cell;
 
@@ -33,7 +33,7 @@ pub(super) const OFFERED: usize = 3;
 const SHARE: usize = 32;
 
 /// Which pool of what may be put in comes last.
-const LAST: usize = 3;
+const LAST: usize = 4;
 
 /// So many factors, and so many terms, are tried where something may have been left out.
 pub(super) const MISSING: usize = 48;
@@ -157,8 +157,11 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
     let others = || desk.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
     let texts = || std::iter::once(wrong.text).chain(others().map(|(_, display)| display.text.as_str()));
     let all = || Pool::of(texts(), symbols, macros, MISSING).with_members(wrong.text, symbols, macros);
+    // What the sentences speak of may stand in one display only, and that has lost it.
+    let said = || desk.notes.inline.iter().map(|span| desk.notes.source.slice(*span).trim_matches('$'));
+    let prose = || Pool::of(said(), symbols, macros, MISSING).factors_only();
     let like = || own().of_like_terms(symbols, macros);
-    let pools: [&dyn Fn() -> Pool; 4] = [&|| own().factors_only(), &|| all().factors_only(), &all, &like];
+    let pools: [&dyn Fn() -> Pool; 5] = [&|| own().factors_only(), &|| all().factors_only(), &all, &prose, &like];
     // With a term or a factor less much is true that nobody meant: then what was lost is looked for as well.
     let mut less: Vec<Suggestion> = Vec::new();
     // What says nothing is offered where nothing else is.

@@ -23,6 +23,8 @@ pub struct Notes {
     pub macros: Vec<MacroDefinition>,
     /// Where the prose cites equations by their numbers, in order.
     pub references: Vec<Reference>,
+    /// Mathematics in the sentences, with its dollar signs.
+    pub inline: Vec<Span>,
     /// Block-quote markers, which are no part of a sentence.
     markers: Vec<Span>,
 }
@@ -128,7 +130,7 @@ impl Notes {
         let numbers = || equations.iter().filter_map(|display| display.number.as_ref());
         displays::blank(&mut prose, numbers().map(|number| &number.span));
         let references = references::all(&prose, &source, numbers().map(|number| number.id.as_str()));
-        Ok(Notes { source, equations, macros, references, markers: scan.markers })
+        Ok(Notes { source, equations, macros, references, inline: scan.inline, markers: scan.markers })
     }
 
     /// The references to numbers that no display carries. The prose may mean another document.

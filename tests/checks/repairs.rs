@@ -220,3 +220,60 @@ fn what_holds_for_each_of_many_is_mended_however_many_there_are() {
     let all = equation(&claims, &[&wrong], json!({})).repairs;
     assert!(is_mended(&claims, &wrong, json!({}), &format!("{rate} = {right}")), "{all:?}");
 }
+
+/// A body that turns, with its angular velocity along its own axes.
+fn turning_body() -> Json {
+    json!({
+        "system": "free_rigid_body",
+        "coordinates": { r"\theta": "(0, \\pi)", r"\phi, \psi": "angle" },
+        "constants": { r"\lambda_1, \lambda_2, \lambda_3": "> 0" },
+        "indices": { "a, b, c, d": "1..3" },
+        "means": { "R_{ab}": "rotation matrix", r"\vec\omega, \omega_a": "angular velocity", r"\hat e_a": "body axes" },
+    })
+}
+
+#[test]
+fn a_whole_multiple_of_a_vector_that_is_lost_is_found() {
+    let terms = [
+        r"(\dot\theta \sin\psi - \dot\phi \sin\theta \cos\psi) \hat e_1",
+        r"(\dot\theta \cos\psi + \dot\phi \sin\theta \sin\psi) \hat e_2",
+        r"(\dot\psi + \dot\phi \cos\theta) \hat e_3",
+    ];
+    let whole = format!(r"\vec\omega = {}", terms.join(" + "));
+    for (lost, along) in [r"\hat e_1", r"\hat e_2", r"\hat e_3"].into_iter().enumerate() {
+        let left: Vec<&str> = (0..3).filter(|at| *at != lost).map(|at| terms[at]).collect();
+        let wrong = format!(r"\vec\omega = {}", left.join(" + "));
+        let offered = equation(&turning_body(), &[&wrong], json!({})).repairs;
+        let first = offered.first().map(|repair| repair.replacement.as_str()).unwrap_or_default();
+        assert!(first.starts_with(" + ") && first.ends_with(along), "{wrong}: {offered:?}");
+    }
+    // The twin: what is printed along a vector is wrong, and nothing is added beside it.
+    let wrong = whole.replace(r"\dot\psi + \dot\phi \cos\theta", r"\dot\psi^2 + \dot\phi^2 \cos^3\theta");
+    assert_eq!(equation(&turning_body(), &[&wrong], json!({})).repairs, Vec::new());
+}
+
+#[test]
+fn a_factor_with_the_letters_that_stand_alone_is_found() {
+    let right = r"\omega_a = \frac{1}{2} \epsilon_{abc} \dot R_{bd} R_{cd}";
+    for (lost, name) in [(r"\epsilon_{abc} ", r"\epsilon_{abc}"), (r"\dot R_{bd} ", r"\dot{R}_{bd}")] {
+        let found = equation(&turning_body(), &[&right.replace(lost, "")], json!({}));
+        let offered: Vec<&str> = found.repairs.iter().map(|repair| repair.replacement.as_str()).collect();
+        assert!(offered.iter().any(|offered| offered.contains(name)), "{lost}: {offered:?}");
+    }
+}
+
+#[test]
+fn what_a_sentence_speaks_of_may_be_what_was_lost() {
+    let claims = json!({
+        "constants": { r"\vec a, \vec b": "any" },
+        "define": { r"\vec c": r"\vec a \times \vec b" },
+    });
+    let mended = |prose: &str| {
+        let notes = format!("{prose}\n\n{}", numbered(&[r"\vec c = \vec a"]));
+        let found = document(&claims, &notes, &Registry::standard(), None).unwrap().equations.remove(0);
+        found.repairs.into_iter().map(|repair| repair.replacement.replace(' ', "")).collect::<Vec<_>>()
+    };
+    assert!(mended(r"Let $\vec a$ be at a right angle to $\vec b$.").contains(&r"\times\vecb".to_owned()));
+    // The twin: with nothing said of it.
+    assert_eq!(mended(r"Let $\vec a$ be a vector."), Vec::<String>::new());
+}

@@ -84,6 +84,17 @@ struct Needed {
     states: Vec<usize>,
 }
 
+/// What should stand in a hole.
+struct Found {
+    sign: char,
+    /// Without its sign.
+    latex: String,
+    /// How much it is to read.
+    cost: usize,
+    /// A sum of several terms, as it is typeset with the sign of its first term.
+    sum: Option<String>,
+}
+
 /// A proposal, with what ranks it: how much was left out, and in how empty a place.
 struct Proposal {
     cost: usize,
@@ -153,18 +164,18 @@ impl<'w, 'a> Lost<'w, 'a> {
             let [one, two] = self.fillings(hole).map(|filling| self.reading(&hole.filled('+', filling)));
             if one.statements.iter().any(std::result::Result::is_err) {
                 if hole.slip == Slip::Term {
-                    proposals.extend(self.vectors(hole));
+                    let named = self.vectors(hole);
+                    let is_named = !named.is_empty();
+                    proposals.extend(named);
+                    proposals.extend((!is_named).then(|| self.multiples(hole)).into_iter().flatten());
                 }
                 continue;
             }
             let Some(needed) = self.needed(hole, &one, &two) else { continue };
             let Some((link, row)) = self.link(self.wrong.reading, needed.row) else { continue };
             proposals.extend(self.number(hole, &needed));
-            let mut found = self.product(hole, &needed, &link);
-            if found.is_empty() {
-                found.extend(self.sum(hole, &needed, (&link, row), &one));
-            }
-            proposals.extend(found);
+            let found = self.formula(hole, &needed, (&link, row), &one);
+            proposals.extend(found.map(|found| self.proposal(hole, found.sign, &found.latex, found.cost)));
         }
         proposals
     }
@@ -311,18 +322,23 @@ impl<'w, 'a> Lost<'w, 'a> {
         Some(Proposal { cost: 2, edit })
     }
 
+    /// What should stand in a hole, which a reading has filled with 1: a product of powers, or a normal form.
+    fn formula(&self, hole: Hole, needed: &Needed, link: (&Link, usize), one: &Reading) -> Option<Found> {
+        self.product(hole, needed, link.0).or_else(|| self.sum(hole, needed, link, one))
+    }
+
     /// What should stand in a hole as a product of powers.
-    fn product(&self, hole: Hole, needed: &Needed, link: &Link) -> Vec<Proposal> {
+    fn product(&self, hole: Hole, needed: &Needed, link: &Link) -> Option<Found> {
         let factors = self.factors.get_or_init(|| Factors::of(self.desk, self.wrong, &self.ensemble.scenes));
-        let Some(product) = factors.fitted(&needed.states, &needed.values) else { return Vec::new() };
+        let product = factors.fitted(&needed.states, &needed.values)?;
         if hole.slip == Slip::Factor && product.is_number() {
-            return Vec::new();
+            return None;
         }
         let symbols = &self.desk.model.symbols;
         let read = read_formula(&product.latex, &mut symbols.clone(), &self.desk.model.macros);
         let adds = |term: Expr| !self.undoes(&product.signed(term), hole, link, needed);
         if hole.slip == Slip::Term && !read.is_ok_and(adds) {
-            return Vec::new();
+            return None;
         }
         let sign = if product.is_negative() { '-' } else { '+' };
         let is_other_side = |side: &Expr| product.above.iter().any(|factor| factor == side);
@@ -333,9 +349,9 @@ impl<'w, 'a> Lost<'w, 'a> {
         let is_far = divides || product.above.len() + product.below.len() > MOST_FACTORS;
         let undoes = || sign == '-' || restates || is_far || self.cancels(&product.below, hole);
         if hole.slip == Slip::Factor && undoes() {
-            return Vec::new();
+            return None;
         }
-        vec![self.proposal(hole, sign, &product.latex, product.cost)]
+        Some(Found { sign, latex: product.latex, cost: product.cost, sum: None })
     }
 
     fn proposal(&self, hole: Hole, sign: char, latex: &str, cost: usize) -> Proposal {
@@ -345,7 +361,7 @@ impl<'w, 'a> Lost<'w, 'a> {
     }
 
     /// What should stand in a hole in normal form, where the states are made of symbols.
-    fn sum(&self, hole: Hole, needed: &Needed, (link, row): (&Link, usize), one: &Reading) -> Option<Proposal> {
+    fn sum(&self, hole: Hole, needed: &Needed, (link, row): (&Link, usize), one: &Reading) -> Option<Found> {
         let (one, _) = self.link(one, needed.row)?;
         let off = |link: &Link, scene: &Scene<'_, Symbol>| {
             let sides = entries(link, scene).ok()?.get(row).copied()?;
@@ -375,19 +391,16 @@ impl<'w, 'a> Lost<'w, 'a> {
         if multiplied_out(&found).iter().any(|leaf| self.undoes(&leaf.signed(), hole, link, needed)) {
             return None;
         }
+        let typed = typeset(&found, &model.symbols);
         let (sign, latex) = match (&found.node, hole.slip) {
-            (Node::Sum(terms), Slip::Factor) if terms.len() > 1 => {
-                ('+', format!("\\left({}\\right)", typeset(&found, &model.symbols)))
-            }
+            (Node::Sum(terms), Slip::Factor) if terms.len() > 1 => ('+', format!("\\left({typed}\\right)")),
             (Node::Sum(_), Slip::Factor) => return None,
-            _ => {
-                let latex = typeset(&found, &model.symbols);
-                match latex.strip_prefix('-') {
-                    Some(rest) => ('-', rest.trim_start().to_owned()),
-                    None => ('+', latex),
-                }
-            }
+            _ => match typed.strip_prefix('-') {
+                Some(rest) => ('-', rest.trim_start().to_owned()),
+                None => ('+', typed.clone()),
+            },
         };
-        Some(self.proposal(hole, sign, &latex, length))
+        let sum = matches!(&found.node, Node::Sum(terms) if terms.len() > 1).then_some(typed);
+        Some(Found { sign, latex, cost: length, sum })
     }
 }

@@ -1,10 +1,12 @@
-//! Vectors that were left out of a sum: those of the document, their rates, and the products of two of them.
+//! Vectors that were left out of a sum: those of the document, their rates, the products of two of them, and multiples of
+//! those along which nothing is printed there.
 
-use crate::formula::Kind;
 use crate::formula::symbols::Entry;
-use crate::latex::names;
-use crate::latex::slips::Hole;
+use crate::formula::{Kind, Node};
+use crate::latex::slips::{Hole, Pool};
+use crate::latex::{names, read_formula};
 
+use super::super::repair::MISSING;
 use super::{Lost, Proposal, is_small};
 
 /// A vector that is wrong is found out at one of so many states.
@@ -32,6 +34,54 @@ impl Lost<'_, '_> {
             }
         }
         found
+    }
+
+    /// Multiples of the vectors that stand in the document, and not in the sum that has the hole.
+    pub(super) fn multiples(&self, hole: Hole) -> Vec<Proposal> {
+        let printed = &self.wrong.text[hole.whole.range()];
+        let directions = self.directions();
+        let others = directions.iter().filter(|direction| !printed.contains(direction.as_str()));
+        others.filter_map(|direction| self.along(hole, direction)).collect()
+    }
+
+    /// What was left out, if it is a multiple of this vector.
+    fn along(&self, hole: Hole, direction: &str) -> Option<Proposal> {
+        let filling = |number: &str| self.reading(&hole.filled('+', &format!("{number} \\, {direction}")));
+        let [one, two] = ["1", "2"].map(filling);
+        if one.statements.iter().any(std::result::Result::is_err) {
+            return None;
+        }
+        let needed = self.needed(hole, &one, &two)?;
+        let (link, first) = self.link(self.wrong.reading, needed.row)?;
+        // All components say the same, and some have a normal form sooner than others.
+        let others = (0..3).filter(|row| *row != first);
+        let mut rows = std::iter::once(first).chain(others);
+        let found = rows.find_map(|row| self.formula(hole, &needed, (&link, row), &one))?;
+        let (sign, factor) = found.sum.map_or((found.sign, found.latex), |sum| ('+', format!("({sum})")));
+        Some(self.proposal(hole, sign, &format!("{factor} \\, {direction}"), found.cost + 1))
+    }
+
+    /// The vectors that stand in the document, those of the wrong equation first.
+    fn directions(&self) -> Vec<String> {
+        let (desk, model) = (self.desk, self.desk.model);
+        let others = desk.notes.equations.iter().map(|display| display.text.as_str());
+        let texts = [self.wrong.text].into_iter().chain(others);
+        let pools = texts.map(|text| Pool::of(std::iter::once(text), &model.symbols, &model.macros, MISSING));
+        let mut directions: Vec<String> = Vec::new();
+        for factor in pools.flat_map(|pool| pool.factors().to_vec()) {
+            let read = read_formula(&factor, &mut model.symbols.clone(), &model.macros);
+            let is_vector = read.is_ok_and(|expr| match &expr.node {
+                Node::Symbol { id, dots: 0, .. } => {
+                    id.0 < model.symbols.len() && model.symbols.entry(*id).kind == Kind::Vector
+                }
+                _ => false,
+            });
+            if is_vector && !directions.contains(&factor) {
+                directions.push(factor);
+            }
+        }
+        directions.truncate(MOST);
+        directions
     }
 
     /// The vectors with a name of their own, their rates, and their products.

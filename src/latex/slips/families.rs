@@ -14,44 +14,80 @@ use super::insertions::insides;
 /// So many members are put in.
 const MOST: usize = 60;
 
+/// What may be put in.
+struct Member {
+    latex: String,
+    letters: Vec<IndexId>,
+}
+
 impl Finder<'_> {
-    /// Each family with each choice of the letters of these items, the components of vectors, and δ and ε.
+    /// Each family with each choice of the letters of these items, the components of vectors, δ and ε, and the matrices
+    /// that have no indices. First come those with the letters that stand alone: with these what was lost was summed over.
     pub(super) fn members(&self, items: &[Item]) -> Vec<String> {
-        let mut letters = BTreeSet::new();
+        let mut letters = Vec::new();
         self.letters(items, &mut letters);
-        let all: Vec<IndexId> = letters.into_iter().map(IndexId).collect();
+        let all: Vec<IndexId> = letters.iter().copied().collect::<BTreeSet<usize>>().into_iter().map(IndexId).collect();
+        let alone: Vec<Vec<IndexId>> = self.pieces(items).map(|piece| self.alone(piece)).collect();
+        let is_wanted = |choice: &[IndexId]| {
+            let is_all_of =
+                |alone: &Vec<IndexId>| choice.len() == alone.len() && choice.iter().all(|x| alone.contains(x));
+            !choice.is_empty() && alone.iter().any(is_all_of)
+        };
         let axes: Vec<IndexId> = all.iter().copied().filter(|letter| self.is_axis(*letter)).collect();
-        let mut members = Vec::new();
+        let mut members: Vec<Member> = Vec::new();
         for (id, entry) in self.symbols.iter().filter(|(_, entry)| !entry.squared && entry.measure.is_none()) {
             let like = |own: IndexId| all.iter().copied().filter(move |other| self.symbols.same_range(own, *other));
             let slots: Vec<Vec<IndexId>> = entry.slots.iter().map(|(_, own)| like(*own).collect()).collect();
             let mut choices = choices(&slots);
             choices.retain(|choice| are_distinct(choice));
-            // A whole vector beside one that is printed is a number that may well be right.
-            if !slots.is_empty() && entry.kind != Kind::Vector {
-                members.extend(choices.iter().filter_map(|choice| self.member(id, choice)));
+            for letters in choices.iter().filter(|choice| !choice.is_empty() || entry.kind == Kind::Matrix) {
+                // A whole vector beside one that is printed is a number that may well be right.
+                let wanted = is_wanted(letters);
+                let last = match (wanted && entry.varies, wanted || entry.kind != Kind::Vector) {
+                    (_, false) => continue,
+                    (varies, true) => u8::from(varies),
+                };
+                let spelled = (0..=last).filter_map(|dots| self.member(id, letters, dots));
+                members.extend(spelled.map(|latex| Member { latex, letters: letters.clone() }));
             }
             if entry.kind == Kind::Vector {
                 let mut name = unaccented(&entry.name);
                 for (choice, axis) in choices.iter().flat_map(|choice| axes.iter().map(move |axis| (choice, axis))) {
-                    name.subscript = choice.iter().chain([axis]).map(|letter| self.letter(*letter)).collect();
-                    members.push(name.to_string());
+                    let letters: Vec<IndexId> = choice.iter().copied().chain([*axis]).collect();
+                    name.subscript = letters.iter().map(|letter| self.letter(*letter)).collect();
+                    members.push(Member { latex: name.to_string(), letters });
                 }
             }
         }
         for (tensor, count) in [("\\delta", 2), ("\\epsilon", 3)] {
-            for choice in choices(&vec![axes.clone(); count]).into_iter().filter(|choice| are_distinct(choice)) {
-                let letters: String = choice.iter().map(|letter| self.letter(*letter)).collect();
-                members.push(format!("{tensor}_{{{letters}}}"));
+            for letters in choices(&vec![axes.clone(); count]).into_iter().filter(|choice| are_distinct(choice)) {
+                let subscript: String = letters.iter().map(|letter| self.letter(*letter)).collect();
+                members.push(Member { latex: format!("{tensor}_{{{subscript}}}"), letters });
             }
         }
+        members.sort_by_key(|member| !is_wanted(&member.letters));
         members.truncate(MOST);
-        members
+        members.into_iter().map(|member| member.latex).collect()
     }
 
-    fn member(&self, id: SymbolId, choice: &[IndexId]) -> Option<String> {
+    /// The statements that stand beside one another.
+    fn pieces<'i>(&self, items: &'i [Item]) -> impl Iterator<Item = &'i [Item]> {
+        let between = [",", ";", "\\quad", "\\qquad", "\\Rightarrow", "\\implies", "\\\\"];
+        items.split(move |item| between.contains(&self.slice(item.span).trim()))
+    }
+
+    /// The letters of a statement that stand there an odd number of times: summed over or free, a letter stands there twice.
+    fn alone(&self, items: &[Item]) -> Vec<IndexId> {
+        let mut letters = Vec::new();
+        self.letters(items, &mut letters);
+        let is_odd = |letter: &usize| letters.iter().filter(|other| *other == letter).count() % 2 == 1;
+        let alone: BTreeSet<usize> = letters.iter().copied().filter(is_odd).collect();
+        alone.into_iter().map(IndexId).collect()
+    }
+
+    fn member(&self, id: SymbolId, choice: &[IndexId], dots: u8) -> Option<String> {
         let indices: Vec<Index> = choice.iter().map(|letter| Index::Letter(*letter)).collect();
-        spelled(self.symbols.entry(id), &indices, 0, self.symbols)
+        spelled(self.symbols.entry(id), &indices, dots, self.symbols)
     }
 
     fn letter(&self, letter: IndexId) -> String {
@@ -63,12 +99,13 @@ impl Finder<'_> {
         !index.labels && index.count.is_none() && index.upper == 3
     }
 
-    /// The index letters in the subscripts of some items.
-    fn letters(&self, items: &[Item], letters: &mut BTreeSet<usize>) {
+    /// The index letters in the subscripts of some items, as often as they stand there.
+    fn letters(&self, items: &[Item], letters: &mut Vec<usize>) {
         for item in items {
-            let tokens = names::printed(item, None).map(|printed| printed.name.subscript).unwrap_or_default();
-            letters.extend(tokens.iter().filter_map(|token| self.symbols.index(token)).map(|letter| letter.0));
-            if let Layout::Scripts { sub: Some(sub), .. } = &item.layout {
+            let name = names::printed(item, None).map(|printed| printed.name.subscript).unwrap_or_default();
+            let of_name: Vec<IndexId> = name.iter().filter_map(|token| self.symbols.index(token)).collect();
+            letters.extend(of_name.iter().map(|letter| letter.0));
+            if let (Layout::Scripts { sub: Some(sub), .. }, true) = (&item.layout, of_name.is_empty()) {
                 let inside = match &sub.layout {
                     Layout::Group(inner) => inner.as_slice(),
                     _ => std::slice::from_ref(&**sub),

@@ -167,7 +167,9 @@ impl Finder<'_> {
         }
         for factor in &pool.factors {
             let slip = if is_number(factor) { Slip::Number } else { Slip::Factor };
-            for at in &before {
+            // Of two vectors it is said below which product is meant.
+            let are_vectors = |text: &str| is_arrow(text) && is_arrow(factor);
+            for at in before.iter().filter(|at| !are_vectors(&self.text[**at..])).collect::<Vec<_>>() {
                 self.edit(slip, Span::at(*at), format!("{factor} \\, "));
                 // `\rho(\vec r)`, what depends on a place, is one thing.
                 if self.text[*at..].starts_with('(') {
@@ -175,7 +177,7 @@ impl Finder<'_> {
                 }
             }
             // A number stands before what it multiplies.
-            if !is_number(factor) {
+            if !is_number(factor) && !are_vectors(self.slice(last.span())) {
                 self.edit(Slip::Factor, Span::at(end), format!(" \\, {factor}"));
             }
             if !is_vector(factor) {
@@ -184,12 +186,9 @@ impl Finder<'_> {
                 }
                 continue;
             }
-            for at in factors
-                .iter()
-                .filter(|factor| is_vector(self.slice(factor.span())))
-                .map(Factor::span)
-                .collect::<Vec<_>>()
-            {
+            let printed = factors.iter().map(Factor::span);
+            let vectors: Vec<Span> = printed.filter(|span| is_vector(self.slice(*span))).collect();
+            for at in vectors {
                 for operator in ["\\times", "\\cdot"] {
                     self.edit(Slip::Factor, Span::at(at.start), format!("{factor} {operator} "));
                     self.edit(Slip::Factor, Span::at(at.end), format!(" {operator} {factor}"));
@@ -297,10 +296,14 @@ fn other_axes(text: &str) -> Vec<String> {
     others.map(|other| format!("{}{other}{}", &text[..at], &text[at + 1..])).collect()
 }
 
+/// Whether a text starts with the name of a vector.
+fn is_arrow(text: &str) -> bool {
+    ["\\vec", "\\hat", "\\dot{\\vec"].iter().any(|start| text.starts_with(start))
+}
+
 /// Whether a factor looks like a vector, or like a product of them in parentheses.
 fn is_vector(text: &str) -> bool {
-    ["\\vec", "\\hat", "\\mathbf", "\\dot{\\vec", "("].iter().any(|start| text.starts_with(start))
-        || text.contains("\\vec")
+    is_arrow(text) || ["\\mathbf", "("].iter().any(|start| text.starts_with(start)) || text.contains("\\vec")
 }
 
 /// The lists that an item holds.

@@ -151,13 +151,17 @@ impl Finder<'_> {
         self.text.get(span.range()).unwrap_or_default()
     }
 
-    /// Adds an edit; a command and a letter that would run together are set apart.
+    /// Adds an edit, but for one after which TeX would see two scripts in one place; a command and a letter that would run
+    /// together are set apart.
     fn edit(&mut self, slip: Slip, span: Span, replacement: impl Into<String>) {
         let mut replacement = replacement.into();
         if self.text.get(span.range()).is_none() {
             return;
         }
         let (before, after) = (&self.text[..span.start], &self.text[span.end..]);
+        if last_script(&replacement).is_some_and(|script| after.trim_start().starts_with(script)) {
+            return;
+        }
         let letter = |text: &str| text.starts_with(|c: char| c.is_ascii_alphabetic());
         if ends_in_command(&replacement) && letter(after) {
             replacement.push(' ');
@@ -183,6 +187,23 @@ impl Finder<'_> {
             _ => self.item(argument),
         }
     }
+}
+
+/// The `_` or `^` of the script that a formula ends with.
+fn last_script(formula: &str) -> Option<char> {
+    let formula = formula.trim_end();
+    let script = match formula.ends_with('}') {
+        true => {
+            let mut depth = 0;
+            let opens = |c: char| {
+                depth += i32::from(c == '}') - i32::from(c == '{');
+                depth == 0
+            };
+            &formula[..formula.rfind(opens)?]
+        }
+        false => formula.strip_suffix(|_: char| true)?,
+    };
+    script.chars().next_back().filter(|c| matches!(c, '_' | '^'))
 }
 
 /// Whether a text ends in the letters of a command.

@@ -116,6 +116,16 @@ fn each_kind_of_slip_occurs_where_there_is_room_for_it() {
 }
 
 #[test]
+fn no_slip_leaves_two_scripts_in_one_place() {
+    for (formula, script) in [("\\lambda_1", '_'), ("\\lambda_{cm}", '_'), ("v^2", '^'), ("x_1^{-1}", '^')] {
+        assert_eq!(last_script(formula), Some(script), "{formula}");
+    }
+    for formula in ["\\Omega", "\\mathbb{I}", "\\frac{a}{b_1}", "(r_1)", ""] {
+        assert_eq!(last_script(formula), None, "{formula}");
+    }
+}
+
+#[test]
 fn and_does_not_where_there_is_none() {
     for (slip, formula) in [
         (Slip::Sign, "0"),
