@@ -17,7 +17,7 @@ use super::verdict::{Equation, Repair, Verdict};
 
 impl Desk<'_> {
     /// The equations of a document, those that no edit mends together with others with the displays that may be wrong
-    /// instead; and where their own notes have nothing to mend them with, with the edits of those displays that would.
+    /// instead, and with the likeliest edit of these beside their own.
     pub(super) fn with_doubts(
         &self,
         run: &Run<'_>,
@@ -54,17 +54,38 @@ impl Desk<'_> {
             if self.defines_in_a_chain(own) && is_loose() {
                 equation.elsewhere.push(shown(&self.notes.equations[own]));
             }
-            let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);
-            if !self.options.explain || equation.repairs.iter().any(from_notes) {
+            if !self.options.explain {
                 continue;
             }
-            // What is vouched for may be wrong where the others do not look.
             let found_in = |displays: Vec<usize>| -> Vec<Repair> {
                 let found =
                     displays.into_iter().flat_map(|at| self.edits_that_mend(run, at, &[Item::Display(own)], &held));
                 found.flat_map(|found| self.shared_repairs(found.at, &found.edit, &found.mended)).collect()
             };
+            let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);
+            let has_own = equation.repairs.iter().any(from_notes);
             let mut repairs = found_in(doubtful);
+            if has_own {
+                // The other end of a chain is the definition.
+                if repairs.is_empty() && equation.elsewhere.contains(&shown(&self.notes.equations[own])) {
+                    repairs = self.repairs_of_definitions(run, own, false).unwrap_or_default();
+                }
+                // The likeliest of either place comes before what is next at one of them.
+                let is_known = |repair: &Repair| {
+                    equation
+                        .repairs
+                        .iter()
+                        .any(|own| (own.span, &own.replacement) == (repair.span, &repair.replacement))
+                };
+                repairs.retain(|repair| !is_known(repair));
+                repairs.truncate(OFFERED - 1);
+                let rest = equation.repairs.split_off(1);
+                equation.repairs.extend(repairs.into_iter().take(OFFERED - 1 - usize::from(!rest.is_empty())));
+                equation.repairs.extend(rest);
+                equation.repairs.truncate(OFFERED);
+                continue;
+            }
+            // What is vouched for may be wrong where the others do not look.
             if repairs.is_empty() {
                 repairs = found_in(certain);
             }

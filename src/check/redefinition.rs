@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::Result;
 use crate::formula::Expr;
 use crate::latex::Introduced;
-use crate::latex::slips::{self, Edit, Pool};
+use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::notes::claims::Claim;
 
 use super::desk::Desk;
@@ -24,7 +24,7 @@ use super::verdict::{Repair, Verdict};
 const DOCUMENTS: usize = 4;
 
 /// So many of the likeliest that nothing notices are tried in the display itself.
-const TRIED: usize = 24;
+const TRIED: usize = 160;
 
 impl Desk<'_> {
     /// The edits of what a wrong equation defines, or, if it is alone in being wrong, of a definition that it stands on,
@@ -83,6 +83,8 @@ impl Desk<'_> {
         for pool in pools {
             let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
             edits.retain(|edit| is_real(self, wrong.text, edit, start) && !tried.contains(edit));
+            // With a rate that is 0 by a law all is conserved.
+            edits.retain(|edit| edit.slip != Slip::Factor || !edit.replacement.contains("\\dot"));
             let mut unnoticed: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
             for edit in &edits {
                 let text = edit.applied(wrong.text);

@@ -298,14 +298,14 @@ impl<'d, 'a> Trial<'d, 'a> {
     }
 
     /// Whether a reading has the rate of something that stands still in a place where what is displayed has none: such a
-    /// product is zero, and says nothing.
+    /// product, or a term of a sum, is zero, and says nothing.
     pub fn stands_still(&self, reading: &Reading) -> bool {
         let mut rates: Vec<&Expr> = Vec::new();
         for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
             member.walk(&mut |part| {
                 let inner =
                     part.children().into_iter().filter(|inner| matches!(inner.node, Node::Symbol { dots: 1.., .. }));
-                if !matches!(part.node, Node::Sum(_)) {
+                if !matches!(&part.node, Node::Sum(terms) if terms.len() < 2) {
                     rates.extend(inner);
                 }
             });

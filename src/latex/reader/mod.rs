@@ -29,8 +29,9 @@ mod regions;
 mod sums;
 mod symbols;
 
+use crate::formula::Kind;
 use crate::formula::shape::{self, Shape};
-use crate::formula::symbols::Symbols;
+use crate::formula::symbols::{Entry, Symbols};
 use crate::formula::tree::{Expr, IndexId, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
@@ -283,7 +284,7 @@ impl Reader<'_> {
         }
         let lost = parts.windows(2).find_map(|pair| match pair {
             [(_, number, false), (Joint::Times, _, true)] | [(_, _, true), (Joint::Times, number, false)] => {
-                length(number)
+                length(number).or_else(|| self.names_a_vector(number))
             }
             _ => None,
         });
@@ -320,6 +321,22 @@ impl Reader<'_> {
         let mut expr = beside(parts.into_iter().map(|(_, expr, _)| expr).collect());
         expr.span = whole;
         Ok(expr)
+    }
+
+    /// Where a number with the letter of a vector is a factor of a number: the B of `\vec B`.
+    fn names_a_vector(&self, number: &Expr) -> Option<Span> {
+        match &number.node {
+            Node::Product(factors) => factors.iter().find_map(|factor| self.names_a_vector(factor)),
+            Node::Symbol { id, .. } => {
+                let name = &self.symbols.entry(*id).name;
+                let is_its_arrow = |other: &Entry| {
+                    let letter = unaccented(&other.name);
+                    other.kind == Kind::Vector && letter.base == name.base && letter.subscript == name.subscript
+                };
+                self.symbols.iter().any(|(_, other)| is_its_arrow(other)).then_some(number.span)
+            }
+            _ => None,
+        }
     }
 
     /// One factor; the flag is false when it is a function whose argument nothing encloses.

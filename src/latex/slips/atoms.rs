@@ -152,7 +152,7 @@ impl Finder<'_> {
         let found = self.symbols.find(&printed.name);
         if let Some((id, indices)) = &found {
             let entry = self.symbols.entry(*id);
-            for (other, slip) in self.siblings(entry, printed) {
+            for (other, slip) in self.siblings(entry, item, printed) {
                 if let Some(spelled) = spelled(self.symbols.entry(other), indices, printed.dots, self.symbols) {
                     self.edit(slip, own, spelled);
                 }
@@ -225,7 +225,7 @@ impl Finder<'_> {
     }
 
     /// The symbols that could be meant where this one stands.
-    fn siblings(&self, entry: &Entry, printed: &Printed<'_>) -> Vec<(SymbolId, Slip)> {
+    fn siblings(&self, entry: &Entry, item: &Item, printed: &Printed<'_>) -> Vec<(SymbolId, Slip)> {
         let letter = |name: &Name| unaccented(name).base;
         let own = letter(&entry.name);
         let alike = |other: &Entry| {
@@ -251,7 +251,9 @@ impl Finder<'_> {
             true => Some(Slip::Symbol),
             false => present(id, other).then_some(Slip::Name),
         };
-        let others = self.symbols.iter().filter(|(_, other)| !other.squared && other.measure.is_none());
+        // What is known by its square alone stands for a square.
+        let is_square = ["^2", "^{2}"].iter().any(|square| self.text[own_span(item).end..].starts_with(square));
+        let others = self.symbols.iter().filter(|(_, other)| (!other.squared || is_square) && other.measure.is_none());
         others
             .filter(|(_, other)| other.name != entry.name && other.name != printed.name)
             .filter_map(|(id, other)| Some((id, slip(id, other)?)))

@@ -7,7 +7,7 @@ use crate::source::Span;
 use super::super::layout::{Item, Layout};
 use super::super::names;
 use super::insertions::insides;
-use super::lists::{Factor, Term, formulas, is_sum, is_times};
+use super::lists::{Factor, Term, formulas, is_big, is_sum, is_times};
 use super::{Finder, Slip, ends_in_command};
 
 /// So many pairs of names are exchanged in one formula.
@@ -146,14 +146,56 @@ impl Finder<'_> {
         }
     }
 
-    /// The root of a sum that stands above or below in a fraction.
+    /// The root of what stands above or below in a fraction.
     pub(super) fn root_lost(&mut self, argument: &Item) {
         if let Layout::Group(items) = &argument.layout
             && self.pool.is_some()
-            && formulas(items).iter().any(|terms| terms.len() > 1)
+            && !matches!(items.as_slice(), [] | [Item { layout: Layout::Number(_) | Layout::Root(..), .. }])
         {
             self.edit(Slip::Exponent, argument.span, format!("{{\\sqrt{}}}", self.slice(argument.span)));
         }
+    }
+
+    /// The root of a whole sum, of a whole product, and of a fraction in it.
+    pub(super) fn roots_lost(&mut self, terms: &[Term<'_>]) {
+        let (Some(first), Some(last)) = (terms.first(), terms.last()) else { return };
+        let mut lost: Vec<Span> = Vec::new();
+        if terms.len() > 1 {
+            let start = first.sign.map_or(first.span().start, |sign| sign.span.start);
+            lost.push(Span::new(start, last.span().end));
+        }
+        for term in terms {
+            let factors = self.factors(term.items);
+            let is_fraction =
+                |factor: &&Factor<'_>| matches!(factor.items, [Item { layout: Layout::Fraction(..), .. }]);
+            let is_big = |factor: &Factor<'_>| is_big(&factor.items[0]);
+            if factors.len() > 1 && !factors.iter().any(is_big) {
+                lost.push(term.span());
+            }
+            lost.extend(factors.iter().filter(is_fraction).map(Factor::span));
+        }
+        for span in lost {
+            let inner = self.slice(span);
+            if !inner.starts_with("\\sqrt") && !inner.contains("{dt") {
+                self.edit(Slip::Exponent, span, format!("\\sqrt{{{inner}}}"));
+            }
+        }
+    }
+
+    /// The power of a parenthesis put on each of its terms, for one on the whole.
+    pub(super) fn power_spread(&mut self, whole: Span, inside: &[Item], power: &str) {
+        let [terms] = &formulas(inside)[..] else { return };
+        if terms.len() < 2 || terms[0].sign.is_some() {
+            return;
+        }
+        let spread: String = terms
+            .iter()
+            .map(|term| {
+                let sign = term.sign.map_or(String::new(), |sign| format!(" {} ", self.slice(sign.span)));
+                format!("{sign}{}^{power}", self.slice(term.span()))
+            })
+            .collect();
+        self.edit(Slip::Exponent, whole, format!("({spread})"));
     }
 
     /// The power of each term of a parenthesis put on the whole.

@@ -169,6 +169,9 @@ impl Finder<'_> {
                 {
                     let inner = self.slice(first.span.to(last.span)).to_owned();
                     self.edit(Slip::Exponent, item.span, format!("{inner}^{power}"));
+                    if self.pool.is_some() {
+                        self.power_spread(item.span, items, &power);
+                    }
                 }
                 if is_function(item)
                     && let [_, argument] = factor.items

@@ -241,6 +241,7 @@ impl Finder<'_> {
             self.enclose(&terms);
             if self.pool.is_some() {
                 self.insert_terms(&terms);
+                self.roots_lost(&terms);
                 self.exchange(&terms);
                 self.norms(&terms);
                 self.nothing(&terms);
