@@ -140,9 +140,13 @@ impl Desk<'_> {
         }
         let conditions = self.conditions(claim)?;
         let local = self.local(claim)?;
-        // The hypotheses of a claim that adds "also equals" are those of the addition alone.
+        // The equalities that a claim assumes which adds "also equals" are those of the addition alone; what a number is
+        // greater than says where all of it is meant.
         let printed = match claim.also_equals {
-            Some(_) => self.conditions(&Claim::default())?,
+            Some(_) => {
+                let of_all = self.conditions(&Claim::default())?.into_iter().filter(|c| !is_inequality(c.relation));
+                of_all.chain(conditions.iter().filter(|c| is_inequality(c.relation)).cloned()).collect()
+            }
             None => conditions.clone(),
         };
         let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
@@ -501,4 +505,10 @@ fn rank(verdict: Verdict) -> usize {
 pub(super) fn worst(parts: &[Part]) -> Finding {
     merged(parts.iter().map(|part| part.finding.clone()).collect())
         .unwrap_or_else(|| Finding::new(Verdict::Unclaimed, Span::default(), "nothing is claimed"))
+}
+
+/// Whether a hypothesis says where something is meant.
+fn is_inequality(relation: Relation) -> bool {
+    use Relation::{Greater, GreaterEqual, Less, LessEqual, NotEqual};
+    matches!(relation, Less | Greater | LessEqual | GreaterEqual | NotEqual)
 }

@@ -96,12 +96,13 @@ impl Desk<'_> {
                 }
             }
             unnoticed.sort_by_key(|(edit, ..)| likelihood(wrong.text, edit, false));
-            // A factor put in at two places is one edit.
+            // A factor put in at two places is one edit; and where a sign is noticed by nothing, so are the two signs.
             let mut distinct: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
             for candidate in unnoticed {
-                let is_it = |known: &Vec<Expr>| {
-                    known.iter().zip(&candidate.2).all(|(known, new)| formal::same(known, new, self.model))
+                let same = |known: &Expr, new: &Expr| {
+                    formal::same(known, new, self.model) || formal::same(known, &new.clone().negated(), self.model)
                 };
+                let is_it = |known: &Vec<Expr>| known.iter().zip(&candidate.2).all(|(known, new)| same(known, new));
                 if distinct.len() < TRIED && !distinct.iter().any(|(.., known)| is_it(known)) {
                     distinct.push(candidate);
                 }

@@ -68,7 +68,10 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
 /// The repair of an equation that is the only one, or clearly the likeliest.
 fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> {
     let display = |repair: &Repair| repair.shared.as_ref().map(|shared| shared.of.clone());
-    match equation.repairs.as_slice() {
+    // Where the equation's own display is mended, what else may be wrong is a doubt, and is said as one.
+    let is_own = equation.repairs.first().is_some_and(|first| first.shared.is_none());
+    let repairs: Vec<&Repair> = equation.repairs.iter().filter(|other| !is_own || other.shared.is_none()).collect();
+    match repairs[..] {
         [only] => Some(only),
         // Two displays could be wrong instead.
         [first, second, ..]

@@ -1,6 +1,6 @@
 //! The kinds of claim about an equation, each true and false.
 
-use onshell::check::Verdict::{Refuted, Undecided, Unreadable, Verified};
+use onshell::check::Verdict::{Domain, Refuted, Undecided, Unreadable, Verified};
 use serde_json::json;
 
 use crate::support::{equation, error, numbers, outcome, pendulum, planet, verdict, with};
@@ -233,6 +233,12 @@ fn another_name_for_it_is_held_against_it() {
     assert_eq!(verdict(&pendulum(), &[energy], json!({ "also equals": r"p_\theta \dot\theta - L" })), Verified);
     assert_eq!(verdict(&pendulum(), &[energy], json!({ "also equals": r"p_\theta \dot\theta + L" })), Refuted);
     assert_eq!(verdict(&pendulum(), &[energy], json!({ "also equals": "L" })), Refuted);
+    // What is assumed to be greater is so where the equation is printed, too.
+    let root = r"\sqrt{a^2 - b^2} \sqrt{a^2 - b^2} = a^2 - b^2";
+    let assumed =
+        |all: &[&str]| verdict(&numbers(), &[root], json!({ "also equals": "(a - b)(a + b)", "assume": all }));
+    assert_eq!(assumed(&["a > b"]), Verified);
+    assert_eq!(assumed(&[]), Domain);
 }
 
 #[test]

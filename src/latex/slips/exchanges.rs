@@ -146,11 +146,18 @@ impl Finder<'_> {
         }
     }
 
-    /// The root of what stands above or below in a fraction.
+    /// The root of what stands above or below in a fraction, and is no number and no power.
     pub(super) fn root_lost(&mut self, argument: &Item) {
+        let has_none = |items: &[Item]| match items {
+            [] => true,
+            [only] => {
+                matches!(only.layout, Layout::Number(_) | Layout::Root(..) | Layout::Scripts { sup: Some(_), .. })
+            }
+            _ => false,
+        };
         if let Layout::Group(items) = &argument.layout
             && self.pool.is_some()
-            && !matches!(items.as_slice(), [] | [Item { layout: Layout::Number(_) | Layout::Root(..), .. }])
+            && !has_none(items)
         {
             self.edit(Slip::Exponent, argument.span, format!("{{\\sqrt{}}}", self.slice(argument.span)));
         }

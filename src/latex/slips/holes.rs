@@ -9,7 +9,7 @@ use super::super::macros::Macros;
 use super::super::reader::typeset_items;
 use super::insertions::insides;
 use super::lists::formulas;
-use super::{Edit, Finder, Slip};
+use super::{Edit, Finder, Slip, bold};
 
 /// A place where a term or a factor may have been left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +31,7 @@ impl Hole {
             Slip::Term => format!(" {sign} {formula}"),
             _ => format!(" \\, {formula}"),
         };
-        Edit { span: Span::at(self.at), replacement, slip: self.slip }
+        Edit { span: Span::at(self.at), replacement: bold(replacement), slip: self.slip }
     }
 }
 

@@ -154,7 +154,7 @@ impl Finder<'_> {
     /// Adds an edit, but for one after which TeX would see two scripts in one place; a command and a letter that would run
     /// together are set apart.
     fn edit(&mut self, slip: Slip, span: Span, replacement: impl Into<String>) {
-        let mut replacement = replacement.into();
+        let mut replacement = bold(replacement.into());
         if self.text.get(span.range()).is_none() {
             return;
         }
@@ -186,6 +186,15 @@ impl Finder<'_> {
             Layout::Group(items) => self.list(items),
             _ => self.item(argument),
         }
+    }
+}
+
+/// `\boldsymbol` where the bold letter is a Greek one: of those TeX has no `\mathbf`.
+fn bold(formula: String) -> String {
+    const UPRIGHT: &str = "\\mathbf{\\";
+    match formula.contains(UPRIGHT) {
+        true => formula.replace(UPRIGHT, "\\boldsymbol{\\"),
+        false => formula,
     }
 }
 
