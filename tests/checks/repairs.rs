@@ -277,3 +277,55 @@ fn what_a_sentence_speaks_of_may_be_what_was_lost() {
     // The twin: with nothing said of it.
     assert_eq!(mended(r"Let $\vec a$ be a vector."), Vec::<String>::new());
 }
+
+#[test]
+fn a_root_that_is_lost_is_put_back_where_it_stood() {
+    let claims = with(&numbers(), "define", json!({ "w": r"\sqrt{a/b}", "h": r"\sqrt{a^2 + b^2}" }));
+    for (wrong, right) in [
+        (r"w = \frac{a}{b}", r"w = \sqrt{\frac{a}{b}}"),
+        (r"2 w = 2 \frac{a}{b}", r"2 w = 2 \sqrt{\frac{a}{b}}"),
+        (r"\frac{1}{w} = \frac{b}{ab}", r"\frac{1}{w} = \frac{b}{\sqrt{ab}}"),
+        ("h = a^2 + b^2", r"h = \sqrt{a^2 + b^2}"),
+        (r"h^2 = (a + b)^2", r"h^2 = (a^2 + b^2)"),
+    ] {
+        assert!(is_mended(&claims, wrong, json!({}), right), "{wrong}: {:?}", {
+            equation(&claims, &[wrong], json!({})).repairs
+        });
+    }
+    // The twin: of something else it is no root.
+    assert_eq!(equation(&claims, &[r"w = \frac{a + c}{b}"], json!({})).repairs, Vec::new());
+}
+
+#[test]
+fn a_name_known_by_its_square_is_meant_where_a_square_stands() {
+    let claims = json!({ "constants": { r"\omega_0, \gamma": "> 0" } });
+    let displays = |second: &str| [r"\omega_d^2 = \omega_0^2 - \gamma^2".to_owned(), second.to_owned()];
+    let [first, second] = displays(r"\omega_0^2 + \gamma^2 = \omega_0^2");
+    let found = equation(&claims, &[&first, &second], json!({}));
+    assert!(found.repairs.iter().any(|repair| repair.replacement == r"\omega_d"), "{:?}", found.repairs);
+    // The twin: where none stands, it is not.
+    let [first, second] = displays(r"\omega_0 + \gamma = \omega_0");
+    let found = equation(&claims, &[&first, &second], json!({}));
+    assert!(found.repairs.iter().all(|repair| repair.replacement != r"\omega_d"), "{:?}", found.repairs);
+}
+
+#[test]
+fn a_definition_that_only_its_constancy_tests_is_mended() {
+    let claims = json!({
+        "varies with time": { r"s, \varphi, F": "any" },
+        "constants": { "m, g, R, I": "> 0", r"\alpha": r"(0, \pi/2)" },
+        "laws": { "Newton": "1", "torque": "2", "rolling": "3" },
+    });
+    let laws = [r"m \ddot s = mg \sin\alpha - F", r"I \ddot\varphi = F R", r"s = R \varphi"];
+    let right = r"E = \frac12 m \dot s^2 + \frac12 I \dot\varphi^2 - m g s \sin\alpha";
+    for (whole, lost) in [(r"\dot s^2", r"\dot s"), (r"\dot\varphi^2", r"\dot\varphi"), (r"\sin", r"\cos")] {
+        let wrong = right.replace(whole, lost);
+        let claims = with(&claims, "equations", json!({ "4": { "conserved": true } }));
+        let notes = numbered(&[laws[0], laws[1], laws[2], &wrong]);
+        let found = document(&claims, &notes, &Registry::standard(), None).unwrap().equations.remove(3);
+        assert!(!found.ok, "{wrong}");
+        let first = &found.repairs[0];
+        let mended = format!("{}{}{}", &notes[..first.span.start], first.replacement, &notes[first.span.end..]);
+        assert!(mended.contains(right), "{wrong}: {:?}", found.repairs);
+    }
+}
