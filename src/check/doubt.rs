@@ -68,7 +68,7 @@ impl Desk<'_> {
             if has_own {
                 // The other end of a chain is the definition.
                 if repairs.is_empty() && equation.elsewhere.contains(&shown(&self.notes.equations[own])) {
-                    repairs = self.repairs_of_definitions(run, own, false).unwrap_or_default();
+                    repairs = self.repairs_of_own_definition(run, own).unwrap_or_default();
                 }
                 // The likeliest of either place comes before what is next at one of them.
                 let is_known = |repair: &Repair| {

@@ -23,8 +23,15 @@ use super::verdict::{Repair, Verdict};
 /// With so many edits the whole document is checked at most.
 const DOCUMENTS: usize = 4;
 
-/// So many of the likeliest that nothing notices are tried in the display itself.
+/// Nothing is put in, then what stands in the display, then what stands in the document.
+const POOLS: usize = 3;
+
+/// So many of the likeliest that nothing notices are tried in the display itself: much goes unnoticed of what its constancy
+/// alone tests.
 const TRIED: usize = 160;
+
+/// The same where each takes longer, as solutions are counted, or where the display is not known to be wrong there.
+const FEW: usize = 24;
 
 impl Desk<'_> {
     /// The edits of what a wrong equation defines, or, if it is alone in being wrong, of a definition that it stands on,
@@ -33,6 +40,19 @@ impl Desk<'_> {
     /// # Errors
     /// As for a check of the equation.
     pub(super) fn repairs_of_definitions(&self, run: &Run<'_>, at: usize, alone: bool) -> Result<Vec<Repair>> {
+        self.redefined_by(run, at, alone, POOLS)
+    }
+
+    /// The edits of what a display defines itself, of what stands in it, with which the whole document passes.
+    ///
+    /// # Errors
+    /// As there.
+    pub(super) fn repairs_of_own_definition(&self, run: &Run<'_>, at: usize) -> Result<Vec<Repair>> {
+        self.redefined_by(run, at, false, 1)
+    }
+
+    /// The same with so many pools of what may be put in, the first of which is empty.
+    fn redefined_by(&self, run: &Run<'_>, at: usize, alone: bool, pools: usize) -> Result<Vec<Repair>> {
         let members = || self.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         let used = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
         let others = (0..self.notes.equations.len()).filter(|other| alone && *other != at);
@@ -46,7 +66,7 @@ impl Desk<'_> {
             }
             let (places, steps) = (Vec::new(), Vec::new());
             let wrong = Wrong { at: other, text: &display.text, reading, claim, places, steps };
-            let found = self.doubting(other).redefinitions(run, &wrong)?;
+            let found = self.doubting(other).redefinitions(run, &wrong, pools)?;
             if !found.is_empty() {
                 return Ok(in_file(self, &wrong, display.body.start, found));
             }
@@ -69,7 +89,7 @@ impl Desk<'_> {
     }
 
     /// The edits of a display that defines something, with which all that uses the name holds, and the document passes.
-    fn redefinitions(&self, run: &Run<'_>, wrong: &Wrong<'_>) -> Result<Vec<Suggestion>> {
+    fn redefinitions(&self, run: &Run<'_>, wrong: &Wrong<'_>, most: usize) -> Result<Vec<Suggestion>> {
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let introduced = &wrong.reading.introduced;
         let pins: Vec<Pins<'_, '_>> = introduced.iter().map(|new| Pins::of(self, new, true)).collect::<Result<_>>()?;
@@ -77,10 +97,11 @@ impl Desk<'_> {
         let others = self.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
         let texts = std::iter::once(wrong.text).chain(others.map(|(_, display)| display.text.as_str()));
         let all = || Pool::of(texts.clone(), symbols, macros, MISSING);
-        let pools: [&dyn Fn() -> Pool; 3] = [&Pool::empty, &own, &all];
+        let pools: [&dyn Fn() -> Pool; POOLS] = [&Pool::empty, &own, &all];
         let mut tried = Vec::new();
         let start = self.notes.equations[wrong.at].body.start;
-        for pool in pools {
+        let tries = if most == POOLS && wrong.claim.solves.is_none() { TRIED } else { FEW };
+        for pool in pools.into_iter().take(most) {
             let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
             edits.retain(|edit| is_real(self, wrong.text, edit, start) && !tried.contains(edit));
             // With a rate that is 0 by a law all is conserved.
@@ -103,7 +124,7 @@ impl Desk<'_> {
                     formal::same(known, new, self.model) || formal::same(known, &new.clone().negated(), self.model)
                 };
                 let is_it = |known: &Vec<Expr>| known.iter().zip(&candidate.2).all(|(known, new)| same(known, new));
-                if distinct.len() < TRIED && !distinct.iter().any(|(.., known)| is_it(known)) {
+                if distinct.len() < tries && !distinct.iter().any(|(.., known)| is_it(known)) {
                     distinct.push(candidate);
                 }
             }
