@@ -260,6 +260,9 @@ fn a_factor_with_the_letters_that_stand_alone_is_found() {
         let offered: Vec<&str> = found.repairs.iter().map(|repair| repair.replacement.as_str()).collect();
         assert!(offered.iter().any(|offered| offered.contains(name)), "{lost}: {offered:?}");
     }
+    // The twin: with another number besides, no factor mends it.
+    let two = right.replace(r"\epsilon_{abc} ", "").replace(r"\frac{1}{2}", "7");
+    assert_eq!(equation(&turning_body(), &[&two], json!({})).repairs, Vec::new());
 }
 
 #[test]

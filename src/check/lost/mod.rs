@@ -70,6 +70,8 @@ struct Lost<'w, 'a> {
     /// By how much it is off at each state, where it has a value.
     off: Vec<Option<Rows>>,
     factors: OnceCell<Factors<'w>>,
+    /// The vectors that stand in the document.
+    directions: OnceCell<Vec<String>>,
 }
 
 /// What should stand in a hole: its value at each state, and by how much the equation changes with it.
@@ -126,7 +128,7 @@ pub(super) fn edits(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit>> {
     let off_shell = mode.on_shell.then(|| context.ensemble(context.mode(false, &members), false, FEW));
     let anywhere = off_shell.and_then(Result::ok);
     let off = ensemble.scenes.iter().map(|scene| residuals(desk, wrong.claim, wrong.reading, scene)).collect();
-    let lost = Lost { desk, wrong, ensemble, anywhere, off, factors: OnceCell::new() };
+    let lost = Lost { desk, wrong, ensemble, anywhere, off, factors: OnceCell::new(), directions: OnceCell::new() };
     let mut proposals = lost.proposals();
     proposals.sort_by_key(|proposal| proposal.cost);
     proposals.truncate(PROPOSED);
@@ -165,9 +167,7 @@ impl<'w, 'a> Lost<'w, 'a> {
             if one.statements.iter().any(std::result::Result::is_err) {
                 if hole.slip == Slip::Term {
                     let named = self.vectors(hole);
-                    let is_named = !named.is_empty();
-                    proposals.extend(named);
-                    proposals.extend((!is_named).then(|| self.multiples(hole)).into_iter().flatten());
+                    proposals.extend(if named.is_empty() { self.multiples(hole) } else { named });
                 }
                 continue;
             }

@@ -39,7 +39,7 @@ impl Lost<'_, '_> {
     /// Multiples of the vectors that stand in the document, and not in the sum that has the hole.
     pub(super) fn multiples(&self, hole: Hole) -> Vec<Proposal> {
         let printed = &self.wrong.text[hole.whole.range()];
-        let directions = self.directions();
+        let directions = self.directions.get_or_init(|| self.all_directions());
         let others = directions.iter().filter(|direction| !printed.contains(direction.as_str()));
         others.filter_map(|direction| self.along(hole, direction)).collect()
     }
@@ -62,7 +62,7 @@ impl Lost<'_, '_> {
     }
 
     /// The vectors that stand in the document, those of the wrong equation first.
-    fn directions(&self) -> Vec<String> {
+    fn all_directions(&self) -> Vec<String> {
         let (desk, model) = (self.desk, self.desk.model);
         let others = desk.notes.equations.iter().map(|display| display.text.as_str());
         let texts = [self.wrong.text].into_iter().chain(others);

@@ -41,13 +41,13 @@ impl Finder<'_> {
             let mut choices = choices(&slots);
             choices.retain(|choice| are_distinct(choice));
             for letters in choices.iter().filter(|choice| !choice.is_empty() || entry.kind == Kind::Matrix) {
-                // A whole vector beside one that is printed is a number that may well be right.
                 let wanted = is_wanted(letters);
-                let last = match (wanted && entry.varies, wanted || entry.kind != Kind::Vector) {
-                    (_, false) => continue,
-                    (varies, true) => u8::from(varies),
-                };
-                let spelled = (0..=last).filter_map(|dots| self.member(id, letters, dots));
+                // A whole vector beside one that is printed is a number that may well be right.
+                if entry.kind == Kind::Vector && !wanted {
+                    continue;
+                }
+                let most = u8::from(wanted && entry.varies);
+                let spelled = (0..=most).filter_map(|dots| self.member(id, letters, dots));
                 members.extend(spelled.map(|latex| Member { latex, letters: letters.clone() }));
             }
             if entry.kind == Kind::Vector {

@@ -168,8 +168,9 @@ impl Finder<'_> {
         for factor in &pool.factors {
             let slip = if is_number(factor) { Slip::Number } else { Slip::Factor };
             // Of two vectors it is said below which product is meant.
+            let text = self.text;
             let are_vectors = |text: &str| is_arrow(text) && is_arrow(factor);
-            for at in before.iter().filter(|at| !are_vectors(&self.text[**at..])).collect::<Vec<_>>() {
+            for at in before.iter().filter(|at| !are_vectors(&text[**at..])) {
                 self.edit(slip, Span::at(*at), format!("{factor} \\, "));
                 // `\rho(\vec r)`, what depends on a place, is one thing.
                 if self.text[*at..].starts_with('(') {

@@ -281,14 +281,15 @@ pub(in crate::mechanics) mod tests {
             let products =
                 [x * y + p, x * y - p, p - x * y, x * p + y, x * p - y, y - x * p, x * y + sine, x * 3.0 + 2.0];
             let quotients = [x / y, p / y, x / p, (x * y).recip() * cosine, y.recip()];
-            let product = x * y.cos();
-            let of_four =
-                [x * y * y.sin() + p, x * y * x.ln() - p, p - x * p * y.ln(), product * p + y, x * p * product - y];
+            // A product that nothing else uses goes into what is made of it.
+            let own = |k: i32| x * (y + f64::from(k) / 16.0);
+            let fused = [own(1) + p, own(2) - p, p - own(3), -(own(4) + p), own(5) * y.exp()];
+            let of_four = [own(6) * x.cos() + p, own(7) * x.cos() - p, p - own(8) * x.cos()];
             let of_three = [x * y * y.exp(), x.exp() * (y * p), (x + y) * (x.exp() * x.cos()), x * p * y.ln()];
             let others = [x - p, p - x, x + p, -(x + y), (x + y).sqrt(), y.powf(0.3), x.powi(20), y.exp(), x.atan2(y)];
             let negations = [-(x - y), -(x * y + p), -(x * y - p), -(p - x * y), -(x * p), -(p - x), -(x * y)];
             let uniform = [p * p + 1.0, x, p, Symbol::from(2.5), x.atan2(p), (x * p) * (y * p), sine * cosine];
-            [&products[..], &quotients, &of_three, &of_four, &others, &negations, &uniform].concat()
+            [&products[..], &quotients, &of_three, &fused, &of_four, &others, &negations, &uniform].concat()
         })
         .unwrap();
         Tape::new(&graph, 3, &outputs)
@@ -366,6 +367,9 @@ pub(in crate::mechanics) mod tests {
         let tape = tape();
         let expected = plain(&tape);
         let program = Program::new(&tape, |input| input == 2);
+        let kinds: std::collections::HashSet<_> =
+            program.steps.iter().map(|step| std::mem::discriminant(&step.action)).collect();
+        assert_eq!(kinds.len(), 18, "the tape is to have each kind of action");
         for step in 0..program.steps.len() {
             let mut changed = program.clone();
             let action = &mut changed.steps[step].action;
