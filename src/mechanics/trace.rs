@@ -13,7 +13,7 @@ use super::rotations::Turning;
 use super::tape::Tape;
 use super::{Lagrangian, State};
 use crate::Result;
-use crate::scalar::{Graph, Number, Symbol, shortened, simplify_all};
+use crate::scalar::{Graph, Node, Number, Symbol, shortened, simplify_all};
 
 /// Where things stand among a tape's inputs: time, coordinates, velocities, parameters.
 #[derive(Clone, Copy, Debug)]
@@ -138,7 +138,11 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
         let values = dynamics.evaluate(&inputs);
         let (mass, bias) = values.split_at(n * (n + 1) / 2);
-        eliminate(&order, mass, bias, shortened)
+        let mut outputs = eliminate(&order, mass, bias, shortened);
+        for pair in outputs[n..].chunks_mut(2).filter(|pair| is_product(pair[0])) {
+            pair[1] = pair[0]; // it is sound unless it vanishes
+        }
+        outputs
     })?;
     Ok(Traced {
         accelerations: tape(&graph, &accelerations),
@@ -203,6 +207,17 @@ fn pivots(layout: Layout, mass: impl Fn(usize) -> Tape) -> Vec<usize> {
     };
     let (varying, uniform): (Vec<usize>, Vec<usize>) = (0..layout.coordinates).partition(varies);
     [uniform, varying].concat()
+}
+
+/// Whether a number is a product of inputs and functions of inputs: such a pivot has lost no digits, however small it is.
+fn is_product(number: Symbol) -> bool {
+    match number.node() {
+        Node::Constant(_) | Node::Input(_) => true,
+        Node::Mul(a, b) => is_product(Symbol::at(a)) && is_product(Symbol::at(b)),
+        Node::Neg(a) | Node::Recip(a) | Node::Powi(a, _) | Node::Powf(a, _) => is_product(Symbol::at(a)),
+        Node::Apply(_, a) => matches!(Symbol::at(a).node(), Node::Input(_)),
+        Node::Add(..) | Node::Sub(..) | Node::Atan2(..) => false,
+    }
 }
 
 /// Solves M a = −h for a symmetric M by elimination, the diagonal entries being pivots in the given order: good enough for

@@ -142,7 +142,7 @@ fn run<S: Simd>(simd: S, program: &Program, registers: &mut Registers, inputs: &
             Action::Neg(a) => one(simd, at(a), out, |a| -a),
             Action::Apply(Function::Sqrt, a) => one(simd, at(a), out, |a| a.sqrt()),
             Action::Powi(a, n) => one_by_one(at(a), at(a), out, |a, _| a.powi(n)),
-            Action::Powf(a, n) => one_by_one(at(a), at(a), out, |a, _| a.powf(n)),
+            Action::Powf(a, n) => one_by_one(at(a), at(n), out, f64::powf),
             Action::Apply(function, a) => one_by_one(at(a), at(a), out, |a, _| function.of(a)),
             Action::Atan2(a, b) => one_by_one(at(a), at(b), out, f64::atan2),
             Action::SinCos(a, cosine) => {
@@ -258,6 +258,7 @@ fn one_by_one(a: Values, b: Values, out: &mut Block, f: impl Fn(f64, f64) -> f64
 pub(in crate::mechanics) mod tests {
     use super::*;
     use crate::mechanics::tape::Tape;
+    use crate::mechanics::tape::single::Single;
     use crate::scalar::{DualNum, Graph, Symbol};
 
     /// Every kind of instructions that this machine has, and the code for machines that have none.
@@ -316,15 +317,13 @@ pub(in crate::mechanics) mod tests {
 
     fn one_after_another(program: &Program) -> Vec<[f64; LANES]> {
         let inputs = inputs();
-        let mut list = program.list(&inputs.each_ref().map(|block| block[0]));
+        let mut single = Single::new(program, &inputs.each_ref().map(|block| block[0]), program.outputs.len());
         let mut outputs = vec![[0.0; LANES]; program.outputs.len()];
         for lane in 0..LANES {
-            for (place, block) in list.iter_mut().zip(&inputs) {
-                *place = block[lane];
-            }
-            program.run(&mut list);
+            single.run(inputs[0][lane], &[inputs[1][lane]], &[inputs[2][lane]]);
             for (n, output) in outputs.iter_mut().enumerate() {
-                output[lane] = list[program.output(n)];
+                output[lane] = single.first_outputs()[n];
+                assert_eq!(output[lane].to_bits(), single.output(n).to_bits());
             }
         }
         outputs
@@ -388,7 +387,7 @@ pub(in crate::mechanics) mod tests {
                 Action::SubProduct(a, b, c, d) => Action::ProductAdd(a, b, c, d),
                 Action::Neg(a) => Action::Add(a, a),
                 Action::Powi(a, n) => Action::Powi(a, n + 1),
-                Action::Powf(a, n) => Action::Powf(a, n + 0.1),
+                Action::Powf(a, n) => Action::Powf(n, a),
                 Action::Apply(_, a) => Action::Apply(Function::Tan, a),
                 Action::SinCos(a, _) => Action::Neg(a),
                 Action::Atan2(a, b) => Action::Atan2(b, a),

@@ -8,7 +8,7 @@ use crate::scalar::{Function, Graph, Number, Symbol};
 pub(super) mod blocks;
 pub(super) mod program;
 mod sincos;
-mod single;
+pub(super) mod single;
 mod writer;
 
 /// One operation; operands are earlier registers.

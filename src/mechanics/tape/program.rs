@@ -12,43 +12,43 @@ use crate::scalar::Function;
 
 /// What a step does with its operands: places in the order inputs, temporary registers, uniform values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Action {
+pub(super) enum Action<P = u32> {
     /// a + b
-    Add(u32, u32),
+    Add(P, P),
     /// a − b
-    Sub(u32, u32),
+    Sub(P, P),
     /// a b
-    Mul(u32, u32),
+    Mul(P, P),
     /// a b c; a varies
-    Product(u32, u32, u32),
+    Product(P, P, P),
     /// a / b
-    Div(u32, u32),
+    Div(P, P),
     /// a b + c; a varies
-    MulAdd(u32, u32, u32),
+    MulAdd(P, P, P),
     /// a b − c; a varies
-    MulSub(u32, u32, u32),
+    MulSub(P, P, P),
     /// c − a b; a varies
-    SubMul(u32, u32, u32),
+    SubMul(P, P, P),
     /// −a b − c; a varies
-    NegMulSub(u32, u32, u32),
+    NegMulSub(P, P, P),
     /// a b c + d; a varies
-    ProductAdd(u32, u32, u32, u32),
+    ProductAdd(P, P, P, P),
     /// a b c − d; a varies
-    ProductSub(u32, u32, u32, u32),
+    ProductSub(P, P, P, P),
     /// d − a b c; a varies
-    SubProduct(u32, u32, u32, u32),
-    Neg(u32),
-    Powi(u32, i32),
-    Powf(u32, f64),
-    Apply(Function, u32),
+    SubProduct(P, P, P, P),
+    Neg(P),
+    Powi(P, i32),
+    Powf(P, P),
+    Apply(Function, P),
     /// Sine of the first to the step's register, cosine to the second.
-    SinCos(u32, u32),
-    Atan2(u32, u32),
+    SinCos(P, P),
+    Atan2(P, P),
 }
 
-impl Action {
+impl<P: Copy> Action<P> {
     /// The same with every operand, and the register of the cosine, put elsewhere.
-    fn map(self, place: impl Fn(u32) -> u32) -> Action {
+    pub fn map<Q>(self, place: impl Fn(P) -> Q) -> Action<Q> {
         match self {
             Action::Add(a, b) => Action::Add(place(a), place(b)),
             Action::Sub(a, b) => Action::Sub(place(a), place(b)),
@@ -64,18 +64,21 @@ impl Action {
             Action::SubProduct(a, b, c, d) => Action::SubProduct(place(a), place(b), place(c), place(d)),
             Action::Neg(a) => Action::Neg(place(a)),
             Action::Powi(a, n) => Action::Powi(place(a), n),
-            Action::Powf(a, n) => Action::Powf(place(a), n),
+            Action::Powf(a, n) => Action::Powf(place(a), place(n)),
             Action::Apply(function, a) => Action::Apply(function, place(a)),
             Action::SinCos(a, cosine) => Action::SinCos(place(a), place(cosine)),
             Action::Atan2(a, b) => Action::Atan2(place(a), place(b)),
         }
     }
 
-    fn operands(self) -> impl Iterator<Item = u32> {
+    fn operands(self) -> impl Iterator<Item = P> {
         let (a, others) = match self {
-            Action::Add(a, b) | Action::Sub(a, b) | Action::Mul(a, b) | Action::Div(a, b) | Action::Atan2(a, b) => {
-                (a, [Some(b), None, None])
-            }
+            Action::Add(a, b)
+            | Action::Sub(a, b)
+            | Action::Mul(a, b)
+            | Action::Div(a, b)
+            | Action::Powf(a, b)
+            | Action::Atan2(a, b) => (a, [Some(b), None, None]),
             Action::Product(a, b, c)
             | Action::MulAdd(a, b, c)
             | Action::MulSub(a, b, c)
@@ -84,8 +87,7 @@ impl Action {
             Action::ProductAdd(a, b, c, d) | Action::ProductSub(a, b, c, d) | Action::SubProduct(a, b, c, d) => {
                 (a, [Some(b), Some(c), Some(d)])
             }
-            Action::Neg(a) | Action::Powi(a, _) | Action::Powf(a, _) => (a, [None; 3]),
-            Action::Apply(_, a) | Action::SinCos(a, _) => (a, [None; 3]),
+            Action::Neg(a) | Action::Powi(a, _) | Action::Apply(_, a) | Action::SinCos(a, _) => (a, [None; 3]),
         };
         std::iter::once(a).chain(others.into_iter().flatten())
     }
@@ -93,9 +95,9 @@ impl Action {
 
 /// One step: what it does, and where its result goes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Step {
-    pub action: Action,
-    pub to: u32,
+pub(super) struct Step<P = u32> {
+    pub action: Action<P>,
+    pub to: P,
 }
 
 /// A tape ready to run.
@@ -126,6 +128,11 @@ impl Program {
     /// The values that are the same for all states. Inputs that are not uniform are not looked at.
     pub fn uniform(&self, inputs: &[f64]) -> Vec<f64> {
         self.uniform.evaluate(inputs)
+    }
+
+    /// Whether the n-th output is the same for all states.
+    pub fn is_uniform(&self, n: usize) -> bool {
+        self.outputs[n] as usize >= self.inputs + self.registers
     }
 
     /// How many steps a state takes.
@@ -236,7 +243,7 @@ impl<'a> Writer<'a> {
             Op::Neg(a) => self.negation(a),
             Op::Recip(a) => Action::Div(self.constant(1.0), a),
             Op::Powi(a, n) => Action::Powi(a, n),
-            Op::Powf(a, n) => Action::Powf(a, n),
+            Op::Powf(a, n) => Action::Powf(a, self.constant(n)),
             Op::Apply(function, a) => Action::Apply(function, a),
             Op::SinCos(a) => Action::SinCos(a, to + 1),
             Op::Atan2(a, b) => Action::Atan2(self.place(a), self.place(b)),
