@@ -142,7 +142,18 @@ impl Finder<'_> {
                 self.edit(Slip::Exponent, sup.span, other.to_string());
             }
         } else if inner.iter().all(|item| !matches!(item.layout, Layout::Command(_) | Layout::Other('*'))) {
-            self.list(inner);
+            match &sup.layout {
+                Layout::Group(items) => self.list(items),
+                // What is put beside it needs braces.
+                _ => {
+                    let bare = self.slice(sup.span).to_owned();
+                    self.edit(Slip::Sign, sup.span, format!("{{-{bare}}}"));
+                    if self.pool.is_none() {
+                        self.edit(Slip::Doubled, sup.span, format!("{{{bare} + {bare}}}"));
+                    }
+                    self.item(sup);
+                }
+            }
         }
     }
 

@@ -209,6 +209,14 @@ impl Finder<'_> {
         matches!(item.layout, Layout::Environment(..)) || matches!(self.kind(item), Some(Kind::Matrix | Kind::Rotation))
     }
 
+    /// `R_{ab}`: a matrix by its entries. Of `R_{12}` nobody prints an inverse.
+    fn is_entry(&self, factor: &Factor<'_>) -> bool {
+        let Some(printed) = names::printed(&factor.items[0], None) else { return false };
+        let found = self.symbols.find(&printed.name);
+        found.is_some_and(|(id, _)| self.symbols.entry(id).slots.len() == 2)
+            && !printed.name.subscript.concat().contains(char::is_numeric)
+    }
+
     /// Slips in a display; an environment of rows that is all of it is no formula.
     pub(super) fn display(&mut self, items: &[Item]) {
         let mut significant = items.iter().filter(|item| !is_space(item) && item.layout != Layout::Other(','));
@@ -361,7 +369,7 @@ impl Finder<'_> {
             }
             let has_power = matches!(factor.items[0].layout, Layout::Scripts { sup: Some(_), .. });
             let is_name = factor.items.len() == 1 && names::printed(&factor.items[0], None).is_some();
-            if self.pool.is_some() && is_name && self.is_matrix(factor) && !has_power {
+            if self.pool.is_some() && is_name && (self.is_matrix(factor) || self.is_entry(factor)) && !has_power {
                 self.edit(Slip::Exponent, Span::at(factor.span().end), "^{-1}");
             }
             if self.pool.is_some() {
