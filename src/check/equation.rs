@@ -327,7 +327,9 @@ impl Desk<'_> {
         }
         if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
             let what = format!("{} is constant", text::formula(last, &self.model.symbols));
-            parts.push(self.part(identity::conserved(last, context)?, what));
+            let mut finding = identity::conserved(last, context)?;
+            self.only_constant(introduced, statement, &mut finding)?;
+            parts.push(self.part(finding, what));
         }
         Ok(parts)
     }
@@ -427,11 +429,21 @@ impl Desk<'_> {
         if let Some(conserved) = &claim.conserved {
             // Of several statements each has something that is constant.
             let all = match &conserved.value {
-                Conserved::Expression(latex) => vec![self.formula(&Spanned::new(latex.clone(), conserved.span))?],
-                Conserved::This => statements.iter().filter_map(|s| s.members.last().cloned()).collect(),
+                Conserved::Expression(latex) => {
+                    vec![(self.formula(&Spanned::new(latex.clone(), conserved.span))?, None)]
+                }
+                Conserved::This => {
+                    let last = statements.iter().enumerate().map(|(at, s)| Some((s.members.last()?.clone(), Some(at))));
+                    last.flatten().collect()
+                }
             };
-            for what in all {
-                let finding = identity::conserved(&what, &context)?;
+            for (what, at) in all {
+                let mut finding = identity::conserved(&what, &context)?;
+                if let Some(at) = at {
+                    let introduced: Vec<&Introduced> =
+                        reading.introduced.iter().filter(|i| i.statement == at).collect();
+                    self.only_constant(&introduced, statements[at], &mut finding)?;
+                }
                 parts.push(self.part(finding, format!("{} is constant", text::formula(&what, &self.model.symbols))));
             }
         }

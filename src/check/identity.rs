@@ -647,7 +647,7 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
             finding.message = "constant on shell".to_owned();
             return sizes::certified(&link, &on_shell, &ensemble, finding);
         }
-        Verdict::Refuted => "it varies on shell".to_owned(),
+        Verdict::Refuted => "it varies on shell; the left side is its rate".to_owned(),
         _ => finding.message,
     };
     Ok(finding)

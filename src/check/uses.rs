@@ -41,6 +41,29 @@ impl Desk<'_> {
         definitions::check(symbol, &introduced.formula, (&mut users, &by_law), context)
     }
 
+    /// Says of a name that a statement introduces, and of which nothing is known but that it is constant, what that leaves open.
+    pub(super) fn only_constant(
+        &self,
+        introduced: &[&Introduced],
+        statement: &Statement,
+        found: &mut Finding,
+    ) -> Result<()> {
+        let [first] = introduced else { return Ok(()) };
+        if !found.verdict.passes() || statement.relations.len() != 1 {
+            return Ok(());
+        }
+        let is_own = |used: &Use| {
+            let rate = |formula: &Expr| matches!(&formula.node, Node::TimeDerivative(1, inner) if statement.members.contains(inner));
+            rate(&used.link.lhs)
+        };
+        if self.uses(first)?.0.iter().all(is_own) && self.uses_by_law(first)?.is_empty() {
+            let name = text::plain(&self.model.name(first.symbol));
+            found.message =
+                format!("{}; nothing else checks {name}: a factor in it would not be noticed", found.message);
+        }
+        Ok(())
+    }
+
     /// What holds only because a law does that stands on a defined name: it would notice another definition.
     fn uses_by_law(&self, introduced: &Introduced) -> Result<Vec<Use>> {
         let model = self.model;

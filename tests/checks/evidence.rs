@@ -282,6 +282,23 @@ fn what_is_constant_holds_what_it_is_made_of() {
 }
 
 #[test]
+fn what_is_known_of_a_name_is_only_that_it_is_constant() {
+    let of = |displays: &[&str]| {
+        let found = document(&pendulum(), &numbered(displays), &Default::default(), None).unwrap();
+        found.equations.into_iter().next().unwrap().finding
+    };
+    let open = "nothing else checks K: a factor in it would not be noticed";
+    let energy = r"K = \frac12 l^2 \dot\theta^2 - gl\cos\theta = \text{const}";
+    let found = of(&[energy]);
+    assert!(found.verdict.passes() && found.message.ends_with(open), "{found:?}");
+    // The twins: what is used elsewhere is known, and what varies is not constant.
+    let used = of(&[energy, r"mK = \frac12 m l^2 \dot\theta^2 - mgl\cos\theta"]);
+    assert!(used.verdict.passes() && !used.message.contains(open), "{used:?}");
+    let varying = of(&[r"K = l^2 \dot\theta^2 - gl\cos\theta = \text{const}"]);
+    assert!(varying.verdict == Refuted && varying.message.contains("the left side is its rate"), "{varying:?}");
+}
+
+#[test]
 fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
     let line = |display: &str| {
         let notes = numbered(&[display, "s^2 = a^2 + 2ab + b^2", "p (a + b) = a^2 b + a b^2"]);
