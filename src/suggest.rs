@@ -18,7 +18,8 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     candidates
         .into_iter()
         .map(|candidate| (distance(word, candidate), candidate))
-        .min_by_key(|(steps, _)| *steps)
+        // A letter of the other case is nearer than another letter.
+        .min_by_key(|(steps, candidate)| (*steps, distance(&word.to_lowercase(), &candidate.to_lowercase())))
         .filter(|(steps, _)| *steps < length && *steps <= (length / 3).max(2))
         .map(|(_, candidate)| candidate)
 }
@@ -39,6 +40,7 @@ mod tests {
     #[test]
     fn a_swap_of_letters_is_one_step() {
         assert_eq!(nearest("\\Omgea", ["\\Omega", "\\omega_3"]), Some("\\Omega"));
+        assert_eq!(nearest("\\omega_z", ["\\omega_0", "\\Omega_z"]), Some("\\Omega_z"));
     }
 
     #[test]

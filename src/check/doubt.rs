@@ -6,13 +6,14 @@
 
 use crate::formula::SymbolId;
 use crate::latex::Introduced;
+use crate::latex::slips::Slip;
 
 use super::desk::Desk;
 use super::document::{Run, shown};
 use super::identity::{FEWEST, Options};
 use super::model::Model;
 use super::repair::OFFERED;
-use super::shared::{Item, is_refuted};
+use super::shared::{Held, Item, is_refuted};
 use super::verdict::{Equation, Repair, Verdict};
 
 impl Desk<'_> {
@@ -41,6 +42,9 @@ impl Desk<'_> {
         let held = self.held(&equations, sentences);
         let mut vouched: Vec<Option<bool>> = vec![None; self.notes.equations.len()];
         for (equation, own) in equations.iter_mut().zip(&displays) {
+            if let Some(own) = own.filter(|at| self.is_open(*at) && self.is_damaged(*at)) {
+                self.reread(run, equation, own, &held);
+            }
             let is_shared = equation.repairs.iter().any(|repair| repair.shared.is_some());
             let is_alone = is_refuted(equation) && equation.finding.follows_from.is_none() && !is_shared;
             let Some(own) = own.filter(|at| is_alone && self.is_open(*at)) else { continue };
@@ -65,24 +69,12 @@ impl Desk<'_> {
             let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);
             let has_own = equation.repairs.iter().any(from_notes);
             let mut repairs = found_in(doubtful);
+            // The other end of a chain is the definition.
+            if repairs.is_empty() && equation.elsewhere.contains(&shown(&self.notes.equations[own])) {
+                repairs = self.repairs_of_own_definition(run, own).unwrap_or_default();
+            }
             if has_own {
-                // The other end of a chain is the definition.
-                if repairs.is_empty() && equation.elsewhere.contains(&shown(&self.notes.equations[own])) {
-                    repairs = self.repairs_of_own_definition(run, own).unwrap_or_default();
-                }
-                // The likeliest of either place comes before what is next at one of them.
-                let is_known = |repair: &Repair| {
-                    equation
-                        .repairs
-                        .iter()
-                        .any(|own| (own.span, &own.replacement) == (repair.span, &repair.replacement))
-                };
-                repairs.retain(|repair| !is_known(repair));
-                repairs.truncate(OFFERED - 1);
-                let rest = equation.repairs.split_off(1);
-                equation.repairs.extend(repairs.into_iter().take(OFFERED - 1 - usize::from(!rest.is_empty())));
-                equation.repairs.extend(rest);
-                equation.repairs.truncate(OFFERED);
+                merge(&mut equation.repairs, repairs);
                 continue;
             }
             // What is vouched for may be wrong where the others do not look.
@@ -98,6 +90,18 @@ impl Desk<'_> {
             equation.repairs = repairs;
         }
         equations
+    }
+
+    /// Offers what makes a display readable that introduces names, which are lost with it: the document is read anew.
+    fn reread(&self, run: &Run<'_>, equation: &mut Equation, at: usize, held: &Held) {
+        if equation.ok || !equation.repairs.is_empty() || !self.options.explain {
+            return;
+        }
+        for found in self.edits_that_mend(run, at, &[Item::Display(at)], held) {
+            let repairs = self.shared_repairs(found.at, &found.edit, &found.mended);
+            equation.repairs.extend(repairs.into_iter().map(|repair| Repair { shared: None, ..repair }));
+        }
+        equation.repairs.truncate(OFFERED);
     }
 
     /// Whether a display says more than once what a name is that it introduces: then it may be wrong on either side.
@@ -124,4 +128,21 @@ impl Desk<'_> {
         let without = Desk { model: &model, options, units: self.units.clone(), ..*self };
         !without.equation(equation, self.assigned[equation]).is_ok_and(|found| found.ok)
     }
+}
+
+/// Repairs with those of another place. The likeliest of that comes before what is next here; and first, where here
+/// something must be put in or left out, and there a slip of a likelier kind is undone.
+fn merge(own: &mut Vec<Repair>, mut others: Vec<Repair>) {
+    let is_known = |repair: &Repair| own.iter().any(|o| (o.span, &o.replacement) == (repair.span, &repair.replacement));
+    others.retain(|repair| !is_known(repair));
+    others.truncate(OFFERED - 1);
+    // What was no fraction has no numerator and denominator to exchange.
+    let kind = |repair: &Repair| if repair.replacement.starts_with(r"\frac{1}{") { Slip::Factor } else { repair.slip };
+    let is_weak = |kind: Slip| matches!(kind, Slip::Factor | Slip::Term);
+    let kinds = own.first().map(kind).zip(others.first().map(kind));
+    let likelier = kinds.is_some_and(|(own, other)| is_weak(own) && other < own);
+    let (at, next) = if likelier { (0, 1) } else { (1, usize::from(own.len() > 1)) };
+    others.truncate(OFFERED - at - next);
+    own.splice(at..at, others);
+    own.truncate(OFFERED);
 }

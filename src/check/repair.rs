@@ -22,7 +22,7 @@ use super::document::Run;
 use super::formal;
 use super::lost;
 use super::model::Model;
-use super::tautology::{is_lost, is_reordered};
+use super::tautology::{is_lost, is_reordered, is_taken_back};
 use super::trial::{Answer, Trial, cut, is_plain};
 use super::verdict::{Equation, Finding, Part, Repair, Verdict};
 
@@ -239,7 +239,11 @@ fn passing(desk: &Desk<'_>, wrong: &Wrong<'_>, edits: &[Edit]) -> Result<Vec<Sug
                         idle.set(is_empty(now, reading, desk.model));
                         let says_something = match idle.get() {
                             true => may_say_nothing && is_null(reading),
-                            false => !is_lost(now, reading, desk.model) && !says_twice(reading),
+                            false => {
+                                let is_one_way = !has_branches(wrong.text);
+                                let taken_back = is_one_way && is_taken_back(now, reading);
+                                !(taken_back || is_lost(now, reading, desk.model) || says_twice(reading))
+                            }
                         };
                         says_something && !whole.stands_still(reading)
                     };
@@ -355,6 +359,10 @@ pub(super) fn likelihood(text: &str, edit: &Edit, step: bool) -> (Slip, bool, us
         return (Slip::Fraction, step, depth, text.len() - span.start);
     }
     let old = &text[span.range()];
+    // Nor is a power meant to be one of the reciprocal.
+    if *slip == Slip::Sign && old.parse::<u32>().is_ok() {
+        return (Slip::Relation, step, 0, span.start);
+    }
     // A number of which neither half nor double nor a neighbour was meant.
     let far = *slip == Slip::Number
         && matches!((old.parse::<u32>(), replacement.parse::<u32>()),

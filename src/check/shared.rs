@@ -80,6 +80,11 @@ impl Desk<'_> {
                 Ordering::Less => {}
             }
         }
+        // Of edits of several displays the likeliest first; a minus too much is rarer than a wrong sign.
+        best.sort_by_key(|Found { at, edit, .. }| match edit.slip == Slip::Sign && edit.replacement.is_empty() {
+            true => Slip::Fraction,
+            false => likelihood(&self.notes.equations[*at].text, edit, false).0,
+        });
         best.truncate(OFFERED);
         for Found { at, edit, mended } in best.into_iter().rev() {
             let repairs = self.shared_repairs(at, &edit, &mended);
@@ -144,7 +149,22 @@ impl Desk<'_> {
                 [&condition.lhs, &condition.rhs].iter().any(|side| self.model.depends_on(side, &[new.symbol]))
             })
         };
-        equation != at && (is_law || self.readings[at].introduced.iter().any(|new| uses(new) || named(new)))
+        let said = || self.assigned[equation].is_some_and(|claim| self.speaks_of(claim, at));
+        equation != at && (is_law || self.readings[at].introduced.iter().any(|new| uses(new) || named(new)) || said())
+    }
+
+    /// Whether a claim assumes something of a name that a display introduces, or means something else by it.
+    fn speaks_of(&self, claim: &Claim, at: usize) -> bool {
+        let says_nothing = claim.assume.is_empty() && claim.throughout.is_empty() && claim.meanings.is_empty();
+        let introduced: Vec<_> = self.readings[at].introduced.iter().map(|new| new.symbol).collect();
+        if says_nothing || introduced.is_empty() {
+            return false;
+        }
+        let conditions = self.conditions(claim).unwrap_or_default();
+        let rules = self.local(claim).unwrap_or_default();
+        let sides = conditions.iter().flat_map(|condition| [&condition.lhs, &condition.rhs]);
+        let mut formulas = sides.chain(rules.iter().flat_map(|rule| rule.action.formulas()));
+        formulas.any(|formula| self.model.depends_on(formula, &introduced))
     }
 
     /// Whether a claim is about which states something holds at.
@@ -167,9 +187,10 @@ impl Desk<'_> {
         let soon: Vec<Item> = wrong.iter().copied().filter(|item| !self.takes_many_states(*item)).collect();
         let soon = if soon.len() < least { wrong } else { &soon };
         let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
-        let all = || Pool::of(texts(), symbols, macros, MISSING).factors_only();
+        let terms = || Pool::of(texts(), symbols, macros, MISSING);
+        let all = || terms().factors_only();
         let mut tried: Vec<Edit> = Vec::new();
-        for pool in [&Pool::empty as &dyn Fn() -> Pool, &own, &all] {
+        for pool in [&Pool::empty as &dyn Fn() -> Pool, &own, &all, &terms] {
             let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
             edits.retain(|edit| !tried.contains(edit));
             edits.retain(|edit| is_real(self, &display.text, edit, display.body.start));
@@ -237,9 +258,11 @@ impl Desk<'_> {
         found
     }
 
-    /// Whether a display cannot be read by itself.
-    fn is_damaged(&self, at: usize) -> bool {
-        let own = |statement: &Result<Statement, Fault>| statement.as_ref().is_err_and(|fault| fault.missing.is_none());
+    /// Whether a display cannot be read, and no other is to blame.
+    pub(super) fn is_damaged(&self, at: usize) -> bool {
+        let own = |statement: &Result<Statement, Fault>| {
+            statement.as_ref().is_err_and(|fault| self.cause(fault.missing.as_ref()).is_none())
+        };
         self.readings[at].statements.iter().any(own)
     }
 

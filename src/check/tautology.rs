@@ -103,6 +103,50 @@ fn at_zero(expr: &Expr) -> Expr {
     Expr::integer(value, expr.span)
 }
 
+/// Whether a term is taken away again in its own sum, or all of a side stands on the other side too: then it is that other
+/// term that should not be there. Where a sum had it twice, it is a sign that was wrong.
+pub(super) fn is_taken_back(before: &Reading, after: &Reading) -> bool {
+    let statements = before.statements.iter().flatten().zip(after.statements.iter().flatten());
+    before.statements.len() == after.statements.len() && statements.into_iter().any(|(b, a)| takes_back(b, a))
+}
+
+fn takes_back(before: &Statement, after: &Statement) -> bool {
+    let twice: Vec<Monomial> = alike(before).filter(|(_, count, _)| *count > 1).map(|(kind, ..)| kind).collect();
+    let is_new = |kind: &Monomial| !twice.iter().any(|known| known.is_like(kind));
+    let in_sum = alike(after).any(|(kind, count, left)| count > 1 && left == 0.0 && is_new(&kind));
+    in_sum || !has_side_on_the_other(before) && has_side_on_the_other(after)
+}
+
+/// The terms of all sums of a statement, like ones as one: how many they are, and their coefficient.
+fn alike(statement: &Statement) -> impl Iterator<Item = (Monomial, usize, f64)> {
+    let mut found: Vec<(Monomial, usize, f64)> = Vec::new();
+    let mut within = |part: &Expr| {
+        let Node::Sum(terms) = &part.node else { return };
+        let start = found.len();
+        for term in terms.iter().filter(|term| !term.expr.is_zero()) {
+            let kind = Monomial::of(&term.expr);
+            let coefficient = if term.sign == Sign::Minus { -kind.coefficient } else { kind.coefficient };
+            match found[start..].iter_mut().find(|(known, ..)| known.is_like(&kind)) {
+                Some((_, count, sum)) => (*count, *sum) = (*count + 1, *sum + coefficient),
+                None => found.push((kind, 1, coefficient)),
+            }
+        }
+    };
+    statement.members.iter().for_each(|member| member.walk(&mut within));
+    found.into_iter()
+}
+
+/// Whether a side is one term, and the other side has that term among others.
+fn has_side_on_the_other(statement: &Statement) -> bool {
+    let is_among = |one: &[Monomial], all: &[Monomial]| {
+        one.len() == 1 && all.len() > 1 && all.iter().any(|term| same(one, std::slice::from_ref(term)))
+    };
+    statement.members.windows(2).zip(&statement.relations).any(|(sides, (relation, _))| {
+        let (a, b) = (collected(&sides[0]), collected(&sides[1]));
+        is_equality(*relation) && (is_among(&a, &b) || is_among(&b, &a))
+    })
+}
+
 /// Whether the one symbol of a statement has become another of another kind.
 fn subject_is_gone(before: &Statement, after: &Statement, model: &Model) -> bool {
     let symbols = |statement: &Statement| {

@@ -332,3 +332,65 @@ fn a_definition_that_only_its_constancy_tests_is_mended() {
         assert!(mended.contains(right), "{wrong}: {:?}", found.repairs);
     }
 }
+
+#[test]
+fn the_other_end_of_a_chain_may_be_the_likelier_one() {
+    let wrong = "S = a - b (c + x) = a + b c + b x";
+    assert_eq!(mended(&numbers(), &[wrong])[0], wrong.replace('-', "+"));
+    // The twin: where another equation says what S is, the sign in it is right.
+    let all = mended(&numbers(), &[wrong, "S + b x = a - b c"]);
+    assert!(!all.contains(&wrong.replace('-', "+")), "{all:?}");
+}
+
+#[test]
+fn what_is_taken_back_at_once_is_not_put_in() {
+    let all = mended(&numbers(), &["a (b - c) = a b"]);
+    assert!(all.iter().all(|text| !text.contains("- c + c")), "{all:?}");
+    // nor the other side: it is that which should not be there
+    let all = mended(&pendulum(), &[r"\dot E = m g l"]);
+    assert!(all.contains(&r"\dot E = 0".to_owned()) && all.iter().all(|text| !text.contains('+')), "{all:?}");
+    // The twin: where a term stands twice, it is a sign that is wrong.
+    let all = mended(&numbers(), &["c + a + a = c"]);
+    assert_eq!(all, ["c - a + a = c"]);
+}
+
+#[test]
+fn what_introduces_a_name_and_cannot_be_read_is_read_anew() {
+    let wrong = r"s = (a + b) C = ac + bc";
+    assert_eq!(mended(&numbers(), &[wrong])[0], wrong.replace('C', "c"));
+    // The twin: a name that is like none.
+    assert_eq!(mended(&numbers(), &[r"s = (a + b) \Xi"]), Vec::<String>::new());
+}
+
+#[test]
+fn a_wrong_sign_is_likelier_than_a_minus_too_much() {
+    let displays = ["s + a b = c", "s = c - u", "u = -a b", "2 s = 2 c - 2 a b"];
+    let repairs = first(&numbers(), &displays).repairs;
+    let of = |repair: &onshell::check::Repair| repair.shared.as_ref().map(|shared| shared.of.clone());
+    let found: Vec<_> = repairs.iter().map(|repair| (of(repair), repair.replacement.as_str())).collect();
+    assert_eq!(found[..2], [(Some("2".to_owned()), "+"), (Some("3".to_owned()), "")]);
+}
+
+#[test]
+fn one_unit_vector_stands_for_another() {
+    let claims = with(&numbers(), "axes", json!({ r"\hat x, \hat y, \hat z": "fixed" }));
+    let all = mended(&claims, &[r"a \hat x \times \hat y = a \hat y"]);
+    assert!(all.contains(&r"a \hat x \times \hat y = a \hat{z}".to_owned()), "{all:?}");
+}
+
+#[test]
+fn a_claim_stands_on_what_it_means_by_a_name() {
+    let claims = json!({
+        "constants": { "a, b": "> 0", "y": "> 0" },
+        "equations": { "1": { "where": { "y": "y_{+}" } }, "2": { "solves": "1", "for": "y" } },
+    });
+    let displays = [r"(y^2 - 2a)^2 = 2a^2", r"y_{\pm} = \sqrt{2a \pm 2a}"];
+    let found = document(&claims, &numbered(&displays), &Registry::standard(), None).unwrap();
+    let repair = &found.equations[0].repairs[0];
+    assert_eq!(
+        (repair.shared.as_ref().map(|shared| shared.of.as_str()), &*repair.replacement),
+        (Some("2"), r"\sqrt{2}")
+    );
+    // The twin: what (1) says is not made to agree with the slip.
+    assert!(found.equations[0].repairs.iter().all(|repair| !repair.replacement.contains("a^")), "{found:?}");
+}

@@ -20,7 +20,10 @@ impl Finder<'_> {
             self.name(item, &printed);
         }
         match &item.layout {
-            Layout::Number(digits) => self.number(item.span, digits, None),
+            Layout::Number(digits) => {
+                self.number(item.span, digits, None);
+                self.number_of_root(item.span, digits);
+            }
             Layout::Command(command) => self.function(item.span, command),
             Layout::Group(items) | Layout::Fence(_, items) if items.iter().all(|inner| inner.span != item.span) => {
                 self.list(items);
@@ -46,6 +49,12 @@ impl Finder<'_> {
                     (Some((n, over)), Some((m, under))) if self.pool.is_some() => {
                         self.number(over, n, Some(m));
                         self.number(under, m, Some(n));
+                    }
+                    // Nobody divides by 1.
+                    (_, Some((m, under))) if self.pool.is_some() => {
+                        self.argument(item, a);
+                        self.number(under, m, Some("1"));
+                        self.number_of_root(under, m);
                     }
                     _ => {
                         self.argument(item, a);
@@ -110,6 +119,16 @@ impl Finder<'_> {
         }
     }
 
+    /// `2` for `\sqrt{2}`, but where it is an argument without braces.
+    fn number_of_root(&mut self, span: Span, digits: &str) {
+        let before = self.text[..span.start].trim_end();
+        let is_bare = |text: &str| ["frac", "^", "_"].iter().any(|command| text.ends_with(command));
+        let is_argument = is_bare(before) || before.strip_suffix(char::is_alphanumeric).is_some_and(is_bare);
+        if self.pool.is_some() && matches!(digits.parse(), Ok(2..=9_u32)) && !is_argument {
+            self.edit(Slip::Exponent, span, format!("\\sqrt{{{digits}}}"));
+        }
+    }
+
     fn function(&mut self, span: Span, command: &str) {
         if self.slice(span) != command {
             return;
@@ -138,7 +157,11 @@ impl Finder<'_> {
             if self.pool.is_some() {
                 self.edit(Slip::Sign, sup.span, format!("{{-{n}}}"));
             }
-            for other in [n.saturating_add(1), n.saturating_sub(1)].into_iter().filter(|other| *other > 1) {
+            let mut others = vec![n.saturating_add(1), n.saturating_sub(1)];
+            if self.pool.is_some() && digits.len() == 1 {
+                others.extend([2 * n, n / 2].into_iter().filter(|other| other % 2 == 0 && *other < 10));
+            }
+            for other in others.into_iter().filter(|other| *other > 1) {
                 self.edit(Slip::Exponent, sup.span, other.to_string());
             }
         } else if inner.iter().all(|item| !matches!(item.layout, Layout::Command(_) | Layout::Other('*'))) {
@@ -242,7 +265,9 @@ impl Finder<'_> {
         let alike = |other: &Entry| {
             let same = other.kind == entry.kind && other.slots.len() == entry.slots.len();
             let base = letter(&other.name);
-            same && (base.eq_ignore_ascii_case(&own) || entry.angle && entry.varies && other.angle && other.varies)
+            let is_unit = |entry: &Entry| self.pool.is_some() && entry.name.base.starts_with("\\hat");
+            let are_angles = entry.angle && entry.varies && other.angle && other.varies;
+            same && (base.eq_ignore_ascii_case(&own) || are_angles || is_unit(entry) && is_unit(other))
         };
         // Where a slip is undone, an accent may have been lost that made of it another kind of thing.
         let mended = |other: &Entry| {
@@ -279,7 +304,16 @@ impl Finder<'_> {
         let alike = |other: &Name| {
             letter(other).eq_ignore_ascii_case(&own) || !name.subscript.is_empty() && other.subscript == name.subscript
         };
-        self.symbols.iter().map(|(_, entry)| &entry.name).filter(|other| alike(other)).cloned().collect()
+        let known = self.symbols.iter().map(|(_, entry)| &entry.name).filter(|other| alike(other)).cloned();
+        // `\omega_z`, for a component of `\vec\Omega`.
+        let has_component = |entry: &Entry| {
+            entry.kind == Kind::Vector
+                && entry.slots.len() + 1 == name.subscript.len()
+                && letter(&entry.name).eq_ignore_ascii_case(&own)
+        };
+        let vectors = self.symbols.iter().filter(|(_, entry)| has_component(entry));
+        let components = vectors.map(|(_, entry)| Name { base: unaccented(&entry.name).base, ..name.clone() });
+        known.chain(components).collect()
     }
 
     /// A dot more and a dot fewer on what has one.

@@ -59,10 +59,30 @@ impl Finder<'_> {
                 && self.kind(a).is_some()
                 && self.kind(a) == self.kind(b)
         };
-        let pairs: Vec<_> = pairs.filter(differ).take(EXCHANGES).collect();
-        for ((a, _), (b, _)) in pairs {
-            self.edit(Slip::Name, a.span.to(b.span), self.exchanged(a.span, b.span));
+        let undotted = pairs.clone().take(EXCHANGES).filter_map(|((a, _), (b, _))| self.without_dot(a, b));
+        let pairs = pairs.filter(differ).take(EXCHANGES).map(|((a, _), (b, _))| (a.span, b.span));
+        let pairs: Vec<(Span, Span)> = pairs.chain(undotted).collect();
+        for (a, b) in pairs {
+            self.edit(Slip::Name, a.to(b), self.exchanged(a, b));
         }
+    }
+
+    /// Two names of which one has a dot, without it: `x \dot y` for `y \dot x`.
+    fn without_dot(&self, a: &Item, b: &Item) -> Option<(Span, Span)> {
+        let dotted = |item: &Item| match &item.layout {
+            Layout::Accent(command, inner) if command.starts_with("\\d") => match &inner.layout {
+                Layout::Group(items) => items.first().map(|only| only.span),
+                _ => Some(inner.span),
+            },
+            _ => None,
+        };
+        let (first, second) = match (dotted(a), dotted(b)) {
+            (None, Some(inner)) => (a.span, inner),
+            (Some(inner), None) => (inner, b.span),
+            _ => return None,
+        };
+        let is_like = self.kind(a).is_some() && self.kind(a) == self.kind(b);
+        (is_like && first.end < second.start).then_some((first, second))
     }
 
     /// Two rows of a matrix exchanged, and two of its entries.
@@ -229,8 +249,15 @@ impl Finder<'_> {
         }
     }
 
-    /// Nothing in place of a name or a number that is all of a side.
+    /// Nothing in place of a name, a product or a number that is all of a side.
     pub(super) fn nothing(&mut self, terms: &[Term<'_>]) {
+        if let [term] = terms
+            && term.items.len() > 1
+            && self.text[..term.whole().start].trim_end().ends_with(['=', '&'])
+            && !self.is_null(term)
+        {
+            self.edit(Slip::Term, term.whole(), "0");
+        }
         if let [Term { sign: None, items: [only] }] = terms {
             if names::printed(only, None).is_some() {
                 self.edit(Slip::Term, only.span, "0");

@@ -20,7 +20,7 @@ impl Term<'_> {
         self.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default()
     }
 
-    fn whole(&self) -> Span {
+    pub(super) fn whole(&self) -> Span {
         self.sign.map_or(self.span(), |sign| sign.span.to(self.span()))
     }
 }
