@@ -2,8 +2,8 @@
 //!
 //! A misprint in a display that introduces a name, or prints a law, makes the name or the law unknown wherever it is
 //! used: in the claims file, too, which is not wrong for that. So an error for want of a name is laid at the door of an
-//! unreadable display that has the letters of the name in it, as far as its own fault is not that it lacks the same
-//! name; and what needed the name is unreadable, while the rest is judged.
+//! unreadable display that has the letters of the name in it; if all its fault is that it lacks other names, to one that
+//! has the name for a side. And what needed the name is unreadable, while the rest is judged.
 
 use crate::Error;
 use crate::latex::{Reading, names};
@@ -41,9 +41,12 @@ impl<'a> Damage<'a> {
             return Some(cause.clone());
         }
         let lacks = |fault: &&Fault| matches!(&fault.missing, Some(Missing::Name(own)) if names::same(own, name));
+        // What lacks only other names is misprinted in them: it has this one whole, if it introduces it.
+        let is_own = |fault: &&Fault| !matches!(&fault.missing, Some(Missing::Name(_)));
         let (display, _) = self.faults.iter().find(|(at, faults)| {
             let text = &self.notes.equations[*at].text;
-            !faults.iter().any(lacks) && names::mentions(text, name, &model.macros)
+            let has_it = if faults.iter().any(is_own) { names::mentions } else { names::is_a_side };
+            !faults.iter().any(lacks) && has_it(text, name, &model.macros)
         })?;
         Some(format!("({}), where it stands, cannot be read", shown(&self.notes.equations[*display])))
     }

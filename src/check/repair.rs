@@ -177,9 +177,13 @@ pub(super) fn suggestions(desk: &Desk<'_>, wrong: &Wrong<'_>) -> Result<Vec<Sugg
         }
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
         edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
-        // What is left out with a ± before it is a root.
-        let may_branch = |edit: &Edit| has_branches(wrong.text) || edit.replacement.contains("sqrt");
-        edits.retain(|edit| edit.slip != Slip::Term || !has_branches(&edit.replacement) || may_branch(edit));
+        // What is left out with a ± before it is a root; and a ± stands before one, or beside another.
+        let has_root = |edit: &Edit| match edit.slip {
+            Slip::Term => edit.replacement.contains("sqrt"),
+            Slip::Sign => wrong.text.contains("sqrt"),
+            _ => true,
+        };
+        edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(wrong.text) || has_root(edit));
         let mut found = passing(desk, wrong, &edits)?;
         tried.extend(edits);
         found.sort_by_key(|suggestion| likelihood(wrong.text, &suggestion.edit, suggestion.step));

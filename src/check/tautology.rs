@@ -209,6 +209,10 @@ fn is_collected(expr: &Expr) -> bool {
                 *numbers += above.max(below);
                 Some(all)
             }
+            Node::Root(_, base) if matches!(base.node, Node::Number(_)) => {
+                *numbers += 1;
+                Some(0)
+            }
             Node::Power(base, _) | Node::Root(_, base)
                 if matches!(base.node, Node::Product(_) | Node::Quotient(..) | Node::Power(..) | Node::Root(..)) =>
             {

@@ -8,7 +8,7 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::Sign;
 
 use super::layout::{Delimiter, Item, Layout, layout};
-use super::lexer::{TokenKind, tokens};
+use super::lexer::{Space, TokenKind, tokens};
 use super::macros::Macros;
 use super::old_forms::renewed;
 
@@ -102,31 +102,66 @@ pub fn same(a: &str, b: &str) -> bool {
 /// misprint leaves of the name.
 pub fn mentions(text: &str, name: &str, macros: &Macros) -> bool {
     let letters = |text: &str| -> Vec<TokenKind> {
-        let tokens = tokens(text);
-        let tokens = macros.expand(tokens.clone()).unwrap_or(tokens);
-        let is_letter = |kind: &TokenKind| match kind {
-            TokenKind::Letter(_) | TokenKind::Digit(_) | TokenKind::Prime => true,
-            TokenKind::Command(command) => is_letter(command),
-            _ => false,
-        };
-        // `\begin{matrix}` and `\text{for}` have no names in them.
-        let mut words = false;
-        let is_word = |kind: &TokenKind| {
-            match kind {
-                TokenKind::Command(command) => words = ["\\begin", "\\end", "\\text"].contains(&command.as_str()),
-                TokenKind::Close => words = false,
-                _ => {}
-            }
-            words
-        };
-        let kinds = tokens.into_iter().map(|token| token.kind);
-        kinds
-            .scan(is_word, |is_word, kind| Some((is_word(&kind), kind)))
-            .filter_map(|(is_word, kind)| (!is_word && is_letter(&kind)).then_some(kind))
-            .collect()
+        let all = printed_kinds(text, macros);
+        all.into_iter().filter(is_letter_token).collect()
     };
     let (text, name) = (letters(text), letters(name));
     !name.is_empty() && text.windows(name.len()).any(|part| part == name)
+}
+
+/// Whether a name is all of a side of something in a text, so that it may be introduced there; its square may be.
+pub fn is_a_side(text: &str, name: &str, macros: &Macros) -> bool {
+    let is_relation = |kind: &TokenKind| match kind {
+        TokenKind::Other(c) => *c == '=',
+        TokenKind::Command(command) => command == "\\equiv",
+        _ => false,
+    };
+    let is_edge =
+        |kind: &TokenKind| matches!(kind, TokenKind::Row | TokenKind::Other(',' | '.' | ';')) || is_wide(kind);
+    let is_kept = |kind: &TokenKind| {
+        is_letter_token(kind)
+            || is_relation(kind)
+            || is_edge(kind)
+            || matches!(kind, TokenKind::Super | TokenKind::Other(_))
+    };
+    let kept = |text: &str| -> Vec<TokenKind> { printed_kinds(text, macros).into_iter().filter(is_kept).collect() };
+    let (text, name) = (kept(text), kept(name));
+    let stands_alone = |at: usize| {
+        let (before, after) = (at.checked_sub(1).map(|at| &text[at]), text.get(at + name.len()));
+        before.is_none_or(|kind| is_relation(kind) || is_edge(kind))
+            && after.is_none_or(|kind| is_relation(kind) || is_edge(kind) || *kind == TokenKind::Super)
+    };
+    !name.is_empty() && (0..text.len()).any(|at| text[at..].starts_with(&name) && stands_alone(at))
+}
+
+fn is_letter_token(kind: &TokenKind) -> bool {
+    match kind {
+        TokenKind::Letter(_) | TokenKind::Digit(_) | TokenKind::Prime => true,
+        TokenKind::Command(command) => is_letter(command),
+        _ => false,
+    }
+}
+
+fn is_wide(kind: &TokenKind) -> bool {
+    matches!(kind, TokenKind::Space(Space::Wide))
+}
+
+/// The tokens of a text with its macros written out; `\begin{matrix}` and `\text{for}` have no names in them.
+fn printed_kinds(text: &str, macros: &Macros) -> Vec<TokenKind> {
+    let tokens = tokens(text);
+    let tokens = macros.expand(tokens.clone()).unwrap_or(tokens);
+    let mut words = false;
+    let is_word = |kind: &TokenKind| {
+        match kind {
+            TokenKind::Command(command) => words = ["\\begin", "\\end", "\\text"].contains(&command.as_str()),
+            TokenKind::Close => words = false,
+            _ => {}
+        }
+        words
+    };
+    let kinds = tokens.into_iter().map(|token| token.kind);
+    let marked = kinds.scan(is_word, |is_word, kind| Some((is_word(&kind), kind)));
+    marked.filter_map(|(is_word, kind)| (!is_word).then_some(kind)).collect()
 }
 
 /// A name alone, as a claims file declares it, whose overdots are part of it: `\dot{\vec v}` for a symbol of its own.

@@ -183,3 +183,26 @@ fn a_definition_that_only_a_law_uses_is_held_by_what_follows_from_the_law() {
     let loose = of(r"\gamma = \frac{b}{2m}", r"\frac{d}{dt} x^2 = 2 x \dot x");
     assert_eq!(loose[0].finding.verdict, Undecided, "{}", message(&loose[0]));
 }
+
+#[test]
+fn what_a_display_of_laws_says_of_a_name_is_checked_as_a_definition() {
+    let claims = |law: &str| {
+        json!({
+            "constants": { "m, k": "> 0" },
+            "varies with time": { "x": "any" },
+            "laws": { "Newton": law },
+        })
+    };
+    let of = |law: &str, momentum: &str| {
+        let first = format!(r"\dot p = - k x , \quad {momentum}");
+        let displays = [first.as_str(), r"\ddot x = - \frac{k}{m} x", r"p \dot p = - k m x \dot x"];
+        let found = document(&claims(law), &numbered(&displays), &Registry::standard(), None);
+        found.unwrap_or_else(|error| panic!("{error}")).equations
+    };
+    let found = of("1", r"p = m \dot x");
+    assert!(found.iter().all(|equation| equation.ok) && found[0].finding.verdict == Law, "{found:?}");
+    // The twins: a slip in it; and what is called a law by itself, and is none.
+    assert!(of("1", r"p = 2 m \dot x").iter().any(|equation| !equation.ok));
+    let called = of("1 part 2", r"p = m \dot x");
+    assert!(called[0].parts[1].finding.message.contains("this is no law"), "{called:?}");
+}

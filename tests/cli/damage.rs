@@ -97,3 +97,20 @@ fn what_needs_a_damaged_law_is_not_judged() {
     assert_eq!((run.code, words(&found)), (2, vec!["unreadable", "unreadable", "verified"]), "{}{}", run.err, run.out);
     assert!(found[1].1.contains("without Newton's second law: (1) cannot be read"), "{}", found[1].1);
 }
+
+/// What a display has among other things is not introduced there; so it is not to blame that it lacks something itself.
+#[test]
+fn displays_that_lack_the_same_names_do_not_blame_each_other() {
+    let claims = r#"{ "notes": "notes.md", "constants": { "m": "> 0" }, "varies with time": { "v": "> 0" } }"#;
+    let notes = |second: &str| format!("\n$$ 2p = m a \\tag{{1}} $$\n$$ {second} \\tag{{2}} $$\n");
+    let of = |name: &str, second: &str| -> Vec<String> {
+        let run = check(name, claims, &notes(second));
+        verdicts(&run).into_iter().map(|(_, message)| message).collect()
+    };
+    let found = of("circle", "m p v = m v + b a");
+    assert!(found[0].contains("p is not declared; declare p"), "{found:?}");
+    assert!(found[1].contains("not declared; declare"), "{found:?}");
+    // The twin: a side of its own is what introduces a name, though another is lacking beside it.
+    let found = of("side", "p = m v + b");
+    assert!(found[0].contains("p is not declared: (2), where it stands, cannot be read"), "{found:?}");
+}
