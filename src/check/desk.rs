@@ -308,9 +308,14 @@ impl Desk<'_> {
 
     /// The reading of the display with this number or label.
     pub fn display(&self, address: &str) -> Option<&Reading> {
+        self.place(address).map(|at| &self.readings[at])
+    }
+
+    /// Its place among the displays.
+    pub fn place(&self, address: &str) -> Option<usize> {
         let named =
             |display: &Display| display.number.iter().chain(&display.labels).any(|numbered| numbered.id == address);
-        self.notes.equations.iter().position(named).map(|at| &self.readings[at])
+        self.notes.equations.iter().position(named)
     }
 
     /// The first statement of an equation, as a link between its first two members.

@@ -13,7 +13,7 @@ use crate::formula::{Expr, Node, Statement};
 use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::latex::{Introduced, Reading, read_display};
 use crate::notes::Notes;
-use crate::notes::claims::Claim;
+use crate::notes::claims::{Claim, Solved};
 use crate::source::Fault;
 
 use super::desk::Desk;
@@ -63,7 +63,10 @@ impl Desk<'_> {
             // What stands on a display that cannot be read cannot be told either.
             let mut stand_on_it: Vec<usize> = match self.is_damaged(at) && wrong.iter().any(|(_, other)| *other == at) {
                 true => std::iter::once(at).chain(others).collect(),
-                false => refuted.filter(|other| *other == at || self.stands_on(*other, at)).collect(),
+                false => {
+                    let stands = |other: &usize| self.stands_on(*other, at) || self.solves(*other, at);
+                    refuted.filter(|other| *other == at || stands(other)).collect()
+                }
             };
             // Its own definition takes the longest to judge.
             stand_on_it.sort_by_key(|other| *other == at && !self.is_damaged(at));
@@ -153,6 +156,12 @@ impl Desk<'_> {
         equation != at && (is_law || self.readings[at].introduced.iter().any(|new| uses(new) || named(new)) || said())
     }
 
+    /// Whether a display is claimed to solve another.
+    fn solves(&self, display: usize, other: usize) -> bool {
+        let solves = self.assigned[display].and_then(|claim| claim.solves.as_ref());
+        matches!(solves.map(|solves| &solves.of), Some(Solved::Equation(address)) if self.place(&address.text) == Some(other))
+    }
+
     /// Whether a claim assumes something of a name that a display introduces, or means something else by it.
     fn speaks_of(&self, claim: &Claim, at: usize) -> bool {
         let says_nothing = claim.assume.is_empty() && claim.throughout.is_empty() && claim.meanings.is_empty();
@@ -190,9 +199,11 @@ impl Desk<'_> {
         let terms = || Pool::of(texts(), symbols, macros, MISSING);
         let all = || terms().factors_only();
         let mut tried: Vec<Edit> = Vec::new();
-        for pool in [&Pool::empty as &dyn Fn() -> Pool, &own, &all, &terms] {
+        for (pool, of_terms) in
+            [(&Pool::empty as &dyn Fn() -> Pool, false), (&own, false), (&all, false), (&terms, true)]
+        {
             let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
-            edits.retain(|edit| !tried.contains(edit));
+            edits.retain(|edit| !tried.contains(edit) && (!of_terms || edit.slip == Slip::Term));
             edits.retain(|edit| is_real(self, &display.text, edit, display.body.start));
             // That something is 0 says more than that it does not change; what it is that does not change is the law.
             let names = |edit: &Edit| matches!(edit.slip, Slip::Dot | Slip::Symbol | Slip::Name);

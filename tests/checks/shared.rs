@@ -236,3 +236,23 @@ fn no_edit_defines_a_name_by_itself() {
     assert!(found(r"\cos").equations.iter().all(|equation| equation.ok));
     assert_eq!(mended(&found(r"\sin")), numbered(&displays(r"\cos").each_ref().map(String::as_str)));
 }
+
+#[test]
+fn an_equation_and_its_solutions_are_mended_together() {
+    let claims = json!({
+        "constants": { "a, b": "> 0", "y": "> 0" },
+        "equations": { "1": { "where": { "y": "y_{+}" } }, "2": { "solves": "1", "for": "y" } },
+    });
+    let of = |equation: &str| {
+        let displays = [equation, r"y_{\pm} = a + b \pm b"];
+        document(&claims, &numbered(&displays), &Registry::standard(), None).unwrap().equations
+    };
+    let found = of("(a - y)^2 - b^2 = 0");
+    for equation in &found {
+        let repair = &equation.repairs[0];
+        let shared = repair.shared.as_ref().unwrap_or_else(|| panic!("{equation:?}"));
+        assert_eq!((shared.of.as_str(), shared.mends.len(), repair.replacement.trim()), ("1", 2, "+ b"));
+    }
+    // The twin: as it was meant, both hold.
+    assert!(of("(a - y + b)^2 - b^2 = 0").iter().all(|equation| equation.ok));
+}
