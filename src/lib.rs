@@ -121,6 +121,7 @@
 
 pub mod check;
 pub mod cli;
+pub mod code;
 pub mod derive;
 pub mod error;
 pub mod formula;
