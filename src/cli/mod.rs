@@ -77,15 +77,8 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
         // Help and the version are no failure.
-        Err(text) if !text.use_stderr() => {
-            let styled = text.render();
-            Outcome::done(if screen.out.colour { styled.ansi().to_string() } else { styled.to_string() })
-        }
-        Err(error) => {
-            let styled = error.render();
-            let messages = if screen.err.colour { styled.ansi().to_string() } else { styled.to_string() };
-            Outcome { messages, code: 2, ..Outcome::default() }
-        }
+        Err(help) if !help.use_stderr() => Outcome::done(help.render().to_string()),
+        Err(error) => Outcome { messages: error.render().to_string(), code: 2, ..Outcome::default() },
     };
     outcome.write(std::io::stdout(), std::io::stderr())
 }

@@ -177,7 +177,7 @@ For example, no sampled state has x > 5000, so this equation is undecided:
 Narrow the ranges in the claims file, add a condition under `assume`, or use the defined symbol once more."
         }
         Verdict::Domain => {
-            r"The two sides agree, but one side is defined where the other is not.
+            r"The two sides agree, but only one is defined everywhere.
 
 For example, the right side has a value at x = 1, and the left side has none:
 
@@ -198,7 +198,7 @@ For example, the end of the cosine's argument is ambiguous here:
 Correct the formula, or declare the name in the claims file."
         }
         Verdict::Refuted => {
-            r"The equation is wrong: it fails at a state that the report shows.
+            r"The equation is wrong: it fails at a state that is shown.
 
 The report gives the values of both sides there, their difference where it is short, and likely corrections.
 

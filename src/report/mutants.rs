@@ -9,8 +9,8 @@ use crate::source::Source;
 use super::style::{Style, columns};
 use super::wrap::wrap;
 
-/// The number of an equation has no more columns than this in a list.
-const WIDEST_NUMBER: usize = 32;
+/// A list has so many columns for the numbers of equations.
+const WIDEST_NUMBER: usize = 12;
 
 /// The report for people: every survivor at its place, the rest counted; `verbose` lists every equation.
 pub fn text(documents: &[Mutated], verbose: bool, style: Style) -> String {
@@ -26,7 +26,7 @@ pub fn text(documents: &[Mutated], verbose: bool, style: Style) -> String {
                 let width = ids.max().unwrap_or(0).min(WIDEST_NUMBER);
                 for equation in &document.equations {
                     let first = format!("  {} {:<width$}  ", mark(equation), equation.id);
-                    tell(&first, &line(equation), width + 8);
+                    tell(&first, &line(equation), 8);
                 }
             }
             false => tell(&format!("{}: ", document.path), &counted(document), 2),

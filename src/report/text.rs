@@ -10,8 +10,8 @@ use super::diagnostic;
 use super::style::{Colour, Style, columns};
 use super::wrap::wrap;
 
-/// The number of an equation has no more columns than this in a list.
-const WIDEST_NUMBER: usize = 32;
+/// A list has so many columns for the numbers of equations. A longer name of a sentence moves the rest of its line.
+const WIDEST_NUMBER: usize = 12;
 
 /// The column that the lists of a report begin at.
 const INDENT: usize = 2;
@@ -68,7 +68,7 @@ fn counted(document: &Document, style: Style) -> String {
             (true, false) => " as expected",
             (false, true) => " against expectation",
         };
-        let count = format!("{count} {verdict}{expectation}").replace(' ', "\u{a0}");
+        let count = self::count(count, verdict) + &expectation.replace(' ', "\u{a0}");
         told.push(style.paint(&count, colour(verdict, ok)));
     }
     if told.is_empty() {
@@ -97,7 +97,7 @@ fn listed(document: &Document, style: Style) -> String {
     let width = number_width(document);
     for item in &document.equations {
         text.push_str(&line(item, width, style));
-        text.push_str(&details(item, width, style));
+        text.push_str(&details(item, style));
     }
     if let Some(line) = unnumbered(document) {
         text.push_str(&(wrap("  ", &line, 4, style.width) + "\n"));
@@ -106,11 +106,20 @@ fn listed(document: &Document, style: Style) -> String {
         text.push_str("  sentences\n");
         for item in &document.sentences {
             text.push_str(&line(item, width, style));
-            text.push_str(&details(item, width, style));
+            text.push_str(&details(item, style));
         }
     }
     text.push('\n');
     text
+}
+
+/// How many have a verdict.
+fn count(count: usize, verdict: Verdict) -> String {
+    let plural = match verdict {
+        Verdict::Definition | Verdict::Law if count != 1 => "s",
+        _ => "",
+    };
+    format!("{count}\u{a0}{verdict}{plural}")
 }
 
 /// The displays that were not checked.
@@ -144,7 +153,7 @@ fn line(item: &Equation, width: usize, style: Style) -> String {
         }
     }
     let first = format!("  {mark} {}{}  {verdict}  ", item.id, " ".repeat(width.saturating_sub(columns(&item.id))));
-    wrap(&first, &text, width + 8, style.width) + "\n"
+    wrap(&first, &text, 8, style.width) + "\n"
 }
 
 /// A message, with the figures of what passes.
@@ -162,8 +171,9 @@ fn summary_of(finding: &Finding) -> String {
     text
 }
 
-fn details(item: &Equation, width: usize, style: Style) -> String {
-    let indent = width + 6;
+/// How an equation and its parts were read.
+fn details(item: &Equation, style: Style) -> String {
+    let indent = 6;
     let mut text = String::new();
     let mut tell = |inside: usize, line: &str| {
         let first = " ".repeat(indent + inside);
@@ -191,8 +201,9 @@ fn details(item: &Equation, width: usize, style: Style) -> String {
 fn summary(report: &Report) -> String {
     let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
     let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();
-    let counts: Vec<String> =
-        report.counts().into_iter().map(|(verdict, count)| format!("{count}\u{a0}{verdict}")).collect();
+    let counts = report.counts();
+    let counts = Verdict::ALL.iter().filter_map(|verdict| Some((verdict, *counts.get(verdict.word())?)));
+    let counts: Vec<String> = counts.map(|(verdict, count)| self::count(count, *verdict)).collect();
     let verdict = match (report.unexpected(), report.items().next()) {
         (_, None) => "nothing was checked".to_owned(),
         (0, _) => "all as expected".to_owned(),
