@@ -6,7 +6,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::prime::{Modulus, Residue};
+use super::residue::{Prime, Residue};
 
 /// How large a polynomial can be: its degree, and the sum of the magnitudes of its coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Size {
 }
 
 /// A degree as a number of accidents: what has left its range is without bound.
-pub fn accidents(degree: u32) -> f64 {
+pub fn degree_as_f64(degree: u32) -> f64 {
     if degree == u32::MAX { f64::INFINITY } else { f64::from(degree) }
 }
 
@@ -44,7 +44,7 @@ impl Size {
 }
 
 /// One denominator among [`Denominators`]; 0 is the number 1.
-pub type Bottom = u32;
+pub type DenominatorId = u32;
 
 struct Factor<F> {
     value: Residue<F>,
@@ -62,7 +62,7 @@ struct Entry<F> {
 /// A common denominator, and what each of the two numerators is multiplied with.
 #[derive(Clone, Copy)]
 pub struct Common {
-    pub bottom: Bottom,
+    pub denominator: DenominatorId,
     pub first: Size,
     pub second: Size,
 }
@@ -72,15 +72,15 @@ pub struct Denominators<F> {
     factors: Vec<Factor<F>>,
     by_value: FxHashMap<u128, u32>,
     entries: Vec<Entry<F>>,
-    places: FxHashMap<Vec<(u32, u32)>, Bottom>,
-    wholes: FxHashMap<u64, Bottom>,
-    products: FxHashMap<(Bottom, Bottom), Bottom>,
-    common: FxHashMap<(Bottom, Bottom), Common>,
+    places: FxHashMap<Vec<(u32, u32)>, DenominatorId>,
+    wholes: FxHashMap<u64, DenominatorId>,
+    products: FxHashMap<(DenominatorId, DenominatorId), DenominatorId>,
+    common: FxHashMap<(DenominatorId, DenominatorId), Common>,
     /// The largest sum of coefficients of a factor that was met again.
     repeated: f64,
 }
 
-impl<F: Modulus> Denominators<F> {
+impl<F: Prime> Denominators<F> {
     pub fn new() -> Self {
         let one = Entry { factors: Vec::new(), value: Residue::ONE, size: Size::ONE };
         Denominators {
@@ -101,7 +101,7 @@ impl<F: Modulus> Denominators<F> {
             return 0.0;
         }
         let highest = self.factors.iter().map(|factor| factor.size.degree).max().unwrap_or(0);
-        accidents(highest) * (self.factors.len() * self.factors.len()) as f64
+        degree_as_f64(highest) * (self.factors.len() * self.factors.len()) as f64
     }
 
     /// How many bits the coefficients may have of the difference of two factors that were taken for one.
@@ -110,16 +110,16 @@ impl<F: Modulus> Denominators<F> {
     }
 
     /// The value of a denominator.
-    pub fn value(&self, bottom: Bottom) -> Residue<F> {
-        self.entries[bottom as usize].value
+    pub fn value(&self, denominator: DenominatorId) -> Residue<F> {
+        self.entries[denominator as usize].value
     }
 
     /// Its size as a polynomial.
-    pub fn size(&self, bottom: Bottom) -> Size {
-        self.entries[bottom as usize].size
+    pub fn size(&self, denominator: DenominatorId) -> Size {
+        self.entries[denominator as usize].size
     }
 
-    fn entry(&mut self, factors: Vec<(u32, u32)>) -> Bottom {
+    fn entry(&mut self, factors: Vec<(u32, u32)>) -> DenominatorId {
         if let Some(known) = self.places.get(&factors) {
             return *known;
         }
@@ -130,14 +130,14 @@ impl<F: Modulus> Denominators<F> {
                 size = size.times(self.factors[factor as usize].size);
             }
         }
-        let place = self.entries.len() as Bottom;
+        let place = self.entries.len() as DenominatorId;
         self.entries.push(Entry { factors: factors.clone(), value, size });
         self.places.insert(factors, place);
         place
     }
 
     /// A denominator that is one factor, with its size as a polynomial.
-    pub fn factor(&mut self, value: Residue<F>, size: Size) -> Bottom {
+    pub fn factor(&mut self, value: Residue<F>, size: Size) -> DenominatorId {
         let next = self.factors.len() as u32;
         let place = *self.by_value.entry(value.key()).or_insert(next);
         if let Some(known) = self.factors.get(place as usize) {
@@ -155,15 +155,15 @@ impl<F: Modulus> Denominators<F> {
     }
 
     /// A whole number as a denominator, prime by prime.
-    pub fn whole(&mut self, whole: u64) -> Bottom {
+    pub fn whole(&mut self, whole: u64) -> DenominatorId {
         if let Some(known) = self.wholes.get(&whole) {
             return *known;
         }
-        let (mut number, mut bottom) = (whole, 0);
+        let (mut number, mut denominator) = (whole, 0);
         let mut divide = |prime: u64, all: &mut Self| {
             let size = Size { degree: 0, norm: prime as f64 };
             let factor = all.factor(Residue::new(prime.into()), size);
-            bottom = all.product(bottom, factor);
+            denominator = all.product(denominator, factor);
         };
         let mut prime = 2;
         while prime * prime <= number && prime < 1000 {
@@ -176,12 +176,12 @@ impl<F: Modulus> Denominators<F> {
         if number > 1 {
             divide(number, self);
         }
-        self.wholes.insert(whole, bottom);
-        bottom
+        self.wholes.insert(whole, denominator);
+        denominator
     }
 
     /// The product of two denominators.
-    pub fn product(&mut self, a: Bottom, b: Bottom) -> Bottom {
+    pub fn product(&mut self, a: DenominatorId, b: DenominatorId) -> DenominatorId {
         if a == 0 || b == 0 {
             return a + b;
         }
@@ -196,19 +196,19 @@ impl<F: Modulus> Denominators<F> {
     }
 
     /// The least common multiple of two denominators.
-    pub fn common(&mut self, a: Bottom, b: Bottom) -> Common {
+    pub fn common(&mut self, a: DenominatorId, b: DenominatorId) -> Common {
         if let Some(known) = self.common.get(&(a, b)) {
             return *known;
         }
         let factors = self.combined(a, b, u32::max);
-        let bottom = self.entry(factors);
-        let common = Common { bottom, first: self.missing(a, bottom), second: self.missing(b, bottom) };
+        let denominator = self.entry(factors);
+        let common = Common { denominator, first: self.missing(a, denominator), second: self.missing(b, denominator) };
         self.common.insert((a, b), common);
         common
     }
 
     /// Both without what they share.
-    pub fn reduced(&mut self, a: Bottom, b: Bottom) -> (Bottom, Bottom) {
+    pub fn reduced(&mut self, a: DenominatorId, b: DenominatorId) -> (DenominatorId, DenominatorId) {
         if a == 0 || b == 0 {
             return (a, b);
         }
@@ -217,7 +217,7 @@ impl<F: Modulus> Denominators<F> {
     }
 
     /// The factors of two denominators, with exponents that are made of theirs.
-    fn combined(&self, a: Bottom, b: Bottom, exponent: impl Fn(u32, u32) -> u32) -> Vec<(u32, u32)> {
+    fn combined(&self, a: DenominatorId, b: DenominatorId, exponent: impl Fn(u32, u32) -> u32) -> Vec<(u32, u32)> {
         let (a, b) = (&self.entries[a as usize].factors, &self.entries[b as usize].factors);
         let of = |all: &[(u32, u32)], factor: u32| {
             all.iter().find(|(known, _)| *known == factor).map_or(0, |(_, exponent)| *exponent)
@@ -230,7 +230,7 @@ impl<F: Modulus> Denominators<F> {
     }
 
     /// What a numerator over `from` is multiplied with to stand over `to`, which is a multiple of it.
-    fn missing(&self, from: Bottom, to: Bottom) -> Size {
+    fn missing(&self, from: DenominatorId, to: DenominatorId) -> Size {
         let missing = self.combined(to, from, u32::saturating_sub);
         missing.iter().fold(Size::ONE, |size, &(factor, exponent)| {
             (0..exponent).fold(size, |size, _| size.times(self.factors[factor as usize].size))
@@ -240,7 +240,7 @@ impl<F: Modulus> Denominators<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::prime::Large;
+    use super::super::modulus::Large;
     use super::*;
 
     #[test]
@@ -250,7 +250,7 @@ mod tests {
         let factor = all.factor(Residue::new(1234), size);
         let square = all.product(factor, factor);
         let sum = all.common(factor, square);
-        assert_eq!(sum.bottom, square);
+        assert_eq!(sum.denominator, square);
         assert_eq!((sum.first, sum.second), (size, Size::ONE));
         assert_eq!(all.size(square), Size { degree: 6, norm: 25.0 });
         assert_eq!(all.reduced(square, factor), (factor, 0));
@@ -264,7 +264,7 @@ mod tests {
         let mut all = Denominators::<Large>::new();
         let (six, four) = (all.whole(6), all.whole(4));
         let common = all.common(six, four);
-        assert_eq!(all.value(common.bottom), Residue::new(12));
+        assert_eq!(all.value(common.denominator), Residue::new(12));
         assert_eq!((common.first.norm, common.second.norm), (2.0, 3.0));
     }
 }

@@ -5,11 +5,10 @@
 //! for their derivatives with them, holds for exponentials. What is none may be one nevertheless, by a relation that is not
 //! known here: then nothing is concluded.
 
-use super::Modular;
-use super::denominators::accidents;
-use super::prime::Modulus;
-use super::session;
-use super::session::Session;
+use super::denominators::degree_as_f64;
+use super::evaluation::{Evaluation, Exponential, with_evaluation};
+use super::modulus::Modulus;
+use super::number::Modular;
 use crate::scalar::{Arithmetic, DualNum};
 
 /// An exponential is drawn as so high a power, so that e to the simple parts of an argument exist.
@@ -29,47 +28,34 @@ fn multiples() -> impl Iterator<Item = (i32, i32)> {
     simple.flat_map(|(n, d)| [(n, d), (-n, d)])
 }
 
-/// A number and its logarithm: the number is `base` to the power `parts`.
-pub struct Exponential<F: Modulus> {
-    logarithm: Modular<F>,
-    base: Modular<F>,
-    parts: i32,
-}
-
-impl<F: Modulus> Clone for Exponential<F> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<F: Modulus> Copy for Exponential<F> {}
-
 impl<F: Modulus> Exponential<F> {
     /// The number to the power n/d, where that is whole.
-    fn power(self, (n, d): (i32, i32)) -> Option<Modular<F>> {
+    fn power_of(self, (n, d): (i32, i32)) -> Option<Modular<F>> {
         ((self.parts * n) % d == 0).then(|| Arithmetic::power(self.base, self.parts * n / d))
     }
 }
 
 /// Those that were met; what is made of them is opaque to the field.
 fn known<F: Modulus>() -> Vec<Exponential<F>> {
-    session(|session: &mut Session<F>| {
-        session.account.opaque = true;
-        session.exponentials.clone()
+    with_evaluation(|evaluation: &mut Evaluation<F>| {
+        evaluation.comparisons.record.opaque = true;
+        evaluation.exponentials.clone()
     })
 }
 
 fn remember<F: Modulus>(logarithm: Modular<F>, base: Modular<F>, parts: i32) {
-    session(|session: &mut Session<F>| session.exponentials.push(Exponential { logarithm, base, parts }));
+    with_evaluation(|evaluation: &mut Evaluation<F>| {
+        evaluation.exponentials.push(Exponential { logarithm, base, parts })
+    });
 }
 
 /// Whether a number is 0 here; that it is 0 by accident is counted.
 fn is_null<F: Modulus>(difference: Modular<F>) -> bool {
-    session(|session: &mut Session<F>| {
-        session.account.coincidences += accidents(difference.size.degree);
+    with_evaluation(|evaluation: &mut Evaluation<F>| {
+        evaluation.comparisons.record.coincidences += degree_as_f64(difference.size.degree);
         if difference.vanishes() {
             let bits = difference.size.norm.max(1.0).log2();
-            session.account.compared_bits = session.account.compared_bits.max(bits);
+            evaluation.comparisons.record.compared_bits = evaluation.comparisons.record.compared_bits.max(bits);
         }
     });
     difference.vanishes()
@@ -78,14 +64,14 @@ fn is_null<F: Modulus>(difference: Modular<F>) -> bool {
 impl<F: Modulus> Modular<F> {
     /// e to the power of it.
     pub(super) fn exponential(self) -> Self {
-        if self.is_literally_zero() {
+        if self.is_constant_zero() {
             return Self::ONE;
         }
         let (argument, known) = (self.used(), known::<F>());
         for one in &known {
             for (n, d) in multiples() {
                 let is_multiple = || is_null(one.logarithm * f64::from(n) - argument * f64::from(d));
-                if let Some(power) = one.power((n, d))
+                if let Some(power) = one.power_of((n, d))
                     && is_multiple()
                 {
                     return power;
@@ -153,14 +139,14 @@ impl<F: Modulus> Modular<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::prime::Large;
-    use super::super::{Account, at_a_point, false_accept_log2};
+    use super::super::modulus::Large;
+    use super::super::{EvaluationRecord, at_a_point, false_accept_log2};
     use super::*;
 
     type Number = Modular<Large>;
 
     /// Whether a difference vanishes at a point, and what happened there.
-    fn vanishes(difference: impl Fn(Number, Number) -> Number) -> (bool, bool, Account) {
+    fn vanishes(difference: impl Fn(Number, Number) -> Number) -> (bool, bool, EvaluationRecord) {
         let ((value, bound), account) = at_a_point::<Large, _>(7, 0, 1, || {
             let value = difference(Modular::drawn(), Modular::drawn());
             (value.vanishes(), value)

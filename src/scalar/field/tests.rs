@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::prime::tests::Small;
+use super::modulus::tests::Small;
 use super::*;
 use crate::scalar::{DualNum, Number, Series};
 
@@ -24,27 +24,27 @@ macro_rules! differences {
     };
 }
 
-/// What is decided of a difference at one point, for all signs of its roots: whether it vanishes, and the account.
+/// What is decided of a difference at one point, for all signs of its roots: whether it vanishes, and the record.
 fn decide<F: Modulus>(difference: &impl Difference, seed: u64) -> Result<(bool, f64), &'static str> {
     let (mut finest, mut signs, mut attempt, mut bound) = (1, 0, 0_u64, f64::NEG_INFINITY);
     loop {
         let run = || difference.of(std::array::from_fn(|_| Modular::<F>::drawn()));
-        let (value, account) = at_a_point::<F, _>(seed ^ (attempt << 32), signs, finest, run);
-        if let Some(fault) = account.fault {
+        let (value, record) = at_a_point::<F, _>(seed ^ (attempt << 32), signs, finest, run);
+        if let Some(fault) = record.fault {
             return Err(fault);
         }
-        if account.finest > finest || account.elsewhere.is_some() {
-            attempt += u64::from(account.elsewhere.is_some());
-            (finest, signs) = (account.finest, 0);
+        if record.finest > finest || record.elsewhere.is_some() {
+            attempt += u64::from(record.elsewhere.is_some());
+            (finest, signs) = (record.finest, 0);
             continue;
         }
         if !value.vanishes() {
             return Ok((false, 0.0));
         }
         bound = bound
-            .max(false_accept_log2(&[value], &account, 64, Modular::<F>::most_bits()).ok_or("coefficients too large")?);
+            .max(false_accept_log2(&[value], &record, 64, Modular::<F>::most_bits()).ok_or("coefficients too large")?);
         signs += 1;
-        if signs >> account.roots == 1 {
+        if signs >> record.roots == 1 {
             break;
         }
     }
@@ -162,14 +162,14 @@ fn accidents(difference: &impl Difference) -> (f64, f64) {
         let (mut finest, mut result) = (1, None);
         for _ in 0..2 {
             let run = || difference.of(std::array::from_fn(|_| Modular::<Small>::drawn()));
-            let (value, account) = at_a_point::<Small, _>(seed, 0, finest, run);
-            finest = account.finest;
-            result = (account.elsewhere.is_none() && account.fault.is_none()).then_some((value, account));
+            let (value, record) = at_a_point::<Small, _>(seed, 0, finest, run);
+            finest = record.finest;
+            result = (record.elsewhere.is_none() && record.fault.is_none()).then_some((value, record));
         }
-        let Some((value, account)) = result else { continue };
+        let Some((value, record)) = result else { continue };
         decided += 1;
         passed += u32::from(value.vanishes());
-        let found = false_accept_log2(&[value], &account, 1, Modular::<Small>::most_bits()).unwrap_or(0.0);
+        let found = false_accept_log2(&[value], &record, 1, Modular::<Small>::most_bits()).unwrap_or(0.0);
         bound = bound.max(found);
     }
     (f64::from(passed) / f64::from(decided), bound.exp2())
@@ -198,13 +198,13 @@ fn false_identities_pass_no_more_often_than_the_bound_says() {
 
 #[test]
 fn series_over_the_field_have_the_derivatives_of_sine() {
-    let ((difference, sum), account) = at_a_point::<Large, _>(5, 0, 1, || {
+    let ((difference, sum), record) = at_a_point::<Large, _>(5, 0, 1, || {
         let [x, v, a] = std::array::from_fn(|_| Modular::<Large>::drawn());
         let motion = Series::from_derivatives(&[x, v, a]);
         let second = motion.sin().nth_derivative_value(2).unwrap_or(x);
         let by_hand = x.cos() * a - x.sin() * v * v;
         (second - by_hand, second + by_hand)
     });
-    assert!(difference.vanishes() && account.fault.is_none());
+    assert!(difference.vanishes() && record.fault.is_none());
     assert!(!sum.vanishes());
 }

@@ -9,12 +9,9 @@
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
-use std::sync::OnceLock;
 
-use super::circle::Circle;
-
-/// Which prime: p = ODD·2^BITS − 1 must be one.
-pub trait Modulus: Copy + Debug + Send + Sync + 'static {
+/// A prime p = ODD·2^BITS − 1.
+pub trait Prime: Copy + Debug + Send + Sync + 'static {
     /// The odd factor of p + 1.
     const ODD: u128;
     /// The power of two in p + 1; more than half of the bits of p.
@@ -23,39 +20,6 @@ pub trait Modulus: Copy + Debug + Send + Sync + 'static {
     const HALVINGS: u32;
     /// The prime, below 2¹²⁷.
     const PRIME: u128 = (Self::ODD << Self::BITS) - 1;
-
-    /// The unit circle over the field, which is found once.
-    fn circle() -> &'static Circle<Self>;
-}
-
-/// p = 861·2¹¹⁷ − 1, in which identities are decided. 2, 3, 5, 7, 13, 19 and 23 are squares.
-#[derive(Clone, Copy, Debug)]
-pub struct Large;
-
-impl Modulus for Large {
-    const ODD: u128 = 861;
-    const BITS: u32 = 117;
-    const HALVINGS: u32 = 10;
-
-    fn circle() -> &'static Circle<Self> {
-        static CIRCLE: OnceLock<Circle<Large>> = OnceLock::new();
-        CIRCLE.get_or_init(Circle::new)
-    }
-}
-
-/// p = 1995·2¹¹⁶ − 1, a second field for what has large coefficients. 2, 3, 5, 7, 11, 13 and 19 are squares.
-#[derive(Clone, Copy, Debug)]
-pub struct Second;
-
-impl Modulus for Second {
-    const ODD: u128 = 1995;
-    const BITS: u32 = 116;
-    const HALVINGS: u32 = 10;
-
-    fn circle() -> &'static Circle<Self> {
-        static CIRCLE: OnceLock<Circle<Second>> = OnceLock::new();
-        CIRCLE.get_or_init(Circle::new)
-    }
 }
 
 /// A residue modulo p.
@@ -82,7 +46,7 @@ impl<F> PartialEq for Residue<F> {
 
 impl<F> Eq for Residue<F> {}
 
-impl<F: Modulus> Residue<F> {
+impl<F: Prime> Residue<F> {
     pub const ZERO: Self = Self::of(0);
     pub const ONE: Self = Self::of(if Self::IS_LARGE { Self::power_of_two(128) } else { 1 });
 
@@ -203,39 +167,13 @@ impl<F: Modulus> Residue<F> {
 }
 
 #[cfg(test)]
-pub mod tests {
+mod tests {
+    use super::super::modulus::tests::{Middle, Small};
+    use super::super::modulus::{Large, Second};
     use super::*;
     use proptest::prelude::*;
 
-    /// p = 2¹³ − 1, small enough for accidents to be counted; nothing needs the root of 3 there.
-    #[derive(Clone, Copy, Debug)]
-    pub struct Small;
-    impl Modulus for Small {
-        const ODD: u128 = 1;
-        const BITS: u32 = 13;
-        const HALVINGS: u32 = 3;
-
-        fn circle() -> &'static Circle<Self> {
-            static CIRCLE: OnceLock<Circle<Small>> = OnceLock::new();
-            CIRCLE.get_or_init(Circle::new)
-        }
-    }
-
-    /// p = 483·2⁵⁴ − 1, whose products fit into 128 bits.
-    #[derive(Clone, Copy, Debug)]
-    pub struct Middle;
-    impl Modulus for Middle {
-        const ODD: u128 = 483;
-        const BITS: u32 = 54;
-        const HALVINGS: u32 = 10;
-
-        fn circle() -> &'static Circle<Self> {
-            static CIRCLE: OnceLock<Circle<Middle>> = OnceLock::new();
-            CIRCLE.get_or_init(Circle::new)
-        }
-    }
-
-    fn obeys_the_laws<F: Modulus>(a: u128, b: u128, c: u128) {
+    fn obeys_the_laws<F: Prime>(a: u128, b: u128, c: u128) {
         let [a, b, c] = [a, b, c].map(Residue::<F>::new);
         assert_eq!(a.plus(b).times(c), a.times(c).plus(b.times(c)));
         assert_eq!(a.times(b).times(c), a.times(b.times(c)));
@@ -262,7 +200,7 @@ pub mod tests {
     #[test]
     fn products_are_those_of_slow_multiplication() {
         // doubling and adding, bit by bit
-        fn slow<F: Modulus>(a: u128, b: u128) -> Residue<F> {
+        fn slow<F: Prime>(a: u128, b: u128) -> Residue<F> {
             let mut sum = Residue::ZERO;
             for bit in (0..128).rev() {
                 sum = sum.plus(sum);

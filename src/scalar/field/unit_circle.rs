@@ -4,7 +4,7 @@
 //! An angle is a *label*, a whole number of the smallest parts of a turn. Points multiply as labels add, so that the
 //! addition theorem, shifts by parts of a turn, multiples and halves of angles hold exactly.
 
-use super::prime::{Modulus, Residue};
+use super::residue::{Prime, Residue};
 
 /// Cosine and sine.
 #[derive(Debug)]
@@ -21,7 +21,7 @@ impl<F> Clone for Point<F> {
 
 impl<F> Copy for Point<F> {}
 
-impl<F: Modulus> Point<F> {
+impl<F: Prime> Point<F> {
     const ONE: Self = Point { cosine: Residue::ONE, sine: Residue::ZERO };
 
     /// The point at the sum of the angles.
@@ -34,21 +34,21 @@ impl<F: Modulus> Point<F> {
 }
 
 /// How many bits of a label make a turn: labels are counted modulo 2¹²⁸, and what is above a turn tells halves apart.
-pub fn turn_bits<F: Modulus>() -> u32 {
+pub fn turn_bits<F: Prime>() -> u32 {
     F::BITS.min(128 - 1 - F::HALVINGS)
 }
 
 /// How many bits an angle has that is drawn: one of so many points, with room for halvings.
-pub fn drawn_bits<F: Modulus>() -> u32 {
+pub fn drawn_bits<F: Prime>() -> u32 {
     turn_bits::<F>() - F::HALVINGS
 }
 
 /// The points whose labels are powers of two.
-pub struct Circle<F> {
+pub struct UnitCircle<F> {
     powers: Vec<Point<F>>,
 }
 
-impl<F: Modulus> Circle<F> {
+impl<F: Prime> UnitCircle<F> {
     /// Finds a generator and its powers.
     pub fn new() -> Self {
         // (a + i)/(a − i) lies on the circle; the ODD-th power of every second of them generates the group, and the
@@ -70,7 +70,7 @@ impl<F: Modulus> Circle<F> {
                 break;
             }
         }
-        Circle { powers: powers.split_off((F::BITS - turn_bits::<F>()) as usize) }
+        UnitCircle { powers: powers.split_off((F::BITS - turn_bits::<F>()) as usize) }
     }
 
     /// The point at a label.
@@ -82,12 +82,12 @@ impl<F: Modulus> Circle<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::prime::tests::{Middle, Small};
-    use super::super::prime::{Large, Second};
+    use super::super::modulus::tests::{Middle, Small};
+    use super::super::modulus::{Large, Second};
     use super::*;
 
-    fn is_a_circle<F: Modulus>() {
-        let circle = Circle::<F>::new();
+    fn is_a_circle<F: Prime>() {
+        let circle = UnitCircle::<F>::new();
         let quarter = 1_u128 << (turn_bits::<F>() - 2);
         let (one, zero) = (Residue::ONE, Residue::ZERO);
         for (label, cosine, sine) in [
@@ -112,8 +112,8 @@ mod tests {
     /// that was divided by, and z to the half of 2^BITS is −1. Let r be a prime factor of p. Modulo r as well z then has the
     /// order 2^BITS, in a group of r + 1 or r − 1 points. So r is at least 2^BITS − 1; and were p no prime, it would have
     /// a factor of no more than its root.
-    fn is_a_field<F: Modulus>() {
-        let circle = Circle::<F>::new();
+    fn is_a_field<F: Prime>() {
+        let circle = UnitCircle::<F>::new();
         let first = circle.powers[0];
         assert_eq!(first.cosine.square().plus(first.sine.square()), Residue::ONE);
         let turn = circle.powers.len() as u32;
@@ -136,14 +136,10 @@ mod tests {
     /// 9·2⁹ − 1 = 17·271.
     #[derive(Clone, Copy, Debug)]
     struct Composite;
-    impl Modulus for Composite {
+    impl Prime for Composite {
         const ODD: u128 = 9;
         const BITS: u32 = 9;
         const HALVINGS: u32 = 3;
-
-        fn circle() -> &'static Circle<Self> {
-            unreachable!("it has none")
-        }
     }
 
     #[test]
