@@ -12,31 +12,23 @@
 //! This floor knows numbers ([`crate::scalar`]) and nothing of formulas or notes: no closed form that is printed
 //! somewhere may enter here.
 
-mod accelerator;
-pub mod bodies;
-mod cubature;
-mod cyclic;
-mod emit;
 pub mod euler_lagrange;
-pub mod frames;
-pub mod inertia;
 mod lagrangian;
 pub mod legendre;
-mod linear;
+mod linear_solver;
 pub mod momenta;
 pub mod motion;
-mod reverse;
-pub mod rotations;
-mod routh;
+mod newton;
+pub mod quadrature;
+pub mod rigid_body;
+pub mod system;
 mod tape;
-mod trace;
-mod world;
 
-pub use accelerator::Accelerator;
-pub use bodies::{Body, Nodes};
-pub use frames::{Frame, axes_about};
 pub use lagrangian::{Lagrangian, State};
-pub(crate) use linear::solve_by;
-pub use linear::{Elimination, MAX_CONDITION, condition_number};
+pub(crate) use linear_solver::solve_by;
+pub use linear_solver::{Elimination, MAX_CONDITION, condition_number};
+pub use quadrature::{Body, Nodes, bodies};
+pub use rigid_body::frames::{Frame, axes_about};
+pub use rigid_body::{frames, inertia, rotations};
+pub use system::{Accelerator, Quantities, System, World, of};
 pub use tape::{Op, Tape};
-pub use world::{Quantities, System, World, of};

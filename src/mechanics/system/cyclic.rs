@@ -3,7 +3,7 @@
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-use super::World;
+use super::traced_system::World;
 use crate::scalar::Measured;
 
 impl World {

@@ -2,49 +2,14 @@
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-use super::accelerator::Programs;
-use super::linear::Elimination;
-use super::trace::{Layout, Recorded, Traced, trace, traced, upper};
-use super::{Lagrangian, linear, motion};
+use super::elimination::upper;
+use super::layout::Layout;
+use super::programs::Programs;
+use super::tracing::{Recorded, Traced, trace, traced};
+use crate::mechanics::linear_solver::{self, Elimination};
+use crate::mechanics::{Lagrangian, motion};
 use crate::scalar::{Number, Series, Symbol};
 use crate::{Error, Result};
-
-/// A mechanical system by name, whatever its number of coordinates. Any [`Lagrangian`] becomes one with [`of`].
-pub trait System: Send + Sync {
-    /// The name that claims files use.
-    fn name(&self) -> &str;
-    /// The coordinates as LaTeX spells them.
-    fn coordinates(&self) -> Vec<String>;
-    /// The parameters as LaTeX spells them.
-    fn parameters(&self) -> Vec<String>;
-    /// Everything that follows from it.
-    ///
-    /// # Errors
-    /// When the Lagrangian branches on a value, so that it cannot be traced.
-    fn world(&self) -> Result<World>;
-}
-
-/// A Lagrangian as a [`System`].
-pub fn of<L: Lagrangian<N, P>, const N: usize, const P: usize>(lagrangian: L) -> impl System + 'static {
-    Of(lagrangian)
-}
-
-struct Of<L, const N: usize, const P: usize>(L);
-
-impl<L: Lagrangian<N, P>, const N: usize, const P: usize> System for Of<L, N, P> {
-    fn name(&self) -> &str {
-        self.0.name()
-    }
-    fn coordinates(&self) -> Vec<String> {
-        self.0.coordinates().map(str::to_owned).into()
-    }
-    fn parameters(&self) -> Vec<String> {
-        self.0.parameters().map(str::to_owned).into()
-    }
-    fn world(&self) -> Result<World> {
-        World::new(&self.0)
-    }
-}
 
 /// What a state has, all at once.
 #[derive(Clone, Debug)]
@@ -237,7 +202,7 @@ impl World {
     /// When the mass matrix is singular or ill-conditioned; the message has the condition number.
     pub fn accelerations<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<Vec<D>> {
         let (mass, right) = self.to_solve(time, q, v, parameters);
-        linear::solve("mass matrix", mass, right)
+        linear_solver::solve("mass matrix", mass, right)
     }
 
     /// The mass matrix and the right side of M a = −h.
@@ -280,8 +245,8 @@ impl World {
             let (mass, right) = self.to_solve(time, q, v, &parameters);
             match (elimination, known) {
                 // the first look at its condition is at all of its values
-                (Elimination::Pivots, 3..) => linear::eliminate("mass matrix", mass, right),
-                _ => linear::solve_by(elimination, "mass matrix", mass, right),
+                (Elimination::Pivots, 3..) => linear_solver::eliminate("mass matrix", mass, right),
+                _ => linear_solver::solve_by(elimination, "mass matrix", mass, right),
             }
         })
     }

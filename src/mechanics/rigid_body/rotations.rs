@@ -7,7 +7,7 @@
 use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual;
 
-use super::{Lagrangian, State};
+use crate::mechanics::{Lagrangian, State};
 use crate::scalar::Number;
 
 /// A coordinate axis.

@@ -6,7 +6,7 @@
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use num_dual::Dual;
 
-use super::Nodes;
+use crate::mechanics::quadrature::Nodes;
 use crate::scalar::Number;
 use crate::{Error, Result};
 

@@ -10,7 +10,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::cubature::{gauss_legendre, interval, sphere};
+use super::rules::{gauss_legendre, interval, sphere};
 use crate::scalar::Number;
 
 /// A uniform body in its canonical position: centred at the origin; a rod along z, a lamina and a disc in the xy plane.

@@ -4,13 +4,13 @@
 use num_dual::{Dual, DualNum};
 use num_traits::One;
 
-use super::tape::{Op, Tape};
+use super::{Op, Tape};
 use crate::scalar::{Number, Symbol};
 
 /// The value of the tape's first output at `inputs`, and its derivative with respect to each input.
 ///
 /// Over [`Symbol`] alone: a derivative that vanishes is then the constant 0, and costs nothing where it is used.
-pub(super) fn gradient(tape: &Tape, inputs: &[Symbol]) -> (Symbol, Vec<Symbol>) {
+pub fn gradient(tape: &Tape, inputs: &[Symbol]) -> (Symbol, Vec<Symbol>) {
     let x = tape.registers(inputs);
     let mut adjoint = vec![Symbol::from(0.0); x.len()];
     let output = tape.output_registers()[0] as usize;

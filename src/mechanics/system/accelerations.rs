@@ -4,28 +4,18 @@
 //! Whether that was good enough is seen from the pivots; where it was not, the state is done again with exchange of rows
 //! and a look at the condition number.
 
-use std::sync::OnceLock;
-
 use fearless_simd::Level;
 
-use super::tape::blocks::{Block, LANES, Registers, Values};
-use super::tape::program::Program;
-use super::tape::single::Single;
-use super::trace::Layout;
-use super::{World, linear};
+use super::layout::Layout;
+use super::traced_system::World;
+use crate::mechanics::linear_solver;
+use crate::mechanics::tape::blocks::{Block, LANES, Registers, Values};
+use crate::mechanics::tape::program::Program;
+use crate::mechanics::tape::single::Single;
 use crate::{Error, Result};
 
 /// A pivot that is smaller than this share of the diagonal entry it came from may have lost its digits.
 const SMALL_PIVOT: f64 = 1e-9;
-
-/// The programs of a world's accelerations, made when they are first needed.
-#[derive(Default)]
-pub(super) struct Programs {
-    /// With the same parameters for all states.
-    uniform: OnceLock<Program>,
-    /// With parameters that vary.
-    varying: OnceLock<Program>,
-}
 
 /// The accelerations of one state after another, for given parameters; made by [`World::accelerator`].
 pub struct Accelerator<'a> {
@@ -71,13 +61,7 @@ impl World {
     }
 
     fn program(&self, uniform_parameters: bool) -> &Program {
-        let first = self.layout().v(self.coordinates().len());
-        let (programs, tape) = (&self.programs, &self.traced.accelerations);
-        if uniform_parameters {
-            programs.uniform.get_or_init(|| Program::new(tape, |input| input >= first))
-        } else {
-            programs.varying.get_or_init(|| Program::new(tape, |_| false))
-        }
+        self.programs.of(&self.traced.accelerations, self.layout(), uniform_parameters)
     }
 
     /// How many operations the accelerations take: the length of the tape behind [`World::accelerations_of_many`].
@@ -213,7 +197,7 @@ impl World {
             let inputs: Vec<f64> =
                 columns.iter().map(|column| column[if column.len() == 1 { 0 } else { state }]).collect();
             let (mass, bias) = self.dynamics(&inputs);
-            let a = linear::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect())
+            let a = linear_solver::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect())
                 .map_err(|error| Error::new(format!("state {state}: {}", error.message())))?;
             for (column, a) in result.iter_mut().zip(a) {
                 column[state] = a;

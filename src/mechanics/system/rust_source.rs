@@ -6,8 +6,8 @@
 
 use std::fmt::Write;
 
-use super::World;
-use super::tape::{Op, Tape};
+use super::traced_system::World;
+use crate::mechanics::tape::{Op, Tape};
 use crate::scalar::Function;
 
 /// An expression that is longer than this gets a name of its own.

@@ -1,64 +1,14 @@
-//! Routh's procedure: cyclic coordinates are traded for their constant momenta, what is left moves in an effective
-//! potential. And the Hamiltonian, which is the same procedure applied to all coordinates.
+//! The Legendre transform of a traced system, in all velocities or in some of them: the Hamiltonian and Hamilton's equations.
 
 use nalgebra::DMatrix;
 use num_dual::Dual;
 
-use super::World;
-use super::legendre::invert;
-use super::linear::{Elimination, solve_by};
+use super::traced_system::World;
+use crate::Result;
+use crate::mechanics::newton::invert;
 use crate::scalar::Number;
-use crate::{Error, Result};
 
 impl World {
-    /// The Routhian Σ p_c q̇_c − L over the cyclic coordinates c, as a function of their momenta: `p` counts at the
-    /// cyclic places only, `v` at the others only. With this sign it is −(T − U_eff) for what is left.
-    ///
-    /// # Errors
-    /// When the mass matrix of the cyclic velocities is singular, or no velocities have these momenta.
-    pub fn routhian<D: Number>(&self, time: D, q: &[D], v: &[D], p: &[D], parameters: &[D]) -> Result<D> {
-        self.transformed(&self.cyclic_coordinates(), time, q, v, p, parameters).map(|(value, _)| value)
-    }
-
-    /// The effective potential: the Routhian with the non-cyclic coordinates at rest, and the cyclic momenta those of
-    /// the given state. Equally, the energy of that state of rest.
-    ///
-    /// # Errors
-    /// As [`World::routhian`].
-    pub fn effective_potential<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<D> {
-        let p = self.quantities(time, q, v, parameters).momenta;
-        self.routhian(time, q, &self.at_rest(), &p, parameters)
-    }
-
-    /// The same for numbers that have no size, where L is quadratic in the cyclic velocities.
-    ///
-    /// # Errors
-    /// When it is not, or there are too many of them.
-    pub fn effective_potential_exactly<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<D> {
-        let cyclic = self.cyclic_coordinates();
-        let rest: Vec<D> = self.at_rest();
-        let wanted = self.quantities(time, q, v, parameters).momenta;
-        let (momenta, mass) = self.momenta_and_mass(time, q, &rest, parameters);
-        let mass = DMatrix::from_fn(cyclic.len(), cyclic.len(), |i, j| mass[(cyclic[i], cyclic[j])]);
-        let missing = cyclic.iter().map(|&i| wanted[i] - momenta[i]).collect();
-        let solved = solve_by(Elimination::Cramer, "mass matrix of the cyclic velocities", mass, missing)?;
-        let mut at = rest;
-        for (&i, &value) in cyclic.iter().zip(&solved) {
-            at[i] = value;
-        }
-        // one step from rest is exact for a quadratic L, and for no other
-        let (momenta, _) = self.momenta_and_mass(time, q, &at, parameters);
-        if cyclic.iter().any(|&i| momenta[i] != wanted[i]) {
-            return Err(Error::new("the momenta are not linear in the velocities"));
-        }
-        let pv: D = cyclic.iter().map(|&i| at[i] * wanted[i]).sum();
-        Ok(pv - self.lagrangian(time, q, &at, parameters))
-    }
-
-    fn cyclic_coordinates(&self) -> Vec<usize> {
-        (0..self.coordinates().len()).filter(|&i| self.is_cyclic(i)).collect()
-    }
-
     /// The Hamiltonian H(q, p, t) = Σ pᵢ q̇ᵢ − L.
     ///
     /// # Errors
@@ -98,12 +48,12 @@ impl World {
         Ok((q_rate, p_rate))
     }
 
-    fn at_rest<D: Number>(&self) -> Vec<D> {
+    pub(super) fn at_rest<D: Number>(&self) -> Vec<D> {
         vec![D::zero(); self.coordinates().len()]
     }
 
     /// Σ pᵢ q̇ᵢ − L over `over`, with the velocities there such that they have these momenta; and all velocities.
-    fn transformed<D: Number>(
+    pub(super) fn transformed<D: Number>(
         &self,
         over: &[usize],
         time: D,

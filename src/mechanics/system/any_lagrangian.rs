@@ -1,0 +1,42 @@
+//! A Lagrangian with any number of coordinates and parameters, behind one object-safe trait.
+
+use super::traced_system::World;
+use crate::Result;
+use crate::mechanics::Lagrangian;
+
+/// A mechanical system by name, whatever its number of coordinates. Any [`Lagrangian`] becomes one with [`of`].
+pub trait System: Send + Sync {
+    /// The name that claims files use.
+    fn name(&self) -> &str;
+    /// The coordinates as LaTeX spells them.
+    fn coordinates(&self) -> Vec<String>;
+    /// The parameters as LaTeX spells them.
+    fn parameters(&self) -> Vec<String>;
+    /// Everything that follows from it.
+    ///
+    /// # Errors
+    /// When the Lagrangian branches on a value, so that it cannot be traced.
+    fn world(&self) -> Result<World>;
+}
+
+/// A Lagrangian as a [`System`].
+pub fn of<L: Lagrangian<N, P>, const N: usize, const P: usize>(lagrangian: L) -> impl System + 'static {
+    Of(lagrangian)
+}
+
+struct Of<L, const N: usize, const P: usize>(L);
+
+impl<L: Lagrangian<N, P>, const N: usize, const P: usize> System for Of<L, N, P> {
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+    fn coordinates(&self) -> Vec<String> {
+        self.0.coordinates().map(str::to_owned).into()
+    }
+    fn parameters(&self) -> Vec<String> {
+        self.0.parameters().map(str::to_owned).into()
+    }
+    fn world(&self) -> Result<World> {
+        World::new(&self.0)
+    }
+}
