@@ -54,10 +54,17 @@ impl Names {
         let mut symbols = Symbols::new();
         let mut add = |latex: &str| {
             let name = names::parse(latex).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
-            let name = name.ok_or_else(|| Error::new(format!("“{latex}” of \"{}\" is no name", world.name())))?;
+            let name = name.ok_or_else(|| {
+                Error::new(format!(
+                    "the system \"{}\" uses {latex} as a name, which is not a LaTeX symbol",
+                    world.name()
+                ))
+                .help("use a letter, with a subscript if needed: \\theta, \\lambda_1")
+            })?;
             symbols.add(name, Kind::Scalar).ok_or_else(|| {
-                Error::new(format!("\"{}\" has two things of the name {latex}", world.name()))
-                    .help("the time is t, and p_q the momentum of a coordinate q: call nothing else by these names")
+                Error::new(format!("the system \"{}\" uses the name {latex} twice", world.name())).help(
+                    "rename a coordinate or a parameter; t is the time, and p_q is the momentum of a coordinate q",
+                )
             })
         };
         let coordinates: Vec<SymbolId> = world.coordinates().iter().map(|name| add(name)).collect::<Result<_>>()?;

@@ -264,8 +264,10 @@ impl<'a> Work<'a> {
         let mass = self.mass()?;
         let velocities = self.places(&self.of.names.inputs().velocities());
         if mass.iter().flatten().any(|entry| self.algebra.reads(entry, &velocities)) {
-            return Err(Error::new("this Lagrangian is not quadratic in the velocities")
-                .help("H is typeset where p = M q̇ + b with M and b free of velocities; ask for the energy instead"));
+            return Err(Error::new(
+                "the Lagrangian is not quadratic in the velocities, so its Hamiltonian cannot be typeset",
+            )
+            .help("ask for the energy; H is typeset where p = M q̇ + b, with M and b independent of the velocities"));
         }
         let at_rest = self.normal(&self.of.recorded.at_rest.momenta)?;
         let mut momenta = Vec::new();

@@ -68,7 +68,7 @@ fn cramer<D: Number>(what: &str, matrix: &DMatrix<D>, right: &[D]) -> Result<Vec
     let n = right.len();
     if n > MOST_BY_CRAMER {
         return Err(Error::new(format!(
-            "the {what} has more than {MOST_BY_CRAMER} rows, too many to be inverted exactly"
+            "the {what} has {n} rows, too many for Cramer's rule, which is used for at most {MOST_BY_CRAMER}"
         )));
     }
     let determinant = determinant(matrix);
@@ -131,13 +131,18 @@ pub(crate) fn eliminate<D: Number>(what: &str, matrix: DMatrix<D>, right: Vec<D>
 
 fn refused(what: &str, condition: f64) -> Error {
     let message = if condition.is_nan() {
-        format!("the {what} is not finite here")
+        format!("the {what} is not finite at this state")
     } else if condition.is_finite() {
-        format!("the {what} is too ill-conditioned to invert: condition number {condition:.1e}")
+        format!(
+            "the {what} is too ill-conditioned to be inverted (condition number {condition:.1e}, at most {MAX_CONDITION:.0e})"
+        )
     } else {
-        format!("the {what} is singular: condition number ∞")
+        format!("the {what} is singular (condition number ∞)")
     };
-    Error::new(message).help("a velocity that L does not depend on, or a place where the coordinates degenerate")
+    Error::new(message).help(
+        "check that L depends on every velocity; \
+         if only the coordinates are singular here, as Euler angles are where sin θ = 0, choose other states",
+    )
 }
 
 #[cfg(test)]

@@ -72,7 +72,8 @@ pub(super) fn complete<D: Number>(
 ) -> Result<Vec<Series<D>>> {
     if order >= TERMS {
         let most = TERMS - 1;
-        return Err(Error::new(format!("a time derivative of order {order} is out of reach: at most {most}")));
+        return Err(Error::new(format!("time derivatives of order {order} are not supported"))
+            .help(format!("ask for an order of at most {most}")));
     }
     let mut derivatives: Vec<Vec<D>> = q.iter().zip(v).map(|(&q, &v)| vec![q, v]).collect();
     let series = |derivatives: &[Vec<D>]| derivatives.iter().map(|d| Series::from_derivatives(d)).collect::<Vec<_>>();

@@ -14,7 +14,10 @@ pub(super) fn invert<D: Number>(
     gradient: impl Fn(&[D]) -> Result<(Vec<D>, DMatrix<D>)>,
 ) -> Result<Vec<D>> {
     const STEPS: usize = 60;
-    let nothing = || Error::new("no velocities belong to these momenta: Newton's method finds none");
+    let nothing = || {
+        Error::new("the Legendre transform found no solution: Newton's method did not converge")
+            .help("choose momenta that ∂L/∂q̇ can take, and coordinates where the mass matrix is invertible")
+    };
     let residual = |g: &[D]| g.iter().zip(target).map(|(&g, &t)| t - g).collect::<Vec<D>>();
     let size = |r: &[D]| r.iter().map(|r| r.re() * r.re()).sum::<f64>();
     let mut x = start;

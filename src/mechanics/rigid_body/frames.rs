@@ -43,7 +43,8 @@ pub fn axes_about<B: Number, D: Number>(
     // NaN alone differs from itself; numbers of a field have no size to ask for
     #[allow(clippy::eq_op)]
     if length.is_zero() || unit.iter().any(|component| component != component) {
-        return Err(Error::new("the axis of a rotation has no direction").help("give three numbers, not all 0"));
+        return Err(Error::new("the axis of rotation has no direction: it is 0, infinite or undefined")
+            .help("give three finite numbers that are not all 0"));
     }
     Ok(rodrigues(&Vector3::from(unit.map(constant)), angle).transpose())
 }

@@ -45,7 +45,8 @@ pub fn centre_of_mass<D: Number>(particles: &Nodes<D>) -> Result<Vector3<D>> {
     let (mass, sum) = (total.re(), particles.points.iter().map(|(_, mass)| mass.re().abs()).sum::<f64>());
     // what is left of masses that cancel is rounding
     if !mass.is_finite() || mass.abs() <= sum * f64::EPSILON * particles.points.len() as f64 {
-        return Err(Error::new(format!("a centre of mass needs a mass: the masses add up to {mass:e}")));
+        return Err(Error::new(format!("the centre of mass is not defined, because the masses add up to {mass:e}"))
+            .help("give masses whose sum is finite and not 0"));
     }
     Ok(Vector3::from_fn(|i, _| particles.integral(|r| r[i]) / total))
 }
@@ -67,10 +68,12 @@ pub struct PrincipalAxes {
 /// When it is not finite, or not symmetric to 10⁻⁹ of its norm.
 pub fn principal_axes(tensor: &Matrix3<f64>) -> Result<PrincipalAxes> {
     if tensor.iter().any(|entry| !entry.is_finite()) {
-        return Err(Error::new("principal axes need a finite tensor"));
+        return Err(Error::new("the inertia tensor has no principal axes, because it is not finite")
+            .help("check the masses and the positions for infinite or undefined values"));
     }
     if (tensor - tensor.transpose()).norm() > 1e-9 * tensor.norm() {
-        return Err(Error::new("principal axes need a symmetric tensor"));
+        return Err(Error::new("the inertia tensor has no principal axes, because it is not symmetric")
+            .help("check the products of inertia: I_ab must equal I_ba"));
     }
     let eigen = SymmetricEigen::new(*tensor);
     let mut order = [0, 1, 2];

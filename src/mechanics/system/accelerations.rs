@@ -39,7 +39,12 @@ impl Accelerator<'_> {
     pub fn accelerations(&mut self, time: f64, q: &[f64], v: &[f64]) -> Result<&[f64]> {
         if q.len() != self.coordinates || v.len() != self.coordinates {
             let (system, n) = (self.world.name(), self.coordinates);
-            return Err(Error::new(format!("a state of \"{system}\" has {n} coordinates and {n} velocities")));
+            return Err(Error::new(format!(
+                "a state of \"{system}\" needs {n} coordinates and {n} velocities, but has {} and {}",
+                q.len(),
+                v.len()
+            ))
+            .help("give one entry for each name in coordinates()"));
         }
         self.single.run(time, q, v);
         if self.pivots.iter().all(|&pivot| is_sound(self.single.output(pivot), self.single.output(pivot + 1))) {
@@ -148,16 +153,19 @@ impl World {
         if columns.len() != layout.inputs() || columns.iter().any(|column| column.len() != 1 && column.len() != states)
         {
             return Err(Error::new(format!(
-                "the states of \"{}\" need {} columns of one length: time, coordinates, velocities, parameters",
+                "the states of \"{}\" need {} columns of one length, or with a single entry; {} columns were given",
                 self.name(),
-                layout.inputs()
-            )));
+                layout.inputs(),
+                columns.len()
+            ))
+            .help("the columns are: the time, the coordinates, their velocities, the parameters"));
         }
         if result.len() != n || result.iter().any(|column| column.len() != states) {
             return Err(Error::new(format!(
-                "the accelerations of {states} states of \"{}\" need {n} columns of as many entries",
+                "the accelerations of {states} states of \"{}\" need {n} columns with {states} entries each",
                 self.name()
-            )));
+            ))
+            .help("give one column for each coordinate"));
         }
         let parameters = &columns[layout.v(n)..];
         let program = self.program(parameters.iter().all(|column| column.len() == 1));
@@ -197,8 +205,10 @@ impl World {
             let inputs: Vec<f64> =
                 columns.iter().map(|column| column[if column.len() == 1 { 0 } else { state }]).collect();
             let (mass, bias) = self.dynamics(&inputs);
-            let a = linear_solver::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect())
-                .map_err(|error| Error::new(format!("state {state}: {}", error.message())))?;
+            let a = linear_solver::solve("mass matrix", mass, bias.iter().map(|&h| -h).collect()).map_err(|error| {
+                let advice = error.advice().unwrap_or_default();
+                Error::new(format!("state {state} (counted from 0): {}", error.message())).help(advice)
+            })?;
             for (column, a) in result.iter_mut().zip(a) {
                 column[state] = a;
             }
@@ -275,7 +285,10 @@ mod tests {
         assert!(accelerator.accelerations(0.0, &[1.0; 3], &[1.0; 3]).is_ok());
         for (q, v) in [(2, 3), (3, 2), (4, 3), (3, 4)] {
             let error = accelerator.accelerations(0.0, &vec![1.0; q], &vec![1.0; v]).unwrap_err();
-            assert_eq!(error.message(), "a state of \"heavy_top\" has 3 coordinates and 3 velocities");
+            assert_eq!(
+                error.message(),
+                &format!("a state of \"heavy_top\" needs 3 coordinates and 3 velocities, but has {q} and {v}")
+            );
         }
     }
 

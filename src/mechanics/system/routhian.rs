@@ -46,7 +46,10 @@ impl World {
         // one step from rest is exact for a quadratic L, and for no other
         let (momenta, _) = self.momenta_and_mass(time, q, &at, parameters);
         if cyclic.iter().any(|&i| momenta[i] != wanted[i]) {
-            return Err(Error::new("the momenta are not linear in the velocities"));
+            return Err(Error::new(
+                "the effective potential has no exact form, because the momenta are not linear in the velocities",
+            )
+            .help("use effective_potential, which solves for the velocities numerically"));
         }
         let pv: D = cyclic.iter().map(|&i| at[i] * wanted[i]).sum();
         Ok(pv - self.lagrangian(time, q, &at, parameters))

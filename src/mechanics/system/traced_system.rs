@@ -256,7 +256,7 @@ impl World {
 fn named(name: &str, traced: Result<Traced>) -> Result<Traced> {
     traced.map_err(|error| {
         let help = error.advice().unwrap_or_default().to_owned();
-        Error::new(format!("the Lagrangian \"{name}\": {}", error.message())).help(help)
+        Error::new(format!("in the Lagrangian \"{name}\", {}", error.message())).help(help)
     })
 }
 

@@ -144,7 +144,7 @@ differences! {
 fn what_a_field_cannot_decide_is_said() {
     for (refused, why) in [
         (decide::<Large>(&Arc, 1), "an inverse function"),
-        (decide::<Large>(&Third, 1), "a sine or cosine of such a fraction of an angle"),
+        (decide::<Large>(&Third, 1), "a sine or cosine of a fraction of an angle that the field does not have"),
         (decide::<Large>(&Order, 1), "an absolute value, or which of two numbers is larger"),
         (decide::<Large>(&Magnitude, 1), "an absolute value, or which of two numbers is larger"),
         (decide::<Large>(&Huge, 1), "coefficients too large"),
