@@ -113,7 +113,7 @@ fn pairs(states: &States, out: &mut [Accelerations]) {
 }
 
 fn tape_one_by_one(world: &World, states: &States, out: &mut [Accelerations]) {
-    let mut accelerator = world.accelerator(&PARAMETERS);
+    let mut accelerator = world.acceleration_evaluator(&PARAMETERS);
     let [phi, theta, psi, phi_rate, theta_rate, psi_rate] = &states.0;
     for (i, out) in out.iter_mut().enumerate() {
         let (q, v) = ([phi[i], theta[i], psi[i]], [phi_rate[i], theta_rate[i], psi_rate[i]]);

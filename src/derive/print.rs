@@ -371,8 +371,10 @@ fn named(function: Function) -> Result<formula::Function> {
         Function::Acos => formula::Function::Arccos,
         Function::Atan => formula::Function::Arctan,
         other => {
-            return Err(Error::new(format!("the function {other:?} cannot be typeset, because it has no usual symbol"))
-                .help("write the Lagrangian with sin, cos, sinh, cosh, exp, ln or their inverses"));
+            return Err(Error::new(format!(
+                "the function {other:?} cannot be typeset, because it has no usual symbol"
+            ))
+            .help("write the Lagrangian with sin, cos, sinh, cosh, exp, ln or their inverses"));
         }
     })
 }

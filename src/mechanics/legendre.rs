@@ -15,7 +15,7 @@ use crate::scalar::Number;
 
 /// A point of phase space: time, coordinates q, momenta p, parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phase<D, const N: usize, const P: usize> {
+pub struct PhasePoint<D, const N: usize, const P: usize> {
     /// The time t.
     pub time: D,
     /// The coordinates q.
@@ -26,10 +26,10 @@ pub struct Phase<D, const N: usize, const P: usize> {
     pub parameters: [D; P],
 }
 
-impl<D: Number, const N: usize, const P: usize> Phase<D, N, P> {
+impl<D: Number, const N: usize, const P: usize> PhasePoint<D, N, P> {
     /// The same point over another number.
-    pub fn map<E: Number>(&self, lift: impl Fn(D) -> E) -> Phase<E, N, P> {
-        Phase {
+    pub fn map<E: Number>(&self, lift: impl Fn(D) -> E) -> PhasePoint<E, N, P> {
+        PhasePoint {
             time: lift(self.time),
             q: self.q.map(&lift),
             p: self.p.map(&lift),
@@ -46,7 +46,7 @@ impl<D: Number, const N: usize, const P: usize> Phase<D, N, P> {
 ///
 /// # Errors
 /// When the mass matrix is singular, or no velocities are found.
-pub fn velocities<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<[D; N]>
+pub fn velocities<L, D, const N: usize, const P: usize>(l: &L, at: &PhasePoint<D, N, P>) -> Result<[D; N]>
 where
     L: Lagrangian<N, P>,
     D: Number,
@@ -62,7 +62,7 @@ where
 ///
 /// # Errors
 /// As [`velocities`].
-pub fn hamiltonian<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<D>
+pub fn hamiltonian<L, D, const N: usize, const P: usize>(l: &L, at: &PhasePoint<D, N, P>) -> Result<D>
 where
     L: Lagrangian<N, P>,
     D: Number,
@@ -76,7 +76,10 @@ where
 ///
 /// # Errors
 /// As [`velocities`].
-pub fn hamilton<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<([D; N], [D; N])>
+pub fn hamilton_equations<L, D, const N: usize, const P: usize>(
+    l: &L,
+    at: &PhasePoint<D, N, P>,
+) -> Result<([D; N], [D; N])>
 where
     L: Lagrangian<N, P>,
     D: Number,
@@ -98,12 +101,12 @@ where
 ///
 /// # Errors
 /// As [`velocities`].
-pub fn lagrangian_again<L, D, const N: usize, const P: usize>(l: &L, at: &State<D, N, P>) -> Result<D>
+pub fn lagrangian_from_hamiltonian<L, D, const N: usize, const P: usize>(l: &L, at: &State<D, N, P>) -> Result<D>
 where
     L: Lagrangian<N, P>,
     D: Number,
 {
-    let phase = |p: &[D]| Phase {
+    let phase = |p: &[D]| PhasePoint {
         time: at.time,
         q: at.q,
         p: std::array::from_fn::<D, N, _>(|i| p[i]),

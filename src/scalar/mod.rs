@@ -11,18 +11,18 @@ mod arithmetic;
 pub mod field;
 mod instant;
 mod measured;
-mod polynomial;
 pub mod rational;
 mod series;
+mod simplify;
 mod symbol;
 
 pub use arithmetic::{Arithmetic, Function};
 pub use field::Modular;
 pub use instant::Instant;
 pub use measured::Measured;
-pub use polynomial::{shortened, simplify_all};
 pub use rational::Ratio;
 pub use series::{Series, TERMS};
+pub use simplify::{simplify_all, try_simplify};
 pub use symbol::{Graph, Node, Symbol};
 
 /// A number that mechanics and formulas are evaluated on: any `Copy` dual number over `f64` that may cross threads.

@@ -17,11 +17,11 @@ pub struct Ratio {
 
 /// The exact number that an `f64` stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Meant {
+pub enum ExactConstant {
     /// A fraction.
     Ratio(Ratio),
     /// A fraction of π.
-    OfPi(Ratio),
+    MultipleOfPi(Ratio),
 }
 
 /// The largest denominator of a part of π: three hundred and sixty parts of a turn, and a margin.
@@ -83,11 +83,11 @@ fn gcd(mut a: u128, mut b: u128) -> u128 {
 }
 
 /// What an `f64` stands for; `None` for what is not finite, or so large or small that it means no simple number.
-pub fn meant(x: f64) -> Option<Meant> {
+pub fn exact_constant(x: f64) -> Option<ExactConstant> {
     let part = simplest(x / PI).filter(|part| part.denominator <= PARTS_OF_PI && part.numerator != 0);
     // π times a fraction may be off by a rounding
     let of_pi = part.or_else(|| near(x / PI)).filter(|part| (part.value() * PI - x).abs() <= x.abs() * f64::EPSILON);
-    of_pi.map(Meant::OfPi).or_else(|| simplest(x).map(Meant::Ratio))
+    of_pi.map(ExactConstant::MultipleOfPi).or_else(|| simplest(x).map(ExactConstant::Ratio))
 }
 
 /// The fraction with a denominator that a part of π may have, if one lies within a rounding.
@@ -185,16 +185,16 @@ mod tests {
     #[test]
     fn parts_of_a_turn_are_parts_of_pi() {
         use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, TAU};
-        let of_pi = |n, d| Some(Meant::OfPi(Ratio { numerator: n, denominator: d }));
-        assert_eq!(meant(PI), of_pi(1, 1));
-        assert_eq!(meant(-FRAC_PI_2), of_pi(-1, 2));
-        assert_eq!(meant(FRAC_PI_3), of_pi(1, 3));
-        assert_eq!(meant(FRAC_PI_6), of_pi(1, 6));
-        assert_eq!(meant(TAU), of_pi(2, 1));
-        assert_eq!(meant(3.0 * PI / 4.0), of_pi(3, 4));
+        let of_pi = |n, d| Some(ExactConstant::MultipleOfPi(Ratio { numerator: n, denominator: d }));
+        assert_eq!(exact_constant(PI), of_pi(1, 1));
+        assert_eq!(exact_constant(-FRAC_PI_2), of_pi(-1, 2));
+        assert_eq!(exact_constant(FRAC_PI_3), of_pi(1, 3));
+        assert_eq!(exact_constant(FRAC_PI_6), of_pi(1, 6));
+        assert_eq!(exact_constant(TAU), of_pi(2, 1));
+        assert_eq!(exact_constant(3.0 * PI / 4.0), of_pi(3, 4));
         // the twins
-        assert_eq!(meant(22.0 / 7.0), Some(Meant::Ratio(Ratio { numerator: 22, denominator: 7 })));
-        assert_eq!(meant(12.5664), Some(Meant::Ratio(Ratio { numerator: 7854, denominator: 625 })));
-        assert_eq!(meant(0.5), Some(Meant::Ratio(Ratio { numerator: 1, denominator: 2 })));
+        assert_eq!(exact_constant(22.0 / 7.0), Some(ExactConstant::Ratio(Ratio { numerator: 22, denominator: 7 })));
+        assert_eq!(exact_constant(12.5664), Some(ExactConstant::Ratio(Ratio { numerator: 7854, denominator: 625 })));
+        assert_eq!(exact_constant(0.5), Some(ExactConstant::Ratio(Ratio { numerator: 1, denominator: 2 })));
     }
 }

@@ -27,7 +27,7 @@ proptest! {
     fn a_chain_moves_as_the_plain_hessian_says(at in state::<6, 3>()) {
         let plain = by_hessian::<_, 6, 3, 13>(&Pendulum::<6>::new(), &at);
         let world = chain::<6>();
-        let mut accelerator = world.accelerator(&at.parameters);
+        let mut accelerator = world.acceleration_evaluator(&at.parameters);
         let fast = accelerator.accelerations(at.time, &at.q, &at.v).unwrap();
         prop_assert!(agree(&plain, fast, 1e-11), "{plain:?} {fast:?}");
         // the twin: the last two links exchanged

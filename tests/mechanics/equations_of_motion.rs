@@ -66,7 +66,7 @@ proptest! {
             let columns = [&[at.time][..], &at.q, &at.v, &at.parameters].concat();
             let columns: Vec<&[f64]> = columns.chunks(1).collect();
             let block: Vec<f64> = world.accelerations_of_many(&columns).unwrap().concat();
-            let mut accelerator = world.accelerator(&at.parameters);
+            let mut accelerator = world.acceleration_evaluator(&at.parameters);
             let alone = accelerator.accelerations(at.time, &at.q, &at.v).unwrap();
             for other in [&tape[..], &pairs, &block, alone] {
                 prop_assert!(agree(&plain, other, 1e-12), "{}: {plain:?} {other:?}", l.name());
@@ -146,7 +146,7 @@ fn what_is_not_given_is_no_number() {
     assert!(world.quantities(0.0_f64, &[1.0], &[], &[]).energy.is_nan());
     assert!(world.euler_lagrange(0.0, &[1.0; 3], &[1.0; 3], &[1.0; 5], &[]).iter().all(|r: &f64| r.is_nan()));
     assert!(world.motion(0.0, &[1.0; 3], &[1.0], &[1.0; 5], 2).is_err());
-    assert!(world.hamilton(0.0, &[1.0], &[1.0; 2], &[1.0; 5]).is_err());
+    assert!(world.hamilton_equations(0.0, &[1.0], &[1.0; 2], &[1.0; 5]).is_err());
     assert!(world.routhian(0.0, &[1.0; 3], &[], &[], &[1.0; 5]).is_err());
     // the twin: the same with all of it is one
     assert!(world.quantities(0.0_f64, &[1.0; 3], &[1.0; 3], &[1.0; 5]).energy.is_finite());

@@ -56,7 +56,7 @@ proptest! {
             prop_assert!(flipped > 0.01);
             let turning = frame.turning();
             prop_assert!(apart(&turning.angular_velocity, &omega, 4) == 0.0);
-            prop_assert!(apart(&turning.body_rates, &frame.rates_along_the_axes(), 4) == 0.0);
+            prop_assert!(apart(&turning.body_rates, &frame.body_rates(), 4) == 0.0);
             // Ṙ = [ω×]-like, entry by entry: Ṙ_ab = (ω × êₐ)_b
             for (a, axis) in axes.iter().enumerate() {
                 prop_assert!(apart(&frame.rate().row(a).transpose(), &omega.cross(axis), 1) < 1e-12);
@@ -74,7 +74,7 @@ proptest! {
         // α̇ n̂, and so in all further derivatives; also along the frame's own axes, since n̂ does not turn
         prop_assert!(apart(&frame.angular_velocity(), &expected, 1) < 1e-12);
         prop_assert!(apart(&frame.angular_velocity(), &expected, 4) < 1e-9);
-        prop_assert!(apart(&frame.rates_along_the_axes(), &expected, 4) < 1e-9);
+        prop_assert!(apart(&frame.body_rates(), &expected, 4) < 1e-9);
         // the twins: the other way round, and half as fast
         prop_assume!(alpha.nth_derivative_value(1).unwrap().abs() > 0.1);
         prop_assert!(apart(&frame.angular_velocity(), &-expected, 1) > 0.05);
@@ -133,7 +133,7 @@ fn what_the_angles_do_not_tell_is_not_known() {
     let angle = Series::from_derivatives(&[0.4, 0.5, 0.6]);
     let omega = Frame::about([1.0, 2.0, 3.0], angle).unwrap().angular_velocity();
     assert!(omega.iter().all(|component| component.known() == 2));
-    assert!(Frame::freely([angle; 3]).rates_along_the_axes().iter().all(|component| component.known() == 2));
+    assert!(Frame::freely([angle; 3]).body_rates().iter().all(|component| component.known() == 2));
     for nowhere in [[0.0; 3], [f64::NAN, 1.0, 0.0], [f64::INFINITY, 0.0, 0.0]] {
         assert!(Frame::about(nowhere, angle).unwrap_err().message().contains("no direction"));
     }

@@ -1,7 +1,7 @@
 //! The Legendre transform, Hamilton's equations, the effective potential.
 
 use approx::assert_relative_eq;
-use onshell::mechanics::legendre::{self, Phase};
+use onshell::mechanics::legendre::{self, PhasePoint};
 use onshell::mechanics::{Lagrangian, State, World, momenta};
 use onshell::scalar::Series;
 use onshell::systems::{DampedOscillator, HeavyTop, Kepler, Pendulum, RelativisticParticle};
@@ -14,9 +14,9 @@ proptest! {
 
     #[test]
     fn the_legendre_transform_is_an_involution(chain in state::<2, 3>(), particle in state::<1, 3>().prop_map(slow)) {
-        let again = legendre::lagrangian_again(&Pendulum::<2>::new(), &chain).unwrap();
+        let again = legendre::lagrangian_from_hamiltonian(&Pendulum::<2>::new(), &chain).unwrap();
         prop_assert!(agree(&[again], &[Pendulum::<2>::new().lagrangian(&chain)], 1e-10));
-        let again = legendre::lagrangian_again(&RelativisticParticle, &particle).unwrap();
+        let again = legendre::lagrangian_from_hamiltonian(&RelativisticParticle, &particle).unwrap();
         prop_assert!(agree(&[again], &[RelativisticParticle.lagrangian(&particle)], 1e-10));
         // the twin: transformed once it is something else
         prop_assert!(!agree(&[momenta::energy(&RelativisticParticle, &particle)], &[again], 1e-3));
@@ -31,7 +31,7 @@ proptest! {
         ) -> Result<(), TestCaseError> {
             let world = World::new(l).unwrap();
             let p = world.quantities(at.time, &at.q, &at.v, &at.parameters).momenta;
-            let (q_rate, p_rate) = world.hamilton(at.time, &at.q, &p, &at.parameters).unwrap();
+            let (q_rate, p_rate) = world.hamilton_equations(at.time, &at.q, &p, &at.parameters).unwrap();
             prop_assert!(agree(&q_rate, &at.v, 1e-10), "{}: {q_rate:?} {:?}", l.name(), at.v);
             // ṗ along the motion that obeys the Euler–Lagrange equations
             let q = world.motion(at.time, &at.q, &at.v, &at.parameters, 2).unwrap();
@@ -41,8 +41,8 @@ proptest! {
             let on_shell: Vec<f64> = p.iter().map(|p| p.nth_derivative_value(1).unwrap()).collect();
             prop_assert!(agree(&p_rate, &on_shell, 1e-10), "{}: {p_rate:?} {on_shell:?}", l.name());
             // the untraced functions say the same
-            let phase = Phase { time: at.time, q: at.q, p: std::array::from_fn(|i| p[i].value()), parameters: at.parameters };
-            let (q_again, p_again) = legendre::hamilton(l, &phase).unwrap();
+            let phase = PhasePoint { time: at.time, q: at.q, p: std::array::from_fn(|i| p[i].value()), parameters: at.parameters };
+            let (q_again, p_again) = legendre::hamilton_equations(l, &phase).unwrap();
             prop_assert!(agree(&q_again, &q_rate, 1e-10) && agree(&p_again, &p_rate, 1e-10));
             // the twin: ṗ = +∂H/∂q
             let wrong: Vec<f64> = p_rate.iter().map(|p| -p).collect();

@@ -80,10 +80,10 @@ fn a_rate_off_shell_takes_the_accelerations_it_is_given() {
         }
     }
     let at = some_state::<1, 3>();
-    let off_shell = motion::rate(&Speed, &at, &[5.0]);
+    let off_shell = motion::time_derivative(&Speed, &at, &[5.0]);
     assert_relative_eq!(off_shell, 2.0 * at.v[0] * 5.0 + at.v[0] * at.time + at.q[0], max_relative = 1e-15);
     let a = euler_lagrange::accelerations(&DampedOscillator, &at).unwrap();
-    let on_shell = motion::rate_on_shell(&DampedOscillator, &Speed, &at).unwrap();
-    assert_eq!(on_shell, motion::rate(&Speed, &at, &a));
+    let on_shell = motion::time_derivative_on_shell(&DampedOscillator, &Speed, &at).unwrap();
+    assert_eq!(on_shell, motion::time_derivative(&Speed, &at, &a));
     assert!((on_shell - off_shell).abs() > 0.1);
 }

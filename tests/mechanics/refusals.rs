@@ -1,6 +1,6 @@
 //! Singular mass matrices and branching Lagrangians are errors that say so.
 
-use onshell::mechanics::legendre::{self, Phase};
+use onshell::mechanics::legendre::{self, PhasePoint};
 use onshell::mechanics::{Lagrangian, State, World, euler_lagrange};
 use onshell::scalar::{Measured, Number};
 
@@ -43,7 +43,7 @@ fn a_singular_mass_matrix_is_an_error_with_its_condition_number() {
                 .unwrap_err(),
             world.hamiltonian(0.0, &q, &v, &parameters).unwrap_err(),
             euler_lagrange::accelerations(&Degenerate, &at).unwrap_err(),
-            legendre::hamiltonian(&Degenerate, &Phase { time: 0.0, q, p: v, parameters }).unwrap_err(),
+            legendre::hamiltonian(&Degenerate, &PhasePoint { time: 0.0, q, p: v, parameters }).unwrap_err(),
         ];
         for error in errors {
             assert!(error.message().contains("condition number"), "{error}");

@@ -6,7 +6,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::rotations::{Turning, along_the_body, angular_velocity, euler_angles, rodrigues};
+use super::rotations::{Turning, angular_velocity, body_components, euler_angles, rodrigues};
 use crate::scalar::{Number, Series};
 use crate::{Error, Result};
 
@@ -85,7 +85,7 @@ impl<B: Number> Frame<B> {
     }
 
     /// ωₐ = ω·êₐ.
-    pub fn rates_along_the_axes(&self) -> Vector3<Series<B>> {
+    pub fn body_rates(&self) -> Vector3<Series<B>> {
         self.components(&self.angular_velocity())
     }
 
@@ -97,7 +97,7 @@ impl<B: Number> Frame<B> {
 
     /// The components vₐ = v·êₐ of a vector that is given in the fixed axes.
     pub fn components(&self, vector: &Vector3<Series<B>>) -> Vector3<Series<B>> {
-        along_the_body(&self.orientation, vector)
+        body_components(&self.orientation, vector)
     }
 
     /// The vector Σ vₐ êₐ in the fixed axes.

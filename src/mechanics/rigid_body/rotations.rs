@@ -67,7 +67,7 @@ pub fn angular_velocity<D: Number>(r: &Matrix3<D>, rate: &Matrix3<D>) -> Vector3
 }
 
 /// The components ωₐ = ω·êₐ of a vector along the body's axes.
-pub fn along_the_body<D: Number>(r: &Matrix3<D>, vector: &Vector3<D>) -> Vector3<D> {
+pub fn body_components<D: Number>(r: &Matrix3<D>, vector: &Vector3<D>) -> Vector3<D> {
     r * vector
 }
 
@@ -92,7 +92,7 @@ impl<D: Number> Turning<D> {
     pub fn from_moving(moving: &Matrix3<Dual<D>>) -> Self {
         let (orientation, rate) = value_and_rate(moving);
         let angular_velocity = angular_velocity(&orientation, &rate);
-        Turning { orientation, angular_velocity, body_rates: along_the_body(&orientation, &angular_velocity) }
+        Turning { orientation, angular_velocity, body_rates: body_components(&orientation, &angular_velocity) }
     }
 
     /// The turning of a body with a Lagrangian at a state, if it has an orientation.

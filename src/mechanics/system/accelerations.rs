@@ -17,8 +17,8 @@ use crate::{Error, Result};
 /// A pivot that is smaller than this share of the diagonal entry it came from may have lost its digits.
 const SMALL_PIVOT: f64 = 1e-9;
 
-/// The accelerations of one state after another, for given parameters; made by [`World::accelerator`].
-pub struct Accelerator<'a> {
+/// The accelerations of one state after another, for given parameters; made by [`World::acceleration_evaluator`].
+pub struct AccelerationEvaluator<'a> {
     world: &'a World,
     parameters: Vec<f64>,
     coordinates: usize,
@@ -30,7 +30,7 @@ pub struct Accelerator<'a> {
     with_exchange: Vec<f64>,
 }
 
-impl Accelerator<'_> {
+impl AccelerationEvaluator<'_> {
     /// The accelerations on shell, one a coordinate; overwritten by the next call.
     ///
     /// # Errors
@@ -96,12 +96,12 @@ impl World {
     ///
     /// let world = World::new(&Pendulum::<1>::new())?;
     /// let (mass, length, gravity) = (1.0, 2.0, 9.8);
-    /// let mut accelerator = world.accelerator(&[mass, length, gravity]);
+    /// let mut accelerator = world.acceleration_evaluator(&[mass, length, gravity]);
     /// let a = accelerator.accelerations(0.0, &[0.1], &[0.0])?[0];
     /// assert!((a + gravity / length * 0.1_f64.sin()).abs() < 1e-14);
     /// # Ok::<(), onshell::Error>(())
     /// ```
-    pub fn accelerator(&self, parameters: &[f64]) -> Accelerator<'_> {
+    pub fn acceleration_evaluator(&self, parameters: &[f64]) -> AccelerationEvaluator<'_> {
         let (layout, program) = (self.layout(), self.program(true));
         let mut inputs = vec![f64::NAN; layout.inputs()];
         inputs[layout.v(layout.coordinates)..].iter_mut().zip(parameters).for_each(|(input, &value)| *input = value);
@@ -111,7 +111,7 @@ impl World {
             let uniform = program.is_uniform(pivot) && program.is_uniform(pivot + 1);
             uniform && is_sound(single.output(pivot), single.output(pivot + 1))
         };
-        Accelerator {
+        AccelerationEvaluator {
             world: self,
             parameters: parameters.to_vec(),
             coordinates: layout.coordinates,
@@ -260,7 +260,7 @@ mod tests {
     fn a_product_is_a_sound_pivot_until_it_vanishes() {
         let world = World::new(&crate::systems::HeavyTop).unwrap();
         let [lambda_1, lambda_3, mass, g, distance] = [1.2, 0.7, 0.9, 9.8, 0.4];
-        let mut accelerator = world.accelerator(&[lambda_1, lambda_3, mass, g, distance]);
+        let mut accelerator = world.acceleration_evaluator(&[lambda_1, lambda_3, mass, g, distance]);
         for theta in [1.3, 1e-3, 1e-6_f64] {
             let [phi_rate, theta_rate, psi_rate] = [0.3, theta / 2.0, 5.0];
             let a = accelerator.accelerations(0.0, &[0.2, theta, 0.4], &[phi_rate, theta_rate, psi_rate]).unwrap();
@@ -281,7 +281,7 @@ mod tests {
     #[test]
     fn a_state_has_as_many_velocities_as_coordinates() {
         let world = World::new(&crate::systems::HeavyTop).unwrap();
-        let mut accelerator = world.accelerator(&[1.0; 5]);
+        let mut accelerator = world.acceleration_evaluator(&[1.0; 5]);
         assert!(accelerator.accelerations(0.0, &[1.0; 3], &[1.0; 3]).is_ok());
         for (q, v) in [(2, 3), (3, 2), (4, 3), (3, 4)] {
             let error = accelerator.accelerations(0.0, &vec![1.0; q], &vec![1.0; v]).unwrap_err();
@@ -316,7 +316,7 @@ mod tests {
             }
             for (i, expected) in expected.iter().enumerate() {
                 let x = state(i);
-                let mut accelerator = world.accelerator(&x[p.clone()]);
+                let mut accelerator = world.acceleration_evaluator(&x[p.clone()]);
                 assert!(
                     agree(accelerator.accelerations(x[0], &x[q.clone()], &x[v.clone()]).unwrap(), expected),
                     "{name}"

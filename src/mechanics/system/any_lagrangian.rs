@@ -4,8 +4,8 @@ use super::traced_system::World;
 use crate::Result;
 use crate::mechanics::Lagrangian;
 
-/// A mechanical system by name, whatever its number of coordinates. Any [`Lagrangian`] becomes one with [`of`].
-pub trait System: Send + Sync {
+/// A mechanical system by name, whatever its number of coordinates. Any [`Lagrangian`] becomes one with [`erased`].
+pub trait AnyLagrangian: Send + Sync {
     /// The name that claims files use.
     fn name(&self) -> &str;
     /// The coordinates as LaTeX spells them.
@@ -19,14 +19,14 @@ pub trait System: Send + Sync {
     fn world(&self) -> Result<World>;
 }
 
-/// A Lagrangian as a [`System`].
-pub fn of<L: Lagrangian<N, P>, const N: usize, const P: usize>(lagrangian: L) -> impl System + 'static {
-    Of(lagrangian)
+/// A Lagrangian as an [`AnyLagrangian`].
+pub fn erased<L: Lagrangian<N, P>, const N: usize, const P: usize>(lagrangian: L) -> impl AnyLagrangian + 'static {
+    Erased(lagrangian)
 }
 
-struct Of<L, const N: usize, const P: usize>(L);
+struct Erased<L, const N: usize, const P: usize>(L);
 
-impl<L: Lagrangian<N, P>, const N: usize, const P: usize> System for Of<L, N, P> {
+impl<L: Lagrangian<N, P>, const N: usize, const P: usize> AnyLagrangian for Erased<L, N, P> {
     fn name(&self) -> &str {
         self.0.name()
     }

@@ -31,7 +31,13 @@ impl World {
     ///
     /// # Errors
     /// As [`World::hamiltonian`].
-    pub fn hamilton<D: Number>(&self, time: D, q: &[D], p: &[D], parameters: &[D]) -> Result<(Vec<D>, Vec<D>)> {
+    pub fn hamilton_equations<D: Number>(
+        &self,
+        time: D,
+        q: &[D],
+        p: &[D],
+        parameters: &[D],
+    ) -> Result<(Vec<D>, Vec<D>)> {
         let lift = |x: &[D]| x.iter().copied().map(Dual::from_re).collect::<Vec<_>>();
         let (time, q, p, parameters) =
             (Dual::from_re(time), lift(&self.each_coordinate(q)), lift(&self.each_coordinate(p)), lift(parameters));

@@ -14,12 +14,13 @@ mod cyclic;
 mod elimination;
 mod layout;
 mod legendre;
+mod named_values;
 mod programs;
 mod routhian;
 mod rust_source;
 mod traced_system;
 mod tracing;
 
-pub use accelerations::Accelerator;
-pub use any_lagrangian::{System, of};
+pub use accelerations::AccelerationEvaluator;
+pub use any_lagrangian::{AnyLagrangian, erased};
 pub use traced_system::{Quantities, World};

@@ -15,7 +15,7 @@ use crate::mechanics::rigid_body::rotations::Turning;
 use crate::mechanics::tape::Tape;
 use crate::mechanics::tape::reverse_mode::gradient;
 use crate::mechanics::{Lagrangian, State};
-use crate::scalar::{Graph, Symbol, shortened, simplify_all};
+use crate::scalar::{Graph, Symbol, simplify_all, try_simplify};
 
 /// A traced system.
 pub(super) struct Traced {
@@ -121,7 +121,7 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
         let values = dynamics.evaluate(&inputs);
         let (mass, bias) = values.split_at(n * (n + 1) / 2);
-        let mut outputs = eliminate(&order, mass, bias, shortened);
+        let mut outputs = eliminate(&order, mass, bias, try_simplify);
         for pair in outputs[n..].chunks_mut(2).filter(|pair| is_product(pair[0])) {
             pair[1] = pair[0]; // it is sound unless it vanishes
         }

@@ -19,7 +19,7 @@ use super::residue::Residue;
 use super::simple_numbers::SimpleNumbers;
 use super::square_roots::{RootFound, SquareRoots};
 use super::unit_circle::{Point, drawn_bits, turn_bits};
-use crate::scalar::rational::{Meant, Ratio, meant};
+use crate::scalar::rational::{ExactConstant, Ratio, exact_constant};
 
 thread_local! {
     static EVALUATION: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
@@ -183,18 +183,18 @@ impl<F: Modulus> Evaluation<F> {
             let size = Size { degree: 0, norm: ratio.numerator.unsigned_abs() as f64 };
             (value, size, evaluation.comparisons.denominators.whole(ratio.denominator))
         };
-        let known = match meant(x) {
+        let known = match exact_constant(x) {
             None => {
                 // no number at all, or none that could be exact: infinitely large, so that nothing follows
                 let size = Size { degree: 0, norm: f64::INFINITY };
                 ConstantInField { value: Residue::ZERO, size, denominator: 0, ratio: None, angle: None }
             }
-            Some(Meant::Ratio(ratio)) => {
+            Some(ExactConstant::Ratio(ratio)) => {
                 self.comparisons.record.opaque |= is_rough(ratio);
                 let (value, size, denominator) = fraction(self, ratio);
                 ConstantInField { value, size, denominator, ratio: Some(ratio), angle: None }
             }
-            Some(Meant::OfPi(ratio)) => {
+            Some(ExactConstant::MultipleOfPi(ratio)) => {
                 let (value, size, denominator) = fraction(self, ratio);
                 let half_turn = Angle { label: 1 << (turn_bits::<F>() - 1), of_pi: true, ..Angle::NONE };
                 let angle = self.angle(half_turn.scaled(ratio, value));

@@ -293,11 +293,11 @@ fn cost(outputs: &[Symbol]) -> usize {
 /// Constants may be folded and sums reordered, so the result agrees to rounding, and exactly as polynomials. A quotient
 /// of equal monomials is cancelled.
 pub fn simplify_all(outputs: &[Symbol]) -> Vec<Symbol> {
-    shortened(outputs, &[]).unwrap_or_else(|| outputs.to_vec())
+    try_simplify(outputs, &[]).unwrap_or_else(|| outputs.to_vec())
 }
 
 /// [`simplify_all`] where the values `beside` are computed too, whose parts cost nothing; `None` if there is no such way.
-pub fn shortened(outputs: &[Symbol], beside: &[Symbol]) -> Option<Vec<Symbol>> {
+pub fn try_simplify(outputs: &[Symbol], beside: &[Symbol]) -> Option<Vec<Symbol>> {
     let mut needed: Vec<u32> = Vec::new();
     let mut seen: HashSet<u32> = HashSet::new();
     let mut waiting: Vec<u32> = outputs.iter().map(|output| output.place()).collect();
