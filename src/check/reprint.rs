@@ -9,6 +9,7 @@
 
 use rayon::prelude::*;
 
+use crate::code::Code;
 use crate::latex::{Macros, Reading};
 use crate::notes::claims::{Claim, Claims, Expected};
 use crate::notes::document::Numbered;
@@ -53,13 +54,13 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
             continue;
         };
         let message = "no claims file is about an equation of this number";
-        let finding = Finding::new(Verdict::Unclaimed, display.body, message);
+        let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
         equations.push(unjudged(print, number, display.line, finding));
     }
     for (number, line) in repeated(print) {
         if run.only.is_none_or(|only| number.id == only) {
             let message = format!("the number ({}) is used a second time, after line {line}", number.id);
-            let finding = Finding::new(Verdict::Unreadable, number.span, message);
+            let finding = Finding::new(Code::NotSupported, Verdict::Unreadable, number.span, message);
             let line = print.source.line_column(number.span.start).0;
             equations.push(unjudged(print, &number.id, line, finding));
         }
@@ -139,7 +140,9 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
     if let Some(message) = lost(checker, &reading, &checker.readings[at])
         && (claim.errata.is_empty() || lost(checker, &reading, &original()).is_some())
     {
-        parts.push(checker.part(Finding::new(Verdict::Unreadable, display.body, message), String::new()));
+        parts.push(
+            checker.part(Finding::new(Code::NotSupported, Verdict::Unreadable, display.body, message), String::new()),
+        );
     }
     let failed = parts.iter().any(|part| !part.finding.verdict.passes());
     // What is wrong in the reference, too, is known to be wrong, where it is the same that is wrong.
@@ -185,7 +188,9 @@ fn judged(
     checker.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
         checker.parts((at, display.body.start), &checker.readings[at], claim, topic)?;
         let message = format!("it cannot be judged as ({topic}) of {}: {}", checker.notes.source.path, error.message());
-        Ok(vec![checker.part(Finding::new(Verdict::Unreadable, display.body, message), String::new())])
+        Ok(vec![
+            checker.part(Finding::new(Code::NotSupported, Verdict::Unreadable, display.body, message), String::new()),
+        ])
     })
 }
 
@@ -202,5 +207,5 @@ fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
     let number = id(&reference.equations[at]).unwrap_or_default();
     let message = format!("no display{side} has the number ({number}), that {} has", reference.source.path);
     let line = print.source.line_column(span.start).0;
-    unjudged(print, number, line, Finding::new(Verdict::Unreadable, span, message))
+    unjudged(print, number, line, Finding::new(Code::NotSupported, Verdict::Unreadable, span, message))
 }

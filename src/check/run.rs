@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::Result;
+use crate::code::Code;
 use crate::notes::claims::Claims;
 use crate::notes::{Display, Notes};
 use crate::systems::Registry;
@@ -96,7 +97,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
 pub fn unclaimed(notes: &Notes) -> Document {
     let equation = |display: &Display| {
         let message = "nothing says what this should mean: it has no claims file";
-        let finding = Finding::new(Verdict::Unclaimed, display.body, message);
+        let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
         Some(unjudged(notes, id(display)?, display.line, finding))
     };
     Document {

@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use crate::code::Code;
 use crate::formula::shape::Shape;
 use crate::formula::{Assignment, Expr, Index, Node, Relation, Statement, SymbolId, Value, evaluate, shape, text};
 use crate::latex::{Reading, names, read_display, read_formula};
@@ -105,7 +106,7 @@ impl Checker<'_> {
                 of.text,
                 text::formula(&link.lhs, &self.model.symbols)
             );
-            return Ok(context.finding(Verdict::Undecided, message));
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
         Ok(found)
     }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::code::Code;
 use crate::formula::Statement;
 use crate::notes::claims::Claim;
 use crate::{Error, Result};
@@ -49,7 +50,7 @@ impl Checker<'_> {
             [] => mismatch.message,
             names => format!("{}; units inferred from {}", mismatch.message, names.join(", ")),
         };
-        Some(Finding::new(Verdict::Unreadable, mismatch.span.shifted(offset), message))
+        Some(Finding::new(Code::NotSupported, Verdict::Unreadable, mismatch.span.shifted(offset), message))
     }
 }
 

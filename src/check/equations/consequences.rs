@@ -1,6 +1,7 @@
 //! What a display that cannot be read leaves open in other equations and sentences.
 
 use crate::Error;
+use crate::code::Code;
 use crate::notes::claims::{Sentence, Test};
 use crate::source::{Missing, Span};
 
@@ -39,12 +40,15 @@ impl Checker<'_> {
         match self.cause(error.missing()) {
             Some(cause) => {
                 let message = format!("it cannot be judged: {}; {cause}", error.message());
-                Ok(Finding::new(Verdict::Unreadable, span, message))
+                Ok(Finding::new(Code::NotSupported, Verdict::Unreadable, span, message))
             }
             // What is wrong at every state is wrong with this claim alone.
-            None if error.place().is_none() => {
-                Ok(Finding::new(Verdict::Undecided, span, format!("it cannot be judged: {}", error.message())))
-            }
+            None if error.place().is_none() => Ok(Finding::new(
+                Code::NotDecided,
+                Verdict::Undecided,
+                span,
+                format!("it cannot be judged: {}", error.message()),
+            )),
             None => Err(error),
         }
     }
@@ -58,7 +62,7 @@ impl Checker<'_> {
             let fails = matches!(finding.verdict, Verdict::Refuted | Verdict::Domain | Verdict::Undecided);
             if fails || wants_failure {
                 let message = format!("it cannot be judged without {law}: {cause}");
-                *finding = Finding::new(Verdict::Unreadable, finding.span, message);
+                *finding = Finding::new(Code::NotSupported, Verdict::Unreadable, finding.span, message);
                 *ok = false;
             }
         };

@@ -1,5 +1,6 @@
 //! One equation: its statements link by link, and what else is claimed of it.
 
+use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::{Introduced, Macros, Reading, read_display};
 use crate::notes::Display;
@@ -131,7 +132,8 @@ impl Checker<'_> {
         topic: &str,
     ) -> Result<Vec<Part>> {
         if let Some(reason) = &claim.skip {
-            let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
+            let finding =
+                Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
             return Ok(vec![self.part(finding, String::new())]);
         }
         let hypotheses = self.hypotheses(claim)?;
@@ -163,7 +165,9 @@ impl Checker<'_> {
             reading.statements.iter().all(Result::is_ok),
         ) {
             let span = self.notes.equations[display].body;
-            return Ok(vec![self.part(Finding::new(Verdict::Unreadable, span, message), String::new())]);
+            return Ok(vec![
+                self.part(Finding::new(Code::NotSupported, Verdict::Unreadable, span, message), String::new()),
+            ]);
         }
         let mut units_agree = true;
         for (at, statement) in reading.statements.iter().enumerate() {
@@ -214,7 +218,8 @@ impl Checker<'_> {
             self.whole(reading, claim, (&hypotheses, &local), offset, topic, &mut parts)?;
         }
         if parts.is_empty() {
-            let finding = Finding::new(Verdict::Unclaimed, Span::at(offset), "nothing says what this should mean");
+            let finding =
+                Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::at(offset), "nothing says what this should mean");
             parts.push(self.part(finding, String::new()));
         }
         Ok(parts)
@@ -265,7 +270,7 @@ impl Checker<'_> {
                 let dropped = self.formula(dropped)?;
                 if is_made_of(&dropped, &link.lhs) {
                     let message = "what is dropped is made of the left side, so nothing is checked";
-                    findings.push(context.finding(Verdict::Undecided, message));
+                    findings.push(context.finding(Code::NotDecided, Verdict::Undecided, message));
                     continue;
                 }
                 link.rhs = with_dropped(&link.rhs, &dropped);
@@ -283,12 +288,15 @@ impl Checker<'_> {
                     Finding {
                         span,
                         ..context.finding(
+                            Code::NotSupported,
                             Verdict::Unreadable,
                             "approximately, but when? Name the \"limit\", or what is \"small\"",
                         )
                     }
                 }
-                (Relation::Proportional, _) => context.finding(Verdict::Unreadable, "∝ is not checked yet"),
+                (Relation::Proportional, _) => {
+                    context.finding(Code::NotSupported, Verdict::Unreadable, "∝ is not checked yet")
+                }
                 (relation, _) if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
                     exactly_when::check(&link, &self.alternatives(claim)?, &context)?
                 }
@@ -319,7 +327,7 @@ impl Checker<'_> {
         }
         if statement.relations.is_empty() && statement.constant.is_none() {
             let message = "a formula without a relation claims nothing";
-            parts.push(self.part(context.finding(Verdict::Unreadable, message), reading.clone()));
+            parts.push(self.part(context.finding(Code::NotSupported, Verdict::Unreadable, message), reading.clone()));
         }
         if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
             let what = format!("{} is constant", text::formula(last, &self.model.symbols));
@@ -353,5 +361,5 @@ fn unreadable(fault: &Fault, offset: usize) -> Finding {
         Some(help) => format!("{}; {help}", fault.message),
         None => fault.message.clone(),
     };
-    Finding::new(Verdict::Unreadable, fault.span.shifted(offset), message)
+    Finding::new(Code::NotSupported, Verdict::Unreadable, fault.span.shifted(offset), message)
 }

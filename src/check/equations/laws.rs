@@ -5,6 +5,7 @@
 //! that is said to vary, would let anything pass.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Expr, Statement, text};
 
 use crate::check::document::checker::Checker;
@@ -45,17 +46,17 @@ impl Checker<'_> {
             }
             if finding.verdict.passes() {
                 let message = format!("this is no law, it can be checked: {}", finding.message);
-                return Ok(Some(context.finding(Verdict::Undecided, message)));
+                return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
             }
             if self.model.world.is_some() {
                 let message = "where a system says how things move there are no further laws: let it be checked";
-                return Ok(Some(context.finding(Verdict::Undecided, message)));
+                return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
             }
         }
         if let Some(finding) = self.leaves_no_choice(&links, context)? {
             return Ok(Some(finding));
         }
-        Ok(Some(context.finding(Verdict::Law, format!("taken for granted: {}", law.title()))))
+        Ok(Some(context.finding(Code::Law, Verdict::Law, format!("taken for granted: {}", law.title()))))
     }
 
     /// What is wrong with the laws together, on the statement of one: no state obeys them, or hardly any does.
@@ -66,13 +67,13 @@ impl Checker<'_> {
         let names: Vec<&str> = self.model.laws.iter().map(|law| law.name.as_str()).collect();
         if ensemble.states.is_empty() {
             let message = format!("no state obeys the laws ({}): they contradict each other", names.join(", "));
-            return Ok(Some(context.finding(Verdict::Undecided, message)));
+            return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
         }
         let forced = forced_value::of_formulas(&sides, &lawful, &ensemble);
         Ok(forced.map(|symbol| {
             let name = text::plain(&self.model.name(symbol));
             let message = format!("the laws ({}) leave {name} one value alone", names.join(", "));
-            context.finding(Verdict::Undecided, message)
+            context.finding(Code::NotDecided, Verdict::Undecided, message)
         }))
     }
 }

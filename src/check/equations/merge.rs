@@ -3,6 +3,7 @@
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Part;
+use crate::code::Code;
 use crate::notes::claims::{Expect, Expected};
 use crate::source::Span;
 
@@ -57,5 +58,5 @@ fn rank(verdict: Verdict) -> usize {
 /// The worst finding of some parts, which the whole carries.
 pub(crate) fn worst(parts: &[Part]) -> Finding {
     merged(parts.iter().map(|part| part.finding.clone()).collect())
-        .unwrap_or_else(|| Finding::new(Verdict::Unclaimed, Span::default(), "nothing is claimed"))
+        .unwrap_or_else(|| Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::default(), "nothing is claimed"))
 }

@@ -3,6 +3,7 @@
 //! A sentence is quoted verbatim, so that it cannot drift from the notes, and says one thing: a formula that holds (or
 //! does not always), a constant of the motion, the shape of a function, the number of solutions of an equation.
 
+use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::{Claims, Holds, Property, Sentence, Sign, Spanned, Test};
@@ -176,7 +177,7 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
                             format!("({}) is not in these notes, and so does not contain {words}{others}", number.value)
                         }
                     };
-                    context.finding(Verdict::Refuted, message)
+                    context.finding(Code::SidesDiffer, Verdict::Refuted, message)
                 }
             };
             Ok((finding, format!("({}) contains {words}", number.value)))
@@ -197,7 +198,8 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
             for (variable, shape) in shapes(checker, sentence, property)? {
                 findings.push(function_shape::check(&function, variable, &shape, context));
             }
-            let finding = merged(findings).unwrap_or_else(|| context.finding(Verdict::Unclaimed, "nothing is said"));
+            let finding = merged(findings)
+                .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "nothing is said"));
             Ok((finding, format!("{} of {words}", property_words(property))))
         }
         Test::Solutions { count, of, unknown } => {
@@ -252,12 +254,12 @@ fn claim(
     context: &Context<'_>,
 ) -> Result<Finding> {
     if let Some(message) = checker.lacks_a_relation(&sentence.claim, statements.iter()) {
-        return Ok(context.finding(Verdict::Unreadable, message));
+        return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
     }
     if sentence.claim.units_off.is_none()
         && let Some(message) = statements.iter().find_map(|statement| checker.claimed_conflict(statement))
     {
-        return Ok(context.finding(Verdict::Unreadable, message));
+        return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
     }
     let members: Vec<&Expr> = statements.iter().flat_map(|statement| &statement.members).collect();
     if let Some(finding) = context.unclear(&members) {
@@ -288,7 +290,7 @@ fn claim(
             findings.push(conserved::conserved(last, context)?);
         }
     }
-    Ok(merged(findings).unwrap_or_else(|| context.finding(Verdict::Unclaimed, "nothing is claimed")))
+    Ok(merged(findings).unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "nothing is claimed")))
 }
 
 /// A function given by the number of an equation (its last member) or by LaTeX.

@@ -1,5 +1,6 @@
 //! Who uses a defined name: the equations and sentences that say something of it, and those that hold by a law that does.
 
+use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, text};
 use crate::latex::Introduced;
 use crate::notes::claims::Claim;
@@ -35,7 +36,7 @@ impl Checker<'_> {
         if uses.is_empty() && !restated.is_empty() {
             let name = text::plain(&self.model.name(symbol));
             let message = format!("introduces {name}, and {} says the same in other words", restated.join(", "));
-            return Ok(context.finding(Verdict::Undecided, message));
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();

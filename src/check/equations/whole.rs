@@ -9,6 +9,7 @@ use crate::check::model::states::Reach;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Part;
+use crate::code::Code;
 use crate::formula::tree::Sign;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::{Introduced, Reading};
@@ -77,7 +78,7 @@ impl Checker<'_> {
             };
             let link = self.link(&other, Relation::Equal, &printed)?;
             let finding = match self.only_repeats(&link, &reading.introduced) {
-                true => context.finding(Verdict::Undecided, "what it also equals only restates it"),
+                true => context.finding(Code::NotDecided, Verdict::Undecided, "what it also equals only restates it"),
                 false => identity::check(&link, &context)?,
             };
             let reading =

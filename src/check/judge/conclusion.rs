@@ -1,5 +1,6 @@
 //! The finding that follows from what all states say.
 
+use crate::code::Code;
 use crate::formula::Relation;
 
 use crate::check::judge::at_states::AtStates;
@@ -22,11 +23,11 @@ pub(crate) fn conclude(
     outcome: &Outcome,
 ) -> Finding {
     let link = states.link;
-    let evidence = |verdict, message: String| Finding {
+    let evidence = |code, verdict, message: String| Finding {
         points: outcome.points,
         tried: ensemble.tried,
         max_residual: (outcome.points > 0).then_some(outcome.residual),
-        ..context.finding(verdict, message)
+        ..context.finding(code, verdict, message)
     };
     let free = context.hypotheses.is_empty() && context.local.is_empty();
     let whence = match (ensemble.mode.on_shell, free) {
@@ -48,7 +49,7 @@ pub(crate) fn conclude(
             (None, Relation::Equal | Relation::Identical) => format!("the two sides differ, {whence}"),
             (None, relation) => format!("“{}” fails, {whence}", relation.glyph()),
         };
-        let mut finding = evidence(Verdict::Refuted, message);
+        let mut finding = evidence(Code::SidesDiffer, Verdict::Refuted, message);
         finding.max_residual = Some(failure.residual);
         finding.counterexample = Some(counterexample(link, &ensemble.states[*at], failure));
         if let Some(mutant) = context.options.explain.then(|| meant(states, context.model)).flatten() {
@@ -59,7 +60,7 @@ pub(crate) fn conclude(
     if let (Some((failure, at)), true) = (&outcome.one_sided, outcome.points > 0) {
         let which = if failure.lhs.is_finite() { "right" } else { "left" };
         let message = format!("agrees wherever both sides are defined, but the {which} side is not defined everywhere");
-        let mut finding = evidence(Verdict::Domain, message);
+        let mut finding = evidence(Code::DomainDiffers, Verdict::Domain, message);
         finding.counterexample = Some(counterexample(link, &ensemble.states[*at], failure));
         return finding;
     }
@@ -68,13 +69,13 @@ pub(crate) fn conclude(
             "at {} of {} states the sides differ by more than rounding, and too little to call it a difference",
             outcome.doubtful, ensemble.tried
         );
-        return evidence(Verdict::Undecided, message);
+        return evidence(Code::NotDecided, Verdict::Undecided, message);
     }
     if outcome.points < FEWEST.min(context.options.points) {
         let message = format!("only {} of {} states can tell: too few", outcome.points, ensemble.tried);
-        return evidence(Verdict::Undecided, message);
+        return evidence(Code::NotDecided, Verdict::Undecided, message);
     }
-    evidence(Verdict::Verified, format!("holds {whence}"))
+    evidence(Code::Holds, Verdict::Verified, format!("holds {whence}"))
 }
 
 /// The first mutant that holds at all states: what may have been meant.

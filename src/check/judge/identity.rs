@@ -1,6 +1,7 @@
 //! Claims between two formulas: always, or on shell, under hypotheses.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::Expr;
 use crate::scalar::Measured;
 
@@ -35,7 +36,11 @@ fn judged(link: &Link, context: &Context<'_>) -> Result<Finding> {
         return Ok(finding);
     }
     if zero::is_its_rate(link, context)? {
-        return Ok(context.finding(Verdict::Undecided, "what is differentiated is always 0, so nothing is checked"));
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "what is differentiated is always 0, so nothing is checked",
+        ));
     }
     match (context.on_shell, context.model.has_motion()) {
         (Some(on_shell), true) => Ok(check_in(link, context, on_shell)?.0),

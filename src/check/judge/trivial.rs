@@ -1,5 +1,6 @@
 //! Claims that are settled without a state: both sides one formula, a hypothesis, a law.
 
+use crate::code::Code;
 use crate::formula::Expr;
 
 use crate::check::certificate::formulas;
@@ -14,14 +15,22 @@ use crate::check::verdict::finding::Finding;
 /// Claims that say nothing: both sides the same formula, or the hypothesis itself.
 pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     if link.lhs == link.rhs {
-        return Some(context.finding(Verdict::Undecided, "both sides are one formula, so nothing is checked"));
+        return Some(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "both sides are one formula, so nothing is checked",
+        ));
     }
     let opened = |expr: &Expr| match expr.as_plain_symbol().and_then(|id| context.model.meaning(id)) {
         Some(Meaning::Defined(formula)) => formula.as_ref().clone(),
         _ => expr.clone(),
     };
     if is_equality(link.relation) && opened(&link.lhs) == opened(&link.rhs) {
-        return Some(context.finding(Verdict::Definition, "true by definition: the claims file defines it so"));
+        return Some(context.finding(
+            Code::Definition,
+            Verdict::Definition,
+            "true by definition: the claims file defines it so",
+        ));
     }
     if let Some(finding) = context.unclear(&[&link.lhs, &link.rhs]) {
         return Some(finding);
@@ -36,7 +45,11 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
                         || tautology::is_linear_in(link, rule.symbol)
                             && formulas::is_identity_where(&link.lhs, &link.rhs, context.local, context.model)) =>
             {
-                return Some(context.finding(Verdict::Undecided, "it only restates what \"where\" says"));
+                return Some(context.finding(
+                    Code::NotDecided,
+                    Verdict::Undecided,
+                    "it only restates what \"where\" says",
+                ));
             }
             _ => {}
         }
@@ -47,11 +60,13 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     };
     if let Some(law) = context.model.laws.iter().find(|law| law.hypotheses.iter().any(is_hypothesis)) {
         return (context.on_shell != Some(false))
-            .then(|| context.finding(Verdict::Law, format!("taken for granted: {}", law.title())));
+            .then(|| context.finding(Code::Law, Verdict::Law, format!("taken for granted: {}", law.title())));
     }
-    context
-        .hypotheses
-        .iter()
-        .any(is_hypothesis)
-        .then(|| context.finding(Verdict::Undecided, "this is one of its own hypotheses, so nothing is checked"))
+    context.hypotheses.iter().any(is_hypothesis).then(|| {
+        context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "this is one of its own hypotheses, so nothing is checked",
+        )
+    })
 }

@@ -1,6 +1,7 @@
 //! Two formulas without a document: every letter is a real number, and so is every dotted letter.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::symbols::Name;
 use crate::formula::{Relation, SymbolId, Symbols, text};
 use crate::latex::{Macros, read_formula};
@@ -60,7 +61,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let readings = [text::formula(&lhs, &model.symbols), text::formula(&rhs, &model.symbols)];
     let span = Span::default();
     if lhs == rhs {
-        let finding = Finding::new(Verdict::Definition, span, "both are one formula");
+        let finding = Finding::new(Code::Definition, Verdict::Definition, span, "both are one formula");
         return Ok(Answer { finding, readings, assumed });
     }
     let reach = Reach::Vast;

@@ -1,6 +1,7 @@
 //! The claim that a quantity is constant along the motion.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, SymbolId};
 
 use crate::check::judge::at_states::AtStates;
@@ -22,7 +23,11 @@ use crate::check::verdict::finding::Finding;
 /// When the world's mass matrix is singular.
 pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if !context.model.has_motion() {
-        return Ok(context.finding(Verdict::Undecided, "nothing says how it moves: name a \"system\" or \"laws\""));
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "nothing says how it moves: name a \"system\" or \"laws\"",
+        ));
     }
     if let Some(finding) = context.unclear(&[expr]) {
         return Ok(finding);
@@ -46,7 +51,11 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     match run(&link, &off_shell.states) {
         Err(reason) => return Ok(context.unavailable(&reason)),
         Ok(outcome) if outcome.failure.is_none() => {
-            return Ok(context.finding(Verdict::Undecided, "it does not vary even off shell, so nothing is conserved"));
+            return Ok(context.finding(
+                Code::NotDecided,
+                Verdict::Undecided,
+                "it does not vary even off shell, so nothing is conserved",
+            ));
         }
         Ok(_) => {}
     }
@@ -65,7 +74,7 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if let (Verdict::Verified, Some(symbol)) =
         (finding.verdict, forced_value::of_formulas(&[expr], &on_shell, &ensemble))
     {
-        return Ok(context.finding(Verdict::Undecided, forced_value::message(symbol, context)));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, forced_value::message(symbol, context)));
     }
     finding.message = match finding.verdict {
         Verdict::Verified => {

@@ -5,6 +5,7 @@
 //! difference of the sides for vanishing cells is extrapolated, and nothing may be left of it.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, text};
 use crate::scalar::Measured;
@@ -33,13 +34,17 @@ const LEFT: f64 = 0.02;
 /// When the world's mass matrix is singular.
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let Some(at) = region(&link.lhs, context.model).or_else(|| region(&link.rhs, context.model)) else {
-        return Ok(context.finding(Verdict::Unreadable, "there is no integral over a continuum in it"));
+        return Ok(context.finding(
+            Code::NotSupported,
+            Verdict::Unreadable,
+            "there is no integral over a continuum in it",
+        ));
     };
     if let Some(name) = link.lhs.as_plain_symbol()
         && link.rhs.symbols().iter().any(|(symbol, _)| *symbol == name)
     {
         let message = format!("{} stands on both sides, so its integral says nothing of it", context.model.name(name));
-        return Ok(context.finding(Verdict::Undecided, text::plain(&message)));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, text::plain(&message)));
     }
     let mode = context.mode(false, &[&link.lhs, &link.rhs]);
     let ensemble = context.ensemble(mode, false, FEWEST)?;
@@ -54,7 +59,11 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
                     tried: tried + 1,
                     max_residual: failure.as_ref().map(|failure| failure.residual),
                     counterexample: failure.map(|failure| counterexample(link, state, &failure)),
-                    ..context.finding(Verdict::Refuted, "the sum over ever finer cells does not become the integral")
+                    ..context.finding(
+                        Code::SidesDiffer,
+                        Verdict::Refuted,
+                        "the sum over ever finer cells does not become the integral",
+                    )
                 });
             }
             Ok(_) => {}
@@ -70,7 +79,7 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
         // One that holds for all other bodies as well says the same.
         if ensemble.states.iter().all(within(LEFT)) && !wide.states.iter().all(within(5.0 * LEFT)) {
             let message = format!("these bodies cannot tell it from the same claim with {}", mutant.change);
-            return Ok(context.finding(Verdict::Undecided, message));
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
     let points = ensemble.states.len();

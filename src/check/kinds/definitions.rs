@@ -4,6 +4,7 @@
 //! it, put in its place, makes an equation that uses the symbol fail.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::evaluate::evaluate;
 use crate::formula::{Expr, Relation, SymbolId, text};
 
@@ -44,12 +45,18 @@ pub fn check(
 ) -> Result<Finding> {
     let name = text::plain(&context.model.name(symbol));
     if users.is_empty() && by_law.is_empty() {
-        return Ok(context.finding(Verdict::Undecided, format!("introduces {name}, which nothing else checks")));
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            format!("introduces {name}, which nothing else checks"),
+        ));
     }
     if zero::is_nothing(formula, context)? {
-        return Ok(
-            context.finding(Verdict::Undecided, format!("introduces {name}, which is always 0 as it is printed"))
-        );
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            format!("introduces {name}, which is always 0 as it is printed"),
+        ));
     }
     let itself = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
     let definition = Link { lhs: itself, relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
@@ -118,15 +125,15 @@ pub fn check(
     match loose.first() {
         _ if names.is_empty() => {
             let message = format!("introduces {name}, and nothing that holds uses it");
-            Ok(context.finding(Verdict::Undecided, message))
+            Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
         }
         Some((_, change)) => {
             let message = format!("introduces {name} loosely: nothing would notice it with {change}");
-            Ok(context.finding(Verdict::Undecided, message))
+            Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
         }
         None => {
             let message = format!("introduces {name}; each slip in it{aside} breaks {}", names.join(" or "));
-            Ok(Finding { points, tried: points, ..context.finding(Verdict::Definition, message) })
+            Ok(Finding { points, tried: points, ..context.finding(Code::Definition, Verdict::Definition, message) })
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Claims that hold exactly when something else does: both where it holds and where it does not.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Value, evaluate, text};
 use crate::scalar::Measured;
 
@@ -24,7 +25,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     let conditions: Vec<&Hypothesis> = alternatives.iter().flatten().collect();
     let restates = |c: &Hypothesis| c.lhs == link.lhs && c.relation == link.relation && c.rhs == link.rhs;
     if alternatives.iter().flatten().any(restates) {
-        return Ok(context.finding(Verdict::Undecided, "one of the conditions is the claim itself"));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, "one of the conditions is the claim itself"));
     }
     let formulas = [&link.lhs, &link.rhs].into_iter().chain(conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]));
     let formulas: Vec<_> = formulas.collect();
@@ -79,7 +80,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
                     points: both + neither + 1,
                     tried,
                     counterexample: Some(counterexample(link, state, &failure)),
-                    ..context.finding(Verdict::Refuted, message)
+                    ..context.finding(Code::SidesDiffer, Verdict::Refuted, message)
                 });
             }
             _ => other += usize::from(!at_an_edge),
@@ -99,14 +100,14 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     }
     if both < FEWEST / 2 || neither < FEWEST / 2 || both + neither < other {
         let message = format!("{both} states where it holds and {neither} where it does not are too few");
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if let Some(symbol) = forced {
-        return Ok(context.finding(Verdict::Undecided, forced_value::message(symbol, context)));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, forced_value::message(symbol, context)));
     }
     if let Some(at) = met_at.iter().position(|count| *count == 0) {
         let message = format!("its alternative {} is met at no state, so it says nothing", at + 1);
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let message = format!("holds at {both} states, and at none of the {neither} others, as the conditions say");
     Ok(Finding {

@@ -7,6 +7,7 @@
 
 use num_dual::Dual64;
 
+use crate::code::Code;
 use crate::formula::{Expr, Relation, SymbolId, text};
 use crate::scalar::Measured;
 
@@ -45,14 +46,18 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         if dots > 0 || matches!(model.meaning(id), Some(Meaning::World(quantity)) if !is_momentum(*quantity)) {
             let shown = crate::formula::text::with_dots(&model.name(id), dots);
             let message = format!("{shown} is not an independent number here: write it out");
-            return context.finding(Verdict::Unreadable, message);
+            return context.finding(Code::NotSupported, Verdict::Unreadable, message);
         }
         if !atoms.contains(&id) {
             atoms.push(id);
         }
     }
     if !function.symbols().iter().any(|(id, _)| *id == variable) && !matches!(shape, Shape::Independent) {
-        return context.finding(Verdict::Undecided, format!("{} does not occur in it", model.name(variable)));
+        return context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            format!("{} does not occur in it", model.name(variable)),
+        );
     }
     let speaks_of_it = |c: &&Hypothesis| [&c.lhs, &c.rhs].into_iter().any(|side| mentions(side, variable));
     let bounds: Vec<&Hypothesis> = context.hypotheses.iter().filter(speaks_of_it).collect();
@@ -66,7 +71,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
                 format!("{name} runs through its range, and a hypothesis fixes it: an inequality can say where it runs")
             }
         };
-        return context.finding(Verdict::Unreadable, message);
+        return context.finding(Code::NotSupported, Verdict::Unreadable, message);
     }
     let range = model.range(variable);
     let (states, tried) = states(&atoms, variable, context);
@@ -77,7 +82,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
             Look::Holds => points += 1,
             Look::Useless => {}
             Look::Open(message) => {
-                return Finding { points, tried, ..context.finding(Verdict::Undecided, message) };
+                return Finding { points, tried, ..context.finding(Code::NotDecided, Verdict::Undecided, message) };
             }
             Look::Fails { at, found, wanted, what } => {
                 let mut state: Vec<(String, f64)> =
@@ -87,14 +92,14 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
                     points: points + 1,
                     tried,
                     counterexample: Some(Counterexample { state, lhs: found, rhs: wanted, entry: None }),
-                    ..context.finding(Verdict::Refuted, what)
+                    ..context.finding(Code::SidesDiffer, Verdict::Refuted, what)
                 };
             }
         }
     }
     if points < crate::check::sample::setting::FEWEST.min(context.options.points) {
         let message = format!("only {points} of {tried} states obey the hypotheses and can tell");
-        return Finding { points, tried, ..context.finding(Verdict::Undecided, message) };
+        return Finding { points, tried, ..context.finding(Code::NotDecided, Verdict::Undecided, message) };
     }
     let message = format!("holds at {points} states, the special places among them");
     Finding { points, tried, ..context.verified(message, "all values of a function") }

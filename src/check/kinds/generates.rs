@@ -6,6 +6,7 @@
 use num_dual::Dual;
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::evaluate::{Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, SymbolId, Value, text};
 use crate::scalar::field::Modulus;
@@ -29,12 +30,16 @@ use crate::check::verdict::finding::{Counterexample, Finding};
 pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let model = context.model;
     if model.world.is_none() {
-        return Ok(context.finding(Verdict::Undecided, "there is no system whose motion it could generate"));
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "there is no system whose motion it could generate",
+        ));
     }
     if let Some(name) = fixed_by_the_state(hamiltonian, model) {
         let message = format!("it contains {}, and of that it is not printed how it depends on", text::plain(&name));
         let message = format!("{message} coordinates and momenta: give its formula under \"define\"");
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     // A momentum may have several names.
     let named = |wanted: Quantity| -> Vec<SymbolId> {
@@ -46,7 +51,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     if let Some(k) = momenta.iter().position(Vec::is_empty) {
         let coordinate = text::plain(&model.name(coordinates[k]));
         let message = format!("the momentum of {coordinate} has no name: give it one under \"means\"");
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     // What is varied: the names of each.
     let varied: Vec<Vec<SymbolId>> = coordinates.iter().map(|id| vec![*id]).chain(momenta).collect();
@@ -72,10 +77,12 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             free.set_only(&seeded);
             let slope = match evaluate(hamiltonian, &free, &[]) {
                 Ok(Value::Scalar(value)) => value.value().eps,
-                Ok(_) => return Ok(context.finding(Verdict::Unreadable, "a Hamiltonian is a number")),
+                Ok(_) => {
+                    return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, "a Hamiltonian is a number"));
+                }
                 Err(Unavailable::Derivative(_)) => {
                     let message = "it is not written in coordinates and momenta: it contains velocities";
-                    return Ok(context.finding(Verdict::Unreadable, message));
+                    return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
                 }
                 Err(reason) => return Ok(context.unavailable(&reason)),
             };
@@ -105,7 +112,11 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
                     tried: ensemble.tried,
                     max_residual: Some(residual),
                     counterexample: Some(counterexample),
-                    ..context.finding(Verdict::Refuted, format!("Hamilton's equations from it do not give {equation}"))
+                    ..context.finding(
+                        Code::SidesDiffer,
+                        Verdict::Refuted,
+                        format!("Hamilton's equations from it do not give {equation}"),
+                    )
                 });
             }
             worst = worst.max(residual);
@@ -113,13 +124,17 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         points += 1;
     }
     if points < FEWEST.min(context.options.points) {
-        return Ok(context.finding(Verdict::Undecided, format!("only {points} states can tell: too few")));
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            format!("only {points} states can tell: too few"),
+        ));
     }
     let finding = Finding {
         points,
         tried: ensemble.tried,
         max_residual: Some(worst),
-        ..context.finding(Verdict::Verified, "Hamilton's equations from it give the motion")
+        ..context.finding(Code::Holds, Verdict::Verified, "Hamilton's equations from it give the motion")
     };
     let claim = Generates { hamiltonian, varied: &varied };
     Ok(decide::decide(&[hamiltonian], context, &ensemble, &claim).stamp(finding))

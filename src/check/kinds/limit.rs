@@ -8,6 +8,7 @@
 use std::sync::Arc;
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, SymbolId, Value};
 use crate::notes::claims::Range;
@@ -116,7 +117,11 @@ fn check_in(
                     tried: ensemble.tried,
                     max_residual: Some(failure.residual),
                     counterexample: steps.state(k, side).map(|state| counterexample(link, &state, &failure)),
-                    ..context.finding(Verdict::Refuted, "the two sides do not approach each other in this limit")
+                    ..context.finding(
+                        Code::SidesDiffer,
+                        Verdict::Refuted,
+                        "the two sides do not approach each other in this limit",
+                    )
                 });
             }
             Ok(Approach::Useless) => {}
@@ -125,7 +130,7 @@ fn check_in(
     }
     if powers.len() < FEWEST.min(context.options.points) {
         let message = format!("only {} of {} states reach the limit", powers.len(), ensemble.tried);
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     // Each printed term must earn its place: without it, or with a slip in it, the right side must be farther off.
     // On the left, terms that the limit drops may be anything; there only symbols must be told apart.
@@ -138,7 +143,7 @@ fn check_in(
         );
         if as_near {
             let message = format!("these states cannot tell it from the same claim with {}", mutant.change);
-            return Ok(context.finding(Verdict::Undecided, message));
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
     let slowest = powers.iter().copied().fold(f64::INFINITY, f64::min);

@@ -6,6 +6,7 @@
 //! shell too, says nothing.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, Value};
 use crate::scalar::Measured;
@@ -87,7 +88,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     let families = drawn(link, small, context, on_shell)?;
     if families.len() < FEWEST.min(context.options.points) {
         let message = format!("only {} states have small quantities that can be scaled", families.len());
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let (mut slowest, mut told) = (f64::INFINITY, 0);
     for family in &families {
@@ -100,6 +101,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
                     max_residual: failure.as_ref().map(|(_, failure)| failure.residual),
                     counterexample: failure.map(|(state, failure)| counterexample(link, state, &failure)),
                     ..context.finding(
+                        Code::SidesDiffer,
                         Verdict::Refuted,
                         format!("the sides differ at order {:.0} of what is small", power.max(0.0)),
                     )
@@ -113,11 +115,11 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     }
     if told < FEWEST.min(context.options.points) {
         let message = format!("only {told} of {} states can tell: too few", families.len());
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if slowest < wanted {
         let message = format!("the error falls as the power {slowest:.1} of what is small, which tells neither way");
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let all_reach = |link: &Link, families: &[Shrinkage<'_>], least: f64| {
         families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
@@ -131,13 +133,13 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     for term in terms(link) {
         let alone = Link { lhs: term.clone(), rhs: Expr::integer(0, term.span), ..link.clone() };
         if !free.is_empty() && all_reach(&alone, &free, wanted) {
-            return Ok(context.finding(Verdict::Undecided, could_be_anything(term)));
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, could_be_anything(term)));
         }
     }
     for (term, without) in omissions(&link.rhs) {
         let without = Link { lhs: link.rhs.clone(), rhs: without, ..link.clone() };
         if !free.is_empty() && all_reach(&without, &free, wanted) {
-            return Ok(context.finding(Verdict::Undecided, could_be_anything(&term)));
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, could_be_anything(&term)));
         }
     }
     let survivors: Vec<_> = mutants_of(link, context.model)
@@ -153,7 +155,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         let falls = |link: &Link| wide.iter().all(|family| family.falls(link, missed));
         if let Some(mutant) = survivors.iter().find(|mutant| !falls(&mutant.link)) {
             let message = format!("these states cannot tell it from the same claim with {}", mutant.change);
-            return Ok(context.finding(Verdict::Undecided, message));
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
     let message = match slowest.is_finite() {

@@ -4,6 +4,7 @@
 //! real root. Roots are counted by the signs of the equation on a grid of both signs that is logarithmic in the unknown.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Expr, SymbolId, Value};
 use crate::notes::claims::Range;
 use crate::scalar::{Measured, Series};
@@ -52,7 +53,11 @@ fn put_in_and_count(
 ) -> Result<Finding> {
     if !mentions(&target.lhs, unknown) && !mentions(&target.rhs, unknown) {
         let name = context.model.name(unknown);
-        return Ok(context.finding(Verdict::Undecided, format!("{name} does not occur in the equation to be solved")));
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            format!("{name} does not occur in the equation to be solved"),
+        ));
     }
     let mut formulas = vec![&target.lhs, &target.rhs];
     formulas.extend(branches);
@@ -93,7 +98,7 @@ fn put_in_and_count(
         }
         for (i, a) in roots.iter().enumerate() {
             if roots[..i].iter().any(|b| residual::vanishes(*a - *b)) {
-                return Ok(context.finding(Verdict::Refuted, "two branches are the same solution"));
+                return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, "two branches are the same solution"));
             }
         }
         let all = if all_of_them { count_roots(target, unknown, state) } else { roots.len() };
@@ -101,7 +106,7 @@ fn put_in_and_count(
             let message = format!("the equation has {all} real solutions, and {} are given", roots.len());
             let failure = Failure { lhs: all as f64, rhs: roots.len() as f64, residual: 1.0, entry: None };
             let counterexample = Some(counterexample(target, state, &failure));
-            return Ok(Finding { counterexample, ..context.finding(Verdict::Refuted, message) });
+            return Ok(Finding { counterexample, ..context.finding(Code::SidesDiffer, Verdict::Refuted, message) });
         }
         counted += usize::from(all == roots.len());
         points += 1;
@@ -109,16 +114,16 @@ fn put_in_and_count(
     }
     if points < FEWEST.min(context.options.points) {
         let message = format!("only at {points} of {} states are there real solutions", ensemble.tried);
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if 2 * counted < points {
         let message = format!("the roots found on the grid are the given ones at {counted} of {points} states only");
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     // The mutant of one branch may be the other; the whole is held against its mutants_of, not each branch.
     if all_of_them && let Some(change) = survivor(target, unknown, branches, context, &mut ensemble.states, &used) {
         let message = format!("these states cannot tell it from the same solution with {change}");
-        return Ok(context.finding(Verdict::Undecided, message));
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let number = branches.len();
     let message = match all_of_them {
@@ -131,7 +136,7 @@ fn put_in_and_count(
         points,
         tried: ensemble.tried,
         max_residual: Some(residual),
-        ..context.finding(Verdict::Verified, message)
+        ..context.finding(Code::Holds, Verdict::Verified, message)
     };
     Ok(certify_solutions(target, unknown, branches, all_of_them, context, &ensemble).stamp(finding))
 }
@@ -193,7 +198,7 @@ fn refuted(
         points: points + 1,
         max_residual: Some(failure.residual),
         counterexample: Some(counterexample(target, state, failure)),
-        ..context.finding(Verdict::Refuted, message)
+        ..context.finding(Code::SidesDiffer, Verdict::Refuted, message)
     }
 }
 

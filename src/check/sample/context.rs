@@ -1,6 +1,7 @@
 //! The context of one claim: its model, its hypotheses, and the name that seeds its states.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, text};
 use crate::scalar::TERMS;
@@ -114,19 +115,22 @@ impl<'a> Context<'a> {
     }
 
     /// A finding about this claim.
-    pub fn finding(&self, verdict: Verdict, message: impl Into<String>) -> Finding {
-        Finding::new(verdict, self.span, message)
+    pub fn finding(&self, code: Code, verdict: Verdict, message: impl Into<String>) -> Finding {
+        Finding::new(code, verdict, self.span, message)
     }
 
     /// The finding that this claim holds, by numbers alone: a field has no word for what it is about.
     pub fn verified(&self, message: impl Into<String>, about: &str) -> Finding {
-        Finding { not_certified_because: Some(about.to_owned()), ..self.finding(Verdict::Verified, message) }
+        Finding {
+            not_certified_because: Some(about.to_owned()),
+            ..self.finding(Code::Holds, Verdict::Verified, message)
+        }
     }
 
     /// The finding that no state obeys the hypotheses.
     pub fn no_room(&self, ensemble: &Ensemble<'_>) -> Finding {
         let message = "no state obeys the hypotheses: they contradict each other or leave no room";
-        Finding { tried: ensemble.tried, ..self.finding(Verdict::Undecided, message) }
+        Finding { tried: ensemble.tried, ..self.finding(Code::NotDecided, Verdict::Undecided, message) }
     }
 
     /// Why a formula has no value, as a finding.
@@ -138,6 +142,6 @@ impl<'a> Context<'a> {
             Unavailable::Derivative(_) => format!("it needs time derivatives beyond the {}th", TERMS - 1),
             Unavailable::Operation(what) => format!("{what} cannot be evaluated"),
         };
-        self.finding(Verdict::Unreadable, message)
+        self.finding(Code::NotSupported, Verdict::Unreadable, message)
     }
 }

@@ -5,6 +5,7 @@
 //! more.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Expr, SymbolId, text};
 
 use crate::check::certificate::claim::Certificate;
@@ -121,7 +122,7 @@ fn fails_at(
         tried: finding.tried + states.tried,
         max_residual: Some(failure.residual),
         counterexample: Some(counterexample(link, state, &failure)),
-        ..context.finding(Verdict::Refuted, message(&model, size))
+        ..context.finding(Code::SidesDiffer, Verdict::Refuted, message(&model, size))
     }))
 }
 

@@ -7,6 +7,7 @@
 //! logarithm of something that has none. All else out there may be rounding, and says nothing.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::tree::Function;
 use crate::formula::{Expr, Node, Value};
 use crate::scalar::Measured;
@@ -66,7 +67,13 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding:
         match residual::test(link, state) {
             Ok(Point::Fails(failure)) if failure.residual > GROSS && is_moderate(link, state) => {
                 let message = "the two sides agree where all numbers are of order one, and differ here";
-                return Ok(found(Verdict::Refuted, message, (link, state, failure), context, finding));
+                return Ok(found(
+                    (Code::SidesDiffer, Verdict::Refuted),
+                    message,
+                    (link, state, failure),
+                    context,
+                    finding,
+                ));
             }
             Ok(Point::OneSided(failure)) if ends.is_none() => {
                 let side = if failure.lhs.is_finite() { &link.rhs } else { &link.lhs };
@@ -81,13 +88,13 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding:
             let which = if place.2.lhs.is_finite() { "right" } else { "left" };
             let message =
                 format!("agrees wherever both sides are defined, but the {which} side is not defined everywhere");
-            found(Verdict::Domain, &message, place, context, finding)
+            found((Code::DomainDiffers, Verdict::Domain), &message, place, context, finding)
         }
     })
 }
 
 fn found(
-    verdict: Verdict,
+    (code, verdict): (Code, Verdict),
     message: &str,
     (link, state, failure): (&Link, &SampledState<'_, Measured>, Failure),
     context: &Context<'_>,
@@ -98,7 +105,7 @@ fn found(
         tried: passed.tried + STATES,
         max_residual: if verdict == Verdict::Refuted { Some(failure.residual) } else { passed.max_residual },
         counterexample: Some(counterexample(link, state, &failure)),
-        ..context.finding(verdict, message)
+        ..context.finding(code, verdict, message)
     }
 }
 

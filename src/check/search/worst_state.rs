@@ -8,6 +8,7 @@
 //! are equal inside of all ranges and hypotheses; at an open end they come as near as one likes, and a + b < 2 of two numbers
 //! below 1 is true.
 
+use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Value};
 use crate::notes::claims::Range;
 use crate::scalar::Measured;
@@ -121,7 +122,11 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<
                 tried: finding.tried,
                 max_residual: Some(failure.residual),
                 counterexample: Some(counterexample(link, &state, &failure)),
-                ..context.finding(Verdict::Refuted, format!("“{glyph}” fails at its worst state{place}"))
+                ..context.finding(
+                    Code::SidesDiffer,
+                    Verdict::Refuted,
+                    format!("“{glyph}” fails at its worst state{place}"),
+                )
             };
         }
     }

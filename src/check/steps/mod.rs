@@ -217,5 +217,5 @@ fn inherit(finding: &mut Finding, inherited: Inherited) {
     };
     let Finding { verdict, span, points, tried, .. } = *finding;
     let follows_from = Some(inherited);
-    *finding = Finding { points, tried, follows_from, ..Finding::new(verdict, span, message) };
+    *finding = Finding { points, tried, follows_from, ..Finding::new(finding.code, verdict, span, message) };
 }

@@ -1,6 +1,7 @@
 //! Formulas that name something of which it is not clear what is meant: a family that is joined of several, the motion of a
 //! place that is integrated over, and the rate of what is declared not to change.
 
+use crate::code::Code;
 use crate::formula::tree::Node;
 use crate::formula::{Expr, SymbolId, text};
 
@@ -17,7 +18,7 @@ impl Context<'_> {
         let hypotheses = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
         let all: Vec<&Expr> = formulas.iter().copied().chain(hypotheses).collect();
         let message = self.joined(&all).or_else(|| self.moving_place(&all)).or_else(|| self.moving_constant(&all))?;
-        Some(self.finding(Verdict::Unreadable, message))
+        Some(self.finding(Code::NotSupported, Verdict::Unreadable, message))
     }
 
     /// A family that is joined of several in this claim: which of them is meant is not clear. What is defined by sums

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::code::Code;
 use crate::source::Span;
 
 use crate::check::verdict::Verdict;
@@ -79,6 +80,8 @@ pub struct Fit {
 pub struct Finding {
     /// The verdict.
     pub verdict: Verdict,
+    /// The class of the message: its stable name.
+    pub code: Code,
     /// What was found, in a sentence.
     pub message: String,
     /// The states that were used.
@@ -109,9 +112,10 @@ pub struct Finding {
 
 impl Finding {
     /// A finding without numbers.
-    pub fn new(verdict: Verdict, span: Span, message: impl Into<String>) -> Self {
+    pub fn new(code: Code, verdict: Verdict, span: Span, message: impl Into<String>) -> Self {
         Finding {
             verdict,
+            code,
             message: message.into(),
             points: 0,
             tried: 0,
