@@ -50,11 +50,11 @@ fn is_surely_well_conditioned(matrix: &DMatrix<f64>) -> bool {
 
 /// How linear equations are solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Elimination {
+pub enum LinearSolver {
     /// By elimination with exchange of rows, after a look at the condition number: for real numbers.
-    Pivots,
+    PartialPivoting,
     /// By Cramer's rule, looking at no values: for numbers that have no size.
-    Cramer,
+    CramersRule,
 }
 
 /// The most unknowns that Cramer's rule is used for.
@@ -91,15 +91,15 @@ fn determinant<D: Number>(matrix: &DMatrix<D>) -> D {
 ///
 /// # Errors
 /// As [`solve`] or [`cramer`].
-pub(crate) fn solve_by<D: Number>(
-    elimination: Elimination,
+pub(crate) fn solve_with<D: Number>(
+    solver: LinearSolver,
     what: &str,
     matrix: DMatrix<D>,
     right: Vec<D>,
 ) -> Result<Vec<D>> {
-    match elimination {
-        Elimination::Pivots => solve(what, matrix, right),
-        Elimination::Cramer => cramer(what, &matrix, &right),
+    match solver {
+        LinearSolver::PartialPivoting => solve(what, matrix, right),
+        LinearSolver::CramersRule => cramer(what, &matrix, &right),
     }
 }
 
@@ -181,12 +181,12 @@ mod tests {
         let matrix = |n: usize| DMatrix::from_fn(n, n, |i, j| if i == j { 3.0 } else { 1.0 / (1 + i + 2 * j) as f64 });
         for n in 1..=MOST_BY_CRAMER {
             let right: Vec<f64> = (0..n).map(|i| 1.0 - i as f64).collect();
-            let [pivots, cramer] = [Elimination::Pivots, Elimination::Cramer]
-                .map(|way| DVector::from_vec(solve_by(way, "matrix", matrix(n), right.clone()).unwrap()));
+            let [pivots, cramer] = [LinearSolver::PartialPivoting, LinearSolver::CramersRule]
+                .map(|way| DVector::from_vec(solve_with(way, "matrix", matrix(n), right.clone()).unwrap()));
             assert_relative_eq!(pivots, cramer, epsilon = 1e-13);
             approx::assert_relative_ne!(pivots, -cramer, epsilon = 1e-3);
         }
-        assert!(solve_by(Elimination::Cramer, "matrix", matrix(5), vec![1.0; 5]).is_err());
+        assert!(solve_with(LinearSolver::CramersRule, "matrix", matrix(5), vec![1.0; 5]).is_err());
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //!
 //! There are two ways to evaluate them:
 //!
-//! - [`World`] (folder [`system`]) traces the Lagrangian once. Use it for many evaluations, as a simulation needs.
+//! - [`System`] (folder [`system`]) traces the Lagrangian once. Use it for many evaluations, as a simulation needs.
 //! - The functions of [`euler_lagrange`], [`momenta`], [`legendre`] and [`motion`] run the Lagrangian itself for each
 //!   evaluation, over dual numbers. They need no preparation, and the traced results are tested against them.
 //!
@@ -20,7 +20,7 @@
 //! they drift.
 //!
 //! ```
-//! use onshell::mechanics::{AccelerationEvaluator, World};
+//! use onshell::mechanics::{AccelerationEvaluator, System};
 //! use onshell::systems::HeavyTop;
 //!
 //! type Vector = [f64; 3];
@@ -39,7 +39,7 @@
 //!     Ok(())
 //! }
 //!
-//! let top = World::new(&HeavyTop)?;
+//! let top = System::new(&HeavyTop)?;
 //! // moments of inertia in kg m², mass in kg, g in m/s², distance of the centre of mass in m
 //! let parameters =
 //!     top.parameter_values(&[("\\lambda_1", 0.8), ("\\lambda_3", 0.5), ("M", 1.0), ("g", 9.81), ("R", 0.3)])?;
@@ -86,10 +86,10 @@ pub mod system;
 mod tape;
 
 pub use lagrangian::{Lagrangian, State};
-pub(crate) use linear_solver::solve_by;
-pub use linear_solver::{Elimination, MAX_CONDITION, condition_number};
+pub(crate) use linear_solver::solve_with;
+pub use linear_solver::{LinearSolver, MAX_CONDITION, condition_number};
 pub use quadrature::{Body, Nodes, bodies};
 pub use rigid_body::frames::{Frame, axes_about};
 pub use rigid_body::{frames, inertia, rotations};
-pub use system::{AccelerationEvaluator, AnyLagrangian, Quantities, World, erased};
+pub use system::{AccelerationEvaluator, AnyLagrangian, Quantities, System, erased};
 pub use tape::{Op, Tape};

@@ -70,8 +70,8 @@ mod tests {
         let registry = Registry::standard();
         assert_eq!(registry.names().count(), 7);
         for name in registry.names() {
-            let world = registry.get(name).map(AnyLagrangian::world).unwrap().unwrap();
-            assert_eq!(world.name(), name);
+            let system = registry.get(name).map(AnyLagrangian::trace).unwrap().unwrap();
+            assert_eq!(system.name(), name);
         }
         assert!(registry.get("heavy_tpo").is_none());
     }

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual64;
-use onshell::mechanics::rotations::Turning;
+use onshell::mechanics::rotations::RotationalState;
 use onshell::mechanics::{Frame, Lagrangian, State, motion};
 use onshell::scalar::{Number, Series};
 use onshell::systems::FreeRigidBody;
@@ -35,7 +35,7 @@ fn euler(frame: &Frame<f64>, moments: [f64; 3], sign: f64) -> Vector3<f64> {
 
 /// The motion of a free body through a state, as a frame: angles to the fourth derivative.
 fn free_motion<D: Number>(at: &State<D, 3, 3>) -> Frame<D> {
-    Frame::freely(motion::motion(&FreeRigidBody, at, 4).unwrap())
+    Frame::from_euler_angles(motion::motion(&FreeRigidBody, at, 4).unwrap())
 }
 
 proptest! {
@@ -66,7 +66,7 @@ proptest! {
         moments in [0.5..2.0, 0.5..2.0, 0.5..2.0_f64],
     ) {
         // off shell: any torque
-        let frame = Frame::freely(std::array::from_fn(|i| Series::from_derivatives(&angles[i])));
+        let frame = Frame::from_euler_angles(std::array::from_fn(|i| Series::from_derivatives(&angles[i])));
         let torque = rate(&angular_momentum(&frame, moments));
         let along = frame.components(&torque).map(|x| x.value());
         let scale = 1.0 + along.norm();
@@ -95,7 +95,7 @@ fn with_rates<D: Number>(rates: Vector3<D>, parameters: [f64; 3]) -> State<D, 3,
     let column = |i: usize| {
         let mut unit = at;
         unit.v[i] = D::one();
-        Turning::of(&FreeRigidBody, &unit).unwrap().body_rates
+        RotationalState::of(&FreeRigidBody, &unit).unwrap().body_rates
     };
     let columns: [Vector3<D>; 3] = std::array::from_fn(column);
     // Cramer's rule
@@ -173,7 +173,7 @@ fn the_frequency_near_a_principal_axis_is_an_eigenvalue_of_the_linearised_motion
 fn the_state_with_given_rates_has_them() {
     let rates = Vector3::new(0.3, -0.8, 1.7);
     let at = with_rates(rates, [0.6, 1.1, 1.9]);
-    assert!((Turning::of(&FreeRigidBody, &at).unwrap().body_rates - rates).norm() < 1e-14);
+    assert!((RotationalState::of(&FreeRigidBody, &at).unwrap().body_rates - rates).norm() < 1e-14);
     let energy = FreeRigidBody.lagrangian(&at);
     let expected: f64 = (0..3).map(|a| 0.5 * at.parameters[a] * rates[a] * rates[a]).sum();
     assert!((energy - expected).abs() < 1e-13);

@@ -1,7 +1,7 @@
 //! Certificates: whether a claim that agrees in numbers is an identity, decided over a prime field.
 //!
-//! The claim, the world's equations of motion and the claim's hypotheses are evaluated at random points of the field
-//! ([`crate::scalar::field`]); an identity vanishes at all of them, and what is none vanishes by accident with a
+//! The claim, the system's equations of motion and the claim's hypotheses are evaluated at random points of the field
+//! ([`crate::scalar::prime_field`]); an identity vanishes at all of them, and what is none vanishes by accident with a
 //! probability that its degree bounds. Points are added until that is at most 2⁻⁸⁰. Hypotheses are solved exactly
 //! ([`super::solved`]). What has no meaning in a field is said, and nothing is concluded.
 //!
@@ -10,7 +10,7 @@
 
 use crate::formula::{Expr, Node, SymbolId};
 use crate::notes::claims::Range;
-use crate::scalar::field::{Large, Modulus, Second, at_a_point, false_accept_log2};
+use crate::scalar::prime_field::{FirstPrime, Modulus, SecondPrime, evaluate_at_point, false_accept_log2};
 use crate::scalar::{Modular, rational};
 
 use crate::check::certificate::claim::{Certificate, Claim, Differences};
@@ -120,14 +120,14 @@ fn decide_by(
     };
     let context = (context, generality, sums);
     let states = (projection, ensemble);
-    let one = Modular::<Large>::most_bits();
-    match decide_in::<Large>(&wholes, context, states, claim, one) {
+    let one = Modular::<FirstPrime>::most_bits();
+    match decide_in::<FirstPrime>(&wholes, context, states, claim, one) {
         Certificate::Open(reason) if reason == TOO_LARGE => {}
         decided => return decided,
     }
-    let both = one + Modular::<Second>::most_bits();
-    match decide_in::<Large>(&wholes, context, states, claim, both) {
-        Certificate::Identity(first) => match decide_in::<Second>(&wholes, context, states, claim, both) {
+    let both = one + Modular::<SecondPrime>::most_bits();
+    match decide_in::<FirstPrime>(&wholes, context, states, claim, both) {
+        Certificate::Identity(first) => match decide_in::<SecondPrime>(&wholes, context, states, claim, both) {
             Certificate::Identity(second) => Certificate::Identity(first.max(second)),
             decided => decided,
         },
@@ -253,7 +253,9 @@ pub(crate) fn reached(formulas: &[&Expr], projection: &Projection<'_>) -> Result
     while let Some(formula) = waiting.pop() {
         let mut symbols = Vec::new();
         formula.walk(&mut |expr| match &expr.node {
-            Node::Number(digits) if digits.chars().filter(char::is_ascii_digit).count() > rational::DIGITS => {
+            Node::Number(digits)
+                if digits.chars().filter(char::is_ascii_digit).count() > rational::SHORT_DECIMAL_DIGITS =>
+            {
                 reason = reason.or(Some("a number of so many digits"));
             }
             Node::Integral(..) => reason = reason.or(Some("an integral")),
@@ -295,26 +297,26 @@ pub(crate) fn at_one_point<F: Modulus>(
     let mut nowhere = None;
     while attempt < ATTEMPTS {
         let point = seed.wrapping_add(u64::from(attempt));
-        let ((result, vanish, bound), account) = at_a_point::<F, _>(point, signs, *finest, || {
+        let ((result, vanish, bound), record) = evaluate_at_point::<F, _>(point, signs, *finest, || {
             let result = differences();
             let vanish = result.as_ref().is_ok_and(|all| all.iter().all(|difference| difference.vanishes()));
             let result: Differences<F> = result;
             (result.as_ref().err().cloned(), vanish, result.unwrap_or_default())
         });
-        if let Some(fault) = account.fault {
+        if let Some(fault) = record.unsupported {
             return Certificate::Open(fault.to_owned());
         }
-        if account.finest > *finest || account.elsewhere.is_some() {
-            attempt += u32::from(account.elsewhere.is_some());
-            nowhere = account.elsewhere.or(nowhere);
-            (*finest, signs, log2) = (account.finest, 0, f64::NEG_INFINITY);
+        if record.finest > *finest || record.undefined_here.is_some() {
+            attempt += u32::from(record.undefined_here.is_some());
+            nowhere = record.undefined_here.or(nowhere);
+            (*finest, signs, log2) = (record.finest, 0, f64::NEG_INFINITY);
             continue;
         }
         if let Some(reason) = result {
             return Certificate::Open(reason);
         }
         if !vanish {
-            return match (account.opaque, is_free) {
+            return match (record.opaque, is_free) {
                 (false, true) => Certificate::Differs,
                 (true, _) => Certificate::Open(
                     "a root, an exponential, a logarithm, or a sine of something that is no sum of angles".to_owned(),
@@ -322,15 +324,15 @@ pub(crate) fn at_one_point<F: Modulus>(
                 (false, false) => Certificate::Open(OTHER_WAYS.to_owned()),
             };
         }
-        let Some(bound) = false_accept_log2(&bound, &account, ATTEMPTS, most_bits) else {
+        let Some(bound) = false_accept_log2(&bound, &record, ATTEMPTS, most_bits) else {
             return Certificate::Open(TOO_LARGE.to_owned());
         };
         log2 = log2.max(bound);
         signs += 1;
-        if account.roots > MOST_ROOTS {
-            return Certificate::Open(format!("{} square roots, each with two signs", account.roots));
+        if record.roots > MOST_ROOTS {
+            return Certificate::Open(format!("{} square roots, each with two signs", record.roots));
         }
-        if signs >> account.roots == 1 {
+        if signs >> record.roots == 1 {
             return Certificate::Identity(log2);
         }
     }

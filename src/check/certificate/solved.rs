@@ -12,10 +12,10 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 
 use crate::formula::SymbolId;
-use crate::mechanics::Elimination;
+use crate::mechanics::LinearSolver;
 use crate::notes::claims::Range;
 use crate::scalar::Modular;
-use crate::scalar::field::Modulus;
+use crate::scalar::prime_field::Modulus;
 
 use crate::check::model::states::{Reach, Row};
 use crate::check::sample::projection::Projection;
@@ -146,8 +146,8 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         match &self.projection.slots[at] {
             Slot { range: Range::Integer { low, .. }, .. } => Modular::from(*low as f64),
             // nobody takes the sine of a velocity
-            slot if slot.order > 0 => Modular::drawn_plain(),
-            _ => Modular::drawn(),
+            slot if slot.order > 0 => Modular::random_plain(),
+            _ => Modular::random(),
         }
     }
 
@@ -158,9 +158,9 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
             // ω comes from R and Ṙ, as long polynomials; it is no accident that it is this
             let rate = self.projection.slots.iter().rposition(|slot| slot.order == 1 && slot.symbol.is_none());
             for component in direction {
-                base[component].kept();
+                base[component].remembered();
                 if let Some(rate) = rate {
-                    (base[component] * base[rate]).kept();
+                    (base[component] * base[rate]).remembered();
                 }
             }
         }
@@ -169,7 +169,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
 
     pub(crate) fn state(&self, base: &[Modular<F>]) -> Result<SampledState<'m, Modular<F>>, String> {
         let terms = self.projection.mode.order + 1;
-        self.projection.state_by(Elimination::Cramer, base, terms).map_err(|error| error.message().to_owned())
+        self.projection.state_by(LinearSolver::CramersRule, base, terms).map_err(|error| error.message().to_owned())
     }
 
     pub(crate) fn values(&self, base: &[Modular<F>], rows: &[Row]) -> Result<Vec<Modular<F>>, String> {

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::notes::claims::Range;
-use crate::scalar::field::Modulus;
+use crate::scalar::prime_field::Modulus;
 use crate::scalar::{DualNum, Modular};
 
 use crate::check::certificate::solved::{Solved, Step, determinant};

@@ -106,7 +106,7 @@ impl<'a> Units<'a> {
             let turns = matches!(
                 model.meaning(symbol),
                 Some(
-                    Meaning::World(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)
+                    Meaning::System(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)
                         | Meaning::FixedAxis(_)
                         | Meaning::Frame(FrameQuantity::Axes | FrameQuantity::Angle)
                         | Meaning::Particles(ParticleQuantity::PrincipalAxes, ..)

@@ -15,7 +15,7 @@ use crate::check::verdict::Verdict;
 /// Certifies what can be of the links of a statement.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub(crate) fn close(
     checker: &Checker<'_>,
     statement: &Statement,

@@ -48,7 +48,7 @@ impl Checker<'_> {
                 let message = format!("this is no law, it can be checked: {}", finding.message);
                 return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
             }
-            if self.model.world.is_some() {
+            if self.model.system.is_some() {
                 let message = "where a system says how things move there are no further laws: let it be checked";
                 return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
             }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::Result;
 use crate::formula::{Expr, SymbolId};
 use crate::latex::Introduced;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
@@ -59,7 +59,7 @@ impl<'d, 'a> Pins<'d, 'a> {
     /// something else.
     ///
     /// # Errors
-    /// When the world's mass matrix is singular, or for a claim that does not fit the notes.
+    /// When the system's mass matrix is singular, or for a claim that does not fit the notes.
     pub fn of(checker: &'d Checker<'a>, introduced: &Introduced, failing: bool) -> Result<Self> {
         let symbol = introduced.symbol;
         let (uses, _) = checker.uses(introduced)?;
@@ -118,7 +118,7 @@ impl<'d, 'a> Pins<'d, 'a> {
         model.define(self.symbol, formula.clone());
         self.pins.iter().any(|pin| {
             pin.bases.iter().any(|base| {
-                let base: Vec<Measured> = base.iter().map(|value| Measured::from(*value)).collect();
+                let base: Vec<RunningError> = base.iter().map(|value| RunningError::from(*value)).collect();
                 let state = SampledState::new(&model, pin.mode, &base, &pin.rules);
                 state.is_ok_and(|state| {
                     matches!(residual::test(&pin.link, &state), Ok(Point::Fails(_) | Point::OneSided(_)))

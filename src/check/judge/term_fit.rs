@@ -14,7 +14,7 @@ use nalgebra::DMatrix;
 
 use crate::formula::tree::{Sign, Term};
 use crate::formula::{Expr, IndexId, Node};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 use crate::source::Span;
 
 use crate::check::judge::{difference, identity};
@@ -294,13 +294,13 @@ impl Printed<'_> {
 }
 
 /// The values of some terms at a state, term beside term, entry after entry; none, if one has no value or another shape.
-fn row_by_row(terms: &[&Expr], indices: &[(IndexId, u8)], state: &SampledState<'_, Measured>) -> Option<Vec<f64>> {
+fn row_by_row(terms: &[&Expr], indices: &[(IndexId, u8)], state: &SampledState<'_, RunningError>) -> Option<Vec<f64>> {
     let values: Vec<_> = terms.iter().map(|term| state.now(term, indices).ok()).collect::<Option<_>>()?;
     let shape = values.first()?.shape();
     if values.iter().any(|value| value.shape() != shape) {
         return None;
     }
-    let entries: Vec<Vec<Measured>> = values.iter().map(|value| value.entries()).collect();
+    let entries: Vec<Vec<RunningError>> = values.iter().map(|value| value.entries()).collect();
     let mut rows = Vec::new();
     for entry in 0..entries[0].len() {
         let row: Vec<f64> = entries.iter().map(|term| term[entry].value).collect();

@@ -8,7 +8,7 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, text};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::mutants_of;
 use crate::check::model::Model;
@@ -31,7 +31,7 @@ const LEFT: f64 = 0.02;
 /// Checks that a formula with integrals is the limit of one for particles.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let Some(at) = region(&link.lhs, context.model).or_else(|| region(&link.rhs, context.model)) else {
         return Ok(context.finding(
@@ -74,7 +74,7 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     for mutant in mutants_of(link, context.model) {
         let within = |most: f64| {
             let link = &mutant.link;
-            move |state: &SampledState<'_, Measured>| approach(link, at, state).is_ok_and(|(left, _)| left < most)
+            move |state: &SampledState<'_, RunningError>| approach(link, at, state).is_ok_and(|(left, _)| left < most)
         };
         // One that holds for all other bodies as well says the same.
         if ensemble.states.iter().all(within(LEFT)) && !wide.states.iter().all(within(5.0 * LEFT)) {
@@ -101,7 +101,11 @@ fn region(expr: &Expr, model: &Model) -> Option<usize> {
 }
 
 /// What is left of the difference of the sides for vanishing cells, beside the largest that was found; and that one.
-fn approach(link: &Link, at: usize, state: &SampledState<'_, Measured>) -> Result<(f64, Option<Failure>), Unavailable> {
+fn approach(
+    link: &Link,
+    at: usize,
+    state: &SampledState<'_, RunningError>,
+) -> Result<(f64, Option<Failure>), Unavailable> {
     let mut largest = 0.0_f64;
     let mut failure = None;
     let mut noise = 0.0_f64;

@@ -36,7 +36,7 @@ pub struct User<'a> {
 /// The verdict on `symbol = formula`, which `users` stand on, and others `by_law`: a law that they hold by names the symbol.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(
     symbol: SymbolId,
     formula: &Expr,

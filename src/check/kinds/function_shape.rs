@@ -9,7 +9,7 @@ use num_dual::Dual64;
 
 use crate::code::Code;
 use crate::formula::{Expr, Relation, SymbolId, text};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::kinds::scan::{Atoms, Look, Probe, difference};
 use crate::check::kinds::shape::{Shape, Target};
@@ -43,7 +43,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         formulas.push(value);
     }
     for (id, dots) in formulas.iter().flat_map(|formula| formula.symbols()) {
-        if dots > 0 || matches!(model.meaning(id), Some(Meaning::World(quantity)) if !is_momentum(*quantity)) {
+        if dots > 0 || matches!(model.meaning(id), Some(Meaning::System(quantity)) if !is_momentum(*quantity)) {
             let shown = crate::formula::text::with_dots(&model.name(id), dots);
             let message = format!("{shown} is not an independent number here: write it out");
             return context.finding(Code::NotSupported, Verdict::Unreadable, message);
@@ -206,7 +206,7 @@ fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, hypotheses: &[Hypo
         }
     }
     hypotheses.iter().all(|hypothesis| {
-        difference::<Measured>(state, hypothesis, model, Measured::new)
+        difference::<RunningError>(state, hypothesis, model, RunningError::new)
             .is_some_and(|difference| residual::holds(hypothesis.relation, difference))
     })
 }
@@ -233,7 +233,7 @@ fn newton(state: &mut Atoms, id: SymbolId, hypothesis: &Hypothesis, model: &Mode
             return true;
         }
     }
-    difference::<Measured>(state, hypothesis, model, Measured::new).is_some_and(residual::vanishes)
+    difference::<RunningError>(state, hypothesis, model, RunningError::new).is_some_and(residual::vanishes)
 }
 
 /// An equation as the function whose zeros solve it.

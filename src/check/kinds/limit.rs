@@ -12,7 +12,7 @@ use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, SymbolId, Value};
 use crate::notes::claims::Range;
-use crate::scalar::{Measured, Series};
+use crate::scalar::{RunningError, Series};
 
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::mutants::{Slip, mutants_of};
@@ -77,7 +77,7 @@ enum Approach {
 /// Checks a claim in the limit of one symbol: always, else on shell.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Context<'_>) -> Result<Finding> {
     let always = match context.on_shell {
         Some(on_shell) => return check_in(link, variable, towards, context, on_shell),
@@ -186,17 +186,17 @@ struct Steps<'a> {
 
 impl<'a> Steps<'a> {
     /// The state at the k-th step: a number of the base is moved there, anything else is given that value.
-    fn state(&self, k: f64, side: f64) -> Option<SampledState<'a, Measured>> {
+    fn state(&self, k: f64, side: f64) -> Option<SampledState<'a, RunningError>> {
         let x = self.towards.step(k, side);
         let model = self.context.model;
         let slot = self.slot();
-        let mut base: Vec<Measured> = self.base.iter().map(|x| Measured::new(*x)).collect();
+        let mut base: Vec<RunningError> = self.base.iter().map(|x| RunningError::new(*x)).collect();
         if let Some(slot) = slot {
-            base[slot] = Measured::new(x);
+            base[slot] = RunningError::new(x);
         }
         let mut state = SampledState::new(model, self.mode, &base, self.rules).ok()?;
         if slot.is_none() {
-            state.set_only(&[(self.variable, Series::constant(Measured::new(x)))]);
+            state.set_only(&[(self.variable, Series::constant(RunningError::new(x)))]);
         }
         Some(state)
     }
@@ -213,7 +213,7 @@ impl<'a> Steps<'a> {
         let context = self.context;
         if self.slot().is_none() {
             // What is no number of its own is on the side on which the state has it.
-            let base: Vec<Measured> = self.base.iter().map(|x| Measured::new(*x)).collect();
+            let base: Vec<RunningError> = self.base.iter().map(|x| RunningError::new(*x)).collect();
             let name = Expr::new(Node::Symbol { id: self.variable, indices: Vec::new(), dots: 0 }, context.span);
             let state = SampledState::new(context.model, self.mode, &base, self.rules).ok();
             let value = state.map(|state| state.now(&name, &[]));

@@ -1,4 +1,4 @@
-//! The claims file's declarations made into a model: every name gets its meaning, and the world its symbols.
+//! The claims file's declarations made into a model: every name gets its meaning, and the system its symbols.
 //!
 //! What the prose defines (`"define"`) is not read here but together with the displays ([`crate::check::document::reading`]), since the
 //! two may stand on each other.

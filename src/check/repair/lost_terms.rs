@@ -16,7 +16,7 @@ use crate::formula::{Expr, Node, text};
 use crate::latex::slips::{Edit, Hole, Slip};
 use crate::latex::{Reading, read_formula, slips, typeset};
 use crate::notes::claims::{Claim, Holds};
-use crate::scalar::{DualNum, Measured, Symbol, TERMS};
+use crate::scalar::{DualNum, RunningError, Symbol, TERMS};
 use crate::source::Span;
 
 use crate::check::certificate::formulas;
@@ -51,7 +51,7 @@ const MOST_FACTORS: usize = 4;
 const LONGEST: usize = 64;
 
 /// What a link is off by, entry after entry: left side minus right side, on the scale of the terms in both.
-type Rows = Vec<Measured>;
+type Rows = Vec<RunningError>;
 
 /// A wrong equation, at its states.
 pub(crate) struct Lost<'w, 'a> {
@@ -134,7 +134,7 @@ fn residuals(
     checker: &Checker<'_>,
     claim: &Claim,
     reading: &Reading,
-    state: &SampledState<'_, Measured>,
+    state: &SampledState<'_, RunningError>,
 ) -> Option<Rows> {
     let mut rows = Vec::new();
     for n in 0..reading.statements.len() {
@@ -152,7 +152,7 @@ fn residuals(
     Some(rows).filter(|rows| rows.iter().all(|row| row.value.is_finite()))
 }
 
-pub(crate) fn is_small(value: f64, row: &Measured) -> bool {
+pub(crate) fn is_small(value: f64, row: &RunningError) -> bool {
     value.abs() <= NEAR * row.magnitude
 }
 
@@ -188,7 +188,7 @@ impl<'w, 'a> Lost<'w, 'a> {
         reread::read(self.checker, &self.checker.model.macros, self.wrong.at, &text, self.wrong.claim)
     }
 
-    pub(crate) fn residuals(&self, reading: &Reading, scene: &SampledState<'_, Measured>) -> Option<Rows> {
+    pub(crate) fn residuals(&self, reading: &Reading, scene: &SampledState<'_, RunningError>) -> Option<Rows> {
         residuals(self.checker, self.wrong.claim, reading, scene)
     }
 

@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use crate::notes::claims::Range;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 use crate::{Error, Result};
 
 use crate::check::hypotheses::rule::Rule;
@@ -28,7 +28,7 @@ const IN_HASTE: usize = 4;
 /// States that obey a setting.
 pub struct Ensemble<'m> {
     /// The states.
-    pub states: Vec<SampledState<'m, Measured>>,
+    pub states: Vec<SampledState<'m, RunningError>>,
     /// The base of each.
     pub bases: Vec<Vec<f64>>,
     /// How many were tried to get them.

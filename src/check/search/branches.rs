@@ -6,7 +6,7 @@
 use crate::Result;
 use crate::formula::{Expr, Kind, Node, Relation};
 use crate::notes::claims::Range;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::claim::{Hypothesis, is_equality};
 use crate::check::model::free_symbols::drawn;
@@ -23,7 +23,10 @@ const OF_EACH: usize = 3;
 ///
 /// # Errors
 /// When the mass matrix is singular at all states of one way.
-pub(crate) fn states<'m>(context: &Context<'m>, ensemble: &Ensemble<'m>) -> Result<Vec<SampledState<'m, Measured>>> {
+pub(crate) fn states<'m>(
+    context: &Context<'m>,
+    ensemble: &Ensemble<'m>,
+) -> Result<Vec<SampledState<'m, RunningError>>> {
     let mut found = Vec::new();
     for (at, hypothesis) in context.hypotheses.iter().enumerate() {
         if !is_equality(hypothesis.relation) || !hypothesis.free.is_empty() {
@@ -81,7 +84,7 @@ fn drawn_under<'m>(
     hypotheses: &[Hypothesis],
     context: &Context<'m>,
     ensemble: &Ensemble<'m>,
-) -> Result<Vec<SampledState<'m, Measured>>> {
+) -> Result<Vec<SampledState<'m, RunningError>>> {
     let setting = Setting { hypotheses, local: context.local, mode: ensemble.mode, reach: context.reach };
     let mut draw = Sampler::new(context.options.seed, &format!("{}/another way", context.topic));
     Ok(Ensemble::draw(context.model, &setting, OF_EACH, &mut draw)?.states)

@@ -9,7 +9,7 @@
 use crate::Result;
 use crate::formula::tree::Function;
 use crate::formula::{Expr, Node, Relation, Value};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
@@ -50,7 +50,7 @@ fn has_exponentials(expr: &Expr, model: &Model) -> bool {
 }
 
 /// Whether something in a formula is beyond the largest double at a state, or an exponential below the smallest.
-fn overflows(expr: &Expr, state: &SampledState<'_, Measured>) -> bool {
+fn overflows(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
     let value = |expr: &Expr| match state.now(expr, &[]) {
         Ok(Value::Scalar(value)) => Some(value.value),
         _ => None,
@@ -88,7 +88,7 @@ pub(crate) fn within_doubles(link: &Link, context: &Context<'_>, ensemble: &mut 
     if ![&link.lhs, &link.rhs].into_iter().any(|side| has_exponentials(side, context.model)) {
         return Ok(());
     }
-    let keep = |state: &SampledState<'_, Measured>| !overflows(&link.lhs, state) && !overflows(&link.rhs, state);
+    let keep = |state: &SampledState<'_, RunningError>| !overflows(&link.lhs, state) && !overflows(&link.rhs, state);
     let all = ensemble.states.len();
     retain(ensemble, keep);
     if ensemble.states.len() < all {
@@ -103,7 +103,7 @@ pub(crate) fn within_doubles(link: &Link, context: &Context<'_>, ensemble: &mut 
     Ok(())
 }
 
-fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&SampledState<'_, Measured>) -> bool) {
+fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&SampledState<'_, RunningError>) -> bool) {
     let kept: Vec<bool> = ensemble.states.iter().map(keep).collect();
     let mut at = kept.iter();
     ensemble.states.retain(|_| at.next() == Some(&true));
@@ -114,7 +114,7 @@ fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&SampledState<'_, Measured>
 /// Of an inequality's states those are left out at which it holds by less than can be called a difference. Of those at which
 /// it fails as its sides are equal, and nothing worse, so are the ones at which they are equal to rounding alone.
 pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensemble<'_>) {
-    let is_close = |state: &SampledState<'_, Measured>| {
+    let is_close = |state: &SampledState<'_, RunningError>| {
         let margin = || Sides::of(link, state).ok()?.margin(link.relation);
         matches!(residual::test(link, state), Ok(Point::Doubtful)) && margin().is_some_and(|margin| margin.share > 0.0)
     };
@@ -122,7 +122,7 @@ pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensembl
     if !is_strict(link.relation) {
         return;
     }
-    let failure = |state: &SampledState<'_, Measured>| match residual::test(link, state) {
+    let failure = |state: &SampledState<'_, RunningError>| match residual::test(link, state) {
         Ok(Point::Fails(failure)) => Some(failure.residual > DIFFERENCE),
         _ => None,
     };
@@ -132,7 +132,7 @@ pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensembl
     }
     let mut projection = Projection::new(context.model, &context.setting(ensemble.mode));
     let mut asked = 0;
-    let mut stays = |(state, fails): (&SampledState<'_, Measured>, &Option<bool>)| {
+    let mut stays = |(state, fails): (&SampledState<'_, RunningError>, &Option<bool>)| {
         asked += usize::from(fails.is_some());
         let base = || state.base.numbers().iter().map(|x| x.value).collect::<Vec<f64>>();
         fails.is_none() || asked <= ASKED && is_reached(link, &mut projection, &base())

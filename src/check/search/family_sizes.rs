@@ -55,7 +55,7 @@ pub(crate) fn counts_members(formulas: &[&Expr], context: &Context<'_>) -> bool 
 /// of members, with a state of so many.
 ///
 /// # Errors
-/// When the world's mass matrix is singular at all of their states.
+/// When the system's mass matrix is singular at all of their states.
 pub(crate) fn certified(
     link: &Link,
     context: &Context<'_>,
@@ -77,7 +77,7 @@ pub(crate) fn certified(
 /// The finding on a claim that has passed by numbers alone, with what families of other sizes say of it.
 ///
 /// # Errors
-/// When the world's mass matrix is singular at all of their states.
+/// When the system's mass matrix is singular at all of their states.
 pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
     let sides = [&link.lhs, &link.rhs];
     if finding.verdict != Verdict::Verified || !counts_members(&sides, context) {
@@ -97,7 +97,7 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding:
 /// The counterexample to a claim at a number of members, if one of a few states is one.
 ///
 /// # Errors
-/// When the world's mass matrix is singular at all of them.
+/// When the system's mass matrix is singular at all of them.
 fn fails_at(
     link: &Link,
     context: &Context<'_>,

@@ -10,7 +10,7 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::tree::Function;
 use crate::formula::{Expr, Node, Value};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
@@ -48,7 +48,7 @@ enum Branches {
 /// The finding on an equality that has passed at states of order one, with what wide states say of it.
 ///
 /// # Errors
-/// When the world's mass matrix is singular at all of them.
+/// When the system's mass matrix is singular at all of them.
 pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
     let branches = of(&link.lhs, context.model).max(of(&link.rhs, context.model));
     // A field knows all values of a root, and not where it has none.
@@ -96,7 +96,7 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding:
 fn found(
     (code, verdict): (Code, Verdict),
     message: &str,
-    (link, state, failure): (&Link, &SampledState<'_, Measured>, Failure),
+    (link, state, failure): (&Link, &SampledState<'_, RunningError>, Failure),
     context: &Context<'_>,
     passed: Finding,
 ) -> Finding {
@@ -131,7 +131,7 @@ fn is_whole(exponent: &Expr) -> bool {
 }
 
 /// The value of a formula that is a number.
-fn number(expr: &Expr, state: &SampledState<'_, Measured>) -> Option<Measured> {
+fn number(expr: &Expr, state: &SampledState<'_, RunningError>) -> Option<RunningError> {
     match state.now(expr, &[]) {
         Ok(Value::Scalar(value)) => Some(value),
         _ => None,
@@ -139,7 +139,7 @@ fn number(expr: &Expr, state: &SampledState<'_, Measured>) -> Option<Measured> {
 }
 
 /// Whether no number that both sides are made of is near to overflow, nor has become 0.
-fn is_moderate(link: &Link, state: &SampledState<'_, Measured>) -> bool {
+fn is_moderate(link: &Link, state: &SampledState<'_, RunningError>) -> bool {
     let mut moderate = true;
     for side in [&link.lhs, &link.rhs] {
         side.walk(&mut |expr| {
@@ -151,7 +151,7 @@ fn is_moderate(link: &Link, state: &SampledState<'_, Measured>) -> bool {
 }
 
 /// Whether a formula asks for a root, a logarithm or an angle that does not exist, clearly.
-fn has_no_value(expr: &Expr, state: &SampledState<'_, Measured>) -> bool {
+fn has_no_value(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
     let argument = |inner: &Expr| number(inner, state).filter(|value| value.value.is_finite());
     let is_negative = |inner: &Expr| argument(inner).is_some_and(|value| value.value < -GROSS * value.magnitude);
     let own = match &expr.node {

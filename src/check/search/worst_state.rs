@@ -11,7 +11,7 @@
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Value};
 use crate::notes::claims::Range;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::free_symbols::drawn;
@@ -154,7 +154,7 @@ fn along_the_edge(hypothesis: &Hypothesis, context: &Context<'_>, ensemble: &Ens
     Some(context.hypotheses.iter().cloned().chain([edge]).collect())
 }
 
-fn margin(link: &Link, state: &SampledState<'_, Measured>) -> Option<Margin> {
+fn margin(link: &Link, state: &SampledState<'_, RunningError>) -> Option<Margin> {
     Sides::of(link, state).ok()?.margin(link.relation)
 }
 
@@ -177,7 +177,7 @@ struct Search<'a, 'm> {
 
 impl<'m> Search<'_, 'm> {
     /// A state near the bottom of the hill on which a state lies, if the inequality fails there for certain.
-    fn worst_from(&mut self, start: Vec<f64>) -> Option<SampledState<'m, Measured>> {
+    fn worst_from(&mut self, start: Vec<f64>) -> Option<SampledState<'m, RunningError>> {
         let (mut margin, mut base, _) = self.at(start)?;
         self.slots = self.that_matter(&base, margin);
         if self.slots.is_empty() {
@@ -230,7 +230,7 @@ impl<'m> Search<'_, 'm> {
     }
 
     /// The state, if the inequality fails there for certain: clearly, or at an equality that is reached.
-    fn settle(&mut self, margin: Margin, base: Vec<f64>) -> Option<SampledState<'m, Measured>> {
+    fn settle(&mut self, margin: Margin, base: Vec<f64>) -> Option<SampledState<'m, RunningError>> {
         if margin.share < -DIFFERENCE {
             return self.at(base).map(|(_, _, state)| state);
         }
@@ -243,13 +243,13 @@ impl<'m> Search<'_, 'm> {
     }
 
     /// Whether a state is at no end that a range or a hypothesis leaves out.
-    fn is_inside(&self, state: &SampledState<'_, Measured>) -> bool {
+    fn is_inside(&self, state: &SampledState<'_, RunningError>) -> bool {
         let mut hypotheses = self.context.hypotheses.iter().filter_map(boundary::of_hypothesis);
         is_ordinary(state) && hypotheses.all(|hypothesis| is_clear(&hypothesis, state))
     }
 
     /// The state near a base, with its margin, if it obeys all hypotheses.
-    fn at(&mut self, base: Vec<f64>) -> Option<(Margin, Vec<f64>, SampledState<'m, Measured>)> {
+    fn at(&mut self, base: Vec<f64>) -> Option<(Margin, Vec<f64>, SampledState<'m, RunningError>)> {
         let (base, state) = self.projection.project(base).ok()??;
         margin(self.link, &state).map(|margin| (margin, base, state))
     }

@@ -8,7 +8,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::{Expr, SymbolId};
-use crate::scalar::field::Modulus;
+use crate::scalar::prime_field::Modulus;
 use crate::scalar::{Modular, Number};
 
 use crate::check::hypotheses::rule::{Action, Rule};
@@ -107,13 +107,13 @@ impl<F: Modulus> GenericBody<Modular<F>> {
         if generality == Generality::Themselves {
             return None;
         }
-        let (w, v) = (Modular::<F>::drawn_plain(), Vector3::from_fn(|_, _| Modular::drawn_plain()));
+        let (w, v) = (Modular::<F>::random_plain(), Vector3::from_fn(|_, _| Modular::random_plain()));
         let turned = |x: Vector3<Modular<F>>| {
             (x * (w * w - v.dot(&v)) + (v * v.dot(&x) + v.cross(&x) * w) * Modular::from(2.0)) / (w * w + v.dot(&v))
         };
         let axes = Matrix3::from_fn(|row, at| Modular::from(if row == at { 1.0 } else { 0.0 }));
         let axes = Matrix3::from_rows(&[0, 1, 2].map(|at| turned(axes.column(at).into()).transpose()));
-        let moments = || Vector3::from_fn(|_, _| Modular::drawn_plain());
+        let moments = || Vector3::from_fn(|_, _| Modular::random_plain());
         Some(GenericBody { axes, moments: (generality == Generality::AnyTensor).then(moments) })
     }
 }
@@ -138,13 +138,14 @@ impl<B: Number> GenericBody<B> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::field::{Large, at_a_point};
+    use crate::scalar::prime_field::{FirstPrime, evaluate_at_point};
 
     #[test]
     fn the_axes_are_right_handed_and_orthonormal_and_the_tensor_has_its_moments_along_them() {
         for seed in 1..=5 {
-            let (all, account) = at_a_point::<Large, _>(seed, 0, 1, || {
-                let body = GenericBody::<Modular<Large>>::drawn(Generality::AnyTensor).expect("one that stands in");
+            let (all, record) = evaluate_at_point::<FirstPrime, _>(seed, 0, 1, || {
+                let body =
+                    GenericBody::<Modular<FirstPrime>>::drawn(Generality::AnyTensor).expect("one that stands in");
                 let tensor = body.tensor().expect("a tensor");
                 let axes: Vec<_> = (0..3).map(|a| body.axis(a)).collect();
                 let mut vanishing = vec![axes[0].cross(&axes[1]) - axes[2]];
@@ -158,9 +159,9 @@ mod tests {
                 let [x, y] = [0, 1].map(|a| body.moment(a).expect("a moment"));
                 (zero, axes[0].x.vanishes() || (axes[0].x - 1.0).vanishes() || (x - y).vanishes())
             });
-            assert!(account.fault.is_none() && account.elsewhere.is_none(), "seed {seed}");
+            assert!(record.unsupported.is_none() && record.undefined_here.is_none(), "seed {seed}");
             assert_eq!(all, (true, false), "seed {seed}");
         }
-        assert!(GenericBody::<Modular<Large>>::drawn(Generality::Themselves).is_none());
+        assert!(GenericBody::<Modular<FirstPrime>>::drawn(Generality::Themselves).is_none());
     }
 }

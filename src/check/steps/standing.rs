@@ -7,7 +7,7 @@ use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement};
 use crate::latex::{Introduced, Reading};
 use crate::notes::claims::Claim;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::{is_plain, shown};
@@ -229,7 +229,7 @@ impl Checker<'_> {
         let mut factor = None;
         for state in &ensemble.states {
             let (Ok(own), Ok(others)) = (entries(link, state), entries(known, state)) else { return Ok(false) };
-            let apart = |(a, b): (Measured, Measured)| a - b;
+            let apart = |(a, b): (RunningError, RunningError)| a - b;
             let (own, others) = (own.into_iter().map(apart), others.into_iter().map(apart));
             for (own, other) in own.clone().zip(others.clone()) {
                 if residual::vanishes(other) && residual::vanishes(own) {

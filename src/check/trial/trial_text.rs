@@ -207,7 +207,7 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// Whether a reading is proved over a field to say what the display says, member for member, or to follow from it.
     ///
     /// # Errors
-    /// When the world's mass matrix is singular.
+    /// When the system's mass matrix is singular.
     pub fn is_as_true(&self, reading: &Reading) -> Result<bool> {
         let original = &self.now.statements;
         if original.len() != reading.statements.len() {

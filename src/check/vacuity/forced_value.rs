@@ -84,7 +84,7 @@ fn outright(hypotheses: &[&Hypothesis], model: &Model) -> Vec<SymbolId> {
 /// All numbers of a symbol at a state, of all members of a family.
 fn values(
     symbol: SymbolId,
-    state: &crate::check::state::sampled_state::SampledState<'_, crate::scalar::Measured>,
+    state: &crate::check::state::sampled_state::SampledState<'_, crate::scalar::RunningError>,
 ) -> Option<Vec<f64>> {
     let letters: Vec<_> = state.model().symbols.entry(symbol).slots.iter().map(|(_, letter)| *letter).collect();
     let indices = letters.iter().map(|letter| Index::Letter(*letter)).collect();

@@ -12,7 +12,7 @@ use crate::check::sample::outcome::run;
 /// Whether a formula that is not printed as 0 is 0 at all states, also at those that no law allows.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub(crate) fn is_nothing(expr: &Expr, context: &Context<'_>) -> Result<bool> {
     if expr.is_null() {
         return Ok(false);

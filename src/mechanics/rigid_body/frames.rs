@@ -6,7 +6,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::rotations::{Turning, angular_velocity, body_components, euler_angles, rodrigues};
+use super::rotations::{RotationalState, angular_velocity, body_components, euler_angles, rodrigues};
 use crate::scalar::{Number, Series};
 use crate::{Error, Result};
 
@@ -51,7 +51,7 @@ pub fn axes_about<B: Number, D: Number>(
 
 impl<B: Number> Frame<B> {
     /// A frame that turns freely: R = R_z(ψ) R_y(θ) R_z(φ) with the z–y–z Euler angles φ, θ, ψ in radians.
-    pub fn freely([phi, theta, psi]: [Series<B>; 3]) -> Self {
+    pub fn from_euler_angles([phi, theta, psi]: [Series<B>; 3]) -> Self {
         Frame { orientation: euler_angles(phi, theta, psi) }
     }
 
@@ -90,9 +90,13 @@ impl<B: Number> Frame<B> {
     }
 
     /// Orientation, ω and ωₐ together.
-    pub fn turning(&self) -> Turning<Series<B>> {
+    pub fn turning(&self) -> RotationalState<Series<B>> {
         let angular_velocity = self.angular_velocity();
-        Turning { orientation: self.orientation, angular_velocity, body_rates: self.components(&angular_velocity) }
+        RotationalState {
+            orientation: self.orientation,
+            angular_velocity,
+            body_rates: self.components(&angular_velocity),
+        }
     }
 
     /// The components vₐ = v·êₐ of a vector that is given in the fixed axes.

@@ -39,7 +39,7 @@ pub fn rodrigues<D: Number>(axis: &Vector3<D>, angle: D) -> Matrix3<D> {
 }
 
 /// The active rotation by `angle` about a coordinate axis: v ↦ R v turns the vector.
-pub fn of_the_vectors<D: Number>(axis: Axis, angle: D) -> Matrix3<D> {
+pub fn active_rotation<D: Number>(axis: Axis, angle: D) -> Matrix3<D> {
     let mut unit = Vector3::zeros();
     unit[axis as usize] = D::one();
     rodrigues(&unit, angle)
@@ -47,13 +47,13 @@ pub fn of_the_vectors<D: Number>(axis: Axis, angle: D) -> Matrix3<D> {
 
 /// The passive rotation by `angle` about a coordinate axis: the rows are the turned axes. About z it is
 /// ((cos, sin, 0), (−sin, cos, 0), (0, 0, 1)), as in the notes' (5.63).
-pub fn of_the_axes<D: Number>(axis: Axis, angle: D) -> Matrix3<D> {
-    of_the_vectors(axis, angle).transpose()
+pub fn passive_rotation<D: Number>(axis: Axis, angle: D) -> Matrix3<D> {
+    active_rotation(axis, angle).transpose()
 }
 
 /// R = R_z(ψ) R_y(θ) R_z(φ), each passive: the Euler angles of the notes' (5.63).
 pub fn euler_angles<D: Number>(phi: D, theta: D, psi: D) -> Matrix3<D> {
-    of_the_axes(Axis::Z, psi) * of_the_axes(Axis::Y, theta) * of_the_axes(Axis::Z, phi)
+    passive_rotation(Axis::Z, psi) * passive_rotation(Axis::Y, theta) * passive_rotation(Axis::Z, phi)
 }
 
 /// The angular velocity in *space* components, from the axes êₐ (rows of `r`) and their rates (rows of `rate`):
@@ -78,7 +78,7 @@ pub fn value_and_rate<D: Number>(moving: &Matrix3<Dual<D>>) -> (Matrix3<D>, Matr
 
 /// How a rigid body turns: its orientation, its angular velocity in space components and along its own axes.
 #[derive(Clone, Copy, Debug)]
-pub struct Turning<D> {
+pub struct RotationalState<D> {
     /// R: the rows are the body's axes in space components.
     pub orientation: Matrix3<D>,
     /// ω in space components.
@@ -87,17 +87,17 @@ pub struct Turning<D> {
     pub body_rates: Vector3<D>,
 }
 
-impl<D: Number> Turning<D> {
+impl<D: Number> RotationalState<D> {
     /// From an orientation over dual numbers in time, as [`State::moving`] gives it.
     pub fn from_moving(moving: &Matrix3<Dual<D>>) -> Self {
         let (orientation, rate) = value_and_rate(moving);
         let angular_velocity = angular_velocity(&orientation, &rate);
-        Turning { orientation, angular_velocity, body_rates: body_components(&orientation, &angular_velocity) }
+        RotationalState { orientation, angular_velocity, body_rates: body_components(&orientation, &angular_velocity) }
     }
 
     /// The turning of a body with a Lagrangian at a state, if it has an orientation.
     pub fn of<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L, at: &State<D, N, P>) -> Option<Self> {
-        l.orientation(&at.moving()).map(|moving| Turning::from_moving(&moving))
+        l.orientation(&at.moving()).map(|moving| RotationalState::from_moving(&moving))
     }
 
     /// The kinetic energy of rotation ½ Σ λₐ ωₐ² with the principal moments λ of the body.

@@ -7,7 +7,7 @@
 use fearless_simd::Level;
 
 use super::layout::Layout;
-use super::traced_system::World;
+use super::traced_system::System;
 use crate::mechanics::linear_solver;
 use crate::mechanics::tape::blocks::{Block, LANES, Registers, Values};
 use crate::mechanics::tape::program::Program;
@@ -17,9 +17,9 @@ use crate::{Error, Result};
 /// A pivot that is smaller than this share of the diagonal entry it came from may have lost its digits.
 const SMALL_PIVOT: f64 = 1e-9;
 
-/// The accelerations of one state after another, for given parameters; made by [`World::acceleration_evaluator`].
+/// The accelerations of one state after another, for given parameters; made by [`System::acceleration_evaluator`].
 pub struct AccelerationEvaluator<'a> {
-    world: &'a World,
+    system: &'a System,
     parameters: Vec<f64>,
     coordinates: usize,
     single: Single,
@@ -38,9 +38,9 @@ impl AccelerationEvaluator<'_> {
     /// ill-conditioned that digits are lost.
     pub fn accelerations(&mut self, time: f64, q: &[f64], v: &[f64]) -> Result<&[f64]> {
         if q.len() != self.coordinates || v.len() != self.coordinates {
-            let (system, n) = (self.world.name(), self.coordinates);
+            let (name, n) = (self.system.name(), self.coordinates);
             return Err(Error::new(format!(
-                "a state of \"{system}\" needs {n} coordinates and {n} velocities, but has {} and {}",
+                "a state of \"{name}\" needs {n} coordinates and {n} velocities, but has {} and {}",
                 q.len(),
                 v.len()
             ))
@@ -50,7 +50,7 @@ impl AccelerationEvaluator<'_> {
         if self.pivots.iter().all(|&pivot| is_sound(self.single.output(pivot), self.single.output(pivot + 1))) {
             return Ok(self.single.first_outputs());
         }
-        self.with_exchange = self.world.accelerations(time, q, v, &self.parameters)?;
+        self.with_exchange = self.system.accelerations(time, q, v, &self.parameters)?;
         Ok(&self.with_exchange)
     }
 }
@@ -60,7 +60,7 @@ fn is_sound(pivot: f64, diagonal: f64) -> bool {
     pivot.abs() > SMALL_PIVOT * diagonal.abs()
 }
 
-impl World {
+impl System {
     fn layout(&self) -> Layout {
         Layout { coordinates: self.coordinates().len(), parameters: self.parameters().len() }
     }
@@ -69,7 +69,7 @@ impl World {
         self.programs.of(&self.traced.accelerations, self.layout(), uniform_parameters)
     }
 
-    /// How many operations the accelerations take: the length of the tape behind [`World::accelerations_of_many`].
+    /// How many operations the accelerations take: the length of the tape behind [`System::accelerations_of_many`].
     pub fn operations(&self) -> usize {
         self.traced.accelerations.ops().len()
     }
@@ -91,12 +91,12 @@ impl World {
     /// on the parameters alone is computed here, and nothing is allocated afterwards.
     ///
     /// ```
-    /// use onshell::mechanics::World;
+    /// use onshell::mechanics::System;
     /// use onshell::systems::Pendulum;
     ///
-    /// let world = World::new(&Pendulum::<1>::new())?;
+    /// let system = System::new(&Pendulum::<1>::new())?;
     /// let (mass, length, gravity) = (1.0, 2.0, 9.8);
-    /// let mut accelerator = world.acceleration_evaluator(&[mass, length, gravity]);
+    /// let mut accelerator = system.acceleration_evaluator(&[mass, length, gravity]);
     /// let a = accelerator.accelerations(0.0, &[0.1], &[0.0])?[0];
     /// assert!((a + gravity / length * 0.1_f64.sin()).abs() < 1e-14);
     /// # Ok::<(), onshell::Error>(())
@@ -112,7 +112,7 @@ impl World {
             uniform && is_sound(single.output(pivot), single.output(pivot + 1))
         };
         AccelerationEvaluator {
-            world: self,
+            system: self,
             parameters: parameters.to_vec(),
             coordinates: layout.coordinates,
             pivots: pivots.filter(|pivot| !is_settled(pivot)).collect(),
@@ -137,7 +137,7 @@ impl World {
         Ok(result)
     }
 
-    /// [`World::accelerations_of_many`], written to columns that are there already: one a coordinate, with one entry a
+    /// [`System::accelerations_of_many`], written to columns that are there already: one a coordinate, with one entry a
     /// state.
     ///
     /// # Errors
@@ -227,8 +227,8 @@ mod tests {
     const STATES: usize = LANES + 44;
 
     /// Columns of states away from 0 and π; the parameters are the same for all, or not.
-    fn columns(world: &World, uniform: bool) -> Vec<Vec<f64>> {
-        let layout = world.layout();
+    fn columns(system: &System, uniform: bool) -> Vec<Vec<f64>> {
+        let layout = system.layout();
         let share = |i: usize, k: usize| (0.137 + 0.618_033_988_749_895 * (i * (k + 1)) as f64).fract();
         let entry = |k: usize, i: usize| match k {
             0 => share(i, k),
@@ -249,18 +249,18 @@ mod tests {
     /// cosine and 17 sums, products and quotients; two or three of these are one step.
     #[test]
     fn the_top_takes_no_more_steps_than_by_hand() {
-        let world = World::new(&crate::systems::HeavyTop).unwrap();
-        assert!(world.steps() <= 11, "{}", world.steps());
+        let system = System::new(&crate::systems::HeavyTop).unwrap();
+        assert!(system.steps() <= 11, "{}", system.steps());
         // The twin: with parameters that vary there is more to do.
-        assert!(world.program(false).steps() > 11, "{}", world.program(false).steps());
+        assert!(system.program(false).steps() > 11, "{}", system.program(false).steps());
     }
 
     /// The pivot of the top, λ₁ sin²θ, is a product and keeps its digits where the mass matrix is nearly singular.
     #[test]
     fn a_product_is_a_sound_pivot_until_it_vanishes() {
-        let world = World::new(&crate::systems::HeavyTop).unwrap();
+        let system = System::new(&crate::systems::HeavyTop).unwrap();
         let [lambda_1, lambda_3, mass, g, distance] = [1.2, 0.7, 0.9, 9.8, 0.4];
-        let mut accelerator = world.acceleration_evaluator(&[lambda_1, lambda_3, mass, g, distance]);
+        let mut accelerator = system.acceleration_evaluator(&[lambda_1, lambda_3, mass, g, distance]);
         for theta in [1.3, 1e-3, 1e-6_f64] {
             let [phi_rate, theta_rate, psi_rate] = [0.3, theta / 2.0, 5.0];
             let a = accelerator.accelerations(0.0, &[0.2, theta, 0.4], &[phi_rate, theta_rate, psi_rate]).unwrap();
@@ -280,8 +280,8 @@ mod tests {
 
     #[test]
     fn a_state_has_as_many_velocities_as_coordinates() {
-        let world = World::new(&crate::systems::HeavyTop).unwrap();
-        let mut accelerator = world.acceleration_evaluator(&[1.0; 5]);
+        let system = System::new(&crate::systems::HeavyTop).unwrap();
+        let mut accelerator = system.acceleration_evaluator(&[1.0; 5]);
         assert!(accelerator.accelerations(0.0, &[1.0; 3], &[1.0; 3]).is_ok());
         for (q, v) in [(2, 3), (3, 2), (4, 3), (3, 4)] {
             let error = accelerator.accelerations(0.0, &vec![1.0; q], &vec![1.0; v]).unwrap_err();
@@ -296,19 +296,19 @@ mod tests {
     fn every_way_gives_what_elimination_with_exchange_gives() {
         let registry = Registry::standard();
         for (name, uniform) in registry.names().flat_map(|name| [(name, false), (name, true)]) {
-            let world = registry.get(name).unwrap().world().unwrap();
-            let (columns, n) = (columns(&world, uniform), world.coordinates().len());
+            let system = registry.get(name).unwrap().trace().unwrap();
+            let (columns, n) = (columns(&system, uniform), system.coordinates().len());
             let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
             let state = |i: usize| -> Vec<f64> { columns.iter().map(|column| column[i % column.len()]).collect() };
             let (q, v, p) = (1..1 + n, 1 + n..1 + 2 * n, 1 + 2 * n..columns.len());
             let expected: Vec<Vec<f64>> = (0..STATES)
                 .map(state)
-                .map(|x| world.accelerations(x[0], &x[q.clone()], &x[v.clone()], &x[p.clone()]).unwrap())
+                .map(|x| system.accelerations(x[0], &x[q.clone()], &x[v.clone()], &x[p.clone()]).unwrap())
                 .collect();
             for level in levels() {
                 let mut result = vec![vec![0.0; STATES]; n];
                 let mut places: Vec<&mut [f64]> = result.iter_mut().map(Vec::as_mut_slice).collect();
-                world.write_with(level, &columns, &mut places).unwrap();
+                system.write_with(level, &columns, &mut places).unwrap();
                 let of = |i: usize| result.iter().map(|column| column[i]).collect::<Vec<_>>();
                 assert!((0..STATES).all(|i| agree(&of(i), &expected[i])), "{name}, {level:?}");
                 // the twin: one lane too far
@@ -316,7 +316,7 @@ mod tests {
             }
             for (i, expected) in expected.iter().enumerate() {
                 let x = state(i);
-                let mut accelerator = world.acceleration_evaluator(&x[p.clone()]);
+                let mut accelerator = system.acceleration_evaluator(&x[p.clone()]);
                 assert!(
                     agree(accelerator.accelerations(x[0], &x[q.clone()], &x[v.clone()]).unwrap(), expected),
                     "{name}"

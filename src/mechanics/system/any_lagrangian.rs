@@ -1,6 +1,6 @@
 //! A Lagrangian with any number of coordinates and parameters, behind one object-safe trait.
 
-use super::traced_system::World;
+use super::traced_system::System;
 use crate::Result;
 use crate::mechanics::Lagrangian;
 
@@ -16,7 +16,7 @@ pub trait AnyLagrangian: Send + Sync {
     ///
     /// # Errors
     /// When the Lagrangian branches on a value, so that it cannot be traced.
-    fn world(&self) -> Result<World>;
+    fn trace(&self) -> Result<System>;
 }
 
 /// A Lagrangian as an [`AnyLagrangian`].
@@ -36,7 +36,7 @@ impl<L: Lagrangian<N, P>, const N: usize, const P: usize> AnyLagrangian for Eras
     fn parameters(&self) -> Vec<String> {
         self.0.parameters().map(str::to_owned).into()
     }
-    fn world(&self) -> Result<World> {
-        World::new(&self.0)
+    fn trace(&self) -> Result<System> {
+        System::new(&self.0)
     }
 }

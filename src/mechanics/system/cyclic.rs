@@ -3,10 +3,10 @@
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-use super::traced_system::World;
-use crate::scalar::Measured;
+use super::traced_system::System;
+use crate::scalar::RunningError;
 
-impl World {
+impl System {
     /// Whether ∂L/∂qᵢ ≡ 0, so that pᵢ is conserved: because it is the constant 0 once traced, or else because it
     /// vanishes to rounding at 24 random states.
     pub fn is_cyclic(&self, i: usize) -> bool {
@@ -23,7 +23,7 @@ impl World {
         let mut random = Pcg64Mcg::seed_from_u64(0x0c1c_11c0);
         let mut draw = |low: f64, high: f64| {
             let share = (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-            Measured::new(low + (high - low) * share)
+            RunningError::new(low + (high - low) * share)
         };
         let mut seen = 0;
         for _ in 0..STATES {

@@ -3,12 +3,12 @@
 use nalgebra::DMatrix;
 use num_dual::Dual;
 
-use super::traced_system::World;
+use super::traced_system::System;
 use crate::Result;
 use crate::mechanics::newton::invert;
 use crate::scalar::Number;
 
-impl World {
+impl System {
     /// The Hamiltonian H(q, p, t) = Σ pᵢ q̇ᵢ − L.
     ///
     /// # Errors
@@ -21,7 +21,7 @@ impl World {
     /// The velocities that belong to momenta.
     ///
     /// # Errors
-    /// As [`World::hamiltonian`].
+    /// As [`System::hamiltonian`].
     pub fn velocities<D: Number>(&self, time: D, q: &[D], p: &[D], parameters: &[D]) -> Result<Vec<D>> {
         let all: Vec<usize> = (0..self.coordinates().len()).collect();
         self.transformed(&all, time, q, &self.at_rest(), p, parameters).map(|(_, v)| v)
@@ -30,7 +30,7 @@ impl World {
     /// Hamilton's equations: (q̇, ṗ) = (∂H/∂p, −∂H/∂q), by differentiating the Hamiltonian.
     ///
     /// # Errors
-    /// As [`World::hamiltonian`].
+    /// As [`System::hamiltonian`].
     pub fn hamilton_equations<D: Number>(
         &self,
         time: D,

@@ -23,4 +23,4 @@ mod tracing;
 
 pub use accelerations::AccelerationEvaluator;
 pub use any_lagrangian::{AnyLagrangian, erased};
-pub use traced_system::{Quantities, World};
+pub use traced_system::{Quantities, System};

@@ -1,16 +1,16 @@
 //! Parameters and coordinates by name, for callers who do not want to depend on their order.
 
-use super::traced_system::World;
+use super::traced_system::System;
 use crate::{Error, Result};
 
-impl World {
-    /// The parameters in the order of [`World::parameters`], from pairs of a name in LaTeX and a value in any order.
+impl System {
+    /// The parameters in the order of [`System::parameters`], from pairs of a name in LaTeX and a value in any order.
     ///
     /// ```
-    /// use onshell::mechanics::World;
+    /// use onshell::mechanics::System;
     /// use onshell::systems::Pendulum;
     ///
-    /// let pendulum = World::new(&Pendulum::<1>::new())?;
+    /// let pendulum = System::new(&Pendulum::<1>::new())?;
     /// assert_eq!(pendulum.parameter_values(&[("g", 9.8), ("m", 1.0), ("l", 2.0)])?, [1.0, 2.0, 9.8]);
     /// assert!(pendulum.parameter_values(&[("g", 9.8), ("m", 1.0)]).is_err());
     /// # Ok::<(), onshell::Error>(())
@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn parameters_are_ordered_by_name() {
-        let top = World::new(&HeavyTop).unwrap();
+        let top = System::new(&HeavyTop).unwrap();
         let values = [("R", 5), ("g", 4), ("M", 3), ("\\lambda_3", 2), ("\\lambda_1", 1)];
         assert_eq!(top.parameter_values(&values).unwrap(), [1, 2, 3, 4, 5]);
         assert_eq!((top.coordinate_index("\\psi"), top.coordinate_index("x")), (Some(2), None));

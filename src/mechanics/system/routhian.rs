@@ -2,12 +2,12 @@
 
 use nalgebra::DMatrix;
 
-use super::traced_system::World;
-use crate::mechanics::linear_solver::{Elimination, solve_by};
+use super::traced_system::System;
+use crate::mechanics::linear_solver::{LinearSolver, solve_with};
 use crate::scalar::Number;
 use crate::{Error, Result};
 
-impl World {
+impl System {
     /// The Routhian Σ p_c q̇_c − L over the cyclic coordinates c, as a function of their momenta: `p` counts at the
     /// cyclic places only, `v` at the others only. With this sign it is −(T − U_eff) for what is left.
     ///
@@ -21,7 +21,7 @@ impl World {
     /// the given state. Equally, the energy of that state of rest.
     ///
     /// # Errors
-    /// As [`World::routhian`].
+    /// As [`System::routhian`].
     pub fn effective_potential<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<D> {
         let p = self.quantities(time, q, v, parameters).momenta;
         self.routhian(time, q, &self.at_rest(), &p, parameters)
@@ -31,14 +31,14 @@ impl World {
     ///
     /// # Errors
     /// When it is not, or there are too many of them.
-    pub fn effective_potential_exactly<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<D> {
+    pub fn effective_potential_exact<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<D> {
         let cyclic = self.cyclic_coordinates();
         let rest: Vec<D> = self.at_rest();
         let wanted = self.quantities(time, q, v, parameters).momenta;
         let (momenta, mass) = self.momenta_and_mass(time, q, &rest, parameters);
         let mass = DMatrix::from_fn(cyclic.len(), cyclic.len(), |i, j| mass[(cyclic[i], cyclic[j])]);
         let missing = cyclic.iter().map(|&i| wanted[i] - momenta[i]).collect();
-        let solved = solve_by(Elimination::Cramer, "mass matrix of the cyclic velocities", mass, missing)?;
+        let solved = solve_with(LinearSolver::CramersRule, "mass matrix of the cyclic velocities", mass, missing)?;
         let mut at = rest;
         for (&i, &value) in cyclic.iter().zip(&solved) {
             at[i] = value;

@@ -1,4 +1,4 @@
-//! A world's accelerations as Rust source, for programs that shall not link a derivation checker.
+//! A system's accelerations as Rust source, for programs that shall not link a derivation checker.
 //!
 //! The traced tape is written down operation by operation. What is used once stands where it is used, unless the line
 //! gets long; what is used more often has a name. The order of the operations is that of the tape, so the function
@@ -6,26 +6,26 @@
 
 use std::fmt::Write;
 
-use super::traced_system::World;
+use super::traced_system::System;
 use crate::mechanics::tape::{Op, Tape};
 use crate::scalar::Function;
 
 /// An expression that is longer than this gets a name of its own.
 const LONG: usize = 72;
 
-impl World {
+impl System {
     /// The accelerations as the source of one Rust function without loops and without dependencies:
     /// `pub fn accelerations(time: f64, q: &[f64; N], v: &[f64; N], parameters: &[f64; P]) -> [f64; N]`.
     ///
     /// Its documentation says what stands where. What the motion does not depend on has a name with an underscore. The
     /// mass matrix is inverted without exchanging rows: where that fails, as where it is singular, the function gives
-    /// what is not finite or badly rounded, and [`World::accelerations`] an answer or an error.
+    /// what is not finite or badly rounded, and [`System::accelerations`] an answer or an error.
     ///
     /// ```
-    /// use onshell::mechanics::World;
+    /// use onshell::mechanics::System;
     /// use onshell::systems::Pendulum;
     ///
-    /// let source = World::new(&Pendulum::<1>::new())?.rust_source();
+    /// let source = System::new(&Pendulum::<1>::new())?.rust_source();
     /// assert!(source.contains("pub fn accelerations("));
     /// # Ok::<(), onshell::Error>(())
     /// ```

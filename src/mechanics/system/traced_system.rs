@@ -1,4 +1,4 @@
-//! A system as others use it: traced once, object-safe where it is a [`System`], fast where it is a [`World`].
+//! A system as others use it: traced once, object-safe where it is a [`System`], fast where it is a [`System`].
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -6,7 +6,7 @@ use super::elimination::upper;
 use super::layout::Layout;
 use super::programs::Programs;
 use super::tracing::{Recorded, Traced, trace, traced};
-use crate::mechanics::linear_solver::{self, Elimination};
+use crate::mechanics::linear_solver::{self, LinearSolver};
 use crate::mechanics::{Lagrangian, motion};
 use crate::scalar::{Number, Series, Symbol};
 use crate::{Error, Result};
@@ -38,7 +38,7 @@ pub struct Quantities<D> {
 ///
 /// States are slices: `q`, `v` and (where asked for) `a` have one entry a coordinate, `parameters` one a parameter; an
 /// entry that is missing counts as NaN.
-pub struct World {
+pub struct System {
     name: String,
     coordinates: Vec<String>,
     parameters: Vec<String>,
@@ -47,17 +47,17 @@ pub struct World {
     pub(super) programs: Programs,
 }
 
-impl World {
+impl System {
     /// Traces a Lagrangian.
     ///
     /// # Errors
     /// When it branches on a value.
-    pub fn new<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) -> Result<World> {
+    pub fn new<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) -> Result<System> {
         let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
-        Ok(World::of_traced(l.name(), names(&l.coordinates()), names(&l.parameters()), named(l.name(), trace(l))?))
+        Ok(System::of_traced(l.name(), names(&l.coordinates()), names(&l.parameters()), named(l.name(), trace(l))?))
     }
 
-    /// The world with the coordinates of this one and another Lagrangian, with more parameters behind those of this one.
+    /// The system with the coordinates of this one and another Lagrangian, with more parameters behind those of this one.
     /// `lagrangian` gives L and, where L = T − U, also U, of t, q, q̇ and all parameters. A rigid body stays oriented as it is.
     ///
     /// # Errors
@@ -67,7 +67,7 @@ impl World {
         name: &str,
         more: Vec<String>,
         lagrangian: impl FnOnce(Symbol, &[Symbol], &[Symbol], &[Symbol]) -> (Symbol, Option<Symbol>),
-    ) -> Result<World> {
+    ) -> Result<System> {
         let parameters = [self.parameters.as_slice(), &more].concat();
         let layout = Layout { coordinates: self.coordinates.len(), parameters: parameters.len() };
         let traced = traced(layout, || {
@@ -83,15 +83,15 @@ impl World {
             });
             Recorded { lagrangian, potential, turning }
         });
-        Ok(World::of_traced(name, self.coordinates.clone(), parameters, named(name, traced)?))
+        Ok(System::of_traced(name, self.coordinates.clone(), parameters, named(name, traced)?))
     }
 
-    fn of_traced(name: &str, coordinates: Vec<String>, parameters: Vec<String>, traced: Traced) -> World {
+    fn of_traced(name: &str, coordinates: Vec<String>, parameters: Vec<String>, traced: Traced) -> System {
         let cyclic = traced.certainly_cyclic.clone();
         let (name, programs) = (name.to_owned(), Programs::default());
-        let mut world = World { name, coordinates, parameters, cyclic, programs, traced };
-        world.cyclic = (0..world.coordinates.len()).map(|i| world.cyclic[i] || world.force_vanishes(i)).collect();
-        world
+        let mut system = System { name, coordinates, parameters, cyclic, programs, traced };
+        system.cyclic = (0..system.coordinates.len()).map(|i| system.cyclic[i] || system.force_vanishes(i)).collect();
+        system
     }
 
     /// The system's name.
@@ -223,16 +223,16 @@ impl World {
         parameters: &[D],
         order: usize,
     ) -> Result<Vec<Series<D>>> {
-        self.motion_by(Elimination::Pivots, time, q, v, parameters, order)
+        self.motion_with(LinearSolver::PartialPivoting, time, q, v, parameters, order)
     }
 
     /// The same with the mass matrix inverted in the given way.
     ///
     /// # Errors
     /// When it cannot be, or `order` is beyond what a [`Series`] holds.
-    pub fn motion_by<D: Number>(
+    pub fn motion_with<D: Number>(
         &self,
-        elimination: Elimination,
+        solver: LinearSolver,
         time: D,
         q: &[D],
         v: &[D],
@@ -243,10 +243,10 @@ impl World {
         let parameters: Vec<_> = parameters.iter().copied().map(Series::constant).collect();
         motion::complete(q, v, order, |q, v, known| {
             let (mass, right) = self.to_solve(time, q, v, &parameters);
-            match (elimination, known) {
+            match (solver, known) {
                 // the first look at its condition is at all of its values
-                (Elimination::Pivots, 3..) => linear_solver::eliminate("mass matrix", mass, right),
-                _ => linear_solver::solve_by(elimination, "mass matrix", mass, right),
+                (LinearSolver::PartialPivoting, 3..) => linear_solver::eliminate("mass matrix", mass, right),
+                _ => linear_solver::solve_with(solver, "mass matrix", mass, right),
             }
         })
     }

@@ -11,7 +11,7 @@ use num_traits::One;
 use super::elimination::{eliminate, is_product, pivots, upper};
 use super::layout::Layout;
 use crate::Result;
-use crate::mechanics::rigid_body::rotations::Turning;
+use crate::mechanics::rigid_body::rotations::RotationalState;
 use crate::mechanics::tape::Tape;
 use crate::mechanics::tape::reverse_mode::gradient;
 use crate::mechanics::{Lagrangian, State};
@@ -59,7 +59,7 @@ pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) 
             v: std::array::from_fn(|i| Symbol::input(layout.v(i))),
             parameters: std::array::from_fn(|i| Symbol::input(1 + 2 * N + i)),
         };
-        let turning = Turning::of(l, &at).map(|turning| {
+        let turning = RotationalState::of(l, &at).map(|turning| {
             let rows = turning.orientation.transpose();
             rows.iter().chain(&turning.angular_velocity).chain(&turning.body_rates).copied().collect()
         });

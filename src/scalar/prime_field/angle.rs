@@ -74,7 +74,7 @@ fn inverse_of_odd(odd: u128) -> u128 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modulus::Large;
+    use super::super::modulus::FirstPrime;
     use super::super::residue::Prime;
     use super::*;
 
@@ -87,9 +87,10 @@ mod tests {
 
     #[test]
     fn a_third_of_three_halves_of_an_angle_is_its_half() {
-        let angle = Angle { label: 0x1234_5678 << Large::HALVINGS, spread: 1.0, ..Angle::NONE };
-        let by =
-            |angle: Angle<Large>, numerator, denominator| angle.scaled(Ratio { numerator, denominator }, Residue::ONE);
+        let angle = Angle { label: 0x1234_5678 << FirstPrime::HALVINGS, spread: 1.0, ..Angle::NONE };
+        let by = |angle: Angle<FirstPrime>, numerator, denominator| {
+            angle.scaled(Ratio { numerator, denominator }, Residue::ONE)
+        };
         assert_eq!(by(by(angle, 3, 2), 1, 3).label, by(angle, 1, 2).label);
         assert_eq!(by(by(angle, -12, 1), 1, 8).label, by(angle, -3, 2).label);
         assert!(!by(angle, 1, 1 << 10).lost);

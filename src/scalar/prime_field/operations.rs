@@ -17,19 +17,19 @@ use crate::scalar::rational::Ratio;
 const SETTLED_NORM: f64 = (1_u128 << 100) as f64;
 impl<F: Modulus> Modular<F> {
     /// A random number, which may also be an angle.
-    pub fn drawn() -> Self {
-        let (value, place) = with_evaluation::<F, _>(Evaluation::drawn);
-        Modular { kind: Kind::Angle(place), ..Self::plain(value, Size::VARIABLE, 0) }.kept()
+    pub fn random() -> Self {
+        let (value, place) = with_evaluation::<F, _>(Evaluation::random_angle);
+        Modular { kind: Kind::Angle(place), ..Self::plain(value, Size::VARIABLE, 0) }.remembered()
     }
 
     /// A random number that is no angle.
-    pub fn drawn_plain() -> Self {
-        let value = with_evaluation::<F, _>(Evaluation::drawn_plain);
-        Self::plain(value, Size::VARIABLE, 0).kept()
+    pub fn random_plain() -> Self {
+        let value = with_evaluation::<F, _>(Evaluation::random_number);
+        Self::plain(value, Size::VARIABLE, 0).remembered()
     }
 
     /// Remembers a simple number, for others to turn out to be it.
-    pub fn kept(self) -> Self {
+    pub fn remembered(self) -> Self {
         with_evaluation(|evaluation| evaluation.keep(self));
         self
     }
@@ -213,7 +213,7 @@ impl<F: Modulus> Modular<F> {
                 return Self::refused("a quotient by 0");
             }
             with_evaluation(|evaluation: &mut Evaluation<F>| {
-                evaluation.comparisons.record.elsewhere = Some("a denominator that vanishes")
+                evaluation.comparisons.record.undefined_here = Some("a denominator that vanishes")
             });
             return Self::ZERO;
         }
@@ -248,7 +248,7 @@ impl<F: Modulus> Modular<F> {
             };
             Modular { value, size, denominator, kind, roots: self.roots | other.roots }
         });
-        if quotient.size.norm < SIMPLE_NORM { quotient.kept() } else { quotient.settled() }
+        if quotient.size.norm < SIMPLE_NORM { quotient.remembered() } else { quotient.settled() }
     }
 
     /// What has no meaning in a field.

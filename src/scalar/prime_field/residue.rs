@@ -169,7 +169,7 @@ impl<F: Prime> Residue<F> {
 #[cfg(test)]
 mod tests {
     use super::super::modulus::tests::{Middle, Small};
-    use super::super::modulus::{Large, Second};
+    use super::super::modulus::{FirstPrime, SecondPrime};
     use super::*;
     use proptest::prelude::*;
 
@@ -192,8 +192,8 @@ mod tests {
         fn residues_are_a_field(a: u128, b: u128, c: u128) {
             obeys_the_laws::<Small>(a, b, c);
             obeys_the_laws::<Middle>(a, b, c);
-            obeys_the_laws::<Large>(a, b, c);
-            obeys_the_laws::<Second>(a, b, c);
+            obeys_the_laws::<FirstPrime>(a, b, c);
+            obeys_the_laws::<SecondPrime>(a, b, c);
         }
     }
 
@@ -213,20 +213,20 @@ mod tests {
         let mut x = 0x1234_5678_9abc_def0_0fed_cba9_8765_4321_u128;
         for _ in 0..200 {
             let y = x.wrapping_mul(0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835).rotate_left(17);
-            let fast = Residue::<Large>::new(x).times(Residue::new(y));
-            assert_eq!(fast, slow::<Large>(x % Large::PRIME, y % Large::PRIME));
-            assert_ne!(fast, slow::<Large>(x % Large::PRIME, y % Large::PRIME + 1));
+            let fast = Residue::<FirstPrime>::new(x).times(Residue::new(y));
+            assert_eq!(fast, slow::<FirstPrime>(x % FirstPrime::PRIME, y % FirstPrime::PRIME));
+            assert_ne!(fast, slow::<FirstPrime>(x % FirstPrime::PRIME, y % FirstPrime::PRIME + 1));
             x = y;
         }
-        let last = Residue::<Large>::new(Large::PRIME - 1);
+        let last = Residue::<FirstPrime>::new(FirstPrime::PRIME - 1);
         assert_eq!(last.times(last), Residue::ONE);
-        assert_eq!((last.value(), Residue::<Large>::ONE.value()), (Large::PRIME - 1, 1));
+        assert_eq!((last.value(), Residue::<FirstPrime>::ONE.value()), (FirstPrime::PRIME - 1, 1));
     }
 
     #[test]
     fn the_roots_of_small_primes_are_in_the_field() {
         let has_root =
-            |n: i64| Residue::<Large>::whole(n).root().is_some_and(|root| root.square() == Residue::whole(n));
+            |n: i64| Residue::<FirstPrime>::whole(n).root().is_some_and(|root| root.square() == Residue::whole(n));
         for n in [2, 3, 5, 6, 7, 10, 14, 15, 21, 35, 210] {
             assert!(has_root(n), "√{n}");
             // the twin: of n and −n one alone has a root

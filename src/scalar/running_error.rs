@@ -1,7 +1,7 @@
 //! A value that remembers how large its rounding error may be: what residuals are scaled with.
 //!
 //! Two sides of an equation are compared on the scale of the terms that met in their sums, not of what was left after
-//! they cancelled. [`Measured`] carries that scale along: magnitudes of terms add, so a cancellation is remembered.
+//! they cancelled. [`RunningError`] carries that scale along: magnitudes of terms add, so a cancellation is remembered.
 
 use std::fmt;
 
@@ -18,17 +18,17 @@ use super::{Arithmetic, Function};
 /// Constants and inputs have magnitude |value|; for a sum the magnitudes add, for a product it is |a|·mb + |b|·ma, for
 /// a function |f(x)| + |f′(x)|·mx. The magnitude is never below |value|.
 #[derive(Clone, Copy, Debug)]
-pub struct Measured {
+pub struct RunningError {
     /// The value, exactly as `f64` arithmetic gives it.
     pub value: f64,
     /// To first order, the value is off by no more than a few epsilons times this.
     pub magnitude: f64,
 }
 
-impl Measured {
+impl RunningError {
     /// A value known as well as an `f64` can hold it.
     pub fn new(value: f64) -> Self {
-        Measured { value, magnitude: value.abs() }
+        RunningError { value, magnitude: value.abs() }
     }
 
     /// Whether rounding alone could have made this of a zero.
@@ -37,77 +37,77 @@ impl Measured {
     }
 
     /// The result of dividing by what may be zero.
-    const UNDEFINED: Measured = Measured { value: f64::NAN, magnitude: f64::NAN };
+    const UNDEFINED: RunningError = RunningError { value: f64::NAN, magnitude: f64::NAN };
 
     fn from_slope(value: f64, slope: f64, magnitude: f64) -> Self {
         // an input known exactly (magnitude 0) adds nothing, however steep the function
         let carried = if magnitude == 0.0 { 0.0 } else { slope.abs() * magnitude };
-        Measured { value, magnitude: value.abs() + carried }
+        RunningError { value, magnitude: value.abs() + carried }
     }
 }
 
-impl fmt::Display for Measured {
+impl fmt::Display for RunningError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} (scale {})", self.value, self.magnitude)
     }
 }
 
-impl Arithmetic for Measured {
+impl Arithmetic for RunningError {
     type Inner = f64;
 
     fn constant(value: f64) -> Self {
-        Measured::new(value)
+        RunningError::new(value)
     }
     fn real(self) -> f64 {
         self.value
     }
     fn plus(self, other: Self) -> Self {
-        Measured { value: self.value + other.value, magnitude: self.magnitude + other.magnitude }
+        RunningError { value: self.value + other.value, magnitude: self.magnitude + other.magnitude }
     }
     fn minus(self, other: Self) -> Self {
-        Measured { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }
+        RunningError { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }
     }
     fn times(self, other: Self) -> Self {
         let magnitude = self.value.abs() * other.magnitude + other.value.abs() * self.magnitude;
-        Measured { value: self.value * other.value, magnitude }
+        RunningError { value: self.value * other.value, magnitude }
     }
     fn over(self, other: Self) -> Self {
         if other.is_noise() {
-            return Measured::UNDEFINED;
+            return RunningError::UNDEFINED;
         }
         let value = self.value / other.value;
-        Measured { value, magnitude: (self.magnitude + value.abs() * other.magnitude) / other.value.abs() }
+        RunningError { value, magnitude: (self.magnitude + value.abs() * other.magnitude) / other.value.abs() }
     }
     fn negated(self) -> Self {
-        Measured { value: -self.value, magnitude: self.magnitude }
+        RunningError { value: -self.value, magnitude: self.magnitude }
     }
     fn power(self, n: i32) -> Self {
         if n == 0 {
-            return Measured::new(1.0);
+            return RunningError::new(1.0);
         }
         if n < 0 && self.is_noise() {
-            return Measured::UNDEFINED;
+            return RunningError::UNDEFINED;
         }
         let slope = f64::from(n) * self.value.powi(n - 1);
         Self::from_slope(self.value.powi(n), slope, self.magnitude)
     }
     fn real_power(self, n: f64) -> Self {
         if n == 0.0 {
-            return Measured::new(1.0);
+            return RunningError::new(1.0);
         }
         Self::from_slope(self.value.powf(n), n * self.value.powf(n - 1.0), self.magnitude)
     }
     fn apply(self, function: Function) -> Self {
         let periodic = matches!(function, Function::Sin | Function::Cos | Function::Tan);
         if periodic && self.magnitude * f64::EPSILON > 1e-5 {
-            return Measured::UNDEFINED;
+            return RunningError::UNDEFINED;
         }
         let Dual64 { re, eps } = function.of(Dual64::new(self.value, 1.0));
         Self::from_slope(re, eps, self.magnitude)
     }
     fn sine_cosine(self) -> (Self, Self) {
         if self.magnitude * f64::EPSILON > 1e-5 {
-            return (Measured::UNDEFINED, Measured::UNDEFINED);
+            return (RunningError::UNDEFINED, RunningError::UNDEFINED);
         }
         let (sine, cosine) = self.value.sin_cos();
         (Self::from_slope(sine, cosine, self.magnitude), Self::from_slope(cosine, sine, self.magnitude))
@@ -116,11 +116,11 @@ impl Arithmetic for Measured {
         let value = self.value.atan2(x.value);
         let square = self.value * self.value + x.value * x.value;
         let carried = (x.value.abs() * self.magnitude + self.value.abs() * x.magnitude) / square;
-        Measured { value, magnitude: value.abs() + carried }
+        RunningError { value, magnitude: value.abs() + carried }
     }
 }
 
-dual_number!(Measured);
+dual_number!(RunningError);
 
 #[cfg(test)]
 mod tests {
@@ -129,37 +129,37 @@ mod tests {
 
     #[test]
     fn a_cancellation_is_remembered() {
-        let large = Measured::new(1e10);
+        let large = RunningError::new(1e10);
         let difference = (large + 1.0) - large;
         assert_eq!(difference.value, 1.0);
         assert!(difference.magnitude >= 2e10);
         // the twin: without cancellation the scale stays that of the value
-        assert!((Measured::new(1.0) + 2.0).magnitude <= 3.0);
+        assert!((RunningError::new(1.0) + 2.0).magnitude <= 3.0);
     }
 
     #[test]
     fn the_magnitude_covers_the_value_and_its_error() {
-        let x = Measured::new(0.3);
+        let x = RunningError::new(0.3);
         for y in [x * x, x / 7.0, x.sin(), x.exp(), x.powi(3), x.powi(-2), x.powf(0.5), x.atan2(x), x.ln()] {
             assert!(y.magnitude >= y.value.abs(), "{y}");
         }
         // π off by an epsilon: the sine is all error, and the scale says so
-        let sine = Measured::new(std::f64::consts::PI).sin();
+        let sine = RunningError::new(std::f64::consts::PI).sin();
         assert!(sine.value.abs() <= f64::EPSILON * sine.magnitude);
     }
 
     #[test]
     fn a_quotient_by_rounding_is_undefined() {
-        let x = Measured::new(0.3);
+        let x = RunningError::new(0.3);
         let nothing = x.sin() * x.sin() + x.cos() * x.cos() - 1.0;
         assert!((x / nothing).value.is_nan());
         assert!(nothing.powi(-1).value.is_nan());
         // the twin: small, and known to be
-        assert_eq!((Measured::new(1.0) / 1e-200).value, 1e200);
+        assert_eq!((RunningError::new(1.0) / 1e-200).value, 1e200);
     }
 
     #[test]
     fn exact_zero_carries_nothing_through_a_steep_function() {
-        assert_eq!(Measured::new(0.0).sqrt().magnitude, 0.0);
+        assert_eq!(RunningError::new(0.0).sqrt().magnitude, 0.0);
     }
 }

@@ -1,12 +1,12 @@
 //! The number of the field as data: its value, the size of its numerator, its denominator, and what else is known of it.
 
 use super::denominators::{DenominatorId, Size};
-use super::modulus::{Large, Modulus};
+use super::modulus::{FirstPrime, Modulus};
 use super::residue::Residue;
 
 /// A number of the field: see the [module](super).
 #[derive(Clone, Copy, Debug)]
-pub struct Modular<F: Modulus = Large> {
+pub struct Modular<F: Modulus = FirstPrime> {
     pub(super) value: Residue<F>,
     /// The size of the numerator, were the number written as one fraction.
     pub(super) size: Size,

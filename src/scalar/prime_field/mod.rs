@@ -20,7 +20,7 @@
 //! [`EvaluationRecord`], and nothing is concluded. A square root exists at half of the points and has two signs, so an
 //! identity with roots must hold for all signs. Neither matters until more than the square of the root is needed.
 //!
-//! Numbers live within [`at_a_point`] only, on one thread. This folder knows the numeric traits and rational constants of
+//! Numbers live within [`evaluate_at_point`] only, on one thread. This folder knows the numeric traits and rational constants of
 //! `scalar`, and nothing of formulas or mechanics. Its files import in this order: `residue`, `unit_circle`, `modulus`,
 //! `denominators`, `angle`, `number`, `comparisons`, `square_roots` and `simple_numbers`, `evaluation`, then `operations`,
 //! `arithmetic`, `exponentials` and `false_accept_bound`.
@@ -41,9 +41,9 @@ mod square_roots;
 mod unit_circle;
 
 pub use comparisons::EvaluationRecord;
-pub use evaluation::at_a_point;
+pub use evaluation::evaluate_at_point;
 pub use false_accept_bound::false_accept_log2;
-pub use modulus::{Large, Modulus, Second};
+pub use modulus::{FirstPrime, Modulus, SecondPrime};
 pub use number::Modular;
 pub use residue::Prime;
 

@@ -13,34 +13,34 @@ pub trait Modulus: Prime {
 
 /// p = 861·2¹¹⁷ − 1, in which identities are decided. 2, 3, 5, 7, 13, 19 and 23 are squares.
 #[derive(Clone, Copy, Debug)]
-pub struct Large;
+pub struct FirstPrime;
 
-impl Prime for Large {
+impl Prime for FirstPrime {
     const ODD: u128 = 861;
     const BITS: u32 = 117;
     const HALVINGS: u32 = 10;
 }
 
-impl Modulus for Large {
+impl Modulus for FirstPrime {
     fn circle() -> &'static UnitCircle<Self> {
-        static CIRCLE: OnceLock<UnitCircle<Large>> = OnceLock::new();
+        static CIRCLE: OnceLock<UnitCircle<FirstPrime>> = OnceLock::new();
         CIRCLE.get_or_init(UnitCircle::new)
     }
 }
 
 /// p = 1995·2¹¹⁶ − 1, a second field for what has large coefficients. 2, 3, 5, 7, 11, 13 and 19 are squares.
 #[derive(Clone, Copy, Debug)]
-pub struct Second;
+pub struct SecondPrime;
 
-impl Prime for Second {
+impl Prime for SecondPrime {
     const ODD: u128 = 1995;
     const BITS: u32 = 116;
     const HALVINGS: u32 = 10;
 }
 
-impl Modulus for Second {
+impl Modulus for SecondPrime {
     fn circle() -> &'static UnitCircle<Self> {
-        static CIRCLE: OnceLock<UnitCircle<Second>> = OnceLock::new();
+        static CIRCLE: OnceLock<UnitCircle<SecondPrime>> = OnceLock::new();
         CIRCLE.get_or_init(UnitCircle::new)
     }
 }

@@ -28,13 +28,13 @@ macro_rules! differences {
 fn decide<F: Modulus>(difference: &impl Difference, seed: u64) -> Result<(bool, f64), &'static str> {
     let (mut finest, mut signs, mut attempt, mut bound) = (1, 0, 0_u64, f64::NEG_INFINITY);
     loop {
-        let run = || difference.of(std::array::from_fn(|_| Modular::<F>::drawn()));
-        let (value, record) = at_a_point::<F, _>(seed ^ (attempt << 32), signs, finest, run);
-        if let Some(fault) = record.fault {
+        let run = || difference.of(std::array::from_fn(|_| Modular::<F>::random()));
+        let (value, record) = evaluate_at_point::<F, _>(seed ^ (attempt << 32), signs, finest, run);
+        if let Some(fault) = record.unsupported {
             return Err(fault);
         }
-        if record.finest > finest || record.elsewhere.is_some() {
-            attempt += u64::from(record.elsewhere.is_some());
+        if record.finest > finest || record.undefined_here.is_some() {
+            attempt += u64::from(record.undefined_here.is_some());
             (finest, signs) = (record.finest, 0);
             continue;
         }
@@ -52,13 +52,13 @@ fn decide<F: Modulus>(difference: &impl Difference, seed: u64) -> Result<(bool, 
 }
 
 fn holds(difference: impl Difference) {
-    let (vanishes, bound) = decide::<Large>(&difference, 7).unwrap();
+    let (vanishes, bound) = decide::<FirstPrime>(&difference, 7).unwrap();
     assert!(vanishes);
     assert!(bound < -80.0, "bound {bound}");
 }
 
 fn fails(difference: impl Difference) {
-    assert_eq!(decide::<Large>(&difference, 7), Ok((false, 0.0)));
+    assert_eq!(decide::<FirstPrime>(&difference, 7), Ok((false, 0.0)));
 }
 
 fn power<D: Number>(x: D, n: i32) -> D {
@@ -143,16 +143,16 @@ differences! {
 #[test]
 fn what_a_field_cannot_decide_is_said() {
     for (refused, why) in [
-        (decide::<Large>(&Arc, 1), "an inverse function"),
-        (decide::<Large>(&Third, 1), "a sine or cosine of a fraction of an angle that the field does not have"),
-        (decide::<Large>(&Order, 1), "an absolute value, or which of two numbers is larger"),
-        (decide::<Large>(&Magnitude, 1), "an absolute value, or which of two numbers is larger"),
-        (decide::<Large>(&Huge, 1), "coefficients too large"),
+        (decide::<FirstPrime>(&Arc, 1), "an inverse function"),
+        (decide::<FirstPrime>(&Third, 1), "a sine or cosine of a fraction of an angle that the field does not have"),
+        (decide::<FirstPrime>(&Order, 1), "an absolute value, or which of two numbers is larger"),
+        (decide::<FirstPrime>(&Magnitude, 1), "an absolute value, or which of two numbers is larger"),
+        (decide::<FirstPrime>(&Huge, 1), "coefficients too large"),
     ] {
         assert_eq!(refused, Err(why));
     }
     // a root of a square has two values, of which reality chooses one
-    assert_eq!(decide::<Large>(&RootOfSquare, 3), Ok((false, 0.0)));
+    assert_eq!(decide::<FirstPrime>(&RootOfSquare, 3), Ok((false, 0.0)));
 }
 
 /// Counts how often false identities pass in the field of 8191 elements.
@@ -161,10 +161,10 @@ fn accidents(difference: &impl Difference) -> (f64, f64) {
     for seed in 0..20_000 {
         let (mut finest, mut result) = (1, None);
         for _ in 0..2 {
-            let run = || difference.of(std::array::from_fn(|_| Modular::<Small>::drawn()));
-            let (value, record) = at_a_point::<Small, _>(seed, 0, finest, run);
+            let run = || difference.of(std::array::from_fn(|_| Modular::<Small>::random()));
+            let (value, record) = evaluate_at_point::<Small, _>(seed, 0, finest, run);
             finest = record.finest;
-            result = (record.elsewhere.is_none() && record.fault.is_none()).then_some((value, record));
+            result = (record.undefined_here.is_none() && record.unsupported.is_none()).then_some((value, record));
         }
         let Some((value, record)) = result else { continue };
         decided += 1;
@@ -198,13 +198,13 @@ fn false_identities_pass_no_more_often_than_the_bound_says() {
 
 #[test]
 fn series_over_the_field_have_the_derivatives_of_sine() {
-    let ((difference, sum), record) = at_a_point::<Large, _>(5, 0, 1, || {
-        let [x, v, a] = std::array::from_fn(|_| Modular::<Large>::drawn());
+    let ((difference, sum), record) = evaluate_at_point::<FirstPrime, _>(5, 0, 1, || {
+        let [x, v, a] = std::array::from_fn(|_| Modular::<FirstPrime>::random());
         let motion = Series::from_derivatives(&[x, v, a]);
         let second = motion.sin().nth_derivative_value(2).unwrap_or(x);
         let by_hand = x.cos() * a - x.sin() * v * v;
         (second - by_hand, second + by_hand)
     });
-    assert!(difference.vanishes() && record.fault.is_none());
+    assert!(difference.vanishes() && record.unsupported.is_none());
     assert!(!sum.vanishes());
 }

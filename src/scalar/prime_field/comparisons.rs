@@ -11,9 +11,9 @@ use super::residue::{Prime, Residue};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EvaluationRecord {
     /// Why nothing can be concluded: an operation that a field does not have.
-    pub fault: Option<&'static str>,
+    pub unsupported: Option<&'static str>,
     /// A denominator vanishes here, or a number has no square root: another point may do.
-    pub elsewhere: Option<&'static str>,
+    pub undefined_here: Option<&'static str>,
     /// How many square roots were taken whose sign is free.
     pub roots: u32,
     /// Whether something was met of which relations are not known to the field: a root, a sine of a product, a constant

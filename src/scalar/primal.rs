@@ -1,7 +1,7 @@
 //! A number of which its value at an instant is wanted, and nothing of how it varies.
 //!
 //! Most of what is evaluated is never differentiated: then a [`Series`](super::Series) carries six coefficients to use
-//! one. An [`Instant`] is its first coefficient alone, and every operation rounds as that of a series does, so that what
+//! one. An [`Primal`] is its first coefficient alone, and every operation rounds as that of a series does, so that what
 //! is computed in either way is the same number.
 
 use std::fmt;
@@ -11,14 +11,14 @@ use super::{Arithmetic, Function, Number};
 
 /// The value of a series.
 #[derive(Clone, Copy, Debug)]
-pub struct Instant<B>(pub B);
+pub struct Primal<B>(pub B);
 
-impl<B: Number> Arithmetic for Instant<B> {
+impl<B: Number> Arithmetic for Primal<B> {
     type Inner = B;
     const DERIVATIVES: usize = B::NDERIV;
 
     fn constant(value: B) -> Self {
-        Instant(value)
+        Primal(value)
     }
     fn real(self) -> f64 {
         self.0.re()
@@ -28,23 +28,23 @@ impl<B: Number> Arithmetic for Instant<B> {
     }
     #[inline]
     fn plus(self, other: Self) -> Self {
-        Instant(self.0 + other.0)
+        Primal(self.0 + other.0)
     }
     #[inline]
     fn minus(self, other: Self) -> Self {
-        Instant(self.0 - other.0)
+        Primal(self.0 - other.0)
     }
     #[inline]
     fn times(self, other: Self) -> Self {
-        Instant(self.0 * other.0)
+        Primal(self.0 * other.0)
     }
     #[inline]
     fn over(self, other: Self) -> Self {
-        Instant(self.0 / other.0)
+        Primal(self.0 / other.0)
     }
     #[inline]
     fn negated(self) -> Self {
-        Instant(-self.0)
+        Primal(-self.0)
     }
     fn power(self, n: i32) -> Self {
         power_by_squaring(self, n)
@@ -52,7 +52,7 @@ impl<B: Number> Arithmetic for Instant<B> {
     fn real_power(self, n: f64) -> Self {
         match n.fract() == 0.0 && n.abs() <= 64.0 {
             true => self.power(n as i32),
-            false => Instant(self.0.powf(n)),
+            false => Primal(self.0.powf(n)),
         }
     }
     fn apply(self, function: Function) -> Self {
@@ -64,22 +64,22 @@ impl<B: Number> Arithmetic for Instant<B> {
                 let (sine, cosine) = self.sine_cosine();
                 sine.over(cosine)
             }
-            function => Instant(function.of(self.0)),
+            function => Primal(function.of(self.0)),
         }
     }
     fn angle_from(self, x: Self) -> Self {
-        Instant(self.0.atan2(x.0))
+        Primal(self.0.atan2(x.0))
     }
     fn sine_cosine(self) -> (Self, Self) {
         let (sine, cosine) = self.0.sin_cos();
-        (Instant(sine), Instant(cosine))
+        (Primal(sine), Primal(cosine))
     }
 }
 
-impl<B: fmt::Display> fmt::Display for Instant<B> {
+impl<B: fmt::Display> fmt::Display for Primal<B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
 }
 
-dual_number!(Instant<B: Number>);
+dual_number!(Primal<B: Number>);

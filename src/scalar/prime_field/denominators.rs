@@ -240,12 +240,12 @@ impl<F: Prime> Denominators<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modulus::Large;
+    use super::super::modulus::FirstPrime;
     use super::*;
 
     #[test]
     fn fractions_over_one_factor_do_not_multiply() {
-        let mut all = Denominators::<Large>::new();
+        let mut all = Denominators::<FirstPrime>::new();
         let size = Size { degree: 3, norm: 5.0 };
         let factor = all.factor(Residue::new(1234), size);
         let square = all.product(factor, factor);
@@ -261,7 +261,7 @@ mod tests {
 
     #[test]
     fn sixths_and_quarters_are_twelfths() {
-        let mut all = Denominators::<Large>::new();
+        let mut all = Denominators::<FirstPrime>::new();
         let (six, four) = (all.whole(6), all.whole(4));
         let common = all.common(six, four);
         assert_eq!(all.value(common.denominator), Residue::new(12));

@@ -83,7 +83,7 @@ impl<F: Prime> UnitCircle<F> {
 #[cfg(test)]
 mod tests {
     use super::super::modulus::tests::{Middle, Small};
-    use super::super::modulus::{Large, Second};
+    use super::super::modulus::{FirstPrime, SecondPrime};
     use super::*;
 
     fn is_a_circle<F: Prime>() {
@@ -129,8 +129,8 @@ mod tests {
     fn the_moduli_are_primes() {
         is_a_field::<Small>();
         is_a_field::<Middle>();
-        is_a_field::<Large>();
-        is_a_field::<Second>();
+        is_a_field::<FirstPrime>();
+        is_a_field::<SecondPrime>();
     }
 
     /// 9·2⁹ − 1 = 17·271.
@@ -160,7 +160,7 @@ mod tests {
     fn labels_add_as_angles_do() {
         is_a_circle::<Small>();
         is_a_circle::<Middle>();
-        is_a_circle::<Large>();
-        is_a_circle::<Second>();
+        is_a_circle::<FirstPrime>();
+        is_a_circle::<SecondPrime>();
     }
 }

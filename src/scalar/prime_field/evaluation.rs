@@ -28,9 +28,14 @@ thread_local! {
 /// Evaluates `f` at the point of the field that `seed` names. The n-th bit of `signs` is the sign of the n-th square root;
 /// `finest` is the least common denominator of multiples of angles, as far as it is known.
 ///
-/// The account tells whether the result means anything. Where its `finest` is larger than what was given, the degrees are
+/// The record tells whether the result means anything. Where its `finest` is larger than what was given, the degrees are
 /// too small, and the evaluation must be repeated with that.
-pub fn at_a_point<F: Modulus, R>(seed: u64, signs: u32, finest: u64, f: impl FnOnce() -> R) -> (R, EvaluationRecord) {
+pub fn evaluate_at_point<F: Modulus, R>(
+    seed: u64,
+    signs: u32,
+    finest: u64,
+    f: impl FnOnce() -> R,
+) -> (R, EvaluationRecord) {
     /// Puts the interrupted evaluation back, also when `f` panics.
     struct Interrupted(Option<Box<dyn Any>>);
     impl Drop for Interrupted {
@@ -125,13 +130,13 @@ impl<F: Modulus> Evaluation<F> {
             exponentials: Vec::new(),
             pi: Residue::ONE,
         };
-        evaluation.pi = evaluation.random();
+        evaluation.pi = evaluation.random_residue();
         evaluation
     }
 
     /// Notes the first reason why nothing can be concluded.
     pub fn fault(&mut self, why: &'static str) {
-        self.comparisons.record.fault.get_or_insert(why);
+        self.comparisons.record.unsupported.get_or_insert(why);
     }
 
     fn bits(&mut self) -> u128 {
@@ -139,7 +144,7 @@ impl<F: Modulus> Evaluation<F> {
     }
 
     /// A random residue, each as probable as the others.
-    fn random(&mut self) -> Residue<F> {
+    fn random_residue(&mut self) -> Residue<F> {
         loop {
             let bits = self.bits() >> F::PRIME.leading_zeros();
             if bits < F::PRIME {
@@ -154,15 +159,15 @@ impl<F: Modulus> Evaluation<F> {
     }
 
     /// A random number.
-    pub fn drawn_plain(&mut self) -> Residue<F> {
-        let value = self.random();
+    pub fn random_number(&mut self) -> Residue<F> {
+        let value = self.random_residue();
         self.roots.drawn_by_square.insert(value.square().key(), value);
         value
     }
 
     /// A random number that is an angle too.
-    pub fn drawn(&mut self) -> (Residue<F>, u32) {
-        let (value, label) = (self.drawn_plain(), self.random_label());
+    pub fn random_angle(&mut self) -> (Residue<F>, u32) {
+        let (value, label) = (self.random_number(), self.random_label());
         (value, self.angle(Angle { label, spread: 1.0, ..Angle::NONE }))
     }
 
@@ -276,13 +281,13 @@ impl<F: Modulus> Evaluation<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modulus::Large;
+    use super::super::modulus::FirstPrime;
     use super::*;
 
     #[test]
     fn what_is_left_of_an_irrational_number_is_opaque() {
         let opaque = |x: f64| {
-            let mut evaluation = Evaluation::<Large>::new(1, 0, 1);
+            let mut evaluation = Evaluation::<FirstPrime>::new(1, 0, 1);
             evaluation.constant(x);
             evaluation.comparisons.record.opaque
         };

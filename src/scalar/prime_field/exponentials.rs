@@ -94,7 +94,7 @@ impl<F: Modulus> Modular<F> {
                 }
             }
         }
-        let base = Self::drawn_plain();
+        let base = Self::random_plain();
         remember(argument, base, PARTS);
         Arithmetic::power(base, PARTS)
     }
@@ -131,7 +131,7 @@ impl<F: Modulus> Modular<F> {
                 }
             }
         }
-        let logarithm = Self::drawn_plain();
+        let logarithm = Self::random_plain();
         remember(logarithm, number, 1);
         logarithm
     }
@@ -139,20 +139,20 @@ impl<F: Modulus> Modular<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modulus::Large;
-    use super::super::{EvaluationRecord, at_a_point, false_accept_log2};
+    use super::super::modulus::FirstPrime;
+    use super::super::{EvaluationRecord, evaluate_at_point, false_accept_log2};
     use super::*;
 
-    type Number = Modular<Large>;
+    type Number = Modular<FirstPrime>;
 
     /// Whether a difference vanishes at a point, and what happened there.
     fn vanishes(difference: impl Fn(Number, Number) -> Number) -> (bool, bool, EvaluationRecord) {
-        let ((value, bound), account) = at_a_point::<Large, _>(7, 0, 1, || {
-            let value = difference(Modular::drawn(), Modular::drawn());
+        let ((value, bound), record) = evaluate_at_point::<FirstPrime, _>(7, 0, 1, || {
+            let value = difference(Modular::random(), Modular::random());
             (value.vanishes(), value)
         });
-        let small = false_accept_log2(&[bound], &account, 1, Number::most_bits()).is_some_and(|log2| log2 < -80.0);
-        (value, small, account)
+        let small = false_accept_log2(&[bound], &record, 1, Number::most_bits()).is_some_and(|log2| log2 < -80.0);
+        (value, small, record)
     }
 
     #[test]
@@ -173,8 +173,8 @@ mod tests {
             |x, y| (x.ln() * 2.0).exp() * y.ln().exp() - x * x * y,
         ];
         for (at, difference) in sound.into_iter().enumerate() {
-            let (vanishes, is_small, account) = vanishes(difference);
-            assert!(vanishes && is_small && account.fault.is_none(), "{at}: {account:?}");
+            let (vanishes, is_small, record) = vanishes(difference);
+            assert!(vanishes && is_small && record.unsupported.is_none(), "{at}: {record:?}");
         }
         let wrong: [fn(Number, Number) -> Number; 8] = [
             |x, y| (x + y).exp() - x.exp() - y.exp(),
@@ -187,9 +187,9 @@ mod tests {
             |x, y| (x * y).exp().ln() - x - y,
         ];
         for (at, difference) in wrong.into_iter().enumerate() {
-            let (vanishes, _, account) = vanishes(difference);
+            let (vanishes, _, record) = vanishes(difference);
             // Of what is not known to be equal it is not known that it differs.
-            assert!(!vanishes && account.opaque, "{at}");
+            assert!(!vanishes && record.opaque, "{at}");
         }
     }
 }
