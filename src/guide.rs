@@ -28,9 +28,7 @@ pub mod glossary {}
 
 /// How onshell works: the way of one equation, and the map of folders.
 ///
-/// [claims]: claims
 /// [glossary]: glossary
-/// [contributing]: https://docs.rs/crate/onshell/latest/source/CONTRIBUTING.md
 #[doc = include_str!("../docs/architecture.md")]
 pub mod architecture {}
 
