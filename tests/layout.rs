@@ -182,11 +182,10 @@ fn dead_links_are_found() {
         "docs/b.md: the heading README.md#one",
     ];
     assert_eq!(found, wanted);
-    let pages =
-        made_up(&[("docs/b.md", "[inline](c.md), [by name][c], [missing][d], [here](#b)\n\n[c]: c.md\n[d]: d.md\n")]);
-    let found = links::without_a_module(&pages, "/// [c]: crate::guide::c\n");
+    let page = "[inline](c.md), [by name][c], [missing][d], [here](#b)\n\n[c]: c.md#part\n[d]: d.md\n";
+    let found = links::without_a_module(&made_up(&[("docs/b.md", page)]), "/// [c]: c#part\n/// [d]: e\n");
     assert_eq!(
         found,
-        ["docs/b.md: c.md is not written as a reference, [text][name]", "docs/b.md: [d] is not in the guide"]
+        ["docs/b.md: c.md is not written as a reference, [text][name]", "docs/b.md: the guide has no line [d]: d"]
     );
 }

@@ -114,8 +114,9 @@ pub fn without_a_module(pages: &Files, guide: &str) -> Vec<String> {
         let inline = page.links.iter().filter(|(link, inline)| *inline && !is_outside(link) && !link.starts_with('#'));
         found.extend(inline.map(|(link, _)| format!("{path}: {link} is not written as a reference, [text][name]")));
         let inside = page.references.iter().filter(|(_, address)| !is_outside(address));
-        let missing = inside.filter(|(name, _)| !guide.contains(&format!("[{name}]: ")));
-        found.extend(missing.map(|(name, _)| format!("{path}: [{name}] is not in the guide")));
+        let lines = inside.map(|(name, address)| format!("[{name}]: {}", address.replace(".md", "")));
+        let missing = lines.filter(|line| !guide.lines().any(|in_guide| in_guide.ends_with(line.as_str())));
+        found.extend(missing.map(|line| format!("{path}: the guide has no line {line}")));
     }
     found
 }
