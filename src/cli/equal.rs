@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::check::Options;
-use crate::check::plain::{Answer, equal};
+use crate::check::kinds::compare::{Answer, equal};
 use crate::formula::symbols::Name;
 use crate::latex::names;
 use crate::notes::claims::Range;

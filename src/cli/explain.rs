@@ -19,15 +19,18 @@ pub struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let Some(word) = &arguments.word else { return Outcome::done(all(screen.out)) };
-    match Topic::named(word) {
-        Some(named) => Outcome::done(topic(named, screen.out)),
-        None => {
+    match Topic::named(word).as_slice() {
+        [] => {
             let unknown = Error::new(format!("“{word}” is neither a verdict nor a code"));
             let error = match suggest::nearest(word, Topic::all().map(Topic::word)) {
                 Some(near) => unknown.help(format!("did you mean {near}?")),
                 None => unknown.help("`onshell explain` lists all verdicts and codes"),
             };
             Outcome::failed(&error, Format::Text, screen)
+        }
+        named => {
+            let texts: Vec<String> = named.iter().map(|named| topic(*named, screen.out)).collect();
+            Outcome::done(texts.join("\n"))
         }
     }
 }

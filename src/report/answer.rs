@@ -1,7 +1,7 @@
 //! The answer to whether two formulas are equal, for people.
 
 use crate::check::Verdict;
-use crate::check::plain::Answer;
+use crate::check::kinds::compare::Answer;
 
 use super::diagnostic;
 use super::style::Style;

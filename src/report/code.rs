@@ -2,10 +2,11 @@
 
 use crate::Error;
 use crate::check::{Equation, Finding};
+use crate::code::Code;
 
 /// The code of what was found of an equation.
 pub fn of_finding(finding: &Finding) -> &'static str {
-    finding.verdict.word()
+    finding.code.word()
 }
 
 /// The code that an equation which is not as expected is reported under: that of its first part that is not.
@@ -20,6 +21,12 @@ pub(super) fn first_unexpected(item: &Equation) -> &Finding {
 }
 
 /// The code of an error.
-pub fn of_error(_error: &Error) -> &'static str {
-    crate::code::Code::Input.word()
+pub fn of_error(error: &Error) -> &'static str {
+    let code = match error.place() {
+        None => Code::Input,
+        Some((source, _)) if source.path.ends_with(".json") => Code::ClaimsFile,
+        Some((source, _)) if source.path.ends_with("formula") => Code::Syntax,
+        Some(_) => Code::NotesFile,
+    };
+    code.word()
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::check::definitions::SIGN_ASIDE;
+use crate::check::kinds::definitions::SIGN_ASIDE;
 use crate::check::{Document, Equation, Finding, Part, Report, Verdict};
 
 use super::code;

@@ -36,17 +36,17 @@ fn one_slip_is_one_error_and_the_others_say_where_it_is() {
     let run = desk("steps-text", &json!("1..4")).onshell(&["check", "notes.md"]);
     assert_eq!(run.code, 1, "{}{}", run.out, run.err);
     for wanted in [
-        "error[refuted]: (1) is refuted",
+        "error[sides-differ]: (1) is refuted",
         "✗ 2  refuted     it follows from (1), which is refuted: mend that",
         "✗ 3  refuted     it follows from (2), and so from (1), which is refuted: mend that",
         "3 are not as expected, 2 because they follow from another",
     ] {
         assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
     }
-    assert_eq!(run.out.matches("error[refuted]: ").count(), 1, "{}", run.out);
+    assert_eq!(run.out.matches("error[sides-differ]: ").count(), 1, "{}", run.out);
     // The twin: without the key each has its own.
     let alone = desk("steps-none", &json!(["1, 4"])).onshell(&["check", "notes.md"]);
-    assert_eq!((alone.code, alone.out.matches("error[refuted]: ").count()), (1, 3), "{}", alone.out);
+    assert_eq!((alone.code, alone.out.matches("error[sides-differ]: ").count()), (1, 3), "{}", alone.out);
 }
 
 #[test]

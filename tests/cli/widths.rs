@@ -53,7 +53,10 @@ fn a_pipe_is_eighty_columns_wide() {
         &["equal", r"\cos\theta p_\psi", "y"],
         &["derive", "heavy_top"],
         &["derive", "double_pendulum"],
-        &["read", r"\lambda_1 \ddot{\theta} = \lambda_1 \dot{\phi}^2 \sin\theta \cos\theta - \dot\phi \sin\theta\,p_\psi"],
+        &[
+            "read",
+            r"\lambda_1 \ddot{\theta} = \lambda_1 \dot{\phi}^2 \sin\theta \cos\theta - \dot\phi \sin\theta\,p_\psi",
+        ],
         &["eval", "x + y + z"],
         &["explain"],
         &["explain", "refuted"],
@@ -121,7 +124,7 @@ fn a_document_that_passes_is_one_line_and_verbose_lists_it() {
     // One that fails is shown in full without being asked for, and the rest is counted.
     desk.change("derivations/06-spinning-top.md", SIGN);
     let wrong = desk.onshell(&["check", "derivations"]);
-    assert!(wrong.out.contains("error[refuted]: (6.73) is refuted: "), "{}", wrong.out);
+    assert!(wrong.out.contains("error[sides-differ]: (6.73) is refuted: "), "{}", wrong.out);
     assert!(wrong.out.lines().nth(8).is_some_and(|line| line.ends_with(", 1 refuted")), "{}", wrong.out);
     assert!(!wrong.out.contains("6.74"), "{}", wrong.out);
 }
