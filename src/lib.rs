@@ -125,6 +125,7 @@ pub mod code;
 pub mod derive;
 pub mod error;
 pub mod formula;
+pub mod guide;
 pub mod latex;
 pub mod mechanics;
 pub mod notes;
@@ -136,3 +137,8 @@ pub mod systems;
 pub mod testing;
 
 pub use error::{Error, Result};
+
+/// The Rust code of the README, so that it is tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

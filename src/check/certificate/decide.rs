@@ -1,12 +1,28 @@
-//! Certificates: whether a claim that agrees in numbers is an identity, decided over a prime field.
+//! Certificates: whether a claim that holds at sampled states is an identity, decided over a prime field.
 //!
-//! The claim, the system's equations of motion and the claim's hypotheses are evaluated at random points of the field
-//! ([`crate::scalar::prime_field`]); an identity vanishes at all of them, and what is none vanishes by accident with a
-//! probability that its degree bounds. Points are added until that is at most 2⁻⁸⁰. Hypotheses are solved exactly
-//! ([`super::solved`]). What has no meaning in a field is said, and nothing is concluded.
+//! The claim, the equations of motion and the hypotheses are evaluated at random points of the field
+//! ([`crate::scalar::prime_field`]). Points are added until the bound on a false certificate is at most 2⁻⁸⁰. Hypotheses
+//! are solved exactly ([`super::solved`]). What has no meaning in a field is reported, and nothing is concluded.
 //!
-//! A certificate never stands alone: it is asked for when numbers have agreed, so that ranges, branches of roots and the
-//! twins are theirs to judge.
+//! # Why a prime field may decide
+//!
+//! Numbers agree to fourteen digits, and no number of them is a proof. A polynomial that is not zero vanishes at a
+//! random point of a field of p elements with a probability of at most its degree divided by p (Schwartz and
+//! Zippel). So a claim that holds in numbers is evaluated at random points of the field: the same formula,
+//! Lagrangian and series. If the sides differ at one point, they differ; if at none, the claim is `certified`, and
+//! the report has the bound, at most 2⁻⁸⁰.
+//!
+//! Numbers come first because they know ranges, domains and branches, of which a field has none: √x √y = √(xy) is
+//! an identity there. The field sees what rounding hides: (1 + 10⁻¹⁶)x = x is refuted, without a state to show.
+//! Such a refutation needs that nothing opaque was met: no free root, no sine of a product, no hypothesis that was
+//! solved. A term that numbers do not see, such as 10⁻²⁰ in sin(x + 10⁻²⁰), makes the claim `undecided`. Inverse
+//! functions, powers that are neither whole nor half, |x| of a number, orders, ≈, limits and integrals are outside;
+//! each names itself in the report, and the claim stays `verified`.
+//!
+//! Hypotheses are solved exactly, each for a number in which it is linear: three values show that, two solve it.
+//! The components of a vector that a rotation mixes are solved for together. On shell the accelerations are found
+//! by Cramer's rule, so that the determinant is their one denominator. A whole number is taken at each of its
+//! values, because it may be an exponent.
 
 use crate::formula::{Expr, Node, SymbolId};
 use crate::notes::claims::Range;

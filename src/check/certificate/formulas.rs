@@ -1,8 +1,8 @@
-//! Whether two formulas are one whatever their symbols mean: each symbol, with its indices and derivatives, is a number, a
-//! vector or a matrix drawn from a field, and nothing is known of it.
+//! Whether two formulas are equal whatever their symbols mean. Each symbol, with its indices and derivatives, is a
+//! number, a vector or a matrix drawn from a field.
 //!
-//! So x·y + y·x is 2xy, |−r|² is r², and Σ_ab I_ba ω_a ω_b is Σ_ab I_ab ω_a ω_b; that I is symmetric is not known here.
-//! What holds so holds for every meaning, and needs no state of any system.
+//! So x·y + y·x is 2xy, |−r|² is r², and Σ_ab I_ba ω_a ω_b is Σ_ab I_ab ω_a ω_b; that I is symmetric is not known
+//! here. What holds so holds for every meaning and needs no sampled state.
 
 use nalgebra::{DMatrix, Vector3};
 use std::cell::{Cell, RefCell};

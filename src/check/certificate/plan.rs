@@ -1,4 +1,4 @@
-//! The plan by which hypotheses are solved over a prime field: which of them for which numbers, one after the other.
+//! The plan for solving hypotheses over a prime field: which hypothesis for which number, and in which order.
 
 use crate::check::certificate::solved::{NOT_SOLVED, OTHER_WAYS, Solved, Step};
 use crate::check::certificate::zeros::Zeros;

@@ -1,4 +1,4 @@
-//! Where the slope vanishes of a hypothesis that is solved for a number: there it may be met in another way.
+//! The places where the slope of a solved hypothesis vanishes: there it may be met in another way.
 
 use std::f64::consts::PI;
 

@@ -1,7 +1,11 @@
-//! What stands on a definition: the equations that would notice if it were another one.
+//! The equations that would fail if a definition were another one.
 //!
-//! A definition is held fast by what is said of the name elsewhere. Another formula in its place makes another model; the
-//! states of the equations that use the name are made again in that model, and where one fails, the change is noticed.
+//! Another formula in the place of a definition makes another model. The states of the equations that use the name
+//! are made again in that model; if one of them fails, the change is noticed.
+//!
+//! A slip in a definition cannot be wrong by itself. The model is made with the other formula, and what uses the
+//! name is tested. What is not noticed there is put into the file and the whole document is checked; only what
+//! passes that has survived.
 
 use std::sync::Arc;
 

@@ -1,12 +1,12 @@
-//! What a refuted claim is off by, as a formula: the left side without the right, beside what was derived.
+//! The difference of the two sides of a refuted claim as a formula, beside the derived equation.
 //!
-//! Both sides are evaluated over [`Symbol`]s in a [`Scene`] whose base numbers are the symbols themselves, q, q̇ and the
-//! constants, and [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are those
-//! that were derived. Where the claim prints momenta and not the velocities, it is written in these momenta.
+//! Both sides are evaluated over symbols at a state whose numbers are the symbols themselves, q, q̇ and the
+//! constants. [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are the
+//! derived ones. If the claim prints momenta and not velocities, the difference is written in momenta. Nothing is
+//! shown if hypotheses would have to be solved.
 //!
-//! It explains, and decides nothing: the verdict was given by numbers. So it is shown only if it is worth reading, and if
-//! it has the value of the difference of the two sides at the counterexample and at all the other states. Nothing is
-//! shown where hypotheses would have to be solved.
+//! The difference is shown only if its value is that of left side minus right side at the counterexample and at all
+//! other states. So a mistake in the normal form leaves the author without a hint, and never with a wrong one.
 
 use nalgebra::DMatrix;
 

@@ -1,4 +1,4 @@
-//! Claims between two formulas: always, or on shell, under hypotheses.
+//! Claims that two formulas are equal, or ordered: always or on shell, under hypotheses.
 
 use crate::Result;
 use crate::code::Code;

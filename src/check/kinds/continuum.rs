@@ -1,8 +1,14 @@
-//! Integrals as limits of sums: a body cut into ever finer cells, against a cubature of the same body.
+//! Integrals as limits of sums: a body is cut into ever finer cells and compared with the quadrature of the same
+//! body.
 //!
-//! The cells are particles with the mass of the density at their middle, and stand in for the family that the equation
-//! for particles sums over. What midpoints leave out is a series in the square of the cells' size; so from a few cuts the
-//! difference of the sides for vanishing cells is extrapolated, and nothing may be left of it.
+//! The cells are particles with the mass that the density gives them, in the place of the family that the equation
+//! sums over. The error of midpoints is a series in the square of the cell size, so the difference for vanishing
+//! cells is extrapolated from a few cuts and must be zero.
+//!
+//! A body is cut into cells, 2, 3 and 4 along each edge, with particles at their midpoints. The sum is compared
+//! with a cubature of the same body that is exact up to degree 7. The difference must fall at least as the power
+//! 1.5 of the cell size; midpoints give 2. To be near is not enough, because a missing factor of the density can be
+//! near too.
 
 use crate::Result;
 use crate::code::Code;

@@ -1,4 +1,7 @@
-//! Claims that hold exactly when something else does: both where it holds and where it does not.
+//! Claims that hold if and only if a condition holds.
+//!
+//! The claim and its conditions must agree at every state, and there must be states of both kinds. Special states
+//! are tested, since such sentences fail at the edge, where two moments are equal.
 
 use crate::Result;
 use crate::code::Code;

@@ -1,9 +1,14 @@
-//! Sentences about the shape of a function: its sign, its minima, its limits, how many solutions an equation has.
+//! Sentences about the shape of a function: its sign, its minima, its limits, the number of solutions of an
+//! equation.
 //!
-//! Here every symbol of the formula is an independent number (an *atom*): a momentum is a momentum, not what some state
-//! gives it. Random atoms would miss what happens only where two momenta are equal and opposite, or only for a fast top, so
-//! the special places are visited on purpose: like symbols equal and opposite, each at zero, angles at multiples of π/2,
-//! each constant and each momentum far larger and far smaller than the rest.
+//! Every symbol of the formula is an independent number (an *atom*), also a momentum.
+//!
+//! # Why these sentences are tested on independent numbers
+//!
+//! "U_eff has one minimum if p_φ ≠ p_ψ" is about a function with free parameters. So momenta and constants are
+//! independent numbers, not what a motion gives. Random numbers would never meet p_φ = −p_ψ, and most such
+//! sentences are wrong exactly at such places. They are visited on purpose: each number zero, much larger and much
+//! smaller than the rest; similar symbols equal, opposite and both zero; angles at multiples of π/2.
 
 use num_dual::Dual64;
 

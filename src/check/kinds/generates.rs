@@ -1,7 +1,12 @@
 //! Hamilton's equations: whether a printed function of coordinates and momenta generates the motion.
 //!
-//! The formula is differentiated by its coordinates and momenta, each taken as independent (by AD over the formula);
-//! then q̇ = ∂H/∂p and ṗ = −∂H/∂q must be what the Lagrangian gives on shell, in numbers and over a field.
+//! The formula is differentiated by its coordinates and momenta, each independent; then q̇ = ∂H/∂p and ṗ = −∂H/∂q
+//! must be what the Lagrangian gives on shell, in numbers and over a field.
+//!
+//! That a printed H is the Hamiltonian can be tested by its value. But its use is that Hamilton's equations from it
+//! give the motion; a value at p = ∂L/∂q̇ does not say whether H is written in the right variables. So the printed
+//! formula is differentiated, with coordinates and momenta independent, and q̇ and ṗ are compared with the motion
+//! on shell.
 
 use num_dual::Dual;
 

@@ -1,8 +1,9 @@
-//! A function of one variable, its other symbols fixed: what it does along its range.
+//! A function of one variable along its range, with its other symbols fixed.
 //!
-//! The range is walked on a grid, evenly inside and ever closer to its ends, and in decades where it has none. A hypothesis
-//! about the variable itself says where it runs: the other points are left out, and the edges of what is left are looked at
-//! closely. What is counted on the grid is counted on a finer one as well.
+//! The range is followed on a grid, evenly inside, more densely towards its ends, and in decades if it has no end.
+//!
+//! The variable is followed piece by piece where a hypothesis bounds it, with the edges of the pieces tested
+//! closely. Everything is counted twice, on grids of which one is three times finer; what changes is not counted.
 
 use num_dual::Dual;
 

@@ -1,9 +1,12 @@
-//! Claims that hold while some quantities are small: `A ≈ B` to an order in ε, when those are scaled by ε.
+//! Claims that hold while some quantities are small: `A ≈ B` to an order in ε, when these are scaled by ε.
 //!
-//! From each state a family of states is made in which the small quantities are ε times what they were and everything
-//! that is free stays. Along it the difference of the sides must fall faster than the order that is claimed, as a power
-//! that is measured; and it must be the world that makes it fall: a claim whose terms are all that small anyhow, off
-//! shell too, says nothing.
+//! # When something holds for small quantities
+//!
+//! They are scaled together by 2⁻², …, 2⁻⁸, and the rest of the state stays; on shell the motion follows. The power
+//! with which the difference falls is measured from the last three steps above rounding: order + ¾ or more is a
+//! pass, order + ¼ or less a counterexample, and the range between is `undecided`. It is measured to 2⁻²⁰ as well,
+//! as far as rounding allows: cos θ ≈ 1 − 10⁻⁵θ looks right for long. If the power is reached off shell too, the
+//! claim is small whatever the motion and says nothing. Mutants are tried as for an identity.
 
 use crate::Result;
 use crate::code::Code;

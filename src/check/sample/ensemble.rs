@@ -1,8 +1,13 @@
-//! The states at which a claim is tested: drawn, and moved onto the claim's hypotheses.
+//! The sampled states of a claim: drawn, and projected onto its hypotheses.
 //!
-//! A hypothesis `A = B` is solved for one number of the base: one in which it is linear before others, higher derivatives
-//! before velocities before coordinates before constants. *Assuming* it, it holds at the instant; *throughout*, its time
-//! derivatives vanish too, each solved for a further number or found to vanish by itself. Inequalities select.
+//! *Assuming* a hypothesis, it holds at the instant; *throughout*, its time derivatives vanish too.
+//!
+//! # Why inequalities get special states
+//!
+//! Inequalities are not compared with mutants: a weaker inequality holds too, and is no mistake. What hides a fault
+//! is that random states are typical. So inequalities are also tested at special states: one number zero, of the
+//! other sign, 10³ and 10⁻³ times as large, or at an end of its range; and on shell too, since the motions are
+//! among all states and may be where it fails.
 
 use std::sync::Arc;
 

@@ -1,8 +1,19 @@
-//! How states are moved onto the hypotheses of a claim.
+//! Constraint projection: the numbers of a state are changed until the hypotheses of a claim hold.
 //!
-//! Each hypothesis that is no rule is solved for one number of the base, by Newton's method with derivatives from dual
-//! numbers. Which row is solved for which number is the *plan*; it is found at the first state that works, by pivoting,
-//! and kept for the others. A state counts when every hypothesis is then seen to hold.
+//! Which hypothesis is solved for which number is the *plan*. It is found at the first state that works, by
+//! pivoting, and kept for the others.
+//!
+//! # How hypotheses are met
+//!
+//! Rejecting states cannot meet an equality. Each equality is solved for one number of the state by Newton's
+//! method, with derivatives from dual numbers. Pivoting chooses the number: higher derivatives before velocities
+//! before coordinates before constants; within a class a number in which the equality is linear first; and only
+//! where the Jacobian of all equalities together stays regular. `throughout` adds the time derivatives of the
+//! hypothesis as rows; one that vanishes by itself needs no number. A number that is declared not to vanish and
+//! would have to comes last: at rest sin θ is 0 and not g. Inequalities select. Every state is tested against all
+//! hypotheses before it is used. So (6.74) is checked from "θ̇ = 0 at all times" alone: that θ̈ = 0 then fixes a
+//! second velocity is found. If no motion obeys the hypotheses, the claim is `undecided`, also if it is false off
+//! shell, since a state that is no motion refutes nothing about motions.
 
 use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;

@@ -1,7 +1,9 @@
 //! The other ways in which hypotheses can be met.
 //!
-//! xy = 0 is solved for one number, y, and so y = 0 at all states that are drawn; x = 0 obeys it as well. A claim must
-//! hold there too. The states here are those at which one factor of such a hypothesis is 0, or one of its symbols.
+//! xy = 0 is solved for one number, y, so y = 0 at all states that are drawn; x = 0 obeys it as well. The states
+//! here are those where one factor of such a hypothesis, or one of its symbols, is 0.
+//!
+//! An equality that is solved for one number is met in one way. Counterexamples are looked for in the other ways.
 
 use crate::Result;
 use crate::formula::{Expr, Kind, Node, Relation};

@@ -1,10 +1,15 @@
-//! What numbers cannot tell at a state: values beyond the largest double, or below the smallest, and sides that approach each
-//! other and never meet.
+//! What doubles cannot tell at a state: values outside of their range, and sides that approach each other and never
+//! meet.
 //!
-//! At x = 800 eˣ is infinite to a double and e⁻ˣ is 0, so that eˣ ≥ 1 + x seems to have no left side, and e⁻ˣ > 0 to be false.
-//! Such states are left out. At x = 40 tanh x is 1 to a double, and tanh x < 1 seems to fail; but there the sides are equal on
-//! the way out and not on the way back, where of (x − 1)² > 0 at x = 1 they are equal on neither. So a strict inequality whose
-//! sides are equal, and no more than that, is refuted where they are equal alone, or all around.
+//! A strict inequality whose sides are equal is refuted only if they are equal at that place alone, or all around
+//! it.
+//!
+//! # What a double does not know
+//!
+//! e⁻ˣ² is 0 at x = 30, and tanh x is 1. States where something has overflowed or an exponential is lost are left
+//! out, for equalities too, and others are drawn nearby if few are left. Sides that are equal at a state and at
+//! half the distance are equal because something has overflowed, unless they are equal in the other direction too;
+//! such an equality refutes nothing. A maximum is equal at one place, and on neither side of it.
 
 use crate::Result;
 use crate::formula::tree::Function;

@@ -1,8 +1,10 @@
-//! Families of other sizes than those at which states are drawn first: for all that is said of n things.
+//! States with families of other sizes than those that are drawn first, for claims about n things.
 //!
-//! States have three or four members. What a field decides is decided at as many numbers of members as it takes to know it
-//! of all ([`crate::check::certificate::family_growth`]). What rests on numbers alone, as inequalities do, is looked at with fewer members and with
-//! more.
+//! What a field decides is decided for as many sizes as are needed for all
+//! ([`crate::check::certificate::family_growth`]).
+//!
+//! A claim that has no such bound, with the root of a sum or 2ⁿ in it, gets no certificate. It and all inequalities
+//! are tried with 2, 5 and 7 members in doubles.
 
 use crate::Result;
 use crate::code::Code;

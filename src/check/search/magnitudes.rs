@@ -1,10 +1,13 @@
-//! States of all orders of magnitude, for equalities that may be true on one branch alone.
+//! States of all orders of magnitude, for equalities that may be true on one branch only.
 //!
-//! |p − 5| = 5 − p holds for all p that are of order one, and `> 0` says more than that. What has a root, an absolute
-//! value, a logarithm or an inverse function in it may change where its numbers are large, of the other sign, or angles of
-//! many turns; what has none of these is one formula everywhere, and needs no look. A difference counts here if it is
-//! gross and made of numbers that are far from overflow, and a side without a value if it is asked for the root or the
-//! logarithm of something that has none. All else out there may be rounding, and says nothing.
+//! # Why some equalities are tested again, far away
+//!
+//! States are of order one, so that rounding stays small and no term is lost. A polynomial or a sine is the same
+//! formula everywhere. A root, an absolute value and an inverse function are not: |p − 5| = 5 − p holds up to 5.
+//! Only these are tested again; certified ones only for where a side has a value, since a field knows all values of
+//! a root and not where it has none. Far out exponentials overflow and rounding grows. So a difference counts only
+//! if it is large and no number in it is near overflow, and a missing value only if it is the root or logarithm of
+//! a negative number.
 
 use crate::Result;
 use crate::code::Code;

@@ -1,12 +1,12 @@
-//! The state at which an inequality is worst: looked for by going downhill.
+//! The state at which an inequality is nearest to failing, or fails most.
 //!
-//! States drawn at random, at special places and at edges miss what is false in a corner where several numbers are at their
-//! ends, or where an expression has its extreme: u + v < 1.9 of two numbers between 0 and 1, (x − 7)² > 0. So from the states at
-//! which the sides are nearest to each other the *margin* is followed downwards, one number after another, then all together
-//! along the way so far, then in any direction, as hypotheses may forbid the straight ones. What obeys all hypotheses and is
-//! clearly false is a counterexample wherever it lies. Sides that only become equal refute a strict inequality where they
-//! are equal inside of all ranges and hypotheses; at an open end they come as near as one likes, and a + b < 2 of two numbers
-//! below 1 is true.
+//! Special states are single points: for u + v < 1.9 with two numbers below 1, each edge is harmless and the corner
+//! is not. So the margin, the difference of the sides relative to their terms, is minimized: one number after
+//! another with steps that grow and shrink, then along the combined direction, then in random directions, which
+//! leads along a slanting hypothesis. It starts at the four best states, needs some hundred evaluations, and stops
+//! early where the margin does not change. A state that obeys all hypotheses and is clearly false refutes wherever
+//! it is. Equal sides refute a strict inequality if no number is at an end that its range or a hypothesis excludes:
+//! a + b < 2 is true for a, b < 1.
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Value};

@@ -1,4 +1,4 @@
-//! Laws that give several highest derivatives together, solved at a state as a system of linear equations.
+//! The highest derivatives that several laws give together, solved at a state as a linear system.
 
 use nalgebra::DMatrix;
 

@@ -1,9 +1,13 @@
-//! Any body in place of some particles, where a claim speaks of their principal axes and is decided over a field.
+//! A generic body in the place of particles, for claims about principal axes that are decided over a field.
 //!
-//! Principal moments are the roots of a cubic, which a field does not have. But what holds for any axes at all holds for the
-//! principal ones; and what speaks of the particles through their inertia tensor alone, and holds for any symmetric tensor,
-//! Rᵀ diag(λ₁, λ₂, λ₃) R, holds for theirs. Both are more than what is claimed: an identity among them is one of the
-//! particles, and what is none says nothing of them.
+//! What is tested is more than what is claimed: if it is an identity, it is one for the particles; otherwise
+//! nothing is concluded.
+//!
+//! # Why any body stands for particles with principal axes
+//!
+//! The moments of particles are roots of a cubic, which a field does not have. But what holds for any orthonormal
+//! axes holds for these; and a claim that knows the particles through their tensor alone is tested with Rᵀ diag(λ)
+//! R for random R and λ, which is every symmetric tensor.
 
 use nalgebra::{Matrix3, Vector3};
 

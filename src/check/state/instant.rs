@@ -1,7 +1,8 @@
-//! Values of formulas at the instant of a state, where nothing of how they vary is asked for.
+//! Values of formulas at the instant of a state, without time derivatives.
 //!
-//! A state knows everything as a series in time, and a claim is mostly about values alone. So a formula is evaluated over
-//! numbers of one coefficient ([`Primal`]); only beneath a dot, or d/dt, series are asked for again.
+//! Most formulas are needed for their value alone. They run over [`Primal`], a first coefficient that is rounded as
+//! that of a series is, and go back to series under a dot. What has no value has no rate either, even if nothing in
+//! it varies.
 
 use nalgebra::Vector3;
 use num_traits::{One, Zero};

@@ -1,4 +1,4 @@
-//! What was computed at a sampled state and is kept for the next time that it is asked for.
+//! Values that were computed at a sampled state and are kept.
 
 use std::cell::RefCell;
 use std::sync::Arc;

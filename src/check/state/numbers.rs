@@ -1,4 +1,4 @@
-//! The numbers that fix a state, in their order, and what they are put together to.
+//! The numbers that fix a sampled state, in their order.
 
 use nalgebra::{Matrix3, Vector3};
 use std::cell::{OnceCell, RefCell};

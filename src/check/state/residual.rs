@@ -1,8 +1,15 @@
 //! Whether two sides agree at a state.
 //!
-//! A residual is judged on the scale of the terms that met in both sides ([`RunningError`]), and falls into one of three
-//! zones: as small as rounding makes it, clearly there, or in between, where it is doubtful. One doubtful state is
-//! enough to withhold a pass, so a large common offset never makes two sides equal.
+//! One doubtful state prevents a pass, so a large common offset never makes two sides equal.
+//!
+//! # When two numbers agree
+//!
+//! A residual is relative to the magnitudes of both sides, and falls into one of three zones: below 10⁻¹⁴ it is
+//! *rounding*, some forty roundings of a double; above 10⁻¹¹ it is a *difference*; in between the state is
+//! *doubtful*, and one doubtful state prevents a pass. With a single threshold, a true difference of 10⁻¹⁰ under a
+//! large offset passed. An absolute tolerance would accept 10⁻³⁰ = 2·10⁻³⁰ and reject equal numbers of size 10¹².
+//! Two NaN do not agree: a state where neither side has a value does not count, and one where a single side has a
+//! value makes the verdict `domain`. A pass needs eight states.
 
 use approx::{AbsDiffEq, abs_diff_eq};
 

@@ -1,11 +1,11 @@
 //! A sampled state: values for all symbols of a document, in which formulas are evaluated.
 //!
 //! A state is fixed by its *base*: numbers for the time, the constants, and the derivatives of everything that
-//! varies. Off shell the base holds all derivatives up to the order in use; on shell it holds q and q̇, and the Euler–
-//! Lagrange equations give the rest. The same code runs over measured numbers (to judge), dual numbers (to solve
-//! hypotheses) and the numbers of a prime field (to certify).
+//! varies. Off shell the base holds all derivatives up to the order in use; on shell it holds q and q̇, and the
+//! Euler–Lagrange equations give the rest. The same code runs over measured numbers (to judge), dual numbers (to
+//! project) and the numbers of a prime field (to certify).
 //!
-//! This file holds the state and its parts. [`super::evaluate`] says what each symbol is worth in it.
+//! This file holds the state and its parts. [`super::evaluate`] gives each symbol its value.
 
 use std::sync::Arc;
 

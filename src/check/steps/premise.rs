@@ -1,11 +1,16 @@
-//! A step of a derivation as printed, taken for granted in place of what is true.
+//! A step of a derivation as printed, taken for true.
 //!
-//! Whether a line follows from a wrong one is asked of a world in which the wrong one is right. If it prints the
-//! Lagrangian, or one of the energies, that world is the one of the printed Lagrangian: all that follows from a Lagrangian
-//! follows there. Else the line is a law where there is no system: what the system determines is then any function of time,
-//! so that nothing is taken from the truth but what the names are defined by. A law that takes hold of more than the
-//! derivatives it speaks of, or of the names that the system had determined, may contradict what is known or pin the state,
-//! where anything would follow: of such a law nothing is concluded.
+//! If the step prints the Lagrangian, or one of the energies, the world is that of the printed Lagrangian.
+//! Otherwise the step is a law without a system: what the system determines is then any function of time.
+//!
+//! # When a wrong line follows from another
+//!
+//! If it is true where that one is. So a model is made in which the premise is true: the system of the Lagrangian
+//! that was printed, traced like any other, or no system and the line as a law. The later line is checked there
+//! with everything that it failed. Since a contradiction implies everything, a law must leave the state as free as
+//! before: the numbers that are changed are highest derivatives, or quantities that the system had determined, and
+//! none has one value at two states. True lines are added to a false one only under the same condition. What is
+//! found there is never a verdict: at worst a wrong line is explained by another wrong line.
 
 use std::sync::Arc;
 

@@ -1,7 +1,9 @@
-//! How the pieces of a display stand to a false one: whether they follow from it as printed, or say something else.
+//! How the statements of a display relate to a false step: whether they follow from it as printed, or say something
+//! else.
 //!
-//! A piece follows if it says the same in other words, or if it passes its check in a world in which the false one is right
-//! ([`super::premise`]). It says something else if it is refuted there, and that world is about it. All else stays open.
+//! A statement follows if it says the same in other words, or if it passes its check where the false step is taken
+//! for true ([`super::premise`]). It says something else if it is refuted there, and the false step is about it.
+//! Otherwise the question stays open.
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement};

@@ -1,5 +1,13 @@
-//! What more can be said of a claim that passes: which Euler–Lagrange equations it is made of, and which of its
-//! hypotheses it does not need.
+//! What more the report says of a claim that passes: the Euler–Lagrange equations that it is made of, and the
+//! hypotheses that it does not need.
+//!
+//! # What a claim is worth that follows from its hypotheses
+//!
+//! This is asked of every equality that passes off shell under hypotheses and mentions nothing that the system
+//! determines. If the hypotheses also follow from it, it restates them and is `undecided`. If they hold
+//! `throughout`, nothing was said about the motion, and it is `undecided` too. Otherwise it is a deduction and
+//! passes with a remark, since a deduction may be worth printing. A term that is too small to be seen at all states
+//! was not tested, and prevents a pass.
 
 use nalgebra::{DMatrix, DVector};
 
