@@ -38,25 +38,23 @@ impl Builder<'_> {
         match names::parse(&latex.value) {
             Some((name, 0)) => Ok(name),
             Some(_) => Err(self
-                .error(latex, format!("{} has a dot, and dots are not part of a name", latex.value))
-                .help("declare the symbol itself")),
-            None => Err(self
-                .error(latex, format!("{} is not the name of a symbol", latex.value))
-                .help("a name is a letter or a Greek command, with accents, a subscript, primes: \\hat{e}_a, p_\\psi")),
+                .error(latex, format!("{} has a dot, which is not part of a name", latex.value))
+                .help("declare the symbol without the dot")),
+            None => Err(self.error(latex, format!("{} is not the name of a symbol", latex.value)).help(
+                "a name is a letter or a Greek command, with accents, a subscript or primes: \\hat{e}_a, p_\\psi",
+            )),
         }
     }
 
     pub(crate) fn add(&mut self, latex: &Spanned<String>, kind: Kind, meaning: Meaning) -> Result<SymbolId> {
         let name = self.name(latex)?;
         if ["e", "d"].contains(&name.base.as_str()) && name.subscript.is_empty() {
-            self.model.inferred.push(format!("{name} is a symbol here, not a constant or a differential"));
+            self.model.inferred.push(format!("{name} is a symbol here, not Euler's number or a differential"));
         }
         let shown = name.to_string();
-        let id = self
-            .model
-            .symbols
-            .add(name, kind)
-            .ok_or_else(|| self.error(latex, format!("{shown} is declared twice")).help("keep one of the two"))?;
+        let id = self.model.symbols.add(name, kind).ok_or_else(|| {
+            self.error(latex, format!("{shown} is declared twice")).help("remove one of the two declarations")
+        })?;
         self.model.mean(id, meaning);
         Ok(id)
     }

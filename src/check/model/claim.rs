@@ -39,14 +39,38 @@ pub struct Law {
 }
 
 impl Law {
-    /// Its name, with what the reader of a report must know beside it.
+    /// The name as a title, with a remark if its units are not checked.
     pub fn title(&self) -> String {
         if self.units_off { format!("{}, whose units are not checked", self.name) } else { self.name.clone() }
     }
+
+    /// The law within a sentence: `Newton's second law`, `Kirchhoff's law`, `the law “torque”`.
+    fn phrase(&self) -> String {
+        const KINDS: [&str; 8] = ["law", "laws", "equation", "equations", "principle", "theorem", "rule", "rules"];
+        let lower = self.name.to_lowercase();
+        let says_what_it_is = lower.split(|c: char| !c.is_alphabetic()).any(|word| KINDS.contains(&word));
+        let is_person = self.name.starts_with(char::is_uppercase) && self.name.chars().all(char::is_alphabetic);
+        let phrase = match (says_what_it_is, is_person) {
+            (true, _) => self.name.clone(),
+            (false, true) => format!("{}'s law", self.name),
+            (false, false) => format!("the law “{}”", self.name),
+        };
+        if self.units_off { format!("{phrase} (its units are not checked)") } else { phrase }
+    }
+
+    /// Laws within a sentence, joined by commas and “and”.
+    pub fn phrases(laws: &[Law]) -> String {
+        let phrases: Vec<String> = laws.iter().map(Law::phrase).collect();
+        match phrases.split_last() {
+            Some((last, [])) => last.clone(),
+            Some((last, others)) => format!("{} and {last}", others.join(", ")),
+            None => String::new(),
+        }
+    }
 }
 
-/// A name or a law that is lost with a display that cannot be read, and that display in words.
-pub type Lost = (String, String);
+/// A name or a law whose display cannot be read, and that display in words.
+pub type Unread = (String, String);
 
 /// Whether a relation says that two things are the same.
 pub fn is_equality(relation: Relation) -> bool {

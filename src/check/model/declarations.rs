@@ -18,8 +18,8 @@ impl Builder<'_> {
         for index in self.claims.declarations.iter().filter(|d| d.role == Role::Index) {
             let letter = self.name(&index.name)?.to_string();
             let wrong = || {
-                Error::at(&self.claims.source, index.range.span, "an index runs from 1 to at most 9")
-                    .help("write \"1..3\", or \"1..n\" for the labels of n things")
+                Error::at(&self.claims.source, index.range.span, "an index must run from 1 to at most 9")
+                    .help("write \"1..3\", or \"1..n\" for a family of n members")
             };
             let small = |high: &i64| u8::try_from(*high).ok().filter(|high| (1..=9).contains(high));
             match &index.range.value {
@@ -51,7 +51,9 @@ impl Builder<'_> {
         let id = self.add(latex, Kind::Scalar, Meaning::Constant(self.model.constants.len()))?;
         let range = Range::Integer { low: 3, high: Count::Number(MOST_THINGS.into()) };
         self.model.constants.push(Variable::number(id, range));
-        self.model.inferred.push(format!("{} is a count, 3 or {MOST_THINGS} at a time", self.shown(id)));
+        self.model
+            .inferred
+            .push(format!("{} is a number of members; the sampled states have 3 or {MOST_THINGS}", self.shown(id)));
         Ok(id)
     }
 
@@ -91,7 +93,7 @@ impl Builder<'_> {
         let kind = if vector { Kind::Vector } else { Kind::Scalar };
         if vector && declaration.role == Role::Coordinate {
             return Err(self
-                .error(latex, "a coordinate is a number")
+                .error(latex, "a coordinate must be a scalar")
                 .help("declare a vector under \"varies with time\" or \"constants\""));
         }
         if let Range::Rigid { .. } | Range::FixedDirection = range {
@@ -100,8 +102,8 @@ impl Builder<'_> {
         if !vector && latex.value.contains("\\hat") {
             let vector = latex.value.replacen("\\hat", "\\vec", 1);
             return Err(self
-                .error(latex, format!("{} would be a number here, and a hat marks a direction", latex.value))
-                .help(format!("declare {vector}: {} is then its direction; or name it under \"axes\"", latex.value)));
+                .error(latex, format!("{} would be a scalar here, but a hat marks a direction", latex.value))
+                .help(format!("declare {vector}, then {} is its direction; or name it under \"axes\"", latex.value)));
         }
         let (meaning, varies) = match declaration.role {
             Role::Coordinate => (Meaning::Coordinate(self.model.coordinates.len()), true),
@@ -109,14 +111,18 @@ impl Builder<'_> {
             _ => (Meaning::Varying(self.model.varying.len()), true),
         };
         if vector && range != Range::Any {
-            return Err(Error::at(&self.claims.source, declaration.range.span, "the range of a vector is \"any\""));
+            return Err(Error::at(
+                &self.claims.source,
+                declaration.range.span,
+                "the range of a vector must be \"any\"",
+            ));
         }
         let id = self.add(latex, kind, meaning)?;
         let entry = self.model.symbols.entry_mut(id);
         entry.angle = is_angle(&range);
         entry.varies = varies;
         if declaration.role == Role::Coordinate && !entry.slots.is_empty() {
-            return Err(self.error(latex, "families of coordinates are not supported yet"));
+            return Err(self.error(latex, "families of coordinates are not supported"));
         }
         let variable = Variable { symbol: id, range, numbers: self.members(id) * if vector { 3 } else { 1 } };
         match declaration.role {
@@ -136,7 +142,7 @@ impl Builder<'_> {
     fn moving_with_a_frame(&mut self, declaration: &Declaration, kind: Kind) -> Result<()> {
         let latex = &declaration.name;
         if kind != Kind::Vector {
-            return Err(self.error(latex, format!("{} must be a vector to turn", latex.value)));
+            return Err(self.error(latex, format!("{} turns with a frame, so it must be a vector", latex.value)));
         }
         match &declaration.range.value {
             Range::Rigid { turning_with, about } => {
@@ -150,7 +156,9 @@ impl Builder<'_> {
             }
             _ => {
                 if self.model.frame.is_some() {
-                    return Err(self.error(latex, "only one thing can turn").help("it is declared before this"));
+                    return Err(self
+                        .error(latex, "only one frame can turn")
+                        .help("remove this declaration, or the earlier one"));
                 }
                 let id = self.add(latex, kind, Meaning::Frame(FrameQuantity::AngularVelocity))?;
                 self.model.symbols.entry_mut(id).varies = true;
@@ -199,9 +207,12 @@ impl Builder<'_> {
                 self.model.frame = Some(Frame::Free);
                 Ok(())
             }
-            _ => Err(Error::at(&self.claims.source, place.span, format!("nothing can turn with {latex}")).help(
-                "declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one thing can turn",
-            )),
+            _ => Err(Error::at(
+                &self.claims.source,
+                place.span,
+                format!("{latex} is not the angular velocity of a frame"),
+            )
+            .help("declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one frame can turn")),
         }
     }
 
@@ -216,7 +227,7 @@ impl Builder<'_> {
                         self.three(latex, id)?;
                     } else {
                         if fixed == 3 {
-                            return Err(self.error(latex, "there are three fixed axes, and this is a fourth"));
+                            return Err(self.error(latex, "there are only three fixed axes, and this is a fourth"));
                         }
                         self.add(latex, Kind::Vector, Meaning::FixedAxis(fixed))?;
                         fixed += 1;
@@ -238,7 +249,7 @@ impl Builder<'_> {
         match self.model.symbols.extents(id).as_slice() {
             [3] => Ok(()),
             _ => Err(self
-                .error(latex, format!("{} are three vectors", latex.value))
+                .error(latex, format!("{} must be a family of three vectors", latex.value))
                 .help("give the name an index that runs over \"1..3\": \\hat e_a")),
         }
     }

@@ -12,9 +12,9 @@ use crate::latex::Macros;
 use crate::mechanics::World;
 use crate::notes::claims::Range;
 
-use crate::check::model::claim::{Law, Lost};
+use crate::check::model::claim::{Law, Unread};
 use crate::check::model::meaning::{Continuum, Frame, Meaning, Rigid, Variable};
-use crate::check::model::states::StateCache;
+use crate::check::model::state_cache::StateCache;
 
 pub(crate) mod build;
 pub(crate) mod builder;
@@ -25,8 +25,9 @@ pub(crate) mod free_symbols;
 pub(crate) mod meaning;
 pub(crate) mod order;
 pub(crate) mod particles;
+pub(crate) mod sampling;
 pub(crate) mod sizes;
-pub(crate) mod states;
+pub(crate) mod state_cache;
 pub(crate) mod system;
 
 /// The symbols of a document and what they mean.
@@ -58,14 +59,14 @@ pub struct Model {
     pub laws: Vec<Law>,
     /// The author's commands.
     pub macros: Macros,
-    /// Names of the claims file that could not be given a meaning.
-    pub lost: Vec<Lost>,
-    /// Laws that could not be taken over.
-    pub lost_laws: Vec<Lost>,
+    /// Names of the claims file whose definition stands in a display that cannot be read.
+    pub unread_names: Vec<Unread>,
+    /// Laws that stand in a display that cannot be read.
+    pub unread_laws: Vec<Unread>,
     /// What was inferred, for the reader of the report.
     pub inferred: Vec<String>,
-    /// States that were found before.
-    pub drawn: StateCache,
+    /// The sampled states that are known.
+    pub state_cache: StateCache,
 }
 
 impl Model {
@@ -85,10 +86,10 @@ impl Model {
             continua: Vec::new(),
             laws: Vec::new(),
             macros,
-            lost: Vec::new(),
-            lost_laws: Vec::new(),
+            unread_names: Vec::new(),
+            unread_laws: Vec::new(),
             inferred: Vec::new(),
-            drawn: StateCache::default(),
+            state_cache: StateCache::default(),
         }
     }
 
@@ -112,7 +113,7 @@ impl Model {
 
     /// Whether a formula depends on one of these symbols, through definitions too.
     pub fn depends_on(&self, expr: &Expr, symbols: &[SymbolId]) -> bool {
-        expr.symbols().iter().any(|(id, _)| self.stands_on(*id, symbols))
+        expr.symbols().iter().any(|(id, _)| self.symbol_depends_on(*id, symbols))
     }
 
     /// Whether a formula is made of drawn symbols and definitions alone, of nothing that a world or a frame determines.
@@ -124,7 +125,7 @@ impl Model {
         })
     }
 
-    fn stands_on(&self, id: SymbolId, symbols: &[SymbolId]) -> bool {
+    fn symbol_depends_on(&self, id: SymbolId, symbols: &[SymbolId]) -> bool {
         symbols.contains(&id)
             || match self.meaning(id) {
                 Some(Meaning::Defined(formula)) => self.depends_on(formula, symbols),
@@ -132,7 +133,7 @@ impl Model {
                     self.depends_on(masses, symbols) || self.depends_on(positions, symbols)
                 }
                 Some(Meaning::Rigid(at)) => self.rigid[*at].about.is_some_and(|about| symbols.contains(&about)),
-                _ => self.symbols.entry(id).members.iter().any(|member| self.stands_on(*member, symbols)),
+                _ => self.symbols.entry(id).members.iter().any(|member| self.symbol_depends_on(*member, symbols)),
             }
     }
 

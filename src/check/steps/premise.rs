@@ -20,7 +20,7 @@ use crate::check::hypotheses::explicit::rules;
 use crate::check::model::claim::{Hypothesis, Law, is_equality};
 use crate::check::model::meaning::{Meaning, Quantity, Variable};
 use crate::check::model::order::{derivatives, order};
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::model::{Model, free_symbols};
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::setting::FEWEST;
@@ -243,6 +243,6 @@ impl Premise {
             let values: Vec<f64> = ensemble.bases.iter().map(|base| base[*slot]).collect();
             *derivative > 0 || values.iter().enumerate().all(|(n, a)| values[..n].iter().all(|b| apart(*a, *b)))
         };
-        Ok(projection.progress.plan.iter().filter(|(row, _)| row.0 >= first).all(|row| is_free(row) && varies(row)))
+        Ok(projection.record.plan.iter().filter(|(row, _)| row.0 >= first).all(|row| is_free(row) && varies(row)))
     }
 }

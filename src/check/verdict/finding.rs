@@ -131,6 +131,12 @@ impl Finding {
             span,
         }
     }
+
+    /// This finding with another verdict: its code and its message change with it, and the evidence stays.
+    #[must_use]
+    pub fn replaced(self, code: Code, verdict: Verdict, message: impl Into<String>) -> Self {
+        Finding { code, verdict, message: message.into(), ..self }
+    }
 }
 
 /// The equations that a false one follows from, by what they are called.
