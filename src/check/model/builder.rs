@@ -1,7 +1,6 @@
-//! The claims file's declarations made into a model: every name gets its meaning, and the world its symbols.
+//! The builder that turns the declarations of a claims file into a model: each name gets its meaning.
 //!
-//! What the prose defines (`"define"`) is not read here but together with the displays ([`crate::check::document::reading`]), since the
-//! two may stand on each other.
+//! Definitions in the prose (`"define"`) are read later, together with the displays, since the two may use each other.
 
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Kind, SymbolId, text};
@@ -13,15 +12,16 @@ use crate::check::model::Model;
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::Meaning;
 
-/// A name without what only typesets it: `\lambda_{1}` and `lambda1` are the same here.
+/// A name without typesetting: `\lambda_{1}` and `lambda1` become the same.
 pub fn plain(latex: &str) -> String {
     latex.chars().filter(|c| !matches!(c, '\\' | '_' | '{' | '}' | ' ')).collect()
 }
 
+/// A model that is being built.
 pub(crate) struct Builder<'a> {
     pub(crate) claims: &'a Claims,
     pub(crate) model: Model,
-    /// Symbols that were needed, and so added, before their turn.
+    /// The symbols that were added before their turn, because an earlier declaration needs them.
     pub(crate) early: Vec<SymbolId>,
 }
 

@@ -1,4 +1,4 @@
-//! Claims and hypotheses between two formulas: a [`Link`] is tested, a [`Hypothesis`] is taken for granted.
+//! Claims and hypotheses between two formulas: a [`Link`] is tested, a [`Hypothesis`] is assumed.
 
 use crate::formula::{Expr, IndexId, Relation};
 
@@ -11,30 +11,30 @@ pub struct Hypothesis {
     pub relation: Relation,
     /// Its right side.
     pub rhs: Expr,
-    /// The free indices, for all of whose values it holds.
+    /// The free indices; it holds for all their values.
     pub free: Vec<IndexId>,
-    /// Whether it holds at all times and not only at the instant.
+    /// Whether it holds at all times, so that its time derivatives vanish too, and not only at the instant.
     pub throughout: bool,
 }
 
 impl Hypothesis {
-    /// A link, taken for granted.
+    /// A link as a hypothesis.
     pub fn of(link: Link, throughout: bool) -> Self {
         let Link { lhs, relation, rhs, free } = link;
         Hypothesis { lhs, relation, rhs, free, throughout }
     }
 }
 
-/// A hypothesis about all motions that the notes make: a law.
+/// A law: hypotheses of the notes about all motions.
 #[derive(Clone, Debug)]
 pub struct Law {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// The statements that print it: the place of the display, and of the statement in it.
+    /// The statements that print it: the place of the display, and the place of the statement in it.
     pub printed: Vec<(usize, usize)>,
-    /// What it says.
+    /// The hypotheses that it makes.
     pub hypotheses: Vec<Hypothesis>,
-    /// Whether its claim switches the units off, so that its terms may be of any dimension.
+    /// Whether its claim switches the check of units off.
     pub units_off: bool,
 }
 
@@ -72,12 +72,12 @@ impl Law {
 /// A name or a law whose display cannot be read, and that display in words.
 pub type Unread = (String, String);
 
-/// Whether a relation says that two things are the same.
+/// Whether a relation is an equality.
 pub fn is_equality(relation: Relation) -> bool {
     matches!(relation, Relation::Equal | Relation::Identical)
 }
 
-/// A claim between two formulas.
+/// A claim between two formulas: the link of a chain.
 #[derive(Clone, Debug)]
 pub struct Link {
     /// The left side.
@@ -86,6 +86,6 @@ pub struct Link {
     pub relation: Relation,
     /// The right side.
     pub rhs: Expr,
-    /// The free indices, for all of whose values it is claimed.
+    /// The free indices; it is claimed for all their values.
     pub free: Vec<IndexId>,
 }

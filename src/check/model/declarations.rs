@@ -1,4 +1,4 @@
-//! The declarations of a claims file made into meanings: indices, constants, functions of time, axes, continua.
+//! The meanings that the declarations of a claims file give: indices, constants, functions of time, axes, continua.
 
 use crate::check::model::builder::{Builder, plain};
 use crate::check::model::meaning::{
@@ -10,7 +10,8 @@ use crate::notes::claims::{Axes, Count, Declaration, Range, Role, Spanned};
 use crate::source::Span;
 use crate::{Error, Result};
 
-/// The most things that a count counts: three or four, so that none of the two can hide a fault.
+/// The largest number of members at which states are drawn first. The smallest is one less, so that a claim that is true
+/// for one number only fails for the other.
 const MOST_THINGS: u8 = 4;
 
 impl Builder<'_> {
@@ -42,7 +43,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// The symbol of a count: a whole number, three or four.
+    /// The symbol of a number of members: an integer, 3 or 4.
     fn count(&mut self, latex: &Spanned<String>) -> Result<SymbolId> {
         let name = self.name(latex)?;
         if let Some((known, _)) = self.model.symbols.find(&name) {
@@ -80,7 +81,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// A number, a vector, or a family of either, that is drawn.
+    /// Adds a drawn number or vector, or a family of either.
     fn variable(&mut self, declaration: &Declaration) -> Result<()> {
         let latex = &declaration.name;
         let known = self.model.symbols.find(&self.name(latex)?).map(|(id, _)| id);
@@ -133,12 +134,12 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// How many members a family has, at most; one for a plain symbol.
+    /// The largest number of members of a family; one for a plain symbol.
     fn members(&self, id: SymbolId) -> usize {
         self.model.symbols.extents(id).into_iter().map(usize::from).product()
     }
 
-    /// What is fixed in a turning frame, and the angular velocity of a frame that turns about a fixed direction.
+    /// Adds a vector that is fixed in a turning frame, or the angular velocity of a frame that turns about a fixed direction.
     fn moving_with_a_frame(&mut self, declaration: &Declaration, kind: Kind) -> Result<()> {
         let latex = &declaration.name;
         if kind != Kind::Vector {
@@ -168,7 +169,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// A vector that is declared in the claims file, perhaps further down.
+    /// A vector that is declared in the claims file, possibly further down.
     fn declared<T>(&mut self, latex: &str, place: &Spanned<T>) -> Result<SymbolId> {
         let latex = Spanned::new(latex.to_owned(), place.span);
         let name = self.name(&latex)?;
@@ -189,7 +190,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Makes this the angular velocity of the document's frame; a free vector becomes that of a frame that turns anyhow.
+    /// Makes this the angular velocity of the document's frame. A free vector becomes that of a frame that turns freely.
     pub(crate) fn turning_with<T>(&mut self, latex: &str, place: &Spanned<T>) -> Result<()> {
         let id = self.declared(latex, place)?;
         match self.model.meaning(id) {
@@ -244,7 +245,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// Refuses a name of axes that is no family of three.
+    /// Rejects a name of axes that is not a family of three vectors.
     fn three(&self, latex: &Spanned<String>, id: SymbolId) -> Result<()> {
         match self.model.symbols.extents(id).as_slice() {
             [3] => Ok(()),
@@ -254,13 +255,13 @@ impl Builder<'_> {
         }
     }
 
-    /// What the components of vectors are taken along, and names for them.
+    /// Adds the axes of components, and names for components.
     pub(crate) fn components(&mut self) -> Result<()> {
         for (latex, components) in &self.claims.components {
             let name = self.name(latex)?;
             match &components.value {
                 claims::Components::Along(axes) => {
-                    // Either may be introduced by the notes: they are tied to each other when both are known.
+                    // The notes may define either of them, so they are connected when both are known.
                     let axes = self.name(axes)?;
                     self.model.components.push((name, axes));
                     self.model.tie_components();

@@ -1,6 +1,6 @@
-//! Meanings that point masses give a name: `inertia tensor of m_i at \vec r_i`.
+//! Meanings from point masses: `inertia tensor of m_i at \vec r_i`.
 //!
-//! The particles may be introduced by the notes themselves, so such a name is read together with the displays.
+//! The notes may define the particles themselves, so such a name is read together with the displays.
 
 use crate::formula::shape::bind;
 use crate::formula::{Expr, Kind, Node};
@@ -18,15 +18,15 @@ const QUANTITIES: [(&str, ParticleQuantity); 3] = [
     ("principal axes of ", ParticleQuantity::PrincipalAxes),
 ];
 
-/// The quantity that a meaning names, and of what; none, if it is of something else than particles.
+/// The quantity of particles that a meaning names, and the text that names the particles. `None` for another meaning.
 pub(crate) fn quantity(meaning: &Spanned<String>) -> Option<(ParticleQuantity, &str)> {
     QUANTITIES.iter().find_map(|(word, quantity)| Some((*quantity, meaning.value.strip_prefix(word)?)))
 }
 
-/// Adds a name that means something of particles.
+/// Adds a name for a quantity of particles.
 ///
 /// # Errors
-/// When the particles are not known, or the name has other indices than the quantity.
+/// If the particles are not known, or the indices of the name do not fit the quantity.
 pub(crate) fn declare(
     claims: &Claims,
     latex: &Spanned<String>,

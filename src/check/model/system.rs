@@ -1,4 +1,4 @@
-//! The symbols of a system: its coordinates and parameters tied to declared names, and what `"means"` says.
+//! The symbols of a system: its coordinates and parameters mapped to declared names, and the meanings under `"means"`.
 
 use crate::check::model::builder::{Builder, plain};
 use crate::check::model::meaning::{Frame, FrameQuantity, MEANINGS, Meaning, Quantity};
@@ -12,7 +12,7 @@ use crate::{Error, Result, suggest};
 use std::sync::Arc;
 
 impl Builder<'_> {
-    /// Ties the declared coordinates and constants to those of the system, by name or by `"read"`.
+    /// Maps the declared coordinates and constants to those of the system, by name or by `"read"`.
     pub(crate) fn world(&mut self, registry: &Registry) -> Result<()> {
         let Some(reference) = &self.claims.system else { return Ok(()) };
         let system = registry.get(&reference.name.value).ok_or_else(|| {
@@ -107,8 +107,8 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// Meanings that need no system: `angle turned with \vec\omega`; and those of particles, which wait until these are
-    /// known.
+    /// Adds a meaning that needs no system, such as `angle turned with \vec\omega`. Returns true for these, and for
+    /// quantities of particles, which are read later.
     fn of_frame_or_particles(&mut self, latex: &Spanned<String>, meaning: &Spanned<String>) -> Result<bool> {
         if let Some(vector) = meaning.value.strip_prefix("angle turned with ") {
             self.turning_with(vector, meaning)?;
@@ -160,7 +160,7 @@ impl Builder<'_> {
         }
     }
 
-    /// `p_q` is the momentum of each coordinate q, unless it is declared otherwise.
+    /// Adds `p_q` as the momentum of each coordinate q, unless it is declared.
     pub(crate) fn momenta(&mut self) {
         if self.model.world.is_none() {
             return;
