@@ -75,11 +75,99 @@ codes! {
     /// A file, an argument or an option cannot be used.
     Input = "input",
     /// The claim holds at every sampled state that can decide it.
+    ///
+    /// `verified` rests on numbers: the states are drawn at random, obey the hypotheses, and tell the claim from
+    /// each mutant of it. `certified` adds an exact test modulo a prime, with the probability of a false pass.
+    /// For example, `(a + b)^2 = a^2 + 2ab + b^2` holds always, and `\ddot\theta = -(g/l)\sin\theta` on shell.
     Holds = "holds",
     /// The two sides of an equation differ at a sampled state, which is given.
+    ///
+    /// For example, `(a + b)^2 = a^2 + b^2` differs wherever `ab` is not 0. The counterexample lists the values.
+    /// With laws in the claims file the message is: this does not follow from the law.
+    /// Compare the two values, look at the suggestion, and correct the equation or the claims file.
     SidesDiffer = "sides-differ",
+    /// An inequality, or `\neq`, fails at a state that obeys all hypotheses.
+    ///
+    /// For example, `x^2 > 0` fails at `x = 0`. States are drawn at random, at the boundary of the inequality, and by
+    /// a search for the smallest margin. Correct the inequality, or state the range in which it holds.
+    InequalityFails = "inequality-fails",
+    /// Exact arithmetic shows that the two sides differ, although floating-point numbers agree.
+    ///
+    /// For example, `x + 10^{-20} = x` agrees to 16 digits. The equation is evaluated modulo a prime, where nothing is
+    /// rounded. If the equation is an approximation, write `\approx` and name what is small in the claims file.
+    DiffersAsIdentity = "differs-as-identity",
+    /// A claim about families holds for some numbers of members, and fails for another one, which is given.
+    ///
+    /// For example, `\sum_{i<j} 1 = 3n - 6` holds for 3 and 4 members and fails for 5.
+    /// Check the limits of the sums and the factors of `n`.
+    FailsForFamilySize = "fails-for-family-size",
     /// The two sides agree where both are defined, but one of them is not defined everywhere.
+    ///
+    /// For example, `x^2/x = x` has no left side at `x = 0`.
+    /// Restrict the range of the symbol in the claims file, or write the condition under which the equation holds.
     DomainDiffers = "domain-differs",
+    /// No state was found that obeys the hypotheses.
+    ///
+    /// The hypotheses may contradict each other or the declared ranges, for example `x > 1` and `x < 0`. Or they are
+    /// too hard for the numerical solver. Check the hypotheses, write them explicitly (`x = …`), or widen the ranges.
+    NoState = "no-state",
+    /// Too few sampled states gave a number on both sides.
+    ///
+    /// For example, `\sqrt{1 - v^2/c^2}` has no value where `v > c`.
+    /// Narrow the ranges in the claims file (for example, assume `v < c`).
+    TooFewStates = "too-few-states",
+    /// At some states the sides differ by more than rounding error and by less than a clear difference.
+    ///
+    /// This happens where large terms cancel, for example in `(x + 10^{12}) - 10^{12} = x`.
+    /// Choose ranges in which the terms are of similar size.
+    WithinRounding = "within-rounding",
+    /// A term is so small beside the others that no sampled state shows it: a mistake in it would not be found.
+    ///
+    /// For example, `10^{20} + x`. Choose ranges or constants for which the term matters.
+    TermTooSmall = "term-too-small",
+    /// The sampled states do not distinguish the claim from the same claim with one mistake in it: a mutant.
+    ///
+    /// For example, under the hypothesis `x = 0` the claim `y = y + x` also holds with `2x` for `x`.
+    /// Widen the ranges, or remove the hypothesis that makes the two equal.
+    MutantPasses = "mutant-passes",
+    /// A side is 0 at all states, so that a wrong factor or sign in it would not be noticed.
+    ///
+    /// For example, `\frac{d}{dt}(\vec r \times \vec r) = 0`, where a dot was lost.
+    /// Check the side for a lost symbol; if it is 0, print it as 0.
+    SideAlwaysZero = "side-always-zero",
+    /// The claim is one of its hypotheses, or says the same as them in other words.
+    ///
+    /// For example, `x = 2y` under the hypothesis `y = x/2`. Such a claim is not tested.
+    /// Remove the hypothesis from `assuming` or `where`, or mark the equation as a law.
+    RestatesHypothesis = "restates-hypothesis",
+    /// The claim follows from its own hypotheses, whatever the system does.
+    ///
+    /// For example, `\dot x = 0` under the hypothesis that `x` is constant throughout.
+    /// Remove hypotheses until the claim says something about the motion.
+    FollowsFromHypotheses = "follows-from-hypotheses",
+    /// Both sides are the same formula, so that nothing is compared.
+    ///
+    /// For example, `a + b = a + b`. Print the step that leads from one side to the other.
+    SameFormula = "same-formula",
+    /// The hypotheses together leave a symbol only one value.
+    ///
+    /// For example, `x + y = 0` and `x - y = 0` force `x = 0`, where `x^2 = x^3` holds as well.
+    /// A test at one value shows too little. Remove a hypothesis, or state the value directly (`x = 0`).
+    ForcedValue = "forced-value",
+    /// It is not clear what a name means at this place.
+    ///
+    /// For example, a dot on a symbol that is declared constant, or on the point that an integral runs over.
+    /// Declare the symbol under `varies with time`, write the velocity, or use another name.
+    UnclearName = "unclear-name",
+    /// A formula has no value, because a symbol in it has none.
+    ///
+    /// For example, a momentum without a system that determines it.
+    /// Declare the symbol, define it in the notes, or say under `means` what it is.
+    NoValue = "no-value",
+    /// The claims file itself defines the symbol by this formula, so that the display is true by definition.
+    ///
+    /// For example, `K = 2T` where the claims file has the same formula under `define`. Nothing needs to be done.
+    TrueByDefinition = "true-by-definition",
     /// The display defines a name, and other equations test the definition.
     Definition = "definition",
     /// The display is a law: a hypothesis by the word of the claims file, not checked here.

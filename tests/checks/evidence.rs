@@ -29,7 +29,7 @@ fn a_hypothesis_in_other_words_is_no_result() {
     let claim = |latex: &str| equation(&pendulum(), &[latex], json!({ "assume": r"\dot\theta = 0" })).finding;
     for latex in [r"2\dot\theta = 0", r"\theta \dot\theta = 0", r"-\dot\theta = \dot\theta^2"] {
         let found = claim(latex);
-        assert!(found.verdict == Undecided || found.message.contains("assumptions alone"), "{latex}: {found:?}");
+        assert!(found.verdict == Undecided || found.message.contains("hypotheses alone"), "{latex}: {found:?}");
     }
     assert_eq!(outcome(&claim(r"E = U")), Verified);
     assert_eq!(claim(r"2\dot\theta = 1").verdict, Refuted);

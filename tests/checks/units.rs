@@ -360,7 +360,7 @@ fn a_law_whose_units_are_off_is_named_as_such_wherever_it_is_given() {
     let notes = numbered(&[r"m \ddot x = -k x - b x", r"\ddot x = -\frac{k x + b x}{m}"]);
     let found = document(&claims, &notes, &Registry::standard(), None).unwrap();
     let message = &found.equations[1].finding.message;
-    assert!(message.contains("given the force, whose units are not checked"), "{message}");
+    assert!(message.contains("by the law “the force” (its units are not checked)"), "{message}");
 }
 
 #[test]

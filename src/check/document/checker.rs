@@ -22,11 +22,11 @@ use crate::{Error, Result, suggest};
 use crate::check::document::names::{shown, symbol};
 use crate::check::document::units::Units;
 use crate::check::hypotheses::components;
-use crate::check::hypotheses::rule::{Action, Rule, reaches};
+use crate::check::hypotheses::rule::{Action, Rule, depends_through_rules};
 use crate::check::kinds::limit::Towards;
 use crate::check::kinds::{continuum, small};
 use crate::check::model::Model;
-use crate::check::model::claim::{Hypothesis, Law, Link, Lost, is_equality};
+use crate::check::model::claim::{Hypothesis, Law, Link, Unread, is_equality};
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::{Context, Options};
@@ -171,7 +171,7 @@ impl Checker<'_> {
                 Action::Union(parts.iter().map(part).collect::<Result<_>>()?)
             } else {
                 let formula = self.formula(meaning)?;
-                if reaches(self.model, &rules, &formula, symbol) {
+                if depends_through_rules(self.model, &rules, &formula, symbol) {
                     return Err(at(format!("{} cannot mean something that it is part of", name.value)));
                 }
                 Action::Equals(formula)
@@ -183,7 +183,7 @@ impl Checker<'_> {
 
     /// The laws of the claims file, as hypotheses; and those that a display takes with it that cannot be read, each with
     /// what is wrong.
-    pub fn laws(&self) -> Result<(Vec<Law>, Vec<Lost>)> {
+    pub fn laws(&self) -> Result<(Vec<Law>, Vec<Unread>)> {
         let (mut laws, mut lost) = (Vec::new(), Vec::new());
         for (name, what) in &self.claims.laws {
             match self.declared_law(name, what) {

@@ -245,7 +245,7 @@ impl Pending<'_> {
         match (lost.is_empty(), wrong) {
             (true, Some(error)) => Err(error),
             (none, _) => {
-                model.lost.extend(lost);
+                model.unread_names.extend(lost);
                 Ok(!none)
             }
         }

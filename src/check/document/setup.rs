@@ -75,7 +75,7 @@ pub(crate) fn with_checker<T>(
     let (laws, lost_laws) = plain.laws()?;
     let lacks_a_name = |error: &Error| plain.cause(error.missing()).is_some();
     let known = units::declared(claims, &model, &lacks_a_name)?;
-    (model.laws, model.lost_laws) = (laws, lost_laws);
+    (model.laws, model.unread_laws) = (laws, lost_laws);
     let units = units::of_document(claims, &model, &known, &readings, &assigned)?.map(Arc::new);
     let checker =
         Checker { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units };

@@ -32,7 +32,7 @@ impl<'a> Damage<'a> {
             Missing::Equation(id) => return Some(format!("({id}) cannot be read")),
             Missing::Name(name) => name,
         };
-        if let Some((_, cause)) = model.lost.iter().find(|(lost, _)| names::same(lost, name)) {
+        if let Some((_, cause)) = model.unread_names.iter().find(|(lost, _)| names::same(lost, name)) {
             return Some(cause.clone());
         }
         let lacks = |fault: &&Fault| matches!(&fault.missing, Some(Missing::Name(own)) if names::same(own, name));

@@ -56,7 +56,7 @@ impl Checker<'_> {
     /// What is found without a law that is lost. A pass stays one, since a law only adds to what holds, but for a
     /// sentence that asks for a counterexample.
     pub fn without_lost_laws(&self, mut equation: Equation, sentence: Option<&Sentence>) -> Equation {
-        let Some((law, cause)) = self.model.lost_laws.first() else { return equation };
+        let Some((law, cause)) = self.model.unread_laws.first() else { return equation };
         let wants_failure = sentence.is_some_and(|sentence| matches!(sentence.test, Test::NotAlways(_)));
         let withdraw = |finding: &mut Finding, ok: &mut bool| {
             let fails = matches!(finding.verdict, Verdict::Refuted | Verdict::Domain | Verdict::Undecided);

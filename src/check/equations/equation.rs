@@ -21,7 +21,7 @@ use crate::check::judge::{identity, term_fit};
 use crate::check::kinds::{conserved, exactly_when, limit};
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::meaning::Meaning;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::vacuity::tautology;
 use crate::check::verdict::Verdict;
@@ -200,7 +200,7 @@ impl Checker<'_> {
                 on_shell,
                 topic: &topic,
                 span,
-                reach: Reach::Declared,
+                spread: Spread::Declared,
                 local: &local,
             };
             if let Some(finding) = context.unclear(&statement.members.iter().collect::<Vec<_>>()) {

@@ -18,7 +18,7 @@ use crate::source::Span;
 use crate::check::document::checker::Checker;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::model::claim::{Hypothesis, Link};
-use crate::check::model::states::{Mode, Reach};
+use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 use crate::check::state::residual;
@@ -85,7 +85,7 @@ impl<'d, 'a> Pins<'d, 'a> {
                 on_shell: None,
                 topic: &id,
                 span: Span::default(),
-                reach: Reach::Declared,
+                spread: Spread::Declared,
                 local: &local,
             };
             let mut fails = None;

@@ -19,7 +19,7 @@ use crate::check::kinds::shape::{Shape, Target};
 use crate::check::kinds::{conserved, exactly_when, function_shape, limit};
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::order;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -50,7 +50,7 @@ pub(crate) fn check(checker: &Checker<'_>, at: usize, sentence: &Sentence) -> Re
         on_shell,
         topic: &name,
         span: place,
-        reach: Reach::Declared,
+        spread: Spread::Declared,
         local: &local,
     };
     let (finding, reading) = test(checker, sentence, &context)?;

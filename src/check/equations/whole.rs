@@ -5,7 +5,7 @@ use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::identity;
 use crate::check::kinds::{conserved, generates, solves};
 use crate::check::model::claim::Hypothesis;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Part;
@@ -40,7 +40,7 @@ impl Checker<'_> {
             on_shell,
             topic: &topic,
             span,
-            reach: Reach::Declared,
+            spread: Spread::Declared,
             local,
         };
         if let Some(solves) = &claim.solves {

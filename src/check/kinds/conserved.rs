@@ -63,7 +63,7 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     let mode = on_shell.mode(true, &[&link.lhs]);
     let ensemble = on_shell.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     let states = AtStates::new(&link, &ensemble.states);
     let outcome = match states.run() {

@@ -55,7 +55,7 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let mode = context.mode(false, &[&link.lhs, &link.rhs]);
     let ensemble = context.ensemble(mode, false, FEWEST)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     for (tried, state) in ensemble.states.iter().enumerate() {
         match approach(link, at, state) {

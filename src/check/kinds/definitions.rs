@@ -55,7 +55,7 @@ pub fn check(
             format!("introduces {name}, which nothing else checks"),
         ));
     }
-    if zero::is_nothing(formula, context)? {
+    if zero::is_always_zero(formula, context)? {
         return Ok(context.finding(
             Code::NotDecided,
             Verdict::Undecided,

@@ -37,7 +37,8 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     }
     let mode = context.mode(context.on_shell.unwrap_or(context.model.has_motion()), &formulas);
     let ensemble = context.ensemble(mode, false, 2 * context.options.points)?;
-    let stated = boundary::of_link(link).into_iter().chain(conditions.iter().filter_map(|c| boundary::of_condition(c)));
+    let stated =
+        boundary::of_link(link).into_iter().chain(conditions.iter().filter_map(|c| boundary::comparison_of(c)));
     let stated: Vec<_> = stated.collect();
     let own = stated.len();
     let hypotheses = context.hypotheses.iter().filter_map(boundary::of_hypothesis);

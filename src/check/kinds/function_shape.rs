@@ -22,7 +22,7 @@ use crate::check::kinds::solves::mentions;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::{Meaning, is_angle};
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::sample::sampler::{Sampler, contains};
 use crate::check::state::residual;
@@ -164,7 +164,7 @@ fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec
         for _ in 0..12 {
             tried += 1;
             let mut state: Atoms =
-                atoms.iter().map(|id| (*id, draw.value(&model.range(*id), Reach::Declared))).collect();
+                atoms.iter().map(|id| (*id, draw.value(&model.range(*id), Spread::Declared))).collect();
             place(&mut state);
             let in_range = |state: &Atoms| state.iter().all(|(id, x)| contains(&model.range(*id), *x));
             if obey(&mut state, variable, model, &hypotheses) && in_range(&state) {

@@ -63,7 +63,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let mode = context.mode(true, &[hamiltonian]);
     let ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     let (mut points, mut worst) = (0, 0.0_f64);
     for (scene, base) in ensemble.states.iter().zip(&ensemble.bases) {

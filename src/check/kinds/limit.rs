@@ -25,7 +25,7 @@ use crate::scalar::{RunningError, Series};
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::mutants::{Slip, mutants_of};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::counterexample::counterexample;
@@ -108,7 +108,7 @@ fn check_in(
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
     let ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     let mut powers: Vec<f64> = Vec::new();
     let mut used: Vec<Steps<'_>> = Vec::new();

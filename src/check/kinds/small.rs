@@ -17,9 +17,9 @@ use crate::scalar::RunningError;
 use crate::check::judge::mutants::mutants_of;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
-use crate::check::sample::scaled_family::Family;
+use crate::check::sample::prescribed_values::PrescribedValues;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual::{Failure, pair};
@@ -150,7 +150,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         .filter(|mutant| all_reach(&mutant.link, &families, wanted))
         .collect();
     if !survivors.is_empty() {
-        let wide = Context { reach: crate::check::model::states::Reach::Beyond, ..*context };
+        let wide = Context { spread: crate::check::model::sampling::Spread::BeyondRanges, ..*context };
         let mut wide = drawn(link, small, &wide, on_shell)?;
         // Far out not every state has a family: those at which the claim itself can be seen to hold count.
         wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
@@ -222,7 +222,7 @@ fn families<'m>(
 ) -> Result<Vec<Shrinkage<'m>>> {
     let setting = context.setting(mode);
     let ensemble = context.ensemble_of(model, mode, points, "")?;
-    let mut family = Family::new(model, &setting, small);
+    let mut family = PrescribedValues::new(model, &setting, small);
     let mut found = Vec::new();
     for (state, base) in ensemble.states.iter().zip(&ensemble.bases) {
         let value = |expr: &Expr| match state.now(expr, &[]) {

@@ -65,7 +65,7 @@ fn put_in_and_count(
     // Where the roots are not real there is nothing to put in, so more states are drawn than are asked for.
     let mut ensemble = context.ensemble(mode, false, 3 * context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     let (mut points, mut residual, mut counted) = (0, 0.0_f64, 0);
     let mut used: Vec<usize> = Vec::new();

@@ -32,7 +32,7 @@ use crate::check::judge::difference;
 use crate::check::judge::difference::{entries, normal};
 use crate::check::judge::term_fit::{leaves, multiplied_out};
 use crate::check::model::claim::{Link, is_equality};
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::repair::lost_products::{Factors, NEAR, STATES, bases, constant};
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
@@ -116,7 +116,7 @@ pub(crate) fn edits(checker: &Checker<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit
         on_shell: None,
         topic: &topic,
         span: crate::source::Span::default(),
-        reach: Reach::Declared,
+        spread: Spread::Declared,
         local: &local,
     };
     let always = wrong.claim.holds.as_ref().is_some_and(|holds| holds.value == Holds::Always);

@@ -25,7 +25,7 @@ use crate::check::kinds::small;
 use crate::check::kinds::small::Shrinkage;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::outcome;
@@ -341,7 +341,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             on_shell: None,
             topic,
             span: Span::default(),
-            reach: Reach::Declared,
+            spread: Spread::Declared,
             local: &self.local,
         }
     }
