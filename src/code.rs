@@ -176,6 +176,152 @@ codes! {
     NotDecided = "not-decided",
     /// Nothing is claimed of the display.
     NoClaim = "no-claim",
+    /// A quantity that is claimed to be constant changes along the motion.
+    ///
+    /// For example, `p = m v` is claimed to be conserved, and a force acts on the mass. The counterexample gives its rate.
+    /// Correct the formula, or add under `assume` what keeps it constant.
+    NotConserved = "not-conserved",
+    /// A quantity that is claimed to be conserved is constant for any motion, so the claim tests nothing.
+    ///
+    /// For example, a formula of constants alone. State the claim of a quantity that changes off shell.
+    AlwaysConstant = "always-constant",
+    /// The claim is about the motion, and nothing determines the motion.
+    ///
+    /// For example, `conserved` in a document without a system. Name a `system`, or give `laws`, in the claims file.
+    NoMotion = "no-motion",
+    /// The two sides of ≈ do not approach each other in the limit that the claims file names.
+    ///
+    /// For example, `\tanh a \approx a` with `"limit": "a \to \infty"`.
+    /// Correct the formula, or the limit. The counterexample is the last step towards the limit.
+    LimitNotReached = "limit-not-reached",
+    /// The two sides of ≈ differ at an order that the claim includes.
+    ///
+    /// For example, `\cos x \approx 1 + x^2/2` with x small and order 2: the sides differ at order 2.
+    /// Correct the term of that order, or lower `order`.
+    OrderDiffers = "order-differs",
+    /// A term is smaller than the order that is claimed, so any other factor in it would pass as well.
+    ///
+    /// For example, `\sin x \approx x + 5x^3` with order 2. Remove the term, or raise `order`.
+    TermBeyondOrder = "term-beyond-order",
+    /// A formula that is claimed to solve an equation does not satisfy it.
+    ///
+    /// For example, x = 2 for x² = 9. The counterexample gives both sides of the equation with the formula put in.
+    /// Correct the solution, or the equation that it solves.
+    NotASolution = "not-a-solution",
+    /// Two of the given solutions are the same number.
+    ///
+    /// For example, both branches of a root are printed with +. Correct the sign of one of them.
+    RepeatedSolution = "repeated-solution",
+    /// An equation has more real solutions than the notes give.
+    ///
+    /// For example, only x = 3 is given for x² = 9. Give the other solutions, or exclude them by the range of the unknown.
+    MissingSolutions = "missing-solutions",
+    /// The variable that the claim is about does not occur in the formula.
+    ///
+    /// For example, minima along θ of a function of φ. Correct the name in the claims file.
+    VariableAbsent = "variable-absent",
+    /// A hypothesis fixes the variable that should run through its range.
+    ///
+    /// For example, minima along θ while θ = 0 is assumed. Remove the hypothesis, or state it as an inequality.
+    VariableFixed = "variable-fixed",
+    /// A formula contains a name that depends on the others, and must be a formula of independent variables.
+    ///
+    /// A Hamiltonian is a formula of coordinates and momenta; a function whose shape is claimed has no rates in it.
+    /// Write the name out, or give its formula under `define`.
+    NotIndependent = "not-independent",
+    /// A sum over smaller and smaller cells does not become the integral.
+    ///
+    /// For example, the integral lacks the density. Correct the integral, or the sum over particles that it replaces.
+    IntegralDiffers = "integral-differs",
+    /// The claim asks for something that the display does not have.
+    ///
+    /// For example, `small` for a display without ≈, or `true exactly when` for one without an inequality.
+    /// Correct the display, or remove the key from the claims file.
+    ClaimDoesNotFit = "claim-does-not-fit",
+    /// A formula stands alone, without a relation, so it claims nothing.
+    ///
+    /// For example, `\frac12 m v^2` as a display. Write an equation, or leave the display out with `skip`.
+    NoRelation = "no-relation",
+    /// ≈ says that two sides are nearly equal, and the claims file does not say when.
+    ///
+    /// For example, `\sin\theta \approx \theta` needs `"small": "\theta"`. Add a `limit` or a `small` quantity.
+    NeedsLimitOrSmall = "needs-limit-or-small",
+    /// No other equation uses a defined name, or none that passes does, so the definition was not tested.
+    ///
+    /// A definition cannot be false by itself. It is tested by the equations that use the name.
+    /// Use the name in another equation, or put the definition under `define`.
+    DefinitionUnused = "definition-unused",
+    /// Other equations use a defined name, and a wrong definition would not make any of them fail.
+    ///
+    /// For example, a 2 in the definition could be a 4. The message names the change that no equation detects.
+    /// Use the name once more, or put the definition under `define`.
+    DefinitionNotTested = "definition-not-tested",
+    /// A defined name is always 0 as printed.
+    ///
+    /// For example, `a = x - x`. Such a definition is correct for any use, and is probably a misprint. Correct it.
+    DefinitionZero = "definition-zero",
+    /// The display defines a name, and other equations test the definition except for its sign.
+    ///
+    /// For example, a root that is only used squared. This is a pass. Use the name once where its sign matters.
+    DefinitionUpToSign = "definition-up-to-sign",
+    /// An equation that is referred to does not contain what it should contain.
+    ///
+    /// For example, a sentence refers to (4.58) for a force, and (4.58) contains none. Correct the number.
+    WrongReference = "wrong-reference",
+    /// A function does not have the shape that a sentence states: its sign, its minima, its limits, its solutions.
+    ///
+    /// For example, “the potential has one minimum”, and two were found at the state that is given.
+    /// Correct the sentence, or add a hypothesis under which it is true.
+    FunctionShapeFails = "function-shape-fails",
+    /// What is counted along a variable lies too close together to be counted.
+    ///
+    /// For example, a grid shows 2 minima and a finer grid 4. Narrow the range of the variable, or of the constants.
+    TooClose = "too-close",
+    /// A claim and its `true exactly when` conditions disagree at a sampled state.
+    ///
+    /// For example, `x^2 > a^2` exactly when `x > a` fails at x = −2, a = 1. Correct the conditions or the claim.
+    ExactlyWhenFails = "exactly-when-fails",
+    /// Hamilton's equations from the printed formula do not give the motion of the system.
+    ///
+    /// For example, a wrong sign of the potential. The counterexample names the rate that differs. Correct the formula.
+    NotTheHamiltonian = "not-the-hamiltonian",
+    /// A claim that was said not to hold always fails at a sampled state, as stated.
+    NotAlways = "not-always",
+    /// A claim that was said not to hold always holds at every sampled state.
+    ///
+    /// For example, `not always` of an identity. Correct the sentence, or widen the ranges in which it is tested.
+    HoldsAlways = "holds-always",
+    /// The claim is one of its own conditions, or repeats them, so that nothing is tested.
+    ///
+    /// For example, `dropping` with a formula that contains the left side. Write the claim without the repetition.
+    Circular = "circular",
+    /// A display that is called a law can be checked, so it is not a hypothesis.
+    ///
+    /// For example, a law that follows from the definitions, or a law beside a system, which determines the motion.
+    /// Remove it from `laws`; it is then checked like any other display.
+    NotALaw = "not-a-law",
+    /// No sampled state satisfies all laws, or the laws allow only one value of a quantity that varies.
+    ///
+    /// Then nothing can be tested at sampled states. Check the laws against each other.
+    LawsTooStrong = "laws-too-strong",
+    /// The claim needs a display that cannot be read.
+    ///
+    /// For example, a name whose definition has an unmatched brace. Correct that display first.
+    DependsOnUnreadable = "depends-on-unreadable",
+    /// A second print of an equation lacks a relation or a whole display that the first one has.
+    ///
+    /// For example, one row of three is missing. Restore what the message names.
+    LostInPrint = "lost-in-print",
+    /// A step of a derivation is false only because it builds on a false step before it.
+    ///
+    /// For example, a wrong sign in (2) is carried into (3). Correct the display that the message names.
+    FollowsFromMistake = "follows-from-mistake",
+    /// The claims file leaves this display out with `skip`.
+    Skipped = "skipped",
+    /// The notes have no claims file, so their equations were not checked.
+    ///
+    /// Write a JSON file with the name of the notes beside them: `top.json` for `top.md`.
+    NoClaimsFile = "no-claims-file",
 }
 
 impl fmt::Display for Code {

@@ -1,7 +1,7 @@
 //! The report for a terminal: a line an equation, and a diagnostic for each that is not as expected.
 
-use crate::check::kinds::definitions::SIGN_ASIDE;
-use crate::check::{Document, Equation, Finding, Part, Report, Verdict};
+use crate::check::{Document, Equation, Finding, Report, Verdict};
+use crate::code::Code;
 
 use super::diagnostic;
 
@@ -69,8 +69,8 @@ fn line(item: &Equation, width: usize, colour: bool) -> String {
     if item.parts.len() > 1 {
         text.push_str(&format!(" ({} parts)", item.parts.len()));
         // What one part leaves open is not swallowed by the others.
-        let leaves_open = |part: &Part| part.finding.message.contains(SIGN_ASIDE);
-        if item.ok && !finding.message.contains(SIGN_ASIDE) && item.parts.iter().any(leaves_open) {
+        let leaves_open = |finding: &Finding| finding.code == Code::DefinitionUpToSign;
+        if item.ok && !leaves_open(finding) && item.parts.iter().any(|part| leaves_open(&part.finding)) {
             text.push_str(" · nothing checks the sign of a definition in it");
         }
     }

@@ -48,12 +48,13 @@ pub(crate) fn lost(checker: &Checker<'_>, reading: &Reading, reference: &Reading
         let kept = members(reading);
         let missing = members(reference).into_iter().find(|member| !kept.contains(member));
         let missing = missing.map_or_else(String::new, |member| {
-            format!("; {} does not stand here", text::formula(&member, &checker.model.symbols))
+            format!("; {} is missing here", text::formula(&member, &checker.model.symbols))
         });
-        return Some(format!("{source} has {had} “{}” in this equation, and this print {has}{missing}", fewer.glyph()));
+        return Some(format!("this equation has {had} “{}” in {source}, and {has} here{missing}", fewer.glyph()));
     }
     let constants = |reading: &Reading| reading.statements.iter().flatten().filter(|s| s.constant.is_some()).count();
-    (constants(reading) < constants(reference)).then(|| format!("{source} says that something is constant here"))
+    (constants(reading) < constants(reference))
+        .then(|| format!("{source} says that a quantity is constant, and this print does not"))
 }
 
 /// Whether two readings say the same, wherever it stands.

@@ -146,7 +146,7 @@ impl<'a> Units<'a> {
         let own = Affine::of(symbol);
         if self.survey.ledger.require_equal(&own, &found).is_err() {
             let (own, found) = (self.survey.words(&own), self.survey.words(&found));
-            let message = format!("this is {found}, and what it defines is {own}");
+            let message = format!("the formula is {found}, and the name is {own}");
             self.contradictions.push(Contradiction { symbol, message });
         }
     }
@@ -237,8 +237,9 @@ pub(crate) fn declared(
         })?;
         let earlier = declared.iter().find(|(known, _)| *known == symbol);
         if let Some((_, other)) = earlier.filter(|(_, other)| *other != dimension) {
-            let message = format!("{} is {other} already", model.name(symbol));
-            return Err(Error::at(&claims.source, latex.span, message).help("all members of a family have one unit"));
+            let message = format!("{} already has the unit {other}", model.name(symbol));
+            return Err(Error::at(&claims.source, latex.span, message)
+                .help("declare one unit for a name; all members of a family have the same unit"));
         }
         declared.push((symbol, dimension));
     }

@@ -43,7 +43,7 @@ impl<'a> Damage<'a> {
             let has_it = if faults.iter().any(is_own) { names::mentions } else { names::is_a_side };
             !faults.iter().any(lacks) && has_it(text, name, &model.macros)
         })?;
-        Some(format!("({}), where it stands, cannot be read", shown(&self.notes.equations[*display])))
+        Some(format!("its definition may be in ({}), which cannot be read", shown(&self.notes.equations[*display])))
     }
 }
 

@@ -35,8 +35,11 @@ impl Checker<'_> {
         let (uses, restated) = self.uses(introduced)?;
         if uses.is_empty() && !restated.is_empty() {
             let name = text::plain(&self.model.name(symbol));
-            let message = format!("introduces {name}, and {} says the same in other words", restated.join(", "));
-            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+            let message = format!(
+                "defines {name}, but {} only repeats the definition, so it was not tested",
+                restated.join(", ")
+            );
+            return Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message));
         }
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
@@ -62,7 +65,7 @@ impl Checker<'_> {
         if self.uses(first)?.0.iter().all(is_own) && self.uses_by_law(first)?.is_empty() {
             let name = text::plain(&self.model.name(first.symbol));
             found.message =
-                format!("{}; nothing else checks {name}: a factor in it would not be noticed", found.message);
+                format!("{}; no other equation tests {name}, so a wrong factor in it would pass", found.message);
         }
         Ok(())
     }

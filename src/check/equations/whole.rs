@@ -47,12 +47,12 @@ impl Checker<'_> {
             let address = match &solves.of {
                 Solved::Equation(address) => Spanned::new(address.text.clone(), address.span),
                 Solved::EquationsOfMotion(span) => {
-                    let message = "solutions of the equations of motion are not supported yet";
+                    let message = "solutions of the equations of motion are not supported";
                     return Err(Error::at(&self.claims.source, *span, message));
                 }
             };
             let [unknown] = solves.unknowns.as_slice() else {
-                return Err(Error::at(&self.claims.source, address.span, "one unknown at a time is supported"));
+                return Err(Error::at(&self.claims.source, address.span, "only one unknown is supported"));
             };
             let target = self.target(&address)?;
             let symbol = self.symbol(unknown)?;
@@ -78,7 +78,10 @@ impl Checker<'_> {
             };
             let link = self.link(&other, Relation::Equal, &printed)?;
             let finding = match self.only_repeats(&link, &reading.introduced) {
-                true => context.finding(Code::NotDecided, Verdict::Undecided, "what it also equals only restates it"),
+                true => {
+                    let message = "\"also equals\" only repeats the definition, so nothing is checked";
+                    context.finding(Code::Circular, Verdict::Undecided, message)
+                }
                 false => identity::check(&link, &context)?,
             };
             let reading =

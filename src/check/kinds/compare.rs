@@ -43,7 +43,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let mut model = Model::empty(symbols, macros);
     for (name, _) in ranges {
         if model.symbols.find(name).is_none() {
-            return Err((2, Fault::new(Span::default(), format!("{name} is in neither formula"))));
+            return Err((2, Fault::new(Span::default(), format!("{name} occurs in neither formula"))));
         }
     }
     let mut assumed = Vec::new();
@@ -61,7 +61,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let readings = [text::formula(&lhs, &model.symbols), text::formula(&rhs, &model.symbols)];
     let span = Span::default();
     if lhs == rhs {
-        let finding = Finding::new(Code::Definition, Verdict::Definition, span, "both are one formula");
+        let finding = Finding::new(Code::Definition, Verdict::Definition, span, "both formulas are the same");
         return Ok(Answer { finding, readings, assumed });
     }
     let spread = Spread::WithEnds;
