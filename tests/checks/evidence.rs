@@ -304,7 +304,7 @@ fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
         let notes = numbered(&[display, "s^2 = a^2 + 2ab + b^2", "p (a + b) = a^2 b + a b^2"]);
         let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
         let report = onshell::check::Report { documents: vec![found] };
-        onshell::report::text::report(&report, false, false)
+        onshell::report::text::report(&report, true, onshell::report::Style::new(300, false))
     };
     let says = "nothing checks the sign of a definition in it";
     let open = line(r"(a - b)^2 = a^2 - 2ab + b^2 , \quad p = ab , \quad s = a + b");
