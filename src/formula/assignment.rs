@@ -4,8 +4,9 @@
 
 use crate::scalar::{Number, Series, TERMS};
 
-use super::evaluate::{Environment, Unavailable};
-use super::symbols::{SymbolId, Symbols};
+use super::environment::{Environment, Unavailable};
+use super::ids::SymbolId;
+use super::symbols::Symbols;
 use super::value::Value;
 
 /// A value for each symbol and for each of its time derivatives that is known.

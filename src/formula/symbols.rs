@@ -10,11 +10,9 @@ use std::fmt;
 
 use crate::suggest;
 
-use super::tree::{Index, IndexId};
+use super::ids::{Index, IndexId};
 
-/// A symbol, by its place in the table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct SymbolId(pub usize);
+pub use super::ids::SymbolId;
 
 /// What kind of thing a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

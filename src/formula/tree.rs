@@ -6,7 +6,9 @@
 
 use crate::source::Span;
 
-use super::symbols::SymbolId;
+pub use super::ids::{Index, IndexId};
+
+use super::ids::SymbolId;
 
 /// A formula, and the bytes of the display that it was read from.
 #[derive(Clone, Debug)]
@@ -140,15 +142,6 @@ impl Sign {
     }
 }
 
-/// An index: a letter that runs, or a value (from 1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Index {
-    /// A declared index letter.
-    Letter(IndexId),
-    /// A fixed value.
-    Fixed(u8),
-}
-
 /// Values that a Σ leaves out of those of its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LeftOut {
@@ -171,10 +164,6 @@ impl LeftOut {
         }
     }
 }
-
-/// A declared index letter, by its place in [`super::Symbols::indices`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct IndexId(pub usize);
 
 /// The elementary functions that a formula may call by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

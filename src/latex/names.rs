@@ -10,7 +10,8 @@ use crate::formula::tree::Sign;
 use super::layout::{Delimiter, Item, Layout, layout};
 use super::lexer::{Space, TokenKind, tokens};
 use super::macros::Macros;
-use super::old_forms::renewed;
+use super::normalize::normalized;
+use super::overdots;
 
 /// A name as it was printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,11 +35,9 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
         },
         Layout::Accent(command, inner) => {
             let mut inner = printed(inner, branch).filter(|inner| inner.sup.is_none())?;
-            match command.as_str() {
-                "\\dot" => inner.dots += 1,
-                "\\ddot" => inner.dots += 2,
-                "\\dddot" => inner.dots += 3,
-                accent => inner.name.base = format!("{accent}{{{}}}", inner.name.base),
+            match overdots::order(command) {
+                Some(order) => inner.dots += order,
+                None => inner.name.base = format!("{command}{{{}}}", inner.name.base),
             }
             Some(inner)
         }
@@ -78,7 +77,7 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
 
 /// A name alone, as a claims file or a command line gives it, with its overdots.
 pub fn parse(text: &str) -> Option<(Name, u8)> {
-    let items = layout(&renewed(tokens(text)), text.len());
+    let items = layout(&normalized(tokens(text)), text.len());
     let item = match items.as_slice() {
         [only] => only,
         [difference, rest] => {
@@ -172,14 +171,20 @@ pub fn parse_decorated(text: &str) -> Option<Name> {
 
 /// The name with up to three overdots in its base.
 pub fn with_dots(name: &Name, dots: u8) -> Option<Name> {
-    let accent = match dots {
-        0 => return Some(name.clone()),
-        1 => "\\dot",
-        2 => "\\ddot",
-        3 => "\\dddot",
-        _ => return None,
-    };
+    if dots == 0 {
+        return Some(name.clone());
+    }
+    let accent = overdots::accent(dots)?;
     Some(Name { base: format!("{accent}{{{}}}", name.base), ..name.clone() })
+}
+
+/// A name without its accents: `r_1` for `\vec{r}_1`.
+pub(super) fn unaccented(name: &Name) -> Name {
+    let mut base = name.base.as_str();
+    while let Some((_, inner)) = base.strip_suffix('}').and_then(|base| base.split_once('{')) {
+        base = inner;
+    }
+    Name { base: base.to_owned(), ..name.clone() }
 }
 
 fn plain(base: String) -> Printed<'static> {
@@ -225,8 +230,10 @@ fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Opt
         Layout::Text(word) => tokens.extend(word.chars().map(String::from)),
         Layout::Accent(..) | Layout::Style(..) => {
             let inner = printed(item, branch).filter(|inner| inner.sup.is_none())?;
-            let dots = ["", "\\dot", "\\ddot", "\\dddot"].get(usize::from(inner.dots))?;
-            tokens.push(if inner.dots == 0 { inner.name.to_string() } else { format!("{dots}{{{}}}", inner.name) });
+            tokens.push(match inner.dots {
+                0 => inner.name.to_string(),
+                dots => format!("{}{{{}}}", overdots::accent(dots)?, inner.name),
+            });
         }
         Layout::Scripts { nucleus, sub, sup: None, primes } => {
             subscript(nucleus, branch, tokens)?;

@@ -10,11 +10,11 @@ use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
 use super::introductions::{Introduced, New, Place, Unknown};
-use super::layout::{Item, Layout};
+use super::layout::{Item, Layout, typeset_items};
 use super::lexer::Space;
 use super::macros::Macros;
 use super::names;
-use super::reader::{Reader, typeset_items};
+use super::reader::Reader;
 
 /// A display, read.
 #[derive(Clone, Debug, Default)]

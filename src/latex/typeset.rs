@@ -6,8 +6,7 @@
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Expr, Index, LeftOut, Node, Sign};
 
-use super::names;
-use super::reader::unaccented;
+use super::names::{self, unaccented};
 
 /// Typesets a formula.
 pub fn typeset(expr: &Expr, symbols: &Symbols) -> String {

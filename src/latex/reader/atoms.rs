@@ -7,9 +7,9 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::items::{contents, is_minus_one, is_number, is_transpose, whole_number};
-use super::operators::starts_differential;
-use super::{Read, Reader, two_ways, unknown_command};
+use super::super::overdots;
+use super::items::{contents, is_minus_one, is_number, is_transpose, starts_differential, whole_number};
+use super::state::{Read, Reader, two_ways, unknown_command};
 
 impl Reader<'_> {
     /// A single item as a formula.
@@ -17,6 +17,14 @@ impl Reader<'_> {
         let span = item.span;
         if let Some(printed) = names::printed(item, self.branch) {
             return self.symbol(span, printed, &[], &mut 0);
+        }
+        if let Layout::Accent(command, inner) = &item.layout
+            && let Some(order) = overdots::order(command)
+        {
+            if is_number(inner) {
+                return Err(Fault::new(span, "a dot over a number"));
+            }
+            return Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span));
         }
         match &item.layout {
             Layout::Fault(fault) => Err(fault.clone()),
@@ -44,13 +52,6 @@ impl Reader<'_> {
                     Some(Err(span)) => return Err(Fault::new(span, "the index of a root is a whole number from 2 up")),
                 };
                 Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
-            }
-            Layout::Accent(command, inner) if matches!(command.as_str(), "\\dot" | "\\ddot" | "\\dddot") => {
-                let order = command.matches('d').count() as u8;
-                if is_number(inner) {
-                    return Err(Fault::new(span, "a dot over a number"));
-                }
-                Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span))
             }
             Layout::Environment(name, rows) => self.matrix(name, rows, span),
             Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }

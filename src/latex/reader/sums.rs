@@ -10,7 +10,7 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Item, Layout};
 use super::super::names;
 use super::items::{contents, extent, whole_number};
-use super::{Read, Reader, two_ways};
+use super::state::{Read, Reader, two_ways};
 
 /// One index below a Σ, and what it leaves out or stays within.
 struct Over {
@@ -226,14 +226,5 @@ fn bound(item: &Item) -> Option<(Bound, Bound, bool)> {
             _ => None,
         },
         _ => None,
-    }
-}
-
-/// `\sum`, with or without limits.
-pub(super) fn is_big_sum(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Command(name) => name == "\\sum",
-        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == "\\sum"),
-        _ => false,
     }
 }

@@ -6,8 +6,8 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{is_minus_one, is_transpose, whole_number};
-use super::{Read, Reader, two_ways};
+use super::items::{is_lone, is_minus_one, is_transpose, whole_number};
+use super::state::{Read, Reader, two_ways};
 
 impl Reader<'_> {
     /// A printed name as a symbol of the table, with what its superscript and a following parenthesis make of it.
@@ -276,14 +276,6 @@ impl Reader<'_> {
         *cursor += 2;
         self.symbol(first.span.to(second.span), printed, items, cursor).map(Some)
     }
-}
-
-/// Whether a parenthesis holds this name and nothing else.
-pub(super) fn is_lone(item: &Item, name: &Name) -> bool {
-    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
-    let mut inside = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
-    let (Some(only), None) = (inside.next(), inside.next()) else { return false };
-    names::printed(only, None).is_some_and(|p| p.dots == 0 && p.sup.is_none() && p.name == *name)
 }
 
 /// `dots` times differentiated by time.

@@ -5,8 +5,7 @@ use crate::formula::{Index, IndexId, Kind, SymbolId};
 use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
-use super::super::names::{self, Printed};
-use super::super::reader::unaccented;
+use super::super::names::{self, Printed, unaccented};
 use super::lists::is_big;
 use super::{Finder, Slip};
 

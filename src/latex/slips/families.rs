@@ -5,8 +5,7 @@ use std::collections::BTreeSet;
 use crate::formula::{Index, IndexId, Kind, SymbolId};
 
 use super::super::layout::{Item, Layout};
-use super::super::names;
-use super::super::reader::unaccented;
+use super::super::names::{self, unaccented};
 use super::Finder;
 use super::atoms::spelled;
 use super::insertions::insides;

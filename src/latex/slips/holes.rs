@@ -4,9 +4,8 @@
 use crate::formula::Symbols;
 use crate::source::Span;
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, typeset_items};
 use super::super::macros::Macros;
-use super::super::reader::typeset_items;
 use super::insertions::insides;
 use super::lists::formulas;
 use super::{Edit, Finder, Slip, bold};

@@ -5,10 +5,9 @@ use std::collections::HashMap;
 use crate::formula::{SymbolId, Symbols};
 use crate::source::Span;
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, typeset_items};
 use super::super::macros::Macros;
 use super::super::names;
-use super::super::reader::typeset_items;
 use super::lists::{Factor, Term, formulas, is_big, is_function, is_integral, is_sum, is_times};
 use super::{Finder, Slip, slips};
 

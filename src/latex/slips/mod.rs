@@ -24,9 +24,8 @@ use std::collections::HashSet;
 use crate::formula::Symbols;
 use crate::source::Span;
 
-use super::layout::{Item, Layout};
+use super::layout::{Item, Layout, typeset_items};
 use super::macros::Macros;
-use super::reader::typeset_items;
 
 pub use holes::{Hole, holes};
 pub use insertions::Pool;

@@ -10,15 +10,15 @@ use crate::source::Span;
 use super::lexer::{Token, TokenKind};
 
 /// The same tokens in the forms that are read.
-pub fn renewed(tokens: Vec<Token>) -> Vec<Token> {
+pub fn normalized(tokens: Vec<Token>) -> Vec<Token> {
     if !tokens.iter().any(is_old) {
         return tokens;
     }
-    let (mut renewed, mut at) = (Vec::with_capacity(tokens.len()), 0);
+    let (mut normalized, mut at) = (Vec::with_capacity(tokens.len()), 0);
     while at < tokens.len() {
-        at = one(&tokens, at, &mut renewed);
+        at = one(&tokens, at, &mut normalized);
     }
-    renewed
+    normalized
 }
 
 fn is_old(token: &Token) -> bool {
@@ -231,7 +231,7 @@ mod tests {
 
     /// How a text is laid out, its places aside.
     fn shape(text: &str) -> String {
-        let kinds: Vec<TokenKind> = renewed(tokens(text)).into_iter().map(|token| token.kind).collect();
+        let kinds: Vec<TokenKind> = normalized(tokens(text)).into_iter().map(|token| token.kind).collect();
         let nowhere = |kind: &TokenKind| Token { kind: kind.clone(), span: Span::at(0) };
         format!("{:?}", layout(&kinds.iter().map(nowhere).collect::<Vec<_>>(), 0))
     }
@@ -264,7 +264,7 @@ mod tests {
         let text = "\\boxed{{\\bf q} = {w \\over z}}";
         let place = |letter: char| {
             let kind = TokenKind::Letter(letter);
-            renewed(tokens(text)).iter().find(|token| token.kind == kind).map(|token| token.span.start)
+            normalized(tokens(text)).iter().find(|token| token.kind == kind).map(|token| token.span.start)
         };
         for letter in ['q', 'w', 'z'] {
             assert_eq!(place(letter), text.find(letter), "{letter}");
@@ -272,7 +272,7 @@ mod tests {
         for broken in
             ["{a \\over b", "\\boxed", "\\boxed{", "\\stackrel{!}", "\\underbrace{x}_", "\\textcolor{red}", "\\bf"]
         {
-            assert!(renewed(tokens(broken)).len() <= tokens(broken).len() + 3, "{broken}");
+            assert!(normalized(tokens(broken)).len() <= tokens(broken).len() + 3, "{broken}");
         }
     }
 }

@@ -1,90 +1,16 @@
-//! Tokens to what is typeset: groups, fences, fractions, scripts, accents, environments.
+//! The layout parser: tokens to the layout tree.
 //!
-//! This step gives nothing a meaning, and it cannot fail: a fence without its partner, a fraction without a
-//! denominator, a group nested too deeply becomes a [`Layout::Fault`] where it stands.
+//! It cannot fail: a fence without its partner, a fraction without a denominator, a group nested too deeply becomes a
+//! [`Layout::Fault`] at its place.
 
 use crate::source::{Fault, Span};
 
-use super::lexer::{Space, Token, TokenKind};
+use super::super::lexer::{Space, Token, TokenKind};
+use super::delimiters::{closing, is_plain_bar, opening};
+use super::item::{Delimiter, Item, Layout};
 
 /// Groups inside groups are read this deep; nobody's equation comes near.
 const DEEPEST: usize = 64;
-
-/// One typeset thing and its bytes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Item {
-    /// What it is.
-    pub layout: Layout,
-    /// Where it stands.
-    pub span: Span,
-}
-
-/// What is typeset.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Layout {
-    /// A single letter.
-    Letter(char),
-    /// Digits, with a decimal point perhaps.
-    Number(String),
-    /// A command without arguments: `\theta`, `\sin`, `\cdot`, `\{`.
-    Command(String),
-    /// A single other character: `+`, `=`, `,`.
-    Other(char),
-    /// A typeset space.
-    Space(Space),
-    /// `{ … }`
-    Group(Vec<Item>),
-    /// `( … )`, `[ … ]`, `\{ … \}`, `| … |`, with or without `\left`, `\right`.
-    Fence(Delimiter, Vec<Item>),
-    /// A nucleus with scripts; at least one of them is there.
-    Scripts {
-        /// What carries the scripts.
-        nucleus: Box<Item>,
-        /// `_ …`
-        sub: Option<Box<Item>>,
-        /// `^ …`
-        sup: Option<Box<Item>>,
-        /// The number of primes.
-        primes: u8,
-    },
-    /// `\frac`
-    Fraction(Box<Item>, Box<Item>),
-    /// `\sqrt`, with its index.
-    Root(Option<Box<Item>>, Box<Item>),
-    /// `\dot`, `\vec`, `\hat`, …: the command and what is under the accent.
-    Accent(String, Box<Item>),
-    /// `\mathbf`, `\mathrm`, …: the command and what is set in that style.
-    Style(String, Box<Item>),
-    /// `\text{…}`: its letters, without spaces.
-    Text(String),
-    /// `\begin{name} … \end{name}`: rows of cells.
-    Environment(String, Vec<Vec<Vec<Item>>>),
-    /// `\\`
-    Row,
-    /// `&`
-    Align,
-    /// Something that was not understood.
-    Fault(Fault),
-}
-
-/// A pair of delimiters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Delimiter {
-    /// `( )`
-    Round,
-    /// `[ ]`
-    Square,
-    /// `\{ \}`
-    Curly,
-    /// `\left| \right|`, `\lvert \rvert`
-    Bar,
-    /// `| |` without sizing, which does not say whether it opens or closes
-    PlainBar,
-    /// `\| \|`
-    DoubleBar,
-    /// `\langle \rangle`
-    Angle,
-}
 
 /// What ends the list that is being read.
 #[derive(Clone, Copy, PartialEq)]
@@ -440,42 +366,6 @@ impl<'a> Parser<'a> {
     }
 }
 
-fn is_plain_bar(token: &Token, delimiter: Delimiter) -> bool {
-    delimiter == Delimiter::PlainBar && token.kind == TokenKind::Other('|')
-}
-
-fn opening(token: &Token) -> Option<Delimiter> {
-    match &token.kind {
-        TokenKind::Other('(') => Some(Delimiter::Round),
-        TokenKind::Other('[') => Some(Delimiter::Square),
-        TokenKind::Other('|') => Some(Delimiter::Bar),
-        TokenKind::Command(name) => match name.as_str() {
-            "\\{" => Some(Delimiter::Curly),
-            "\\lvert" | "\\vert" => Some(Delimiter::Bar),
-            "\\|" | "\\lVert" | "\\Vert" => Some(Delimiter::DoubleBar),
-            "\\langle" => Some(Delimiter::Angle),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-fn closing(token: &Token) -> Option<Delimiter> {
-    match &token.kind {
-        TokenKind::Other(')') => Some(Delimiter::Round),
-        TokenKind::Other(']') => Some(Delimiter::Square),
-        TokenKind::Other('|') => Some(Delimiter::Bar),
-        TokenKind::Command(name) => match name.as_str() {
-            "\\}" => Some(Delimiter::Curly),
-            "\\rvert" | "\\vert" => Some(Delimiter::Bar),
-            "\\|" | "\\rVert" | "\\Vert" => Some(Delimiter::DoubleBar),
-            "\\rangle" => Some(Delimiter::Angle),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
 /// The letters, digits and signs of an item, run together: the words of a `\text`, the name of an environment.
 fn letters(item: &Item) -> String {
     match &item.layout {
@@ -491,7 +381,7 @@ fn letters(item: &Item) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::lexer::tokens;
+    use super::super::super::lexer::tokens;
     use super::*;
 
     fn faults(text: &str) -> usize {

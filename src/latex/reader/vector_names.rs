@@ -11,7 +11,7 @@ use crate::formula::text;
 use crate::formula::tree::{Expr, Index, Node};
 use crate::source::Span;
 
-use super::{Read, Reader, two_ways};
+use super::state::{Read, Reader, two_ways};
 
 impl Reader<'_> {
     /// What a name means beside a declared vector, which is returned as well. Where it could be a norm and a component,

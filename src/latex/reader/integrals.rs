@@ -11,11 +11,9 @@ use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Item, Layout};
-use super::super::names;
-use super::items::{contents, extent, whole_number};
-use super::operators::differential;
-use super::symbols::is_lone;
-use super::{Read, Reader, beside, two_ways};
+use super::super::names::{self, unaccented};
+use super::items::{beside, contents, differential, extent, is_integral, is_lone, whole_number};
+use super::state::{Read, Reader, two_ways};
 
 impl Reader<'_> {
     /// A continuum by its name, with its argument in parentheses or without: `V(\vec r)`, `V`.
@@ -139,32 +137,5 @@ impl Reader<'_> {
         let span = extent(rest).map_or(limit.span, |rest| limit.span.to(rest));
         let body = self.term(rest)?;
         Ok(Expr::new(Node::Shrinking(region, Box::new(body)), span))
-    }
-}
-
-/// A name without its accents: `r_1` for `\vec{r}_1`.
-pub(in super::super) fn unaccented(name: &Name) -> Name {
-    let mut base = name.base.as_str();
-    while let Some((_, inner)) = base.strip_suffix('}').and_then(|base| base.split_once('{')) {
-        base = inner;
-    }
-    Name { base: base.to_owned(), ..name.clone() }
-}
-
-/// `\int`, with or without limits.
-pub(super) fn is_integral(item: &Item) -> bool {
-    is_big(item, "\\int")
-}
-
-/// `\lim`, with or without what tends to what.
-pub(super) fn is_limit(item: &Item) -> bool {
-    is_big(item, "\\lim")
-}
-
-fn is_big(item: &Item, command: &str) -> bool {
-    match &item.layout {
-        Layout::Command(name) => name == command,
-        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == command),
-        _ => false,
     }
 }

@@ -7,8 +7,8 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{contents, is_number, is_numeric, is_numeric_item};
-use super::{Read, Reader, two_ways};
+use super::items::{function_head, is_number, is_numeric, is_numeric_item};
+use super::state::{Read, Reader, two_ways};
 
 /// The items that could be the argument of a function.
 struct Run {
@@ -198,36 +198,5 @@ impl Reader<'_> {
         let [only] = inside.as_slice() else { return false };
         let printed = names::printed(only, None).filter(|printed| printed.dots == 0 && printed.sup.is_none());
         printed.map(|printed| printed.name) == self.symbols.time
-    }
-}
-
-/// A function's command with the power on it.
-pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>)>> {
-    let named = |item: &Item| match &item.layout {
-        Layout::Command(name) => name.strip_prefix('\\').and_then(Function::named),
-        Layout::Style(style, inner) if style == "\\mathrm" => {
-            let word: String =
-                contents(inner).iter().map(|item| if let Layout::Letter(c) = item.layout { c } else { ' ' }).collect();
-            Function::named(&word)
-        }
-        _ => None,
-    };
-    if let Some(function) = named(item) {
-        return Ok(Some((function, None)));
-    }
-    let Layout::Scripts { nucleus, sub, sup, primes } = &item.layout else {
-        return Ok(None);
-    };
-    let Some(function) = named(nucleus) else {
-        return Ok(None);
-    };
-    if sub.is_some() || *primes > 0 {
-        return Err(Fault::new(item.span, "a subscript or prime on a function is not read"));
-    }
-    match sup.as_deref() {
-        Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
-            Err(two_ways(item.span, "a negative power of a function").help("write \\arcsin or \\frac{1}{\\sin x}"))
-        }
-        sup => Ok(Some((function, sup))),
     }
 }

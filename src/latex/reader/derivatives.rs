@@ -7,10 +7,8 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{contents, joint, whole_number};
-use super::regions::is_integral;
-use super::sums::is_big_sum;
-use super::{Joint, Read, Reader, two_ways};
+use super::items::{Joint, contents, differential, is_big_sum, is_integral, joint, starts_differential, whole_number};
+use super::state::{Read, Reader, two_ways};
 
 impl Reader<'_> {
     /// What `\frac{d}{dt}` acts on.
@@ -119,31 +117,6 @@ fn is_operator(item: &Item) -> bool {
     match &item.layout {
         Layout::Fraction(above, below) => {
             starts_differential(below) && matches!(contents(above), [only] if differential(only).is_some())
-        }
-        _ => false,
-    }
-}
-
-/// The order of a differential d, `d^2`, `\mathrm{d}`.
-pub(super) fn differential(item: &Item) -> Option<u32> {
-    let is_d = |item: &Item| {
-        item.layout == Layout::Letter('d')
-            || matches!(&item.layout, Layout::Style(style, inner) if style == "\\mathrm"
-                && matches!(contents(inner), [Item { layout: Layout::Letter('d'), .. }]))
-    };
-    match &item.layout {
-        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } if is_d(nucleus) => whole_number(sup),
-        _ if is_d(item) => Some(1),
-        _ => None,
-    }
-}
-
-/// Whether a numerator or denominator begins with a d and goes on: `dx`, `\partial L`.
-pub(super) fn starts_differential(item: &Item) -> bool {
-    match contents(item) {
-        [first, second, ..] => {
-            let partial = matches!(&first.layout, Layout::Command(name) if name == "\\partial");
-            partial || differential(first).is_some() && names::printed(second, None).is_some()
         }
         _ => false,
     }

@@ -1,0 +1,59 @@
+//! The state of a reader, and the faults that all its parts report.
+
+use crate::formula::IndexId;
+use crate::formula::shape::{self, Shape};
+use crate::formula::symbols::Symbols;
+use crate::formula::tree::{Expr, Node, Sign};
+use crate::source::{Fault, Span};
+
+/// The result of reading a part of a formula.
+pub(super) type Read<T> = Result<T, Fault>;
+
+/// Gives items a meaning, with the symbols of a document.
+pub(in super::super) struct Reader<'a> {
+    pub symbols: &'a mut Symbols,
+    /// The sign that `\pm` stands for.
+    pub branch: Option<Sign>,
+    /// The indices of the sums that are being read, outermost first.
+    pub(super) summed: Vec<IndexId>,
+}
+
+impl<'a> Reader<'a> {
+    /// A reader of formulas; `branch` is the sign that `\pm` stands for.
+    pub fn new(symbols: &'a mut Symbols, branch: Option<Sign>) -> Self {
+        Reader { symbols, branch, summed: Vec::new() }
+    }
+}
+
+impl Reader<'_> {
+    /// The shape of something inside of the sums that are being read.
+    pub(super) fn shape_of(&self, expr: &Expr) -> Read<Shape> {
+        let within = |body: Expr, index: &IndexId| {
+            let span = body.span;
+            Expr::new(Node::over(*index, body), span)
+        };
+        match self.summed.as_slice() {
+            [] => shape::shape_of(expr, self.symbols),
+            summed => shape::shape_of(&summed.iter().fold(expr.clone(), within), self.symbols),
+        }
+    }
+}
+
+/// A fault at something that people read in two ways.
+pub(super) fn two_ways(span: Span, what: &str) -> Fault {
+    Fault::new(span, format!("people read this in two ways: {what}"))
+}
+
+/// The fault for a command that has no meaning where it stands.
+pub(super) fn unknown_command(name: &str, span: Span) -> Fault {
+    match name {
+        "\\log" => two_ways(span, "\\log").help("write \\ln, or \\ln x / \\ln 10"),
+        "\\pm" | "\\mp" => Fault::new(span, "± stands where no sign can"),
+        "\\partial" | "\\nabla" => Fault::new(span, format!("{name} is not read yet")),
+        "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::new(span, format!("{name} is not read yet")),
+        "\\cup" => Fault::new(span, "\\cup joins families, and is read under \"where\" alone")
+            .help("say there what the name of the family means in this equation"),
+        _ => Fault::new(span, format!("the command {name} is not known"))
+            .help("if it is a macro of yours, define it under \"macros\" in the claims file"),
+    }
+}
