@@ -5,7 +5,8 @@
 
 use std::sync::Arc;
 
-use super::document::{Display, Notes};
+use super::display::Display;
+use super::document::Notes;
 use super::json::{LONGEST, Spanned, place_in_string};
 use super::scan::is_number;
 use super::spelling::plain;

@@ -4,7 +4,7 @@
 //! Two copies of the file are at hand: the text as it is, and `clean`, the same bytes with everything that is no
 //! formula overwritten by spaces. A display's text is cut from the second, so that every place in it stays true.
 
-use super::document::{Display, Numbered};
+use super::display::{Display, Numbered};
 use super::rows;
 use super::scan::{self, Delimiter, Name, Raw};
 use crate::source::{Fault, Span};

@@ -1,8 +1,22 @@
 //! The author's own commands: `\newcommand`, `\def` and their kin, found where the notes define them.
 
-use super::document::MacroDefinition;
 use super::scan;
 use crate::source::Span;
+
+/// A command that the notes define.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MacroDefinition {
+    /// Its name, with the backslash.
+    pub name: String,
+    /// How many arguments it takes.
+    pub arguments: usize,
+    /// What the first argument is when it is left out.
+    pub default: Option<String>,
+    /// What it stands for.
+    pub body: String,
+    /// The whole definition.
+    pub span: Span,
+}
 
 /// All definitions in `text`, in order.
 pub(super) fn all(text: &str) -> Vec<MacroDefinition> {

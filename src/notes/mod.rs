@@ -9,8 +9,10 @@
 
 pub mod address;
 pub mod claims;
+mod display;
 mod displays;
 pub mod document;
+mod file;
 pub mod json;
 mod macros;
 mod markdown;
@@ -22,5 +24,7 @@ mod tex;
 
 pub use address::{Address, Item, Place, Point, Target};
 pub use claims::{Claim, Claims, Sentence, Spanned, claims_beside};
-pub use document::{Display, Kind, MacroDefinition, Notes, Numbered};
+pub use display::{Display, Numbered};
+pub use document::{Kind, Notes};
+pub use macros::MacroDefinition;
 pub use references::Reference;

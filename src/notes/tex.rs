@@ -1,5 +1,6 @@
 //! Displays in a TeX file: a small scan that knows comments, verbatim text and mathematics, and nothing else.
 
+use super::macros;
 use super::scan::{self, Delimiter, Raw, Scan};
 use crate::source::{Fault, Span};
 
@@ -66,7 +67,7 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
             end
         }
         // The `\begin{equation}` in the body of a macro opens nothing.
-        _ if defines => super::macros::definition(text, at).map_or(word, |definition| definition.span.end),
+        _ if defines => macros::definition(text, at).map_or(word, |definition| definition.span.end),
         _ => word,
     }))
 }

@@ -6,8 +6,9 @@ use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
 use super::super::names::{self, Printed, unaccented};
-use super::lists::is_big;
-use super::{Finder, Slip};
+use super::edit::Slip;
+use super::finder::Finder;
+use super::parts::is_big;
 
 /// The functions that are taken for each other.
 const FUNCTIONS: [&[&str]; 3] = [&["\\sin", "\\cos", "\\tan"], &["\\cot", "\\tan"], &["\\sinh", "\\cosh", "\\tanh"]];

@@ -6,9 +6,9 @@ use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
 use super::super::names;
-use super::insertions::insides;
-use super::lists::{Factor, Term, formulas, is_big, is_sum, is_times};
-use super::{Finder, Slip, ends_in_command};
+use super::edit::Slip;
+use super::finder::{Finder, ends_in_command};
+use super::parts::{Factor, Term, formulas, insides, is_big, is_sum, is_times};
 
 /// So many pairs of names are exchanged in one formula.
 const EXCHANGES: usize = 24;

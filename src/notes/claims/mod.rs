@@ -21,7 +21,7 @@ pub use sentence::{Property, Sentence, Sign, Test};
 pub use vectors::{Axes, Components};
 
 use super::address::Address;
-use super::document::read_text;
+use super::file::read_text;
 use super::json::{self, Json, Value};
 use super::spelling::plain;
 use crate::source::{Fault, Source, Span};

@@ -6,9 +6,9 @@ use crate::formula::{Index, IndexId, Kind, SymbolId};
 
 use super::super::layout::{Item, Layout};
 use super::super::names::{self, unaccented};
-use super::Finder;
 use super::atoms::spelled;
-use super::insertions::insides;
+use super::finder::Finder;
+use super::parts::insides;
 
 /// So many members are put in.
 const MOST: usize = 60;

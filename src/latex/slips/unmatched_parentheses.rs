@@ -3,7 +3,7 @@
 use crate::source::Span;
 
 use super::super::lexer::{Token, TokenKind, tokens};
-use super::{Edit, Slip};
+use super::edit::{Edit, Slip};
 
 /// A partner is tried at so many places at most, the nearest first.
 const PLACES: usize = 48;

@@ -6,9 +6,9 @@ use crate::source::Span;
 
 use super::super::layout::{Item, Layout, typeset_items};
 use super::super::macros::Macros;
-use super::insertions::insides;
-use super::lists::formulas;
-use super::{Edit, Finder, Slip, bold};
+use super::edit::{Edit, Slip, bold};
+use super::finder::Finder;
+use super::parts::{formulas, insides};
 
 /// A place where a term or a factor may have been left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,7 +37,7 @@ impl Hole {
 /// The places in a text where something may have been left out. Nothing is missing beside a zero.
 pub fn holes(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Hole> {
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
-    let finder = Finder { text, symbols, pool: None, edits: Vec::new() };
+    let finder = Finder::new(text, symbols, None);
     let mut holes = Vec::new();
     finder.holes(&items, &mut holes);
     holes

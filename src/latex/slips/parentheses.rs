@@ -3,8 +3,9 @@
 use crate::source::Span;
 
 use super::super::layout::{Delimiter, Item, Layout};
-use super::lists::{Factor, Term, formulas, is_function};
-use super::{Finder, Slip};
+use super::edit::Slip;
+use super::finder::Finder;
+use super::parts::{Factor, Term, formulas, is_function};
 
 /// A fence takes in, or gives up, so many terms or factors at most.
 const FARTHEST: usize = 4;
