@@ -158,8 +158,10 @@ impl Unknown {
                 let Node::Sum(terms) = &source.0.node else { return Err(self.undeclared(symbols)) };
                 if terms.len() != names.len() {
                     let span = names[0].1.to(names[names.len() - 1].1);
-                    let message = format!("{} names for {} terms", names.len(), terms.len());
-                    return Err(Fault::new(span, message).help("each term of the sum before gets its name, in order"));
+                    let message = format!("this defines {} names for {} terms", names.len(), terms.len());
+                    return Err(
+                        Fault::new(span, message).help("give each term of the sum before it one name, in order")
+                    );
                 }
                 let (mut members, mut news) = (Vec::new(), Vec::new());
                 let mut of_sum: Option<Type> = None;
@@ -188,7 +190,7 @@ impl Unknown {
 fn undeclared(name: &Name, span: Span, symbols: &Symbols) -> Fault {
     let fault = Fault::undeclared(span, name);
     match symbols.nearest(name) {
-        Some(near) => fault.help(format!("did you mean {near}? Else declare {name} in the claims file")),
+        Some(near) => fault.help(format!("did you mean {near}? If not, declare {name} in the claims file")),
         None => fault.help(format!("declare {name} in the claims file")),
     }
 }
@@ -215,12 +217,18 @@ fn one(
     let mut free = letters.clone();
     free.sort();
     if free.windows(2).any(|pair| pair[0] == pair[1]) {
-        return Err(Fault::new(span, format!("{name} is not declared, and its indices repeat")));
+        return Err(Fault::index(
+            span,
+            format!("{name} is not declared, and a name with repeated indices cannot be defined"),
+        ));
     }
     if let Some(extra) = of_source.free.iter().find(|letter| is_label(letter) && !free.contains(letter)) {
         let letter = &symbols.indices[extra.0].letter;
-        return Err(Fault::new(span, format!("{name} is not declared, and what it is set to differs with {letter}"))
-            .help(format!("give it the index {letter} too, or declare {name} in the claims file")));
+        return Err(Fault::index(
+            span,
+            format!("{name} is not declared, and its definition depends on the index {letter}"),
+        )
+        .help(format!("give it the index {letter} too, or declare {name} in the claims file")));
     }
     let components = |free: &[IndexId]| -> Vec<IndexId> { free.iter().copied().filter(|l| !is_label(l)).collect() };
     let (left, right) = (components(&free), components(&of_source.free));
@@ -237,8 +245,8 @@ fn one(
     }
     let Some((kind, shape)) = kind else {
         return Err(match left == right {
-            true => undeclared(&name, span, symbols),
-            false => Fault::new(span, format!("{name} is not declared, and its indices are not those it is set to")),
+            true => undeclared(&name, span, symbols).help(only_three_by_three(&name, of_source.shape)),
+            false => Fault::index(span, format!("{name} is not declared, and its definition has other indices")),
         });
     };
     let formula = match of_source.shape {
@@ -256,18 +264,28 @@ fn one(
     Ok((member, Type { shape, free }, New { name, kind, slots, squared: false, formula }))
 }
 
+/// The advice for a name that stands for a matrix of another size than 3×3.
+fn only_three_by_three(name: &Name, shape: Shape) -> String {
+    match shape {
+        Shape::Matrix(rows, columns) => format!(
+            "{name} would be a {rows}×{columns} matrix, and only 3×3 matrices can be defined; write an equation for each entry"
+        ),
+        _ => format!("declare {name} in the claims file"),
+    }
+}
+
 /// Refuses a vector under the name of a number, and a number under that of a vector: an arrow is lost, or too many.
 fn as_printed(name: &Name, span: Span, kind: Kind) -> Result<(), Fault> {
     let has = |marks: &[&str]| marks.iter().any(|mark| name.base.contains(mark));
     let plain = !name.base.replace("\\bar{", "").replace("\\tilde{", "").replace("\\mathrm{", "").contains('{');
     match kind {
         Kind::Vector if plain => {
-            let message = format!("{name} is printed as a number, and what it is set to is a vector");
-            Err(Fault::new(span, message).help("put an arrow on the name, or the bars of a norm around the vector"))
+            let message = format!("{name} is printed as a number, but the other side is a vector");
+            Err(Fault::shape(span, message).help("put an arrow on the name, or the bars of a norm around the vector"))
         }
         Kind::Scalar if has(&["\\vec{", "\\mathbf{"]) && !name.base.contains("\\hat") => {
-            let message = format!("{name} is printed as a vector, and what it is set to is a number");
-            Err(Fault::new(span, message).help("take the arrow from the name, or make the other side a vector"))
+            let message = format!("{name} is printed as a vector, but the other side is a number");
+            Err(Fault::shape(span, message).help("remove the arrow from the name, or make the other side a vector"))
         }
         _ => Ok(()),
     }

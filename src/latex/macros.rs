@@ -5,6 +5,7 @@
 
 use std::collections::HashMap;
 
+use crate::code::Code;
 use crate::source::{Fault, Span};
 
 use super::lexer::{Token, TokenKind, tokens};
@@ -52,15 +53,21 @@ impl Macros {
             };
             let mut values = Vec::with_capacity(*arguments);
             for n in 1..=*arguments {
-                let missing =
-                    || Fault::new(token.span, format!("{name} wants {arguments} arguments; number {n} is missing"));
+                let missing = || {
+                    Fault::new(token.span, format!("{name} needs {arguments} arguments, and argument {n} is missing"))
+                        .code(Code::UnknownCommand)
+                };
                 values.push(argument(&mut pending).ok_or_else(missing)?);
             }
             let expansion: Vec<Token> = substitute(body, &values, token.span);
             produced += expansion.len() + 1;
             if produced > LARGEST_EXPANSION {
-                return Err(Fault::new(token.span, format!("{name} expands to too much, or without end"))
-                    .help("a macro may not call itself"));
+                return Err(Fault::new(
+                    token.span,
+                    format!("the macro {name} expands without end, or to too many tokens"),
+                )
+                .code(Code::UnknownCommand)
+                .help("a macro must not call itself"));
             }
             pending.extend(expansion.into_iter().rev());
         }

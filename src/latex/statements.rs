@@ -352,8 +352,8 @@ impl Piece<'_> {
                     .zip([&types[pair - 1], &types[pair]])
                     .all(|(member, of)| of.shape == Shape::Vector || member.is_zero());
             if is_order && !differ && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
-                let message = format!("“{}” between things that are no numbers", relation.glyph());
-                return Err(Fault::new(place, message));
+                let message = format!("“{}” needs a number on both sides", relation.glyph());
+                return Err(Fault::shape(place, message));
             }
         }
         for (place, letters) in members.iter().flat_map(Expr::pair_sums) {
@@ -362,8 +362,8 @@ impl Piece<'_> {
             };
             if let Some(letter) = letters.iter().find(|letter| is_free(letter)) {
                 let letter = &symbols.indices[letter.0].letter;
-                let message = format!("this sums over pairs, and {letter} is free in this equation");
-                return Err(Fault::new(place, message).help("write a Σ for each letter that is summed over"));
+                let message = format!("this is a sum over pairs, but {letter} is free in this equation");
+                return Err(Fault::index(place, message).help("write a Σ for each letter that is summed over"));
             }
         }
         let statement = Statement { members, relations, constant: self.constant, branch, row: self.row, span };

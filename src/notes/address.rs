@@ -10,6 +10,7 @@ use super::document::Notes;
 use super::json::{LONGEST, Spanned, place_in_string};
 use super::scan::is_number;
 use super::spelling::plain;
+use crate::code::Code;
 use crate::source::{Fault, Source, Span};
 use crate::suggest;
 use crate::{Error, Result};
@@ -82,7 +83,7 @@ impl Address {
     pub fn parse(written: &Spanned<String>, source: &Source) -> Result<Address, Fault> {
         let text = &written.value;
         if text.len() > LONGEST {
-            return Err(Fault::new(written.span, format!("no address is longer than {LONGEST} bytes")));
+            return Err(invalid(written.span, format!("this address has more than {LONGEST} bytes")));
         }
         let place = |part: Span| place_in_string(&source.text, written.span, part);
         let mut items = Vec::new();
@@ -96,7 +97,7 @@ impl Address {
             match (points.next(), points.next(), points.next()) {
                 (Some(one), None, _) => items.push(Item::One(one)),
                 (Some(from), Some(to), None) => items.push(Item::Range(from, to)),
-                _ => return Err(Fault::new(place(member), "a range has two ends").help("as in `3.52 .. 3.56`")),
+                _ => return Err(invalid(place(member), "a range must have two ends").help("as in `3.52 .. 3.56`")),
             }
         }
         Ok(Address { text: text.clone(), span: written.span, items })
@@ -130,7 +131,7 @@ impl Address {
                 Item::One(point) => (point.row, point.part, point.step),
                 Item::Range(from, to) => {
                     if let Some(point) = [from, to].into_iter().find(partial) {
-                        return Err(Error::at(source, point.span, "a range is one of whole equations")
+                        return Err(not_found(source, point.span, "a range must consist of whole equations")
                             .help("leave out `row`, `part` and `step`, or name each part by itself"));
                     }
                     (None, None, None)
@@ -150,8 +151,8 @@ impl Item {
             Item::Range(from, to) => {
                 let (first, last) = (from.one(notes, source)?, to.one(notes, source)?);
                 if last < first {
-                    return Err(Error::at(source, from.span.to(to.span), "this range ends before it begins")
-                        .help("the first end stands earlier in the notes"));
+                    return Err(not_found(source, from.span.to(to.span), "this range ends before it begins")
+                        .help("write the end that comes first in the notes first"));
                 }
                 Ok((first..=last).collect())
             }
@@ -163,7 +164,7 @@ impl Point {
     fn one(&self, notes: &Notes, source: &Arc<Source>) -> Result<usize> {
         match self.resolve(notes, source)?.as_slice() {
             [one] => Ok(*one),
-            _ => Err(Error::at(source, self.span, "a range begins and ends with one equation")),
+            _ => Err(not_found(source, self.span, "each end of a range must be one equation")),
         }
     }
 
@@ -181,8 +182,8 @@ impl Point {
             count => {
                 let shown: Vec<String> = found.iter().take(4).map(|&i| candidate(&notes.equations[i])).collect();
                 let more = if count > 4 { ", …" } else { "" };
-                Err(Error::at(source, self.span, format!("{count} displays match {}", self.named()))
-                    .help(format!("they are {}{more}; say more, or `every`", shown.join(", "))))
+                Err(not_found(source, self.span, format!("{count} displays match {}", self.named()))
+                    .help(format!("they are {}{more}; use a longer snippet, or `every`", shown.join(", "))))
             }
         }
     }
@@ -199,22 +200,30 @@ impl Point {
     fn missing(&self, notes: &Notes, source: &Arc<Source>) -> Error {
         let path = &notes.source.path;
         let message = match &self.target {
-            Target::Number(id) => format!("no equation ({id}) in {path}"),
+            Target::Number(id) => format!("{path} has no equation ({id})"),
             Target::Label(id) => format!("no equation in {path} has the label {id}"),
             Target::Name(id) => format!("no equation in {path} is named {id}"),
             Target::Snippet(snippet) | Target::EverySnippet(snippet) => {
                 format!("no display in {path} contains `{snippet}`")
             }
         };
-        let error = Error::at(source, self.span, message);
+        let error = not_found(source, self.span, message);
         match &self.target {
-            Target::Snippet(_) | Target::EverySnippet(_) => error.help("copy it from the notes as it is printed there"),
+            Target::Snippet(_) | Target::EverySnippet(_) => error.help("copy the LaTeX from the notes"),
             Target::Number(id) | Target::Label(id) | Target::Name(id) => match closest(notes, id) {
                 Some(closest) => error.help(format!("did you mean {closest}?")),
                 None => error.help("the notes have no numbers, labels or names; use a snippet in backticks"),
             },
         }
     }
+}
+
+fn invalid(span: Span, message: impl Into<String>) -> Fault {
+    Fault::new(span, message).code(Code::EquationAddress)
+}
+
+fn not_found(source: &Arc<Source>, span: Span, message: impl Into<String>) -> Error {
+    Error::at(source, span, message).with_code(Code::EquationAddress)
 }
 
 /// The number, label or name nearest to `id`.
@@ -287,14 +296,14 @@ fn point(text: &str, span: Span, place: &dyn Fn(Span) -> Span) -> Result<Point, 
         let count: Option<usize> = count.parse().ok().filter(|&n| n > 0);
         if count.is_none() || slot.is_some() {
             return Err(
-                Fault::new(here, format!("`{word}` takes one number, from 1")).help("as in `6.72 row 2 part 1`")
+                invalid(here, format!("`{word}` needs one number, counted from 1")).help("as in `6.72 row 2 part 1`")
             );
         }
         *slot = count;
         rest = front.trim_end();
     }
     point.target = target(rest).ok_or_else(|| {
-        Fault::new(here, format!("`{rest}` is no address"))
+        invalid(here, format!("`{rest}` is not an address of an equation"))
             .help("write a number (6.72), a label, a name (#veff), or LaTeX in backticks; `row`, `part`, `step` follow in this order")
     })?;
     Ok(point)

@@ -53,8 +53,8 @@ pub(super) fn assemble(source: &str, clean: Vec<u8>, raws: Vec<Raw>, names: Vec<
         }
     }
     if let Some(name) = names.next() {
-        return Err(Fault::new(name.span, format!("no display follows to be named {}", name.id))
-            .help("the name stands before the display"));
+        return Err(Fault::notes(name.span, format!("no display follows the name {}", name.id))
+            .help("put the name before its display"));
     }
     work.numbers_inside(&mut pieces);
     Ok(work.join(pieces))
@@ -186,9 +186,9 @@ impl Work<'_> {
             end: raw.span.end,
         };
         if let (Some(first), Some(second)) = (&piece.number, tags.next()) {
-            return Err(Fault::new(
+            return Err(Fault::notes(
                 second.span,
-                format!("a second number, {}, in the display ({})", second.id, first.id),
+                format!("the display ({}) has a second number, {}", first.id, second.id),
             )
             .help("number rows one by one in an align environment, or give each equation its own display"));
         }

@@ -9,6 +9,7 @@ use super::file::read_text;
 pub use super::macros::MacroDefinition;
 use super::references::{self, Reference};
 use super::{displays, macros, markdown, tex};
+use crate::code::Code;
 use crate::source::{Source, Span};
 use crate::{Error, Result};
 
@@ -53,12 +54,14 @@ impl Notes {
     /// Reads the file at `path`, known in messages as `shown_as`.
     pub fn read(path: &Path, shown_as: &str) -> Result<Notes> {
         let Some(kind) = Kind::of(path) else {
-            return Err(Error::new(format!("{shown_as} is not a kind of notes that onshell reads"))
+            return Err(Error::new(format!("{shown_as} does not have the extension of notes"))
                 .help("notes are .md, .markdown, .txt or .tex"));
         };
         let source = read_text(path, shown_as)?;
         if source.text.trim_start_matches('\u{feff}').trim().is_empty() {
-            return Err(Error::new(format!("{shown_as} is empty")).help("there is nothing in it to check"));
+            return Err(Error::new(format!("{shown_as} is empty"))
+                .with_code(Code::NotesFile)
+                .help("it has no equations to check"));
         }
         Notes::parse(source, kind)
     }

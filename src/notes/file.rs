@@ -3,10 +3,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::code::Code;
 use crate::source::Source;
 use crate::{Error, Result};
 
-/// No lecture notes are larger.
+/// The most bytes of a file.
 const LARGEST: u64 = 64 << 20;
 
 /// Reads a text file: too large, unreadable and not UTF-8 are errors.
@@ -21,7 +22,9 @@ pub(super) fn read_text(path: &Path, shown_as: &str) -> Result<Arc<Source>> {
     }
     if about.len() > LARGEST {
         let size = about.len() >> 20;
-        return Err(Error::new(format!("{shown_as} has {size} MB; the most that is read is {} MB", LARGEST >> 20)));
+        return Err(Error::new(format!("{shown_as} has {size} MB; the limit is {} MB", LARGEST >> 20))
+            .with_code(Code::TooLarge)
+            .help("split the file"));
     }
     let bytes = std::fs::read(path).map_err(failed)?;
     match String::from_utf8(bytes) {

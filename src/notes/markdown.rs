@@ -103,7 +103,7 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
             b'$' => found.inline(bytes, i, true),
             b'<' if bytes[i..].starts_with(b"<!--") => {
                 let Some(close) = scan::find(text, i + 4, "-->") else {
-                    return Err(Fault::new(Span::new(i, i + 4), "this comment is never closed")
+                    return Err(Fault::notes(Span::new(i, i + 4), "this comment is never closed")
                         .help("add `-->`; without it the rest of the file is a comment"));
                 };
                 found.names.extend(scan::name_in(text, Span::new(i + 4, close))?);
@@ -115,7 +115,7 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
                     Some(close) => pair(text, i, close, found)?,
                     // In Markdown, `\[` is also how a mere bracket is written.
                     None if alone(bytes, i) => {
-                        return Err(Fault::new(Span::new(i, i + 2), "this `\\[` is never closed")
+                        return Err(Fault::notes(Span::new(i, i + 2), "this `\\[` is never closed")
                             .help("add `\\]` after the equation"));
                     }
                     None => {
@@ -167,13 +167,11 @@ fn unclosed(text: &str, at: usize, found: &Scan) -> Fault {
     let help = match found.raws.last() {
         Some(last) => {
             let line = text[..last.span.start].matches('\n').count() + 1;
-            format!(
-                "add `$$` after the equation; or an earlier display lacks its own: the one before begins in line {line}"
-            )
+            format!("add `$$` after the equation, or close an earlier display; the one before begins in line {line}")
         }
-        None => "add `$$` after the equation; a dollar sign in prose is written `\\$`".to_owned(),
+        None => "add `$$` after the equation, or write a dollar sign in prose as `\\$`".to_owned(),
     };
-    Fault::new(Span::new(at, at + 2), "this `$$` is never closed").help(help)
+    Fault::notes(Span::new(at, at + 2), "this `$$` is never closed").help(help)
 }
 
 /// The `>` at line starts inside block quotes.

@@ -220,7 +220,7 @@ pub(super) fn environment_display(
             _ => i += 1,
         }
     }
-    Err(Fault::new(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
+    Err(Fault::notes(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
         .help(format!("add \\end{{{name}}} after the equation")))
 }
 
@@ -230,7 +230,7 @@ pub(super) fn name_in(text: &str, comment: Span) -> Result<Option<Name>, Fault> 
     let Some(id) = inside.trim().strip_prefix("onshell:") else { return Ok(None) };
     let id = id.trim();
     if id.is_empty() || !id.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b'.')) {
-        return Err(Fault::new(comment, format!("`{id}` is no name for an equation"))
+        return Err(Fault::notes(comment, format!("`{id}` cannot be the name of an equation"))
             .help("a name is one word of letters, digits, `-`, `_` and `.`, as in `onshell: veff`"));
     }
     Ok(Some(Name { id: format!("#{id}"), span: comment }))

@@ -46,7 +46,7 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
         if VERBATIM.contains(&name) {
             let closing = format!("\\end{{{name}}}");
             let Some(end) = scan::find(text, inside, &closing) else {
-                return Err(Fault::new(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
+                return Err(Fault::notes(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
                     .help(format!("add {closing}; without it the rest of the file is not read")));
             };
             found.blank.push(Span::new(at, end));
@@ -89,6 +89,6 @@ fn pair(text: &str, open: usize, closing: &[u8], found: &mut Scan) -> Result<usi
         }
     }
     let opening = &text[open..open + 2];
-    Err(Fault::new(Span::new(open, open + 2), format!("this `{opening}` is never closed"))
+    Err(Fault::notes(Span::new(open, open + 2), format!("this `{opening}` is never closed"))
         .help(format!("add `{}` after the equation", String::from_utf8_lossy(closing))))
 }

@@ -187,7 +187,7 @@ impl<'a> Survey<'a> {
     fn dimensionless(&mut self, expr: &Expr, what: &str) -> Result<(), Mismatch> {
         let Some(found) = self.dimension(expr)? else { return Ok(()) };
         self.ledger.require_equal(&found, &Affine::known(Dimension::NONE)).map_err(|conflict| {
-            let message = format!("{}, and {what} must be dimensionless", self.says(&self.ledger, expr, &found));
+            let message = format!("{}, but {what} must be dimensionless", self.says(&self.ledger, expr, &found));
             Mismatch { span: expr.span, message, origins: conflict.origins }
         })
     }

@@ -9,6 +9,7 @@ mod delimiters;
 mod item;
 mod parser;
 
+use crate::code::Code;
 use crate::source::{Fault, Span};
 
 use super::lexer::tokens;
@@ -25,7 +26,8 @@ pub use parser::layout;
 pub(super) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fault> {
     const LONGEST: usize = 1 << 18;
     if text.len() > LONGEST {
-        return Err(Fault::new(Span::new(0, LONGEST), format!("a formula of more than {LONGEST} bytes"))
+        return Err(Fault::new(Span::new(0, LONGEST), format!("this formula has more than {LONGEST} bytes"))
+            .code(Code::TooLarge)
             .help("split it into several equations"));
     }
     Ok(parser::layout(&normalized(macros.expand(tokens(text))?), text.len()))

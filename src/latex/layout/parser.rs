@@ -3,13 +3,14 @@
 //! It cannot fail: a fence without its partner, a fraction without a denominator, a group nested too deeply becomes a
 //! [`Layout::Fault`] at its place.
 
+use crate::code::Code;
 use crate::source::{Fault, Span};
 
 use super::super::lexer::{Space, Token, TokenKind};
 use super::delimiters::{closing, is_plain_bar, opening};
 use super::item::{Delimiter, Item, Layout};
 
-/// Groups inside groups are read this deep; nobody's equation comes near.
+/// The most levels of groups inside groups; equations in notes have far fewer.
 const DEEPEST: usize = 64;
 
 /// What ends the list that is being read.
@@ -28,14 +29,25 @@ pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
     let mut parser = Parser { tokens, at: 0, depth: 0, length };
     let mut items = parser.list(Until::End);
     while let Some(token) = parser.next() {
-        items.push(fault(token.span, "this closes something that was never opened"));
+        items.push(fault(token.span, "this closes a group that was never opened"));
         items.extend(parser.list(Until::End));
     }
     items
 }
 
 fn fault(span: Span, message: impl Into<String>) -> Item {
-    Item { layout: Layout::Fault(Fault::new(span, message)), span }
+    of_fault(Fault::new(span, message))
+}
+
+fn of_fault(fault: Fault) -> Item {
+    let span = fault.span;
+    Item { layout: Layout::Fault(fault), span }
+}
+
+/// The fault where `what` exceeds the limit of nesting.
+fn too_deep(span: Span, what: &str) -> Item {
+    let message = format!("{what} are nested more than {DEEPEST} levels deep");
+    of_fault(Fault::new(span, message).code(Code::TooLarge).help("split the formula into several equations"))
 }
 
 struct Parser<'a> {
@@ -70,8 +82,7 @@ impl<'a> Parser<'a> {
         if self.depth >= DEEPEST {
             let start = self.end().start;
             self.at = self.tokens.len();
-            let message = format!("groups are nested more than {DEEPEST} deep");
-            return vec![fault(Span::new(start, self.length.max(start)), message)];
+            return vec![too_deep(Span::new(start, self.length.max(start)), "groups")];
         }
         self.depth += 1;
         while let Some(token) = self.peek() {
@@ -108,7 +119,7 @@ impl<'a> Parser<'a> {
     fn scripted(&mut self, single_digit: bool) -> Item {
         let nucleus = match self.peek() {
             Some(token) if matches!(token.kind, TokenKind::Sub | TokenKind::Super | TokenKind::Prime) => {
-                fault(Span::at(token.span.start), "this script has nothing to stand on")
+                fault(Span::at(token.span.start), "this subscript or superscript has no base")
             }
             _ => self.item(single_digit),
         };
@@ -126,7 +137,7 @@ impl<'a> Parser<'a> {
                 _ => break,
             };
             if slot.is_some() && problem.is_none() {
-                problem = Some(fault(token.span, "a second script in the same place: put braces where it belongs"));
+                problem = Some(fault(token.span, "this base has two subscripts or two superscripts; add braces"));
             }
             self.next();
             let sign = self.peek().filter(|next| matches!(next.kind, TokenKind::Other('+' | '-')));
@@ -154,7 +165,7 @@ impl<'a> Parser<'a> {
     fn argument(&mut self, command: Span) -> Item {
         if self.depth >= DEEPEST {
             self.at = self.tokens.len();
-            return fault(command, format!("commands are nested more than {DEEPEST} deep"));
+            return too_deep(command, "commands");
         }
         self.depth += 1;
         let item = self.bare_argument(command);
@@ -184,7 +195,7 @@ impl<'a> Parser<'a> {
 
     fn item(&mut self, single_digit: bool) -> Item {
         let Some(token) = self.next() else {
-            return fault(self.end(), "something is missing here");
+            return fault(self.end(), "a formula is missing here");
         };
         let span = token.span;
         let layout = match &token.kind {
@@ -199,9 +210,9 @@ impl<'a> Parser<'a> {
             TokenKind::Other('[') => return self.fence(Delimiter::Square, span),
             TokenKind::Other('|') => return self.fence(Delimiter::PlainBar, span),
             TokenKind::Other(c) => Layout::Other(*c),
-            TokenKind::Parameter(n) => return fault(span, format!("#{n} belongs in a macro")),
+            TokenKind::Parameter(n) => return fault(span, format!("#{n} is allowed in a macro only")),
             TokenKind::Close | TokenKind::Sub | TokenKind::Super | TokenKind::Prime => {
-                return fault(span, "this stands in the wrong place");
+                return fault(span, "this is not allowed here");
             }
         };
         Item { layout, span }
@@ -312,7 +323,7 @@ impl<'a> Parser<'a> {
 
     fn left(&mut self, span: Span) -> Item {
         let Some(token) = self.next() else {
-            return fault(span, "\\left wants a delimiter");
+            return fault(span, "\\left needs a delimiter");
         };
         let opening = opening(token);
         let items = self.list(Until::Right);
@@ -321,12 +332,12 @@ impl<'a> Parser<'a> {
             _ => return self.unclosed(span, "\\left", items),
         };
         let Some(close) = self.next() else {
-            return fault(span, "the \\right of this \\left wants a delimiter");
+            return fault(span, "the \\right of this \\left needs a delimiter");
         };
         let whole = span.to(close.span);
         match (opening, closing(close)) {
             (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
-            _ => fault(whole, "the delimiters of this \\left and \\right do not make a pair that has a meaning here"),
+            _ => of_fault(Fault::unsupported(whole, "this pair of delimiters of \\left and \\right is not supported")),
         }
     }
 
@@ -356,7 +367,7 @@ impl<'a> Parser<'a> {
                     }
                     break;
                 }
-                _ => return fault(token.span, format!("this stands in the wrong place inside {name}")),
+                _ => return fault(token.span, format!("this is not allowed inside {name}")),
             }
         }
         if rows.len() > 1 && rows.last().is_some_and(|row| row.iter().all(Vec::is_empty)) {

@@ -1,5 +1,6 @@
 //! A single item as a formula: a number, a group, a fraction, a root, a matrix, and what is raised above it.
 
+use crate::code::Code;
 use crate::formula::shape::Shape;
 use crate::formula::symbols::Components;
 use crate::formula::tree::{Expr, Index, Node};
@@ -9,7 +10,7 @@ use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
 use super::super::overdots;
 use super::items::{contents, is_minus_one, is_number, is_transpose, starts_differential, whole_number};
-use super::state::{Read, Reader, two_ways, unknown_command};
+use super::state::{Read, Reader, unknown_command};
 
 impl Reader<'_> {
     /// A single item as a formula.
@@ -22,7 +23,7 @@ impl Reader<'_> {
             && let Some(order) = overdots::order(command)
         {
             if is_number(inner) {
-                return Err(Fault::new(span, "a dot over a number"));
+                return Err(Fault::new(span, "a dot stands over a number"));
             }
             return Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span));
         }
@@ -32,14 +33,14 @@ impl Reader<'_> {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {
                     Ok(Expr::new(Node::Number(digits.clone()), span))
                 } else {
-                    Err(Fault::new(span, "this number is too large to compute with"))
+                    Err(Fault::new(span, "this number is too large to compute with").code(Code::TooLarge))
                 }
             }
             Layout::Group(items) => self.sum(items, span),
             Layout::Fence(delimiter, items) => self.fence(*delimiter, items, span),
             Layout::Fraction(numerator, denominator) => {
                 if starts_differential(numerator) || starts_differential(denominator) {
-                    return Err(Fault::new(span, "a derivative by something other than the time is not read"));
+                    return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
                 }
                 let (a, b) = (self.item(numerator)?, self.item(denominator)?);
                 Ok(Expr::new(Node::Quotient(Box::new(a), Box::new(b)), span))
@@ -48,8 +49,12 @@ impl Reader<'_> {
                 let degree = match index.as_deref().map(|index| whole_number(index).ok_or(index.span)) {
                     None => 2,
                     Some(Ok(degree)) if degree >= 2 => degree,
-                    Some(Ok(_)) => return Err(Fault::new(span, "the index of a root is a whole number from 2 up")),
-                    Some(Err(span)) => return Err(Fault::new(span, "the index of a root is a whole number from 2 up")),
+                    Some(Ok(_)) => {
+                        return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
+                    }
+                    Some(Err(span)) => {
+                        return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
+                    }
                 };
                 Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
             }
@@ -72,24 +77,31 @@ impl Reader<'_> {
             Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
                 let base = self.item(nucleus)?;
                 if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
-                    return Err(two_ways(span, "a power of braces, which do not print").help("use parentheses"));
+                    return Err(Fault::ambiguous(
+                        span,
+                        "braces do not print, so this power may belong to the last factor only",
+                    )
+                    .help("use parentheses"));
                 }
                 self.raised(base, sup, span)
             }
             Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
                 (Layout::Fault(fault), _) => Err(fault.clone()),
                 (Layout::Command(name), _) => Err(unknown_command(name, nucleus.span)),
-                (_, Some(sub)) => Err(Fault::new(sub.span, "a subscript on something that is not a symbol")),
-                _ => Err(Fault::new(span, "a prime on something that is not a symbol")),
+                (_, Some(sub)) => Err(Fault::unsupported(
+                    sub.span,
+                    "a subscript is supported on a symbol, a vector or a 3×3 matrix only",
+                )),
+                _ => Err(Fault::unsupported(span, "a prime is supported on a symbol only")),
             },
             Layout::Command(name) => Err(unknown_command(name, span)),
             Layout::Style(name, _) | Layout::Accent(name, _) => {
-                Err(Fault::new(span, format!("{name} of this has no meaning here")))
+                Err(Fault::unsupported(span, format!("{name} is not supported here")))
             }
-            Layout::Text(word) => Err(Fault::new(span, format!("the words “{word}” have no meaning here"))),
-            Layout::Other(c) => Err(Fault::new(span, format!("“{c}” is not understood here"))),
+            Layout::Text(word) => Err(Fault::unsupported(span, format!("the text “{word}” is not supported here"))),
+            Layout::Other(c) => Err(Fault::unsupported(span, format!("“{c}” is not supported here"))),
             Layout::Letter(_) | Layout::Space(_) | Layout::Row | Layout::Align => {
-                Err(Fault::new(span, "this is not understood here"))
+                Err(Fault::unsupported(span, "this is not supported here"))
             }
         }
     }
@@ -117,13 +129,14 @@ impl Reader<'_> {
                 }
                 Ok(Expr::new(Node::Norm(Box::new(inner)), span))
             }
-            Delimiter::Angle => Err(Fault::new(span, "angle brackets have no meaning here")),
+            Delimiter::Angle => Err(Fault::unsupported(span, "angle brackets are not supported")),
         }
     }
 
     /// `(\vec\omega \times \vec r)_a`, `(R^T)_{ab}`: a component along the fixed axes, an entry.
     fn part(&mut self, fence: &Item, sub: &Item, span: Span) -> Read<Expr> {
-        let refused = || Fault::new(sub.span, "a subscript on something that is not a symbol");
+        let refused =
+            || Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only");
         let index = |item: &Item| match &item.layout {
             Layout::Number(digits) => digits.parse().ok().filter(|n| (1..=3).contains(n)).map(Index::Fixed),
             _ => {
@@ -150,8 +163,11 @@ impl Reader<'_> {
                     .iter()
                     .any(|(id, _)| matches!(self.symbols.components_of(*id), Some(Components::Along(_))))
                 {
-                    return Err(two_ways(span, "a component, along the axes that turn or those that stand still")
-                        .help("write its product with a unit vector, \\cdot \\hat e_a"));
+                    return Err(Fault::ambiguous(
+                        span,
+                        "this component may be along the turning axes or along the fixed axes",
+                    )
+                    .help("write the dot product with a unit vector, \\cdot \\hat e_a"));
                 }
                 Ok(Expr::new(Node::Component(Box::new(inner), *a), span))
             }
@@ -167,19 +183,19 @@ impl Reader<'_> {
                     let empty = |cell: &Vec<Item>| cell.iter().all(|item| matches!(item.layout, Layout::Space(_)));
                     if let Some(column) = row.iter().position(empty) {
                         let place = row.iter().flatten().map(|item| item.span).reduce(Span::to).unwrap_or(span);
-                        let message = format!("row {} of this matrix has nothing in column {}", at + 1, column + 1);
-                        return Err(Fault::new(place, message).help("write the 0, or take out the & that is too many"));
+                        let message = format!("row {} of this matrix is empty in column {}", at + 1, column + 1);
+                        return Err(Fault::new(place, message).help("write 0 there, or remove an &"));
                     }
                 }
                 let rows: Read<Vec<Vec<Expr>>> =
                     rows.iter().map(|row| row.iter().map(|cell| self.sum(cell, span)).collect()).collect();
                 let rows = rows?;
                 match rows.iter().find(|row| row.len() != rows[0].len()) {
-                    Some(_) => Err(Fault::new(span, "the rows of this matrix are not equally long")),
+                    Some(_) => Err(Fault::shape(span, "the rows of this matrix have different lengths")),
                     None => Ok(Expr::new(Node::Matrix(rows), span)),
                 }
             }
-            _ => Err(Fault::new(span, format!("the environment {name} is not read here"))),
+            _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),
         }
     }
 
@@ -199,7 +215,7 @@ impl Reader<'_> {
             || matches!(sup.layout, Layout::Other('*'))
             || matches!(contents(sup), [Item { layout: Layout::Fence(Delimiter::Round, _), .. }])
         {
-            return Err(Fault::new(sup.span, "this superscript is not read"));
+            return Err(Fault::unsupported(sup.span, "this superscript is not supported"));
         }
         if shape == Shape::Vector && whole_number(sup) == Some(2) {
             return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));

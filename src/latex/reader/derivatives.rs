@@ -8,7 +8,7 @@ use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
 use super::items::{Joint, contents, differential, is_big_sum, is_integral, joint, starts_differential, whole_number};
-use super::state::{Read, Reader, two_ways};
+use super::state::{Read, Reader};
 
 impl Reader<'_> {
     /// What `\frac{d}{dt}` acts on.
@@ -16,7 +16,7 @@ impl Reader<'_> {
         while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
             *cursor += 1;
         }
-        let missing = || Fault::new(operator, "nothing follows this derivative");
+        let missing = || Fault::new(operator, "no formula follows this derivative");
         let first = items.get(*cursor).ok_or_else(missing)?;
         if matches!(first.layout, Layout::Fence(..)) {
             *cursor += 1;
@@ -25,12 +25,15 @@ impl Reader<'_> {
         let rest = &items[*cursor..];
         let significant = || rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         if significant().filter(|item| is_operator(item)).count() > 5 {
-            return Err(Fault::new(operator, "derivatives are read up to the fifth"));
+            return Err(Fault::unsupported(operator, "derivatives above the fifth order are not supported"));
         }
         let one = significant().count() == 1;
         if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
-            return Err(two_ways(operator.to(first.span), "how far this derivative reaches")
-                .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
+            return Err(Fault::ambiguous(
+                operator.to(first.span),
+                "this derivative may act on the next factor or on all that follow",
+            )
+            .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
         }
         *cursor = items.len();
         self.sum(rest, operator)
@@ -87,14 +90,15 @@ impl Reader<'_> {
         }
         let span = numerator.span.to(denominator.span);
         if self.symbols.find(&Name::plain("d")).is_some() {
-            return Err(two_ways(span, "d, which is declared as a symbol").help("write \\mathrm{d} for the derivative"));
+            return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol")
+                .help("write \\mathrm{d} for the derivative"));
         }
         if below != Some(order) {
-            return Err(Fault::new(span, "the orders above and below in this derivative differ"));
+            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders"));
         }
         match u8::try_from(order) {
             Ok(order @ 1..=5) => Ok(Some((order, &upper[1..]))),
-            _ => Err(Fault::new(span, "derivatives are read up to the fifth")),
+            _ => Err(Fault::unsupported(span, "derivatives above the fifth order are not supported")),
         }
     }
 

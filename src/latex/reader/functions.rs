@@ -8,7 +8,7 @@ use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
 use super::items::{function_head, is_number, is_numeric, is_numeric_item};
-use super::state::{Read, Reader, two_ways};
+use super::state::{Read, Reader};
 
 /// The items that could be the argument of a function.
 struct Run {
@@ -42,7 +42,7 @@ impl Reader<'_> {
             *cursor += 1;
         }
         let Some(first) = items.get(*cursor) else {
-            return Err(Fault::new(head, format!("\\{} wants an argument", function.name())));
+            return Err(Fault::new(head, format!("\\{} needs an argument", function.name())));
         };
         let (argument, enclosed) = match &first.layout {
             Layout::Fence(..) | Layout::Group(_) => {
@@ -50,8 +50,11 @@ impl Reader<'_> {
                 (self.item(first)?, true)
             }
             Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(..) | Layout::Group(_)) => {
-                return Err(two_ways(head.to(first.span), "a power after the argument of a function")
-                    .help(format!("write \\{}^2(…) for the power of the function", function.name())));
+                return Err(Fault::ambiguous(
+                    head.to(first.span),
+                    "a power after an argument may belong to the function or to the argument",
+                )
+                .help(format!("write \\{}^2(…) for the power of the function", function.name())));
             }
             _ => (self.run_on(function, head, items, cursor)?, false),
         };
@@ -83,10 +86,12 @@ impl Reader<'_> {
             let span = head.to(items[run.end.min(items.len() - 1)].span);
             let shown = function.name();
             let help = match !run.has_angle() && self.time_follows(items, run.end) || self.rate_goes_on(&run, items) {
-                true => format!("enclose it, \\{shown}(…), with what follows or without it"),
-                false => format!("enclose it, \\{shown}(…), or end it with a thin space \\,"),
+                true => format!("put the argument in parentheses, \\{shown}(…)"),
+                false => format!("put the argument in parentheses, \\{shown}(…), or end it with a thin space \\,"),
             };
-            return Err(two_ways(span, &format!("where the argument of \\{shown} ends")).help(help));
+            return Err(
+                Fault::ambiguous(span, format!("the argument of \\{shown} may end in more than one place")).help(help)
+            );
         }
         *cursor = run.end;
         self.term(&items[start..run.end])
@@ -116,8 +121,11 @@ impl Reader<'_> {
             if printed.sup.is_some() {
                 // After an angle the argument is over; before that, the power could be of the symbol or the function.
                 if run.end == start || run.symbols.is_empty() && numbers > 0 || !run.has_angle() {
-                    return Err(two_ways(head.to(item.span), "a power at the end of an argument")
-                        .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
+                    return Err(Fault::ambiguous(
+                        head.to(item.span),
+                        "a power at the end of an argument may belong to the function or to the argument",
+                    )
+                    .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
                 }
                 break;
             }

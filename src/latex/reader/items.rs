@@ -6,7 +6,7 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::state::{Read, two_ways};
+use super::state::Read;
 
 /// How factors are joined to those before them.
 #[derive(Clone, Copy, PartialEq)]
@@ -180,11 +180,12 @@ pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>
         return Ok(None);
     };
     if sub.is_some() || *primes > 0 {
-        return Err(Fault::new(item.span, "a subscript or prime on a function is not read"));
+        return Err(Fault::unsupported(item.span, "a subscript or prime on a function is not supported"));
     }
     match sup.as_deref() {
         Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
-            Err(two_ways(item.span, "a negative power of a function").help("write \\arcsin or \\frac{1}{\\sin x}"))
+            Err(Fault::ambiguous(item.span, "a negative power of a function may be its inverse or its reciprocal")
+                .help("write \\arcsin or \\frac{1}{\\sin x}"))
         }
         sup => Ok(Some((function, sup))),
     }

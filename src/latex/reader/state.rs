@@ -1,5 +1,6 @@
 //! The state of a reader, and the faults that all its parts report.
 
+use crate::code::Code;
 use crate::formula::IndexId;
 use crate::formula::shape::{self, Shape};
 use crate::formula::symbols::Symbols;
@@ -39,21 +40,18 @@ impl Reader<'_> {
     }
 }
 
-/// A fault at something that people read in two ways.
-pub(super) fn two_ways(span: Span, what: &str) -> Fault {
-    Fault::new(span, format!("people read this in two ways: {what}"))
-}
-
 /// The fault for a command that has no meaning where it stands.
 pub(super) fn unknown_command(name: &str, span: Span) -> Fault {
     match name {
-        "\\log" => two_ways(span, "\\log").help("write \\ln, or \\ln x / \\ln 10"),
-        "\\pm" | "\\mp" => Fault::new(span, "± stands where no sign can"),
-        "\\partial" | "\\nabla" => Fault::new(span, format!("{name} is not read yet")),
-        "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::new(span, format!("{name} is not read yet")),
-        "\\cup" => Fault::new(span, "\\cup joins families, and is read under \"where\" alone")
-            .help("say there what the name of the family means in this equation"),
-        _ => Fault::new(span, format!("the command {name} is not known"))
-            .help("if it is a macro of yours, define it under \"macros\" in the claims file"),
+        "\\log" => Fault::ambiguous(span, "\\log may be the natural or the decimal logarithm")
+            .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}"),
+        "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
+        "\\partial" | "\\nabla" => Fault::unsupported(span, format!("{name} is not supported")),
+        "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::unsupported(span, format!("{name} is not supported")),
+        "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
+            .help("say under \"where\" what the name of the family means in this equation"),
+        _ => Fault::new(span, format!("the command {name} is unknown"))
+            .code(Code::UnknownCommand)
+            .help("if it is your own macro, define it under \"macros\" in the claims file"),
     }
 }

@@ -10,7 +10,7 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Item, Layout};
 use super::super::names;
 use super::items::{contents, extent, whole_number};
-use super::state::{Read, Reader, two_ways};
+use super::state::{Read, Reader};
 
 /// One index below a Σ, and what it leaves out or stays within.
 struct Over {
@@ -39,11 +39,11 @@ impl Reader<'_> {
         }
         for (at, over) in overs.iter().enumerate() {
             if self.summed.contains(&over.index) || overs[..at].iter().any(|before| before.index == over.index) {
-                return Err(Fault::new(sub.span, "this index is summed over already"));
+                return Err(Fault::index(sub.span, "this index is already summed over"));
             }
         }
         if extent(rest).is_none() || rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
-            return Err(Fault::new(sigma.span, "nothing follows this sum"));
+            return Err(Fault::new(sigma.span, "no formula follows this sum"));
         }
         let outer = self.summed.len();
         self.summed.extend(overs.iter().map(|over| over.index));
@@ -53,10 +53,9 @@ impl Reader<'_> {
         let lone = |over: &&Over| over.pair.is_some() && !body.has_letter(over.index);
         if let Some(Over { index, pair: Some(place), .. }) = overs.iter().find(lone) {
             let letter = &self.symbols.indices[index.0].letter;
-            let what = format!("a sum over pairs, or over one of them for each {letter}");
-            return Err(
-                two_ways(*place, &what).help(format!("write a Σ for each letter, or only one if {letter} is free"))
-            );
+            let what = format!("this may be a sum over pairs, or a sum for each {letter}");
+            return Err(Fault::ambiguous(*place, what)
+                .help(format!("write a Σ for each letter, or only one if {letter} is free")));
         }
         for Over { index, except, within, .. } in overs.into_iter().rev() {
             let node = Node::SumOver { index, implied: false, except, within, body: Box::new(body) };
@@ -89,8 +88,7 @@ impl Reader<'_> {
                     let low = whole_number(one).and_then(|low| u8::try_from(low).ok());
                     let low = low.filter(|low| (1..=self.symbols.indices[index.0].upper).contains(low));
                     let low = low.ok_or_else(|| {
-                        Fault::new(one.span, "a sum starts at one of the values of its index")
-                            .help("write \\sum_{i=1}^{n}")
+                        Fault::index(one.span, "a sum must start at a value of its index").help("as in \\sum_{i=1}^{n}")
                     })?;
                     let except = (low > 1).then_some(LeftOut::UpTo(Index::Fixed(low - 1)));
                     match overs.iter_mut().find(|over| over.index == index && over.within.is_some()) {
@@ -145,7 +143,10 @@ impl Reader<'_> {
         match contents(upper) {
             [limit, minus, less] if minus.layout == Layout::Other('-') => match whole_number(less) {
                 Some(less @ 1..=9) => Ok(Some((limit, less as u8))),
-                _ => Err(Fault::new(upper.span, "an upper limit is that of the index, or a number below it: n - 1")),
+                _ => Err(Fault::index(
+                    upper.span,
+                    "the upper limit must be that of the index, or at most 9 less, as in n - 1",
+                )),
             },
             _ => Ok(None),
         }
@@ -161,13 +162,13 @@ impl Reader<'_> {
         if let Some(other) = self.letter(item) {
             return match other != index && self.symbols.same_range(index, other) {
                 true => Ok(Index::Letter(other)),
-                false => Err(Fault::new(item.span, "these two indices do not run over the same things")),
+                false => Err(Fault::index(item.span, "these two indices have different ranges")),
             };
         }
         let value = whole_number(item).and_then(|value| u8::try_from(value).ok());
         match value {
             Some(value) if (1..=self.symbols.indices[index.0].upper).contains(&value) => Ok(Index::Fixed(value)),
-            _ => Err(Fault::new(item.span, "what a sum leaves out is an index or one of its values")),
+            _ => Err(Fault::index(item.span, "a sum can leave out only an index or a value of its index")),
         }
     }
 
@@ -182,7 +183,7 @@ impl Reader<'_> {
             .and_then(|printed| self.symbols.find_or_assemble(&printed.name));
         match found.as_ref().map(|(_, indices)| indices.as_slice()) {
             Some([Index::Letter(index)]) if self.symbols.indices[index.0].labels => Ok(*index),
-            _ => Err(Fault::new(item.span, "this does not name a particle by its index")
+            _ => Err(Fault::index(item.span, "this is not the position of a particle with an index")
                 .help("write \\sum_{\\vec r_i \\in V(\\vec r)}, with a declared \\vec r_i")),
         }
     }
@@ -201,12 +202,12 @@ impl Reader<'_> {
                 name.to_string()
             }
         };
-        Err(Fault::new(upper.span, format!("the index {} is declared to run to {declared}", entry.letter)))
+        Err(Fault::index(upper.span, format!("the index {} is declared to run from 1 to {declared}", entry.letter)))
     }
 }
 
 fn wanted(span: Span) -> Fault {
-    Fault::new(span, "a sum wants a declared index below, \\sum_{a=1}^{3}")
+    Fault::new(span, "a sum needs a declared index under the Σ, as in \\sum_{a=1}^{3}")
 }
 
 /// What an index leaves out that stands in this relation to another.

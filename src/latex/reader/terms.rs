@@ -10,7 +10,7 @@ use super::super::names::{self, unaccented};
 use super::items::{
     Joint, beside, extent, function_head, is_big_sum, is_integral, is_limit, is_number, is_numeric_item, joint,
 };
-use super::state::{Read, Reader, two_ways};
+use super::state::{Read, Reader};
 
 impl Reader<'_> {
     /// Terms with their signs; all of `items`. `end` is where a fault of absence is put.
@@ -22,7 +22,7 @@ impl Reader<'_> {
         while at < items.len() {
             if let Some(sign) = self.sign(&items[at])? {
                 if let Some((_, first)) = pending {
-                    return Err(Fault::new(first.to(items[at].span), "two signs in a row"));
+                    return Err(Fault::new(first.to(items[at].span), "two signs stand side by side"));
                 }
                 pending = Some((sign, items[at].span));
                 at += 1;
@@ -35,13 +35,13 @@ impl Reader<'_> {
                 continue;
             }
             if pending.is_none() && !terms.is_empty() {
-                return Err(Fault::new(slice[0].span, "a sign is missing before this"));
+                return Err(Fault::new(slice[0].span, "a + or − is missing before this term"));
             }
             let (sign, sign_span) = pending.take().map_or((Sign::Plus, None), |(sign, span)| (sign, Some(span)));
             terms.push(Term { sign, sign_span, expr: self.term(slice)? });
         }
         if let Some((_, span)) = pending {
-            return Err(Fault::new(span, "nothing follows this sign"));
+            return Err(Fault::new(span, "no term follows this sign"));
         }
         match terms.len() {
             0 => Err(Fault::new(whole, "a formula is missing here")),
@@ -56,8 +56,8 @@ impl Reader<'_> {
             Layout::Other('-') => Some(Sign::Minus),
             Layout::Command(name) if name == "\\pm" || name == "\\mp" => {
                 let upper = self.branch.ok_or_else(|| {
-                    Fault::new(item.span, "± stands for two formulas, and only one is asked for")
-                        .help("write the branch that you mean")
+                    Fault::unsupported(item.span, "± stands for two formulas, and only one is allowed here")
+                        .help("write + or −")
                 })?;
                 Some(if name == "\\pm" { upper } else { upper.flipped() })
             }
@@ -71,9 +71,8 @@ impl Reader<'_> {
         for (at, item) in items.iter().enumerate() {
             if self.sign(item)?.is_some() {
                 if after_operator {
-                    return Err(
-                        Fault::new(item.span, "a sign after an operator").help("put the signed factor in parentheses")
-                    );
+                    return Err(Fault::new(item.span, "a sign directly follows an operator")
+                        .help("put the signed factor in parentheses"));
                 }
                 return Ok(at);
             }
@@ -108,14 +107,15 @@ impl Reader<'_> {
                 }
                 if found == Joint::Slash {
                     if let Some(function) = open_function {
-                        return Err(Fault::new(
+                        return Err(Fault::ambiguous(
                             function.to(item.span),
-                            "does this divide the function or its argument?",
+                            "the slash may divide the function or its argument",
                         )
                         .help("put the argument in parentheses, or use \\frac"));
                     }
                     if after_slash.is_some() {
-                        return Err(two_ways(item.span, "a/b/c"));
+                        return Err(Fault::ambiguous(item.span, "a/b/c may be (a/b)/c or a/(b/c)")
+                            .help("use \\frac or parentheses"));
                     }
                 }
                 next = found;
@@ -124,12 +124,14 @@ impl Reader<'_> {
                 continue;
             }
             if let (Joint::Beside, Some(slash)) = (next, after_slash) {
-                return Err(two_ways(slash.to(item.span), "a/bc").help("write \\frac{a}{bc} or \\frac{a}{b}c"));
+                return Err(Fault::ambiguous(slash.to(item.span), "a/bc may be a/(bc) or (a/b)c")
+                    .help("write \\frac{a}{bc} or \\frac{a}{b}c"));
             }
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
-                return Err(two_ways(factor.span, "a sum in braces, which do not print").help("use parentheses"));
+                return Err(Fault::ambiguous(factor.span, "braces do not print, so this sum may be read without them")
+                    .help("use parentheses"));
             }
             if next == Joint::Beside && !runs.last().is_none_or(|(_, run)| run.is_empty()) {
                 self.run_together(items, start)?;
@@ -152,7 +154,7 @@ impl Reader<'_> {
             operator = None;
         }
         if let Some(span) = operator {
-            return Err(Fault::new(span, "nothing follows this operator"));
+            return Err(Fault::new(span, "no factor follows this operator"));
         }
         self.join(runs, whole)
     }
@@ -164,11 +166,13 @@ impl Reader<'_> {
         let item = &items[at];
         let span = before.span.to(item.span);
         if matches!(before.layout, Layout::Number(_)) && (is_numeric_item(item) || is_number(item)) {
-            return Err(two_ways(span, "a number beside a number").help("write \\cdot between them"));
+            return Err(Fault::ambiguous(span, "two numbers side by side may be a product or one number")
+                .help("write \\cdot between them"));
         }
         let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
         if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
-            return Err(two_ways(span, "which of these bars belong together").help("use \\left| and \\right|"));
+            return Err(Fault::ambiguous(span, "these bars can be paired in more than one way")
+                .help("use \\left| and \\right|"));
         }
         Ok(())
     }
@@ -194,8 +198,8 @@ impl Reader<'_> {
             _ => None,
         });
         if let Some(span) = lost {
-            return Err(Fault::new(span, "× stands between a length and a vector: is an arrow lost here?")
-                .help("write the vector with its arrow; a plain product is written without ×"));
+            return Err(Fault::shape(span, "× stands between a number and a vector, and needs two vectors")
+                .help("put an arrow on the vector, or write a plain product without ×"));
         }
         if parts.iter().filter(|(_, _, is_vector)| *is_vector).count() < 2 {
             return Ok(Expr::new(Node::Product(factors), whole));
@@ -207,7 +211,11 @@ impl Reader<'_> {
                 match folded.last_mut() {
                     Some(last) if found == joint && last.2 && is_vector => {
                         if previous_was_cross {
-                            return Err(two_ways(last.1.span.to(expr.span), "a × b × c").help("put parentheses"));
+                            return Err(Fault::ambiguous(
+                                last.1.span.to(expr.span),
+                                "a × b × c may be (a × b) × c or a × (b × c)",
+                            )
+                            .help("use parentheses"));
                         }
                         let span = last.1.span.to(expr.span);
                         let left = std::mem::replace(&mut last.1, Expr::integer(0, span));

@@ -9,9 +9,9 @@ use crate::formula::SymbolId;
 use crate::formula::symbols::{Components, Kind, Name};
 use crate::formula::text;
 use crate::formula::tree::{Expr, Index, Node};
-use crate::source::Span;
+use crate::source::{Fault, Span};
 
-use super::state::{Read, Reader, two_ways};
+use super::state::{Read, Reader};
 
 impl Reader<'_> {
     /// What a name means beside a declared vector, which is returned as well. Where it could be a norm and a component,
@@ -25,7 +25,7 @@ impl Reader<'_> {
         match (norm, component) {
             (Some((norm, _)), Some((component, _))) => {
                 let (norm, component) = (text::formula(&norm, self.symbols), text::formula(&component, self.symbols));
-                Err(two_ways(span, &format!("{norm} or {component}"))
+                Err(Fault::ambiguous(span, format!("{name} may be {norm} or {component}"))
                     .help(format!("declare {name} in the claims file")))
             }
             (norm, component) => Ok(norm.or(component)),

@@ -68,7 +68,7 @@ impl Finder<'_> {
 }
 
 /// The `_` or `^` of the script that a formula ends with.
-fn last_script(formula: &str) -> Option<char> {
+pub(super) fn last_script(formula: &str) -> Option<char> {
     let formula = formula.trim_end();
     let script = match formula.ends_with('}') {
         true => {

@@ -190,7 +190,7 @@ const HIGHEST_ORDER: u32 = 9;
 /// Reads the claim about the equation at `address`.
 pub(super) fn claim(json: &Json, address: &str, source: &Source) -> Result<Claim, Fault> {
     let fields = Fields::new(json, &format!("the claim for \"{address}\""), &[KEYS], LATER)?;
-    fields.together("solves", "for", "a solution is of an equation, for an unknown")?;
+    fields.together("solves", "for", "\"solves\" names the equation, and \"for\" the unknown")?;
     let mut claim = shared(&fields, source)?;
     claim.solves = solves(&fields, source)?;
     Ok(claim)
@@ -198,7 +198,7 @@ pub(super) fn claim(json: &Json, address: &str, source: &Source) -> Result<Claim
 
 /// All keys but `solves` and `for`, which mean something else beside `solutions`.
 pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Fault> {
-    fields.together("expect", "because", "an expectation needs its reason, and a reason its expectation")?;
+    fields.together("expect", "because", "\"expect\" names the verdict, and \"because\" the reason")?;
     let holds = fields.text("holds")?;
     let generates = fields.text("generates")?;
     let units = fields.text("units")?;
@@ -247,13 +247,14 @@ fn order(fields: &Fields<'_>) -> Result<Option<Spanned<u32>>, Fault> {
     let small = fields.entry("small").map(|(key, _)| Spanned::new(1, key.span));
     let Some((key, json)) = fields.entry("order") else { return Ok(small) };
     if small.is_none() {
-        return Err(Fault::new(key.span, "\"order\" needs \"small\" beside it").help("in which symbol?"));
+        return Err(Fault::claims(key.span, "\"order\" needs \"small\" beside it")
+            .help("name the small quantity under \"small\""));
     }
     let order = fields::count(json, "order")?;
     match u32::try_from(order.value) {
         Ok(value) if value <= HIGHEST_ORDER => Ok(Some(Spanned::new(value, order.span))),
-        _ => Err(Fault::new(order.span, format!("\"order\" is at most {HIGHEST_ORDER}"))
-            .help("1 where the print is linear in what is small")),
+        _ => Err(Fault::claims(order.span, format!("\"order\" must be at most {HIGHEST_ORDER}"))
+            .help("use 1 for an equation that is linear in the small quantity")),
     }
 }
 
@@ -270,10 +271,8 @@ fn exactly_when(fields: &Fields<'_>) -> Result<Vec<Vec<Text>>, Fault> {
             items.iter().map(|item| fields::texts(item, "any of")).collect()
         }
         Some(json) => Err(fields::wrong(json, "any of", "a list of conditions")),
-        None => {
-            Err(Fault::new(json.span, format!("\"{KEY}\" is empty"))
-                .help("as in { \"any of\": [\"a = 0\", \"b = 0\"] }"))
-        }
+        None => Err(Fault::claims(json.span, format!("\"{KEY}\" is empty"))
+            .help("as in { \"any of\": [\"a = 0\", \"b = 0\"] }")),
     }
 }
 
@@ -300,7 +299,7 @@ fn limit(fields: &Fields<'_>) -> Result<Option<Text>, Fault> {
     let limit = fields.text("limit")?;
     match &limit {
         Some(text) if !is_limit(&text.value) => {
-            Err(Fault::new(text.span, format!("\"{}\" is no limit", text.value)).help("as in \"x \\\\to 0\""))
+            Err(Fault::claims(text.span, format!("\"{}\" is not a limit", text.value)).help("as in \"x \\\\to 0\""))
         }
         _ => Ok(limit),
     }
@@ -322,11 +321,13 @@ fn errata(fields: &Fields<'_>) -> Result<Vec<Erratum>, Fault> {
 
 fn erratum(json: &Json) -> Result<Erratum, Fault> {
     let fields = Fields::new(json, "an erratum", &[&["for", "read", "times", "because"]], &[])?;
-    let missing =
-        |key: &str| Fault::new(json.span, format!("an erratum needs \"{key}\"")).help("\"for\" …, \"read\" …");
+    let missing = |key: &str| {
+        Fault::claims(json.span, format!("an erratum needs \"{key}\""))
+            .help("write \"for\": what is printed, and \"read\": what it should be")
+    };
     let times = fields.count("times")?;
     if let Some(Spanned { value: 0, span }) = times {
-        return Err(Fault::new(span, "\"times\" is at least 1"));
+        return Err(Fault::claims(span, "\"times\" must be at least 1"));
     }
     Ok(Erratum {
         printed: fields.text("for")?.ok_or_else(|| missing("for"))?,
@@ -339,8 +340,11 @@ fn erratum(json: &Json) -> Result<Erratum, Fault> {
 fn expect(fields: &Fields<'_>) -> Result<Option<Expect>, Fault> {
     let (Some(verdict), Some(because)) = (fields.text("expect")?, fields.text("because")?) else { return Ok(None) };
     if ["certified", "verified", "definition", "law"].contains(&verdict.value.as_str()) {
-        return Err(Fault::new(verdict.span, format!("\"{}\" is a pass, and passes are not announced", verdict.value))
-            .help("leave \"expect\" and \"because\" out"));
+        return Err(Fault::claims(
+            verdict.span,
+            format!("\"{}\" is a pass, and \"expect\" is for other verdicts", verdict.value),
+        )
+        .help("remove \"expect\" and \"because\""));
     }
     const WORDS: &[(&str, Expected)] = &[
         ("refuted", Expected::Refuted),

@@ -93,15 +93,15 @@ pub(super) fn continua(fields: &Fields<'_>, source: &Source) -> Result<Vec<Conti
 fn continuum(name: &Text, json: &Json, source: &Source) -> Result<Continuum, Fault> {
     let fields = Fields::new(json, "a continuum", &[DENSITIES, &["particles", "uniform", "made of"]], &[])?;
     let [name] = <[Text; 1]>::try_from(fields::names(name, source)?)
-        .map_err(|_| Fault::new(name.span, "a continuum has one name").help("give each its own line"))?;
+        .map_err(|_| Fault::claims(name.span, "a continuum has one name").help("give each its own line"))?;
     let mut densities = (1..).zip(DENSITIES).filter_map(|(dimension, key)| Some((dimension, fields.entry(key)?)));
     let Some((dimension, (key, value))) = densities.next() else {
-        return Err(Fault::new(json.span, format!("nothing says how the mass of {} is spread", name.value))
+        return Err(Fault::claims(json.span, format!("the density of {} is missing", name.value))
             .help("add \"mass per length\", \"mass per area\" or \"mass per volume\""));
     };
     if let Some((_, (second, _))) = densities.next() {
-        let message = format!("\"{}\" beside \"{}\": mass is spread in one way", second.value, key.value);
-        return Err(Fault::new(second.span, message).help("keep one of them"));
+        let message = format!("\"{}\" and \"{}\" cannot both be given", key.value, second.value);
+        return Err(Fault::claims(second.span, message).help("keep one of them"));
     }
     let (density, point) = density(&fields::text(value, &key.value)?, source)?;
     let particles = fields.text("particles")?.map(|written| particles(&written, source)).transpose()?;
@@ -125,7 +125,7 @@ fn density(written: &Text, source: &Source) -> Result<(Text, Text), Fault> {
     });
     match pieces {
         Some((density, point)) if !density.value.is_empty() && !point.value.is_empty() => Ok((density, point)),
-        _ => Err(Fault::new(written.span, format!("\"{text}\" does not say of which point it is the density"))
+        _ => Err(Fault::claims(written.span, format!("\"{text}\" does not name the point of the density"))
             .help("as in \"\\\\rho(\\\\vec r)\"")),
     }
 }
@@ -138,7 +138,7 @@ fn particles(written: &Text, source: &Source) -> Result<(Text, Text), Fault> {
     });
     match pieces {
         Some((mass, position)) if !mass.value.is_empty() && !position.value.is_empty() => Ok((mass, position)),
-        _ => Err(Fault::new(written.span, format!("\"{text}\" does not say which masses are where"))
+        _ => Err(Fault::claims(written.span, format!("\"{text}\" does not name a mass and its position"))
             .help("as in \"m_i at \\\\vec r_i\"")),
     }
 }
@@ -147,28 +147,30 @@ fn solid(json: &Json, dimension: u8, per: &str, source: &Source) -> Result<Solid
     let fields = Fields::new(json, "a body", &[KINDS, &["at", "hollow"]], &[])?;
     let mut kinds = SOLIDS.iter().filter_map(|(key, kind)| Some((*kind, fields.entry(key)?)));
     let Some((kind, (key, value))) = kinds.next() else {
-        return Err(Fault::new(json.span, "nothing says what body this is")
+        return Err(Fault::claims(json.span, "the shape of this body is missing")
             .help("add \"ball\", \"box\", \"shell\", \"rod\", \"lamina\" or \"disc\", with its size"));
     };
     if let Some((_, (second, _))) = kinds.next() {
-        let message = format!("\"{}\" beside \"{}\": a body has one shape", second.value, key.value);
-        return Err(Fault::new(second.span, message).help("give each body its own braces"));
+        let message = format!("\"{}\" and \"{}\" cannot both be given: a body has one shape", key.value, second.value);
+        return Err(Fault::claims(second.span, message).help("give each body its own braces"));
     }
     if kind.dimension() != dimension {
         let fitting = SOLIDS.iter().filter(|(_, kind)| kind.dimension() == dimension);
         let fitting = fitting.map(|(key, _)| format!("\"{key}\"")).collect::<Vec<_>>().join(" or ");
-        return Err(Fault::new(key.span, format!("the mass of a {} is no \"{per}\"", key.value))
-            .help(format!("with \"{per}\" a body is {fitting}")));
+        return Err(Fault::claims(key.span, format!("a {} has no \"{per}\"", key.value))
+            .help(format!("with \"{per}\", use {fitting}")));
     }
     let size = fields::text(value, &key.value)?;
     let (lengths, needed) = (fields::names(&size, source)?.len(), kind.lengths());
     if lengths != needed {
         let help = match needed {
-            1 => "one length, as in \"R\"",
-            2 => "two edges, as in \"a, b\"",
-            _ => "three edges, as in \"a, b, c\"",
+            1 => "write one length, as in \"R\"",
+            2 => "write two edges, as in \"a, b\"",
+            _ => "write three edges, as in \"a, b, c\"",
         };
-        return Err(Fault::new(size.span, format!("the size of a {} is not {lengths} lengths", key.value)).help(help));
+        return Err(
+            Fault::claims(size.span, format!("the size of a {} cannot be {lengths} lengths", key.value)).help(help)
+        );
     }
     let kind = Spanned::new(kind, key.span);
     Ok(Solid { kind, size, at: fields.text("at")?, hollow: fields.on("hollow")?.is_some() })

@@ -172,8 +172,8 @@ impl Claims {
 fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fault> {
     let fields = Fields::new(json, "a claims file", &[KEYS], LATER)?;
     let missing = || {
-        Fault::new(Span::new(json.span.start, json.span.start + 1), "a claims file needs \"notes\"")
-            .help("\"notes\": \"top.md\" names the document, relative to this file")
+        Fault::claims(Span::new(json.span.start, json.span.start + 1), "a claims file needs \"notes\"")
+            .help("add \"notes\": \"top.md\", the path of the document relative to this file")
     };
     let rotations = rotations(&fields, source)?;
     let declarations = declarations(&fields, source)?;
@@ -220,7 +220,7 @@ fn system(fields: &Fields<'_>) -> Result<Option<SystemRef>, Fault> {
         }
         Some(json @ Json { value: Value::Object(_), .. }) => {
             let inner = Fields::new(json, "\"system\"", &[&["name", "read"]], &[])?;
-            let missing = || Fault::new(json.span, "\"system\" needs \"name\"");
+            let missing = || Fault::claims(json.span, "\"system\" needs \"name\"");
             Ok(Some(SystemRef { name: inner.text("name")?.ok_or_else(missing)?, read: inner.pairs("read")? }))
         }
         Some(json) => Err(fields::wrong(json, "system", "a name or an object with \"name\" and \"read\"")),
@@ -291,7 +291,7 @@ fn once<'a>(names: impl Iterator<Item = &'a Text>, source: &Source) -> Result<()
         if let Some(first) = seen.insert(plain(head(&name.value)), name.span) {
             let (line, column) = source.line_column(first.start);
             let message = format!("{} is declared twice; first at {line}:{column}", name.value);
-            return Err(Fault::new(name.span, message).help("a symbol has one meaning; take one of the two out"));
+            return Err(Fault::claims(name.span, message).help("remove one of the two declarations"));
         }
     }
     Ok(())

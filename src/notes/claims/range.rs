@@ -79,9 +79,9 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
         _ => match text.strip_prefix("integer").filter(|rest| rest.starts_with(char::is_whitespace)) {
             Some(rest) => integers(written, rest, false)?,
             None => {
-                let fault = Fault::new(written.span, format!("\"{text}\" is no range"));
+                let fault = Fault::claims(written.span, format!("\"{text}\" is not a range"));
                 if text == "fixed direction" || text.starts_with("rigid") {
-                    return Err(fault.help("it is how a vector varies: declare it under \"varies with time\""));
+                    return Err(fault.help("declare a vector that varies like this under \"varies with time\""));
                 }
                 return Err(match nearest(text, ["any", "angle", "integer"]) {
                     Some(word) => fault.help(format!("did you mean \"{word}\"? {RANGES}")),
@@ -108,7 +108,7 @@ pub(super) fn motion(written: &Spanned<String>) -> Result<Spanned<Range>, Fault>
         None => ("", None),
     };
     if rate.is_empty() || about == Some("") || rate.ends_with(" about") {
-        return Err(Fault::new(written.span, format!("\"{text}\" does not say how it turns")).help(MOTIONS));
+        return Err(Fault::claims(written.span, format!("\"{text}\" does not name the angular velocity")).help(MOTIONS));
     }
     let range = Range::Rigid { turning_with: rate.to_owned(), about: about.map(str::to_owned) };
     Ok(Spanned::new(range, written.span))
@@ -120,7 +120,7 @@ pub(super) fn index(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
     if let Some(labels) = rest.strip_prefix("labels ") {
         return match integers(written, labels, true)? {
             Range::Integer { low: 1, high } => Ok(Spanned::new(Range::Labels { high }, written.span)),
-            _ => Err(Fault::new(written.span, "labels count from 1").help(INDICES)),
+            _ => Err(Fault::claims(written.span, "labels must count from 1").help(INDICES)),
         };
     }
     let rest = rest.strip_prefix("integer ").unwrap_or(rest);
@@ -129,8 +129,8 @@ pub(super) fn index(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
 
 fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Range, Fault> {
     let help = if symbolic { INDICES } else { RANGES };
-    let fault = |message: String| Fault::new(written.span, message).help(help);
-    let unread = || fault(format!("\"{}\" is no range of integers", written.value));
+    let fault = |message: String| Fault::claims(written.span, message).help(help);
+    let unread = || fault(format!("\"{}\" is not a range of integers", written.value));
     let (low, high) = rest.split_once("..").ok_or_else(unread)?;
     let low: i64 = low.trim().parse().map_err(|_| unread())?;
     let high = high.trim();
@@ -142,10 +142,12 @@ fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Ran
         Err(_) => return Err(unread()),
     };
     match high {
-        Count::Number(number) if number < low => Err(fault(format!("\"{}\" is upside down", written.value))),
+        Count::Number(number) if number < low => {
+            Err(fault(format!("the range \"{}\" ends before it begins", written.value)))
+        }
         Count::Number(number) if number == low && !symbolic => {
-            Err(Fault::new(written.span, format!("\"{}\" has one value", written.value))
-                .help("a fixed value is a \"where\" or a \"define\", not a range"))
+            Err(Fault::claims(written.span, format!("the range \"{}\" has one value only", written.value))
+                .help("give a fixed value under \"where\" or \"define\""))
         }
         high => Ok(Range::Integer { low, high }),
     }
@@ -153,18 +155,18 @@ fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Ran
 
 fn interval(written: &Spanned<String>) -> Result<Range, Fault> {
     let text = written.value.trim();
-    let fault = |message: String| Fault::new(written.span, message);
-    let unread = || fault(format!("\"{text}\" is no interval")).help(RANGES);
+    let fault = |message: String| Fault::claims(written.span, message);
+    let unread = || fault(format!("\"{text}\" is not an interval")).help(RANGES);
     let inside = text.get(1..text.len() - 1).filter(|_| text.ends_with([')', ']'])).ok_or_else(unread)?;
     let (low, high) = inside.split_once(',').ok_or_else(unread)?;
     let end = |end: &str| endpoint(end).map_err(|message| fault(message).help(RANGES));
     let (low, high) = (end(low)?, end(high)?);
     if low > high {
-        return Err(fault(format!("the range \"{text}\" is upside down")).help("the smaller end comes first"));
+        return Err(fault(format!("the range \"{text}\" ends before it begins")).help("write the smaller end first"));
     }
     if low == high {
-        return Err(fault(format!("the range \"{text}\" has no width"))
-            .help("a fixed value is a \"where\" or a \"define\", not a range"));
+        return Err(fault(format!("the range \"{text}\" has one value only"))
+            .help("give a fixed value under \"where\" or \"define\""));
     }
     Ok(Range::Interval { low, high, low_open: text.starts_with('('), high_open: text.ends_with(')') })
 }
