@@ -102,6 +102,20 @@ codes! {
     TooLarge = "too-large",
     /// A file, an argument or an option cannot be used.
     Input = "input",
+    /// The claim holds at every sampled state that can decide it.
+    Holds = "holds",
+    /// The two sides of an equation differ at a sampled state, which is given.
+    SidesDiffer = "sides-differ",
+    /// The two sides agree where both are defined, but one of them is not defined everywhere.
+    DomainDiffers = "domain-differs",
+    /// The display defines a name, and other equations test the definition.
+    Definition = "definition",
+    /// The display is a law: a hypothesis by the word of the claims file, not checked here.
+    Law = "law",
+    /// No statement could be made: there are no states, too few, or none that can tell.
+    NotDecided = "not-decided",
+    /// Nothing is claimed of the display.
+    NoClaim = "no-claim",
 }
 
 impl fmt::Display for Code {

@@ -86,7 +86,7 @@
 //! A *formula* ([`formula::Expr`]) is what LaTeX says, apart from how it was typeset. [`latex`] reads it in two steps,
 //! layout and then meaning, and refuses what people read in two ways. The rules are in [`latex::reader`].
 //!
-//! A *state* ([`check::scene::Scene`]) gives every symbol a value and its time derivatives. *Off shell* the
+//! A *state* ([`check::Verdict`]) gives every symbol a value and its time derivatives. *Off shell* the
 //! derivatives are free numbers; *on shell* the equations of motion, or laws, give the highest and all above. An
 //! equation with no word on it in the claims file is tested off shell first, and on shell if it fails there; the
 //! report says which.

@@ -1,91 +1,53 @@
-//! Where the printed and the derived meet: each equation of a document against what is true.
+//! Compares what is printed with what is derived: each equation of a document against what is true.
 //!
 //! [`check_document`] reads every numbered display, builds the [`model`] of its symbols, and gives each claim a
-//! [`Verdict`] with its evidence. A claim between two formulas is tested in [`identity`]; [`solves`], [`limit`] and
-//! [`generates`] are the other kinds; [`functions`] tests what sentences say about the shape of a function. States are
-//! made in [`ensemble`] (drawn, and moved onto the hypotheses), evaluated in [`scene`], judged in [`judge`]; and every
-//! pass is held against its [`twins`]. Where units are declared, [`units`] comes before all of these.
+//! [`Verdict`] with its evidence. The folders import one way, each from those above it in this table:
+//!
+//! | folder | purpose |
+//! | --- | --- |
+//! | `verdict` | verdicts, findings, repairs, reports: plain data |
+//! | `model` | what each symbol means |
+//! | `hypotheses` | hypotheses and laws that say outright what a symbol is |
+//! | `state` | a sampled state: the value of every symbol and formula in it, and the residual of a claim |
+//! | `sample` | states drawn at random and projected onto the hypotheses |
+//! | `certificate` | polynomial identity testing over a prime field |
+//! | `search` | states sought on purpose: boundaries, branches, extreme magnitudes, other family sizes |
+//! | `vacuity` | claims that say nothing, and hypotheses that force a result |
+//! | `judge` | one claim between two formulas: numbers, mutants, certificate, and what a refuted claim is off by |
+//! | `kinds` | the other kinds of claim, a file each |
+//! | `document` | a document made ready: displays read, claims assigned, units inferred |
+//! | `equations` | the finding on each equation and each sentence of a document |
+//! | `trial` | another text in the place of a display |
+//! | `repair` | the edits that correct a refuted equation, and their ranking |
+//! | `steps` | false lines that follow from a false line before them |
+//! | `mutation` | mutation testing of a document |
+//! | `reprint`, `run` | another print of the same notes; a whole run |
 
-mod adversary;
-mod anew;
-mod any_body;
-mod base;
-mod branches;
-mod builder;
-mod certify;
-mod chain;
-mod continuum;
-mod crowd;
-mod damage;
-pub mod definitions;
-mod desk;
-mod difference;
+pub(crate) mod certificate;
 pub mod document;
-mod doubt;
-pub mod draw;
-pub mod drawn;
-mod edges;
-pub mod ensemble;
-mod equation;
-pub mod evidence;
-mod exactly;
-mod following;
-mod forced;
-mod formal;
-pub mod functions;
-mod gaps;
-pub mod generates;
-mod growth;
-pub mod identity;
-mod instant;
-pub mod judge;
-mod laws;
-pub mod limit;
-mod lost;
+pub(crate) mod equations;
+pub(crate) mod hypotheses;
+pub(crate) mod judge;
+pub mod kinds;
 pub mod model;
-mod motion;
-pub mod mutate;
-mod nothing;
-mod particles;
-mod pins;
-pub mod plain;
-mod premise;
-mod probe;
-mod progress;
-mod reached;
-mod reading;
-mod redefinition;
-mod repair;
+pub mod mutation;
+pub(crate) mod repair;
 pub mod reprint;
-mod restated;
-mod rules;
-pub mod scene;
-mod sentences;
-mod shared;
-mod sizes;
-mod small;
-mod solved;
-mod solver;
-pub mod solves;
-mod standing;
-mod steps;
-mod tautology;
-mod terms;
-mod together;
-mod trial;
-pub mod twins;
-mod unclear;
-pub mod units;
-mod uses;
+pub(crate) mod run;
+pub(crate) mod sample;
+pub(crate) mod search;
+pub(crate) mod state;
+pub(crate) mod steps;
+pub(crate) mod trial;
+pub(crate) mod vacuity;
 pub mod verdict;
-mod whole;
-mod wide;
 
-pub use document::{Run, check_document, check_in, unclaimed};
-pub use identity::Options;
-pub use progress::Progress;
+pub use document::setup::Run;
 pub use reprint::check_reprint;
-pub use verdict::{
-    Counterexample, Document, Equation, Finding, Fit, Formula, Fraction, Inherited, Misfit, Part, Repair, Report,
-    Shared, Verdict,
-};
+pub use run::{check_document, check_in, unclaimed};
+pub use sample::context::Options;
+pub use verdict::Verdict;
+pub use verdict::finding::{Counterexample, Finding, Fit, Formula, Fraction, Inherited, Misfit};
+pub use verdict::progress::Progress;
+pub use verdict::repair::{Repair, Shared};
+pub use verdict::report::{Document, Equation, Part, Report};

@@ -9,19 +9,23 @@
 
 use rayon::prelude::*;
 
-use crate::formula::{Expr, Relation, Statement, text};
-use crate::latex::{Introduced, Macros, Reading};
+use crate::code::Code;
+use crate::latex::{Macros, Reading};
 use crate::notes::claims::{Claim, Claims, Expected};
 use crate::notes::document::Numbered;
 use crate::notes::{Display, Notes};
 use crate::source::Span;
 use crate::{Error, Result};
 
-use super::desk::Desk;
-use super::document::{Run, define_macros, id, repeated, unjudged, with_desk};
-use super::equation::{says_the_same, worst};
-use super::reading::corrected;
-use super::verdict::{Document, Equation, Finding, Part, Verdict};
+use crate::check::document::checker::Checker;
+use crate::check::document::names::{id, repeated, unjudged};
+use crate::check::document::reading::corrected;
+use crate::check::document::reread::{lost, read, reads_alike};
+use crate::check::document::setup::{Run, define_macros, with_checker};
+use crate::check::equations::merge::worst;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::{Document, Equation, Part};
 
 /// Applies claims, each with its reference, to a print. Of an equation that several are about the worst finding counts;
 /// a numbered one that none is about is unclaimed. Where the print has a number twice, the first display is judged, and
@@ -50,13 +54,13 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
             continue;
         };
         let message = "no claims file is about an equation of this number";
-        let finding = Finding::new(Verdict::Unclaimed, display.body, message);
+        let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
         equations.push(unjudged(print, number, display.line, finding));
     }
     for (number, line) in repeated(print) {
         if run.only.is_none_or(|only| number.id == only) {
             let message = format!("the number ({}) is used a second time, after line {line}", number.id);
-            let finding = Finding::new(Verdict::Unreadable, number.span, message);
+            let finding = Finding::new(Code::NotSupported, Verdict::Unreadable, number.span, message);
             let line = print.source.line_column(number.span.start).0;
             equations.push(unjudged(print, &number.id, line, finding));
         }
@@ -110,13 +114,13 @@ fn apply(run: &Run<'_>, claims: &Claims, reference: &Notes, print: &Notes) -> Re
     if work.is_empty() {
         return Ok(Vec::new());
     }
-    with_desk(run, claims, reference, |desk| {
-        let mut macros = desk.model.macros.clone();
+    with_checker(run, claims, reference, |checker| {
+        let mut macros = checker.model.macros.clone();
         define_macros(print, &mut macros);
-        let desk = Desk { source: &print.source, ..desk };
+        let checker = Checker { source: &print.source, ..checker };
         let judged = work.par_iter().map(|(at, display)| {
             let equation = match display {
-                Some(display) => equation(&desk, &macros, *at, display),
+                Some(display) => equation(&checker, &macros, *at, display),
                 None => Ok(absent(reference, print, *at)),
             };
             run.progress.done(&print.source.path);
@@ -126,17 +130,19 @@ fn apply(run: &Run<'_>, claims: &Claims, reference: &Notes, print: &Notes) -> Re
     })
 }
 
-/// The finding on a display that prints the `at`-th equation of the desk's notes.
-fn equation(desk: &Desk<'_>, macros: &Macros, at: usize, display: &Display) -> Result<Equation> {
+/// The finding on a display that prints the `at`-th equation of the checker's notes.
+fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display) -> Result<Equation> {
     let none = Claim::default();
-    let claim = desk.assigned[at].unwrap_or(&none);
-    let reading = read(desk, macros, at, &display.text, claim);
-    let mut parts = judged(desk, (at, display), &reading, claim)?;
-    let original = || desk.as_printed(&desk.notes.equations[at].text, claim, macros);
-    if let Some(message) = lost(desk, &reading, &desk.readings[at])
-        && (claim.errata.is_empty() || lost(desk, &reading, &original()).is_some())
+    let claim = checker.assigned[at].unwrap_or(&none);
+    let reading = read(checker, macros, at, &display.text, claim);
+    let mut parts = judged(checker, (at, display), &reading, claim)?;
+    let original = || checker.as_printed(&checker.notes.equations[at].text, claim, macros);
+    if let Some(message) = lost(checker, &reading, &checker.readings[at])
+        && (claim.errata.is_empty() || lost(checker, &reading, &original()).is_some())
     {
-        parts.push(desk.part(Finding::new(Verdict::Unreadable, display.body, message), String::new()));
+        parts.push(
+            checker.part(Finding::new(Code::NotSupported, Verdict::Unreadable, display.body, message), String::new()),
+        );
     }
     let failed = parts.iter().any(|part| !part.finding.verdict.passes());
     // What is wrong in the reference, too, is known to be wrong, where it is the same that is wrong.
@@ -152,11 +158,11 @@ fn equation(desk: &Desk<'_>, macros: &Macros, at: usize, display: &Display) -> R
         let edits: Vec<String> =
             claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
         // The misprint may be spelled in another way here; where it is spelled alike, its correction must pass.
-        let verdict = match corrected(desk.claims, &display.text, &claim.errata) {
+        let verdict = match corrected(checker.claims, &display.text, &claim.errata) {
             Ok(text) => {
-                let corrected = read(desk, macros, at, &text, claim);
-                let mended = judged(desk, (at, display), &corrected, claim)?;
-                let whole = lost(desk, &corrected, &desk.readings[at]).is_none();
+                let corrected = read(checker, macros, at, &text, claim);
+                let mended = judged(checker, (at, display), &corrected, claim)?;
+                let whole = lost(checker, &corrected, &checker.readings[at]).is_none();
                 ok = whole && mended.iter().all(|part| part.finding.verdict.passes());
                 if ok { String::new() } else { format!("; corrected so it does not pass: {}", worst(&mended).message) }
             }
@@ -167,80 +173,25 @@ fn equation(desk: &Desk<'_>, macros: &Macros, at: usize, display: &Display) -> R
         };
         because = Some(format!("a known erratum: {}{verdict}", edits.join(", ")));
     }
-    Ok(desk.assembled(display, &reading, parts, ok, because))
+    Ok(checker.assembled(display, &reading, parts, ok, because))
 }
 
 /// The parts of a reading of the print. What a claim asks for and a damaged display does not have makes it unreadable.
-fn judged(desk: &Desk<'_>, (at, display): (usize, &Display), reading: &Reading, claim: &Claim) -> Result<Vec<Part>> {
+fn judged(
+    checker: &Checker<'_>,
+    (at, display): (usize, &Display),
+    reading: &Reading,
+    claim: &Claim,
+) -> Result<Vec<Part>> {
     let topic = id(display).unwrap_or_default();
     // The same claim on the reference tells whether it is the claim that is wrong, or the print.
-    desk.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
-        desk.parts((at, display.body.start), &desk.readings[at], claim, topic)?;
-        let message = format!("it cannot be judged as ({topic}) of {}: {}", desk.notes.source.path, error.message());
-        Ok(vec![desk.part(Finding::new(Verdict::Unreadable, display.body, message), String::new())])
+    checker.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
+        checker.parts((at, display.body.start), &checker.readings[at], claim, topic)?;
+        let message = format!("it cannot be judged as ({topic}) of {}: {}", checker.notes.source.path, error.message());
+        Ok(vec![
+            checker.part(Finding::new(Code::NotSupported, Verdict::Unreadable, display.body, message), String::new()),
+        ])
     })
-}
-
-/// The reading of a text in the place of the `at`-th equation, with the definitions that it shares with the reference.
-pub(super) fn read(desk: &Desk<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) -> Reading {
-    let mut reading = desk.as_printed(text, claim, macros);
-    for introduced in &desk.readings[at].introduced {
-        let Some(Ok(original)) = desk.readings[at].statements.get(introduced.statement) else { continue };
-        let shared =
-            |read: &Statement| defined(read, introduced).is_some_and(|d| Some(d) == defined(original, introduced));
-        let here = reading.statements.iter().position(|read| read.as_ref().is_ok_and(shared));
-        if let Some(statement) = here {
-            reading.introduced.push(Introduced { statement, ..introduced.clone() });
-        }
-    }
-    reading
-}
-
-/// What a print has lost of what the reference says: it has fewer relations of a kind, or does not call constant what is
-/// constant there. How it spells what it has is free, and what cannot be read in it is reported as that.
-pub(super) fn lost(desk: &Desk<'_>, reading: &Reading, reference: &Reading) -> Option<String> {
-    let kind = |relation: Relation| match relation {
-        Relation::Identical => Relation::Equal,
-        Relation::Greater => Relation::Less,
-        Relation::GreaterEqual => Relation::LessEqual,
-        other => other,
-    };
-    let kinds = |reading: &Reading| -> Vec<Relation> {
-        let statements = reading.statements.iter().flatten();
-        statements.flat_map(|s| s.relations.iter().map(|(relation, _)| kind(*relation))).collect()
-    };
-    if reading.statements.iter().any(std::result::Result::is_err) {
-        return None;
-    }
-    let (here, there) = (kinds(reading), kinds(reference));
-    let count = |kinds: &[Relation], wanted: Relation| kinds.iter().filter(|found| **found == wanted).count();
-    let source = &desk.notes.source.path;
-    if let Some(fewer) = there.iter().find(|wanted| count(&here, **wanted) < count(&there, **wanted)) {
-        let (has, had) = (count(&here, *fewer), count(&there, *fewer));
-        let members = |reading: &'_ Reading| -> Vec<Expr> {
-            reading.statements.iter().flatten().flat_map(|statement| statement.members.clone()).collect()
-        };
-        let kept = members(reading);
-        let missing = members(reference).into_iter().find(|member| !kept.contains(member));
-        let missing = missing.map_or_else(String::new, |member| {
-            format!("; {} does not stand here", text::formula(&member, &desk.model.symbols))
-        });
-        return Some(format!("{source} has {had} “{}” in this equation, and this print {has}{missing}", fewer.glyph()));
-    }
-    let constants = |reading: &Reading| reading.statements.iter().flatten().filter(|s| s.constant.is_some()).count();
-    (constants(reading) < constants(reference)).then(|| format!("{source} says that something is constant here"))
-}
-
-/// Whether two readings say the same, wherever it stands.
-pub(super) fn reads_alike(a: &Reading, b: &Reading) -> bool {
-    let alike = |(a, b): (&_, &_)| matches!((a, b), (Ok(a), Ok(b)) if says_the_same(a, b));
-    a.statements.len() == b.statements.len() && a.statements.iter().zip(&b.statements).all(alike)
-}
-
-/// The member that introduces a name, and the member that defines it.
-pub(super) fn defined<'a>(statement: &'a Statement, introduced: &Introduced) -> Option<(&'a Expr, &'a Expr)> {
-    let beside = introduced.member.checked_sub(1).unwrap_or(1);
-    Some((statement.members.get(introduced.member)?, statement.members.get(beside)?))
 }
 
 /// The finding on an equation whose number the print lacks, at the number before it or, at the start, after it.
@@ -256,5 +207,5 @@ fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
     let number = id(&reference.equations[at]).unwrap_or_default();
     let message = format!("no display{side} has the number ({number}), that {} has", reference.source.path);
     let line = print.source.line_column(span.start).0;
-    unjudged(print, number, line, Finding::new(Verdict::Unreadable, span, message))
+    unjudged(print, number, line, Finding::new(Code::NotSupported, Verdict::Unreadable, span, message))
 }

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::check::{Document, Options, Report, Run, check_in, check_reprint, document, reprint, unclaimed};
+use crate::check::document::setup;
+use crate::check::{Document, Options, Report, Run, check_in, check_reprint, reprint, unclaimed};
 use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result};
@@ -154,7 +155,7 @@ impl Loaded {
     /// How many equations and sentences there are to check.
     fn items(&self, only: Option<&str>) -> usize {
         match self {
-            Loaded::Own(claims, notes) => document::items(claims, notes, only),
+            Loaded::Own(claims, notes) => setup::items(claims, notes, only),
             Loaded::Reprint(sets, print) => reprint::items(sets, print, only),
             Loaded::Unclaimed(_) => 0,
         }

@@ -1,6 +1,6 @@
 //! `onshell equal`: two formulas, no file.
 
-use crate::check::plain::equal;
+use crate::check::kinds::compare::equal;
 use crate::check::{Options, Verdict};
 use crate::formula::symbols::Name;
 use crate::latex::names;
@@ -68,7 +68,7 @@ pub(super) fn run(arguments: &Arguments) -> Outcome {
     Outcome { output, code, ..Outcome::default() }
 }
 
-fn text(answer: &crate::check::plain::Answer, code: u8) -> String {
+fn text(answer: &crate::check::kinds::compare::Answer, code: u8) -> String {
     let word = match code {
         0 => "equal",
         1 => "not equal",

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use crate::check::mutate::{Mutated, mutate};
-use crate::check::{Options, Run, document};
+use crate::check::document::setup;
+use crate::check::mutation::{Mutated, mutate};
+use crate::check::{Options, Run};
 use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result};
@@ -52,7 +53,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     }
     let loaded: Vec<Result<Loaded>> = jobs.par_iter().map(load).collect();
     let equations = |loaded: &Loaded| match loaded {
-        Loaded::Own(claims, notes) => document::equations(claims, notes, only),
+        Loaded::Own(claims, notes) => setup::equations(claims, notes, only),
         Loaded::Reprint(..) | Loaded::Unclaimed(_) => 0,
     };
     let progress = Terminal::start(loaded.iter().flatten().map(equations).sum());

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::Error;
-use crate::check::plain::Answer;
+use crate::check::kinds::compare::Answer;
 use crate::check::{Counterexample, Document, Equation, Finding, Formula, Inherited, Misfit, Repair, Report};
 use crate::formula::text::plain;
 

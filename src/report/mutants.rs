@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::Error;
-use crate::check::mutate::{Mutants, Mutated, Repairs, Survivor};
+use crate::check::mutation::{Mutants, Mutated, Repairs, Survivor};
 use crate::source::Source;
 
 /// A line an equation, and every survivor at its place.

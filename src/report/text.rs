@@ -1,6 +1,6 @@
 //! The report for a terminal: a line an equation, and a diagnostic for each that is not as expected.
 
-use crate::check::definitions::SIGN_ASIDE;
+use crate::check::kinds::definitions::SIGN_ASIDE;
 use crate::check::{Document, Equation, Finding, Part, Report, Verdict};
 
 use super::diagnostic;

@@ -1,6 +1,7 @@
 //! What a refuted equation is off by: the difference of its sides reads as a physicist would write it, and is right.
 
-use onshell::check::{Document, Finding, Options, Report, Verdict, plain};
+use onshell::check::kinds::compare as plain;
+use onshell::check::{Document, Finding, Options, Report, Verdict};
 use onshell::report;
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};

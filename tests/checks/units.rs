@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use onshell::check::Verdict::{Law, Unreadable, Verified};
+use onshell::check::document::units::conflicts;
 use onshell::check::model::Model;
-use onshell::check::units::conflicts;
 use onshell::formula::symbols::{Kind, Name, Symbols};
 use onshell::formula::units::{Affine, Dimension, Survey, parse};
 use onshell::formula::{Expr, Node};

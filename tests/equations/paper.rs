@@ -5,7 +5,8 @@ use std::sync::{Arc, OnceLock};
 
 use libtest_mimic::Failed;
 use onshell::Result;
-use onshell::check::{Document, Equation, Finding, Options, check_document, document};
+use onshell::check::document::names as document;
+use onshell::check::{Document, Equation, Finding, Options, check_document};
 use onshell::notes::document::Kind;
 use onshell::notes::{Claims, Notes, json};
 use onshell::report::diagnostic;

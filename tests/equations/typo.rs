@@ -6,8 +6,9 @@
 use std::sync::Arc;
 
 use libtest_mimic::Failed;
+use onshell::check::document::names as document;
 use onshell::check::model::Model;
-use onshell::check::{Counterexample, Equation, Verdict, document};
+use onshell::check::{Counterexample, Equation, Verdict};
 use onshell::formula::{Assignment, Expr, Value, evaluate};
 use onshell::latex::{Macros, names, read_display};
 use onshell::notes::{Notes, document::Kind};

@@ -1,0 +1,96 @@
+//! What a prime field can decide, and what it says.
+
+use crate::formula::evaluate::Unavailable;
+use crate::formula::{IndexId, text};
+use crate::scalar::Modular;
+use crate::scalar::field::Modulus;
+
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::state::residual;
+use crate::check::state::sampled_state::SampledState;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// What a field says of a claim.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Certificate {
+    /// It is an identity, up to a probability of two to this power.
+    Identity(f64),
+    /// Not decided, and why.
+    Open(String),
+    /// Not decided, and this term in it is too small for numbers to decide.
+    Unseen(String),
+    /// It is none, although numbers do not show it.
+    Differs,
+    /// It is none where families have so many members.
+    DiffersFor(u32),
+}
+
+impl Certificate {
+    /// The finding on a claim that agreed in numbers, with what the field says of it.
+    pub fn stamp(self, finding: Finding) -> Finding {
+        match self {
+            Certificate::Identity(log2) => {
+                Finding { verdict: Verdict::Certified, false_accept_log2: Some(log2), ..finding }
+            }
+            Certificate::Open(reason) => Finding { not_certified_because: Some(reason), ..finding },
+            Certificate::Unseen(term) => {
+                let message = format!("“{term}” is too small beside the other terms to be seen");
+                Finding { verdict: Verdict::Undecided, message, ..finding }
+            }
+            Certificate::Differs => {
+                let message = "the two sides differ by less than numbers show: as an identity it is false".to_owned();
+                Finding { verdict: Verdict::Refuted, message, ..finding }
+            }
+            Certificate::DiffersFor(size) => {
+                let message = format!("as an identity it is false: it fails for {size} members");
+                Finding { verdict: Verdict::Refuted, message, ..finding }
+            }
+        }
+    }
+}
+
+/// What is evaluated at a point: differences that must all vanish.
+pub(crate) type Differences<F> = Result<Vec<Modular<F>>, String>;
+
+/// What a field decides: differences, over whichever field.
+pub(crate) trait Claim {
+    /// The differences, at a state.
+    fn differences<F: Modulus>(&self, state: &mut SampledState<'_, Modular<F>>) -> Differences<F>;
+
+    /// The free letters, where they are the differences of the formulas that are decided on, one by one.
+    fn free(&self) -> Option<&[IndexId]> {
+        None
+    }
+}
+
+impl Claim for Link {
+    /// Left side minus right side, entry by entry, for all values of the free indices.
+    fn differences<F: Modulus>(&self, state: &mut SampledState<'_, Modular<F>>) -> Differences<F> {
+        let mut indices: Vec<(IndexId, u8)> = self.free.iter().map(|id| (*id, 1)).collect();
+        let mut all = Vec::new();
+        let reason = |reason: Unavailable| unavailable(&reason, state.model());
+        loop {
+            let lhs = state.now(&self.lhs, &indices).map_err(reason)?;
+            let rhs = state.now(&self.rhs, &indices).map_err(reason)?;
+            let (a, b) = residual::pair(lhs, rhs);
+            all.extend(a.into_iter().zip(b).map(|(a, b)| a - b));
+            if !residual::advance(&mut indices, state).map_err(reason)? {
+                return Ok(all);
+            }
+        }
+    }
+
+    fn free(&self) -> Option<&[IndexId]> {
+        Some(&self.free)
+    }
+}
+
+pub(crate) fn unavailable(reason: &Unavailable, model: &Model) -> String {
+    match reason {
+        Unavailable::Symbol(id) => format!("{} has no exact value", text::plain(&model.name(*id))),
+        Unavailable::Derivative(_) => "a derivative that is not known".to_owned(),
+        Unavailable::Operation(what) => (*what).to_owned(),
+    }
+}

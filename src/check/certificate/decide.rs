@@ -1,0 +1,338 @@
+//! Certificates: whether a claim that agrees in numbers is an identity, decided over a prime field.
+//!
+//! The claim, the world's equations of motion and the claim's hypotheses are evaluated at random points of the field
+//! ([`crate::scalar::field`]); an identity vanishes at all of them, and what is none vanishes by accident with a
+//! probability that its degree bounds. Points are added until that is at most 2⁻⁸⁰. Hypotheses are solved exactly
+//! ([`super::solved`]). What has no meaning in a field is said, and nothing is concluded.
+//!
+//! A certificate never stands alone: it is asked for when numbers have agreed, so that ranges, branches of roots and the
+//! twins are theirs to judge.
+
+use crate::formula::{Expr, Node, SymbolId};
+use crate::notes::claims::Range;
+use crate::scalar::field::{Large, Modulus, Second, at_a_point, false_accept_log2};
+use crate::scalar::{Modular, rational};
+
+use crate::check::certificate::claim::{Certificate, Claim, Differences};
+use crate::check::certificate::family_growth::Growing;
+use crate::check::certificate::signs::is_never_zero;
+use crate::check::certificate::solved::{OTHER_WAYS, Solved, Sums};
+use crate::check::certificate::unseen;
+use crate::check::hypotheses::rule::{Action, Rule};
+use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
+use crate::check::model::sizes;
+use crate::check::sample::context::Context;
+use crate::check::sample::ensemble::Ensemble;
+use crate::check::sample::projection::Projection;
+use crate::check::sample::sampler::{Sampler, last};
+use crate::check::state::generic_body::{Generality, PRINCIPAL_AXES};
+
+/// The probability that two false sides are taken for one is at most two to this power: of an equation with a thousand parts
+/// it is below 2⁻⁸⁰ all the same.
+pub(crate) const FALSE_ACCEPT_LOG2: f64 = -90.0;
+
+/// So many independent points are used at least, and so many at most.
+const POINTS: std::ops::RangeInclusive<usize> = 2..=6;
+
+/// So many points are tried for one at which no denominator vanishes and every root exists.
+const ATTEMPTS: u32 = 64;
+
+/// The reason to ask a second field.
+const TOO_LARGE: &str = "coefficients that could be as large as the field";
+
+/// Why a claim about families of any size stays open.
+const HOW_IT_GROWS: &str = "sums over families, of which numbers of members were tried that do not tell of all";
+
+/// So many values of whole numbers are tried, one after the other.
+const WHOLES: usize = 32;
+
+/// With more square roots than this the choices of their signs are too many.
+const MOST_ROOTS: u32 = 5;
+
+/// Decides a claim between two formulas, under the hypotheses by which an ensemble was drawn.
+pub fn certify(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>) -> Certificate {
+    match decide(&[&link.lhs, &link.rhs], context, ensemble, link) {
+        // the agreement of numbers stands alone
+        Certificate::Open(reason) => match unseen::unseen_inside(link, &ensemble.states) {
+            Some(term) => Certificate::Unseen(term),
+            None => Certificate::Open(reason),
+        },
+        decided => decided,
+    }
+}
+
+/// Decides whether differences vanish; where families are counted, whatever the number of their members.
+pub(crate) fn decide(
+    formulas: &[&Expr],
+    context: &Context<'_>,
+    ensemble: &Ensemble<'_>,
+    claim: &impl Claim,
+) -> Certificate {
+    if sizes::counts(context.model).is_empty() {
+        return decide_by((&ensemble.projection, Some(&Sums::default())), formulas, context, ensemble, claim);
+    }
+    let mut growing = Growing::new(context.model, &ensemble.rules);
+    let sums = growing.obeys(&ensemble.projection);
+    let grows = growing.of_difference(formulas).filter(|growth| claim.free().is_some() || *growth == 0);
+    let told_apart = growing.told_apart(formulas, claim.free().unwrap_or_default());
+    let mut reason = HOW_IT_GROWS.to_owned();
+    // One thing, or two, may be too few for anything to be defined. Hypotheses that are not solved for few are not for more.
+    let attempts: &[u32] = if ensemble.projection.equalities().next().is_none() { &[1, 3] } else { &[1] };
+    for least in attempts.iter().copied() {
+        let (Some(growth), least) = (grows, told_apart.max(least)) else { break };
+        let most = least + growth;
+        if most > sizes::MOST {
+            break;
+        }
+        let model = sizes::resized(context.model, least, most);
+        let context = Context { model: &model, ..*context };
+        let projection = Projection::new(&model, &context.setting(ensemble.mode));
+        match decide_by((&projection, sums.as_ref()), formulas, &context, ensemble, claim) {
+            Certificate::Open(found) => reason = found,
+            decided => return decided,
+        }
+    }
+    Certificate::Open(reason)
+}
+
+/// Decides whether differences vanish, over a second field as well where coefficients may be as large as the first: what
+/// vanishes modulo two primes has coefficients that their product divides. With the hypotheses that are sums over members; not
+/// given, where none may be solved.
+fn decide_by(
+    (projection, sums): (&Projection<'_>, Option<&Sums>),
+    formulas: &[&Expr],
+    context: &Context<'_>,
+    ensemble: &Ensemble<'_>,
+    claim: &impl Claim,
+) -> Certificate {
+    let sides = projection.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]).collect::<Vec<_>>();
+    let generality = Generality::of(formulas, context.model, &projection.rules);
+    let hypotheses = Generality::of(&sides, context.model, &projection.rules);
+    let (Some(generality), Some(Generality::Themselves)) = (generality, hypotheses) else {
+        return Certificate::Open(PRINCIPAL_AXES.to_owned());
+    };
+    let found = reached(formulas, projection)
+        .and_then(|reached| wholes(projection, &reached).ok_or_else(|| "whole numbers of so many values".to_owned()));
+    let wholes = match found {
+        Ok(wholes) => wholes,
+        Err(reason) => return Certificate::Open(reason),
+    };
+    let context = (context, generality, sums);
+    let states = (projection, ensemble);
+    let one = Modular::<Large>::most_bits();
+    match decide_in::<Large>(&wholes, context, states, claim, one) {
+        Certificate::Open(reason) if reason == TOO_LARGE => {}
+        decided => return decided,
+    }
+    let both = one + Modular::<Second>::most_bits();
+    match decide_in::<Large>(&wholes, context, states, claim, both) {
+        Certificate::Identity(first) => match decide_in::<Second>(&wholes, context, states, claim, both) {
+            Certificate::Identity(second) => Certificate::Identity(first.max(second)),
+            decided => decided,
+        },
+        decided => decided,
+    }
+}
+
+/// Decides over one field, where coefficients have no more than so many bits.
+fn decide_in<F: Modulus>(
+    wholes: &[Vec<(usize, f64)>],
+    (context, generality, sums): (&Context<'_>, Generality, Option<&Sums>),
+    (projection, ensemble): (&Projection<'_>, &Ensemble<'_>),
+    claim: &impl Claim,
+    most_bits: f64,
+) -> Certificate {
+    let counts = sizes::counts(context.model);
+    // The number of members, and whether states were drawn with it.
+    let size = |whole: &[(usize, f64)]| {
+        let counted = |(at, _): &&(usize, f64)| projection.slots[*at].symbol.is_some_and(|id| counts.contains(&id));
+        whole.iter().find(counted).map(|(_, value)| *value as u32)
+    };
+    let was_drawn = |whole: &[(usize, f64)]| {
+        let place =
+            |at: usize| ensemble.projection.slots.iter().position(|slot| slot.symbol == projection.slots[at].symbol);
+        ensemble.bases.iter().any(|base| whole.iter().all(|(at, x)| place(*at).is_some_and(|at| base[at] == *x)))
+    };
+    let mut draw = Sampler::new(context.options.seed, &format!("{}/{}/field", context.topic, ensemble.mode.on_shell));
+    let (mut worst, least) = (f64::NEG_INFINITY, POINTS.start().div_ceil(wholes.len()));
+    for whole in wholes {
+        let found = match generality {
+            // hypotheses are of the particles
+            Generality::AnyTensor => Err(PRINCIPAL_AXES.to_owned()),
+            _ => match sums {
+                None => Err(HOW_IT_GROWS.to_owned()),
+                Some(sums) => Solved::<F>::new(projection, whole.clone(), draw.seed())
+                    .and_then(|solved| if solved.moves(sums) { Ok(solved) } else { Err(HOW_IT_GROWS.to_owned()) }),
+            },
+        };
+        let (solved, reason) = match found {
+            Ok(solved) => (solved, (generality == Generality::AnyAxes).then(|| PRINCIPAL_AXES.to_owned())),
+            // what holds without its hypotheses holds with them
+            Err(reason) => (Solved::without_hypotheses(projection, whole.clone()), Some(reason)),
+        };
+        let solved = solved.with(generality);
+        match (at_points(&solved, &mut draw, least, claim, most_bits), reason) {
+            (Certificate::Identity(log2), _) => worst = worst.max(log2),
+            (Certificate::Open(large), Some(_)) if large == TOO_LARGE => return Certificate::Open(large),
+            (_, Some(reason)) => return Certificate::Open(reason),
+            (Certificate::Differs, None) if !was_drawn(whole) => {
+                let open = || Certificate::Open("a value of a whole number at which no state was drawn".to_owned());
+                let other = size(whole).filter(|_| whole.len() == counts.len());
+                return other.map_or_else(open, Certificate::DiffersFor);
+            }
+            (other, None) => return other,
+        }
+    }
+    Certificate::Identity(worst)
+}
+
+/// Decides at independent points, so many at least, and as many as the bound needs.
+fn at_points<F: Modulus>(
+    solved: &Solved<'_, '_, F>,
+    draw: &mut Sampler,
+    least: usize,
+    claim: &impl Claim,
+    most_bits: f64,
+) -> Certificate {
+    let (mut log2, mut finest) = (0.0, 1);
+    for points in 1..=*POINTS.end() {
+        let differences = || solved.scene().and_then(|mut state| claim.differences(&mut state));
+        match at_one_point(&differences, solved.is_free(), draw.seed(), &mut finest, most_bits) {
+            Certificate::Identity(bound) => log2 += bound,
+            other => return other,
+        }
+        if points >= least && log2 <= FALSE_ACCEPT_LOG2 {
+            return Certificate::Identity(log2);
+        }
+    }
+    Certificate::Open("its degree is too high for this field".to_owned())
+}
+
+/// All values that the whole numbers of a base can have, together, of those that are reached; none if they are too many. A
+/// field knows of such a number no more than one value at a time.
+fn wholes(projection: &Projection<'_>, reached: &[SymbolId]) -> Option<Vec<Vec<(usize, f64)>>> {
+    let counts: Vec<SymbolId> = projection.model.symbols.indices.iter().filter_map(|index| index.count).collect();
+    let mut all = vec![Vec::new()];
+    for (at, slot) in projection.slots.iter().enumerate() {
+        let Range::Integer { low, high } = &slot.range else { continue };
+        if !slot.symbol.is_some_and(|symbol| counts.contains(&symbol) || reached.contains(&symbol)) {
+            continue;
+        }
+        let values = *low..=last(high, *low);
+        if values.clone().count() * all.len() > WHOLES {
+            return None;
+        }
+        let with = |known: &Vec<(usize, f64)>, value: i64| [known.as_slice(), &[(at, value as f64)]].concat();
+        all = values.flat_map(|value| all.iter().map(move |known| with(known, value)).collect::<Vec<_>>()).collect();
+    }
+    Some(all).filter(|all| !all.is_empty())
+}
+
+/// The symbols that a claim and its hypotheses speak of, through all definitions.
+///
+/// # Errors
+/// Why the claim cannot be decided over a field, as far as its formulas show.
+pub(crate) fn reached(formulas: &[&Expr], projection: &Projection<'_>) -> Result<Vec<SymbolId>, String> {
+    let model = projection.model;
+    let of_conditions = projection.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
+    let of_rules = projection.rules.iter().flat_map(|rule| rule.action.formulas());
+    let divided_by_zero = |rule: &Rule| match &rule.action {
+        Action::Follows { formula: Expr { node: Node::Quotient(_, coefficient), .. }, .. } => {
+            !is_never_zero(model, coefficient)
+        }
+        // Their determinant.
+        Action::Together(_) => true,
+        _ => false,
+    };
+    if projection.rules.iter().any(divided_by_zero) {
+        return Err("a law whose coefficient may vanish".to_owned());
+    }
+    let mut waiting: Vec<&Expr> = formulas.iter().copied().chain(of_conditions).chain(of_rules).collect();
+    let (mut seen, mut reason): (Vec<SymbolId>, Option<&str>) = (Vec::new(), None);
+    while let Some(formula) = waiting.pop() {
+        let mut symbols = Vec::new();
+        formula.walk(&mut |expr| match &expr.node {
+            Node::Number(digits) if digits.chars().filter(char::is_ascii_digit).count() > rational::DIGITS => {
+                reason = reason.or(Some("a number of so many digits"));
+            }
+            Node::Integral(..) => reason = reason.or(Some("an integral")),
+            Node::Shrinking(..) => reason = reason.or(Some("a limit")),
+            Node::Symbol { id, .. } => symbols.push(*id),
+            _ => {}
+        });
+        while let Some(id) = symbols.pop() {
+            if seen.contains(&id) {
+                continue;
+            }
+            seen.push(id);
+            symbols.extend(&model.symbols.entry(id).members);
+            match model.meaning(id) {
+                Some(Meaning::Defined(formula)) => waiting.push(formula),
+                Some(Meaning::Particles(_, _, masses, positions)) => {
+                    waiting.extend([masses.as_ref(), positions.as_ref()]);
+                }
+                Some(Meaning::Region(_) | Meaning::Density(_) | Meaning::Point) => {
+                    reason = reason.or(Some("a continuum"));
+                }
+                Some(Meaning::Rigid(at)) => symbols.extend(model.rigid[*at].about),
+                _ => {}
+            }
+        }
+    }
+    reason.map_or(Ok(seen), |reason| Err(reason.to_owned()))
+}
+
+/// Whether differences vanish at a point, for all signs of square roots.
+pub(crate) fn at_one_point<F: Modulus>(
+    differences: &impl Fn() -> Differences<F>,
+    is_free: bool,
+    seed: u64,
+    finest: &mut u64,
+    most_bits: f64,
+) -> Certificate {
+    let (mut attempt, mut signs, mut log2) = (0, 0, f64::NEG_INFINITY);
+    let mut nowhere = None;
+    while attempt < ATTEMPTS {
+        let point = seed.wrapping_add(u64::from(attempt));
+        let ((result, vanish, bound), account) = at_a_point::<F, _>(point, signs, *finest, || {
+            let result = differences();
+            let vanish = result.as_ref().is_ok_and(|all| all.iter().all(|difference| difference.vanishes()));
+            let result: Differences<F> = result;
+            (result.as_ref().err().cloned(), vanish, result.unwrap_or_default())
+        });
+        if let Some(fault) = account.fault {
+            return Certificate::Open(fault.to_owned());
+        }
+        if account.finest > *finest || account.elsewhere.is_some() {
+            attempt += u32::from(account.elsewhere.is_some());
+            nowhere = account.elsewhere.or(nowhere);
+            (*finest, signs, log2) = (account.finest, 0, f64::NEG_INFINITY);
+            continue;
+        }
+        if let Some(reason) = result {
+            return Certificate::Open(reason);
+        }
+        if !vanish {
+            return match (account.opaque, is_free) {
+                (false, true) => Certificate::Differs,
+                (true, _) => Certificate::Open(
+                    "a root, an exponential, a logarithm, or a sine of something that is no sum of angles".to_owned(),
+                ),
+                (false, false) => Certificate::Open(OTHER_WAYS.to_owned()),
+            };
+        }
+        let Some(bound) = false_accept_log2(&bound, &account, ATTEMPTS, most_bits) else {
+            return Certificate::Open(TOO_LARGE.to_owned());
+        };
+        log2 = log2.max(bound);
+        signs += 1;
+        if account.roots > MOST_ROOTS {
+            return Certificate::Open(format!("{} square roots, each with two signs", account.roots));
+        }
+        if signs >> account.roots == 1 {
+            return Certificate::Identity(log2);
+        }
+    }
+    Certificate::Open(nowhere.unwrap_or("fractions of angles").to_owned())
+}

@@ -1,0 +1,458 @@
+//! How a formula grows with the number of members of its families, so that few numbers of them decide on all.
+//!
+//! Sums over labels, multiplied and added, are sums over tuples of labels, and so is a difference A − B of such formulas
+//! over one denominator. Of what each tuple gives nothing is known but which members it looks at. Let all members but k be
+//! alike. Then the difference depends on n as a polynomial, of a degree of at most the number of labels in the longest tuple,
+//! counting explicit powers of n: the *growth*. If it vanishes at one more number n ≥ k than the growth says, it vanishes
+//! for all n ≥ k; and a sum over tuples is put together from its values where all members but few are alike, k of them being
+//! told apart at most, k not above the growth. With `j < i` the polynomial is one in the gaps between the k labels, and vanishes
+//! likewise. Members that are named, `m_1`, labels that are free and ends that a Σ leaves out are told apart from the
+//! others in any case. So N + 1 numbers of members, from these on, tell for a growth of N.
+//!
+//! A quotient by a sum is a further denominator. What is no quotient of sums, as the root of one, has no growth.
+
+use rustc_hash::FxHashMap;
+
+use crate::formula::evaluate::constant_exponent;
+use crate::formula::tree::LeftOut;
+use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
+
+use crate::check::certificate::solved::Sums;
+use crate::check::hypotheses::rule::{Action, Rule};
+use crate::check::model::Model;
+use crate::check::model::claim::Hypothesis;
+use crate::check::model::meaning::{Meaning, ParticleQuantity};
+use crate::check::sample::projection::Projection;
+
+/// Definitions and laws are opened so often.
+const DEEPEST: usize = 64;
+
+/// So many derivatives of a hypothesis that holds throughout are looked at.
+const DERIVATIVES: u8 = 3;
+
+/// A sum over tuples of labels over a product of sums.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Growth {
+    /// The most labels in a tuple; and the same, where the letters that are free in it may stand for the member that a
+    /// hypothesis is solved for.
+    above: [u32; 2],
+    /// The denominators.
+    below: Vec<Below>,
+}
+
+/// A denominator.
+#[derive(Clone, Debug, PartialEq)]
+struct Below {
+    formula: Expr,
+    growth: u32,
+    times: u32,
+}
+
+impl Growth {
+    fn of(above: [u32; 2]) -> Option<Self> {
+        Some(Growth { above, below: Vec::new() })
+    }
+
+    fn is_none(&self) -> bool {
+        self.above == [0; 2] && self.below.is_empty()
+    }
+
+    fn raised(mut self, by: [u32; 2]) -> Self {
+        self.above = [self.above[0] + by[0], self.above[1] + by[1]];
+        self
+    }
+
+    /// Over one denominator.
+    fn plus(mut self, other: Self) -> Self {
+        let lacks = |all: &[Below], of: &Below| {
+            let has = all.iter().find(|known| known.formula == of.formula).map_or(0, |known| known.times);
+            of.times.saturating_sub(has)
+        };
+        let more = |all: &[Below], others: &[Below]| others.iter().map(|of| of.growth * lacks(all, of)).sum::<u32>();
+        let (own, others) = (more(&self.below, &other.below), more(&other.below, &self.below));
+        self.above = [0, 1].map(|k| (self.above[k] + own).max(other.above[k] + others));
+        for of in other.below {
+            match self.below.iter_mut().find(|known| known.formula == of.formula) {
+                Some(known) => known.times = known.times.max(of.times),
+                None => self.below.push(of),
+            }
+        }
+        self
+    }
+
+    fn times(mut self, other: Self) -> Self {
+        self = self.raised(other.above);
+        for of in other.below {
+            match self.below.iter_mut().find(|known| known.formula == of.formula) {
+                Some(known) => known.times += of.times,
+                None => self.below.push(of),
+            }
+        }
+        self
+    }
+
+    /// Divided by a formula of some growth, so often.
+    fn over(mut self, formula: &Expr, divisor: Growth, times: u32) -> Self {
+        for Below { formula, growth, times: often } in divisor.below {
+            let often = often * times;
+            // What divides both is cancelled.
+            let shared = self.below.iter_mut().find(|known| known.formula == formula);
+            let cancelled = shared.map_or(0, |known| {
+                let cancelled = known.times.min(often);
+                known.times -= cancelled;
+                cancelled
+            });
+            self = self.raised([growth * (often - cancelled); 2]);
+        }
+        self.below.retain(|known| known.times > 0);
+        // A divisor has no free letters, unless it has no growth.
+        let [growth, _] = divisor.above;
+        if growth == 0 {
+            return self;
+        }
+        self.times(Growth { above: [0; 2], below: vec![Below { formula: formula.clone(), growth, times }] })
+    }
+}
+
+/// The growth of formulas under rules and hypotheses.
+pub(crate) struct Growing<'a> {
+    model: &'a Model,
+    rules: &'a [Rule],
+    /// Families of which one member is what a hypothesis about a sum makes of it.
+    solved: Vec<SymbolId>,
+    known: FxHashMap<(SymbolId, u8), Option<Growth>>,
+    depth: usize,
+    /// What hypotheses say to be 0, and whether at all times.
+    zeros: Vec<(Expr, bool)>,
+    /// Whether a part of a family that is joined is at hand: there its name is the family as it is without the other parts.
+    in_parts: bool,
+}
+
+impl<'a> Growing<'a> {
+    /// Under these rules, and under no other hypotheses.
+    pub fn new(model: &'a Model, rules: &'a [Rule]) -> Self {
+        let (solved, zeros) = (Vec::new(), Vec::new());
+        Growing { model, rules, solved, known: FxHashMap::default(), depth: 0, zeros, in_parts: false }
+    }
+
+    /// Lets hypotheses hold that are solved for numbers of the state, as they were for states in numbers; and says which of
+    /// them is a sum over members. Nothing, if it is not known how these numbers grow.
+    ///
+    /// One that sums over members, once, is solved for a number of one of them, and what that is then is such a sum. All
+    /// others may be about each member by itself, or about no member.
+    pub fn obeys(&mut self, projection: &Projection<'_>) -> Option<Sums> {
+        let mut sums = Vec::new();
+        for (at, hypothesis) in projection.equalities() {
+            let growth = self.of_hypothesis(hypothesis).filter(|growth| growth.below.is_empty())?;
+            match (growth.above[0], self.free_labels(&hypothesis.free)) {
+                (0, 0 | 1) => {}
+                (1, 0) if sums.is_empty() => sums.push(at),
+                _ => return None,
+            }
+        }
+        if !sums.is_empty() {
+            let symbols = projection.progress.plan.iter().filter_map(|(_, slot)| projection.slots[*slot].symbol);
+            self.solved = symbols.filter(|id| self.is_counted(*id)).collect();
+            for (_, Hypothesis { lhs, rhs, throughout, .. }) in projection.equalities() {
+                self.zeros.extend(
+                    [(lhs, rhs), (rhs, lhs)]
+                        .into_iter()
+                        .filter(|(_, other)| other.is_null())
+                        .map(|(side, _)| (side.clone(), *throughout)),
+                );
+            }
+            self.known.clear();
+        }
+        Some(Sums { hypotheses: sums, families: self.solved.clone() })
+    }
+
+    /// Whether a symbol is a family whose members are counted.
+    fn is_counted(&self, id: SymbolId) -> bool {
+        self.model.symbols.entry(id).slots.iter().any(|(_, letter)| self.counts(*letter))
+    }
+
+    fn of_hypothesis(&mut self, hypothesis: &Hypothesis) -> Option<Growth> {
+        let derivatives = if hypothesis.throughout { 0..=DERIVATIVES } else { 0..=0 };
+        derivatives
+            .map(|dots| self.of_sum([&hypothesis.lhs, &hypothesis.rhs].into_iter(), dots))
+            .try_fold(Growth::default(), |all, growth| Some(all.plus(growth?)))
+    }
+
+    /// How the difference of two formulas grows, both over one denominator; none, if that is not known.
+    pub fn of_difference(&mut self, sides: &[&Expr]) -> Option<u32> {
+        Some(self.of_sum(sides.iter().copied(), 0)?.above[0])
+    }
+
+    /// How many members are told apart from the others: those that stand for free letters, those from the first to the last
+    /// that is named, those that a Σ leaves out at the end, and one that a hypothesis is solved for.
+    pub fn told_apart(&self, formulas: &[&Expr], free: &[IndexId]) -> u32 {
+        let mut named = Named { model: self.model, rules: self.rules, seen: Vec::new(), first: 0, last: 0 };
+        formulas.iter().for_each(|formula| named.follow(formula));
+        let solved = u32::from(!self.solved.is_empty());
+        u32::from(named.first) + u32::from(named.last) + self.free_labels(free) as u32 + solved
+    }
+
+    fn free_labels(&self, free: &[IndexId]) -> usize {
+        free.iter().filter(|letter| self.counts(**letter)).count()
+    }
+
+    fn counts(&self, letter: IndexId) -> bool {
+        self.model.symbols.indices[letter.0].count.is_some()
+    }
+
+    /// Whether a formula under so many dots is 0 by a hypothesis.
+    fn vanishes(&self, expr: &Expr, dots: u8) -> bool {
+        self.zeros.iter().any(|(zero, throughout)| (dots == 0 || *throughout) && zero == expr)
+    }
+
+    /// The growth of a formula under so many dots.
+    fn of(&mut self, expr: &Expr, dots: u8) -> Option<Growth> {
+        let plain = |inner: Growth| inner.is_none().then_some(inner);
+        match &expr.node {
+            Node::Number(_) | Node::Pi | Node::Euler | Node::Epsilon(_) | Node::Delta(_) => Growth::of([0; 2]),
+            // The whole of a family whose members are counted is no vector.
+            Node::Symbol { id, indices, .. } if indices.is_empty() && self.is_counted(*id) => None,
+            Node::Symbol { id, dots: own, .. } => self.of_symbol(*id, own.checked_add(dots)?),
+            Node::Sum(terms) => self.of_sum(terms.iter().map(|term| &term.expr), dots),
+            Node::Matrix(rows) => self.of_sum(rows.iter().flatten(), dots),
+            Node::Product(factors) => self.of_product(&factors.iter().collect::<Vec<_>>(), dots),
+            Node::Cross(a, b) | Node::Dot(a, b) => self.of_product(&[a, b], dots),
+            Node::Quotient(a, b) => {
+                let above = self.of(a, dots)?;
+                self.divided(above, b, dots, 1)
+            }
+            Node::Power(base, exponent) => match constant_exponent(exponent) {
+                Some(n) if n.fract() == 0.0 && n.abs() <= 16.0 => {
+                    let base = match &self.opened(base).node {
+                        Node::Norm(inner) if n % 2.0 == 0.0 => inner,
+                        _ => base,
+                    };
+                    let times = n.abs() as u32;
+                    if n < 0.0 {
+                        return self.divided(Growth::default(), base, dots, times);
+                    }
+                    let once = self.of(base, dots)?;
+                    Some((0..times).fold(Growth::default(), |all, _| all.times(once.clone())))
+                }
+                _ => {
+                    let growth = self.of(base, dots)?.plus(self.of(exponent, dots)?);
+                    plain(growth)
+                }
+            },
+            Node::Root(_, inner) | Node::Call(_, inner) | Node::Norm(inner) => plain(self.of(inner, dots)?),
+            Node::Apply(_, arguments) => plain(self.of_sum(arguments.iter(), dots)?),
+            Node::TimeDerivative(order, inner) => self.of(inner, dots.checked_add(*order)?),
+            Node::Transpose(inner) | Node::Entry(inner, ..) | Node::Component(inner, _) => self.of(inner, dots),
+            Node::Inverse(inner) => plain(self.of(inner, dots)?),
+            Node::SumOver { index, within: None, body, .. } => {
+                let growth = self.of(body, dots)?;
+                Some(if self.counts(*index) { summed(growth, is_closed(expr)) } else { growth })
+            }
+            Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) => None,
+        }
+    }
+
+    fn of_sum<'e>(&mut self, mut terms: impl Iterator<Item = &'e Expr>, dots: u8) -> Option<Growth> {
+        terms.try_fold(Growth::default(), |all, term| Some(all.plus(self.of(term, dots)?)))
+    }
+
+    /// A single dot is on one of the factors.
+    fn of_product(&mut self, factors: &[&Expr], dots: u8) -> Option<Growth> {
+        if factors.iter().any(|factor| (0..=dots).all(|dots| self.vanishes(factor, dots))) {
+            return Some(Growth::default());
+        }
+        let mut product = |dotted: Option<usize>| {
+            factors.iter().enumerate().try_fold(Growth::default(), |all, (at, factor)| {
+                let dots = if dotted.is_none_or(|dotted| dotted == at) { dots } else { 0 };
+                Some(all.times(self.of(factor, dots)?))
+            })
+        };
+        match dots {
+            1 => (0..factors.len()).try_fold(Growth::default(), |all, at| Some(all.plus(product(Some(at))?))),
+            _ => product(None),
+        }
+    }
+
+    /// The rate of a quotient has a further divisor, if that varies. A divisor that is a sum must be one for all members.
+    fn divided(&mut self, above: Growth, divisor: &Expr, dots: u8, times: u32) -> Option<Growth> {
+        let growth = self.of(divisor, 0)?;
+        let dots = if self.varies(divisor) { u32::from(dots) } else { 0 };
+        if !growth.is_none() && !is_closed(divisor) {
+            return None;
+        }
+        let mut above = above;
+        for _ in 0..dots {
+            above = above.times(self.of(divisor, dots as u8)?);
+        }
+        Some(above.over(self.opened(divisor), growth, times + dots))
+    }
+
+    /// A name's own formula, so that one divisor has one name.
+    fn opened<'e>(&self, expr: &'e Expr) -> &'e Expr
+    where
+        'a: 'e,
+    {
+        match expr.as_plain_symbol().and_then(|id| self.model.meaning(id)) {
+            Some(Meaning::Defined(formula)) if is_closed(formula) => self.opened(formula),
+            _ => expr,
+        }
+    }
+
+    fn varies(&self, expr: &Expr) -> bool {
+        expr.symbols().iter().any(|(id, _)| match self.model.meaning(*id) {
+            _ if self.rules.iter().any(|rule| rule.symbol == *id) => true,
+            Some(Meaning::Constant(_) | Meaning::FixedAxis(_)) => false,
+            Some(Meaning::Defined(formula)) => self.varies(formula),
+            _ => true,
+        })
+    }
+
+    fn of_symbol(&mut self, id: SymbolId, dots: u8) -> Option<Growth> {
+        if let Some(known) = self.known.get(&(id, dots)).filter(|_| !self.in_parts) {
+            return known.clone();
+        }
+        if self.depth == DEEPEST {
+            return None;
+        }
+        self.depth += 1;
+        let found = self.of_opened(id, dots);
+        self.depth -= 1;
+        if !self.in_parts {
+            self.known.insert((id, dots), found.clone());
+        }
+        found
+    }
+
+    fn of_opened(&mut self, id: SymbolId, dots: u8) -> Option<Growth> {
+        let model = self.model;
+        let entry = model.symbols.entry(id);
+        if model.symbols.indices.iter().any(|index| index.count == Some(id)) {
+            return Growth::of([1; 2]);
+        }
+        let mut all = Growth::of([0, u32::from(self.solved.contains(&id))])?;
+        for member in &entry.members {
+            all = all.plus(self.of_symbol(*member, dots)?);
+        }
+        for rule in self.rules.iter().filter(|rule| rule.symbol == id) {
+            all = all.plus(match &rule.action {
+                Action::Equals(formula) if dots == 0 || rule.throughout => self.of(formula, dots)?,
+                Action::Equals(_) | Action::Symmetric { .. } => Growth::default(),
+                Action::Parallel(along) => self.of(along, dots).filter(Growth::is_none)?,
+                Action::Follows { order, formula } if dots >= *order => self.of(formula, dots - order)?,
+                Action::Follows { .. } => Growth::default(),
+                Action::Union(_) if self.in_parts => Growth::default(),
+                Action::Union(parts) => {
+                    self.in_parts = true;
+                    let growth = self.of_sum(parts.iter(), dots);
+                    self.in_parts = false;
+                    growth?
+                }
+                Action::Together(_) => return None,
+            });
+        }
+        let own = match model.meaning(id) {
+            Some(Meaning::Defined(formula)) => self.of(formula, dots)?,
+            Some(Meaning::Particles(ParticleQuantity::InertiaTensor, label, masses, positions)) => {
+                let moment = self.of_product(&[masses, positions, positions], dots)?;
+                if self.counts(*label) { summed(moment, true) } else { moment }
+            }
+            Some(Meaning::Rigid(at)) => match model.rigid[*at].about {
+                Some(about) => self.of_symbol(about, dots)?,
+                None => Growth::default(),
+            },
+            Some(Meaning::Region(_) | Meaning::Density(_) | Meaning::Point) => return None,
+            // Axes and moments are any at all where a field decides: see `any_body`.
+            _ => Growth::default(),
+        };
+        Some(all.plus(own))
+    }
+}
+
+/// A sum over members is one over those that are free, and what is left of it for the one that a hypothesis is solved for.
+/// Where no letter is left free, none stands for that.
+fn summed(mut growth: Growth, is_closed: bool) -> Growth {
+    let [free, any] = growth.above;
+    let sum = (free + 1).max(any);
+    growth.above = [sum, if is_closed { sum } else { any + 1 }];
+    growth
+}
+
+/// The members that formulas name, through definitions and rules.
+struct Named<'a> {
+    model: &'a Model,
+    rules: &'a [Rule],
+    seen: Vec<SymbolId>,
+    /// The highest one.
+    first: u8,
+    /// How many of the last a Σ leaves out.
+    last: u8,
+}
+
+impl Named<'_> {
+    fn follow(&mut self, formula: &Expr) {
+        let indices = &self.model.symbols.indices;
+        let is_counted = |letter: &IndexId| indices[letter.0].count.is_some();
+        let mut symbols = Vec::new();
+        formula.walk(&mut |expr| match &expr.node {
+            Node::Symbol { id, indices, .. } => {
+                symbols.push(*id);
+                for (index, (_, letter)) in indices.iter().zip(&self.model.symbols.entry(*id).slots) {
+                    if let (Index::Fixed(value), true) = (index, is_counted(letter)) {
+                        self.first = self.first.max(*value);
+                    }
+                }
+            }
+            Node::SumOver { index, except, .. } if is_counted(index) => {
+                for left_out in except {
+                    match (left_out, left_out.index()) {
+                        (LeftOut::Last(last), _) => self.last = self.last.max(*last),
+                        (_, Some(Index::Fixed(value))) => self.first = self.first.max(value),
+                        _ => {}
+                    }
+                }
+            }
+            _ => {}
+        });
+        symbols.into_iter().for_each(|id| self.visit(id));
+    }
+
+    fn visit(&mut self, id: SymbolId) {
+        if self.seen.contains(&id) {
+            return;
+        }
+        self.seen.push(id);
+        let (model, rules) = (self.model, self.rules);
+        model.symbols.entry(id).members.iter().for_each(|member| self.visit(*member));
+        for rule in rules.iter().filter(|rule| rule.symbol == id) {
+            if let Action::Union(parts) = &rule.action {
+                parts.iter().for_each(|part| self.follow(part));
+            }
+            rule.action.formulas().into_iter().for_each(|formula| self.follow(formula));
+        }
+        match model.meaning(id) {
+            Some(Meaning::Defined(formula)) => self.follow(formula),
+            Some(Meaning::Particles(_, _, masses, positions)) => {
+                self.follow(masses);
+                self.follow(positions);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Whether each letter in a formula is summed over in it.
+fn is_closed(expr: &Expr) -> bool {
+    let (mut letters, mut summed) = (Vec::new(), Vec::new());
+    expr.walk(&mut |inner| match &inner.node {
+        Node::Symbol { indices, .. } => letters.extend(indices),
+        Node::Component(_, a) => letters.push(*a),
+        Node::Entry(_, a, b) | Node::Delta([a, b]) => letters.extend([*a, *b]),
+        Node::Epsilon(indices) => letters.extend(indices),
+        Node::SumOver { index, .. } => summed.push(*index),
+        _ => {}
+    });
+    letters.iter().all(|index| match index {
+        Index::Letter(letter) => summed.contains(letter),
+        Index::Fixed(_) => true,
+    })
+}

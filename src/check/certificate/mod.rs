@@ -1,0 +1,15 @@
+//! Certificates: claims decided as polynomial identities over a prime field.
+//!
+//! Offers [`decide`], the decision with its false-accept bound; [`claim::Claim`], what can be decided; [`formulas`], whether
+//! two formulas are one whatever their symbols mean. Knows `sample` and below, and [`crate::scalar::field`].
+
+pub(crate) mod claim;
+pub(crate) mod decide;
+pub(crate) mod family_growth;
+pub(crate) mod formulas;
+pub(crate) mod plan;
+pub(crate) mod signs;
+pub(crate) mod solutions;
+pub(crate) mod solved;
+pub(crate) mod unseen;
+pub(crate) mod zeros;

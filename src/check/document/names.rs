@@ -1,0 +1,91 @@
+//! What messages call a display, and what is said of one that is not judged.
+
+use std::collections::HashMap;
+
+use crate::formula::SymbolId;
+use crate::latex::names;
+use crate::notes::claims::{Claim, Claims, Spanned};
+use crate::notes::document::Numbered;
+use crate::notes::{Display, Notes};
+use crate::source::Missing;
+use crate::{Error, Result};
+
+use crate::check::model::Model;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::Equation;
+
+/// The numbers that stood on a display before, each with the line of the first.
+pub(crate) fn repeated(notes: &Notes) -> Vec<(&Numbered, usize)> {
+    let mut seen: HashMap<&str, usize> = HashMap::new();
+    let mut repeated = Vec::new();
+    for display in &notes.equations {
+        let Some(number) = &display.number else { continue };
+        match seen.get(number.id.as_str()) {
+            Some(line) => repeated.push((number, *line)),
+            None => drop(seen.insert(&number.id, display.line)),
+        }
+    }
+    repeated
+}
+
+/// An equation of which no more is said than that it cannot be judged.
+pub(crate) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -> Equation {
+    Equation {
+        id: id.to_owned(),
+        line,
+        latex: notes.source.slice(finding.span).to_owned(),
+        reading: String::new(),
+        finding,
+        ok: false,
+        because: None,
+        parts: Vec::new(),
+        repairs: Vec::new(),
+        elsewhere: Vec::new(),
+    }
+}
+
+/// What a message calls a display: its number or label, or the line that it is on.
+pub(crate) fn shown(display: &Display) -> String {
+    id(display).map_or_else(|| format!("line {}", display.line), str::to_owned)
+}
+
+/// The number or else the first label of a display.
+pub fn id(display: &Display) -> Option<&str> {
+    let number = display.number.as_ref().or(display.labels.first());
+    number.map(|numbered| numbered.id.as_str())
+}
+
+/// Whether an equation says something false, or nothing that can be read.
+pub(crate) fn is_wrong(equation: &Equation) -> bool {
+    let wrong = |verdict| matches!(verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
+    wrong(equation.finding.verdict) || equation.parts.iter().any(|part| wrong(part.finding.verdict))
+}
+
+/// A symbol named in the claims file.
+pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) -> Result<SymbolId> {
+    let name = names::parse(&latex.value).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
+    let found = name.as_ref().and_then(|name| model.symbols.find(name));
+    found.map(|(id, _)| id).ok_or_else(|| {
+        let error = Error::at(&claims.source, latex.span, format!("there is no symbol {}", latex.value))
+            .lacking(Some(Missing::Name(latex.value.clone())));
+        match name.and_then(|name| model.symbols.nearest(&name)) {
+            Some(near) => error.help(format!("did you mean {near}?")),
+            None => error,
+        }
+    })
+}
+
+/// Whether a claim is that the equation holds, and nothing more.
+pub(crate) fn is_plain(claim: &Claim) -> bool {
+    claim.solves.is_none()
+        && claim.generates.is_none()
+        && claim.conserved.is_none()
+        && claim.also_equals.is_none()
+        && claim.dropping.is_none()
+        && claim.limit.is_none()
+        && claim.small.is_empty()
+        && claim.exactly_when.is_empty()
+        && claim.continuum_limit_of.is_none()
+        && claim.skip.is_none()
+}

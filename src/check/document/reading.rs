@@ -1,0 +1,314 @@
+//! All displays and definitions of a document, each read as soon as what it stands on is known.
+//!
+//! Notes use names before they introduce them, and the prose defines names through those of displays. So what cannot be
+//! read for want of a name is read again when more are known, until nothing new comes out; what then cannot be read is
+//! what is wrong with it. What the claims file builds on such a display is given up with it ([`super::damage`]).
+
+use crate::formula::shape::{Shape, bind};
+use crate::formula::symbols::Name;
+use crate::formula::{IndexId, Kind, Symbols};
+use crate::latex::{Reading, names, read_display, read_formula};
+use crate::notes::Notes;
+use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
+use crate::source::{Fault, Missing};
+use crate::{Error, Result};
+
+use crate::check::document::names::id;
+use crate::check::document::unreadable::{Damage, faults};
+use crate::check::model::claims_error::formula_error;
+use crate::check::model::{Model, particles};
+
+/// Reads what is wanted: the displays, by their places, and the claims file's definitions, which go into the model.
+///
+/// # Errors
+/// For a definition that cannot be read, at its place.
+pub(crate) fn read_all(
+    claims: &Claims,
+    notes: &Notes,
+    assigned: &[Option<&Claim>],
+    model: &mut Model,
+) -> Result<Vec<Reading>> {
+    let mut readings: Vec<Option<Reading>> = notes
+        .equations
+        .iter()
+        .zip(assigned)
+        .map(|(display, claim)| match id(display).is_some() || claim.is_some() {
+            true => None,
+            false => Some(Reading::default()),
+        })
+        .collect();
+    let texts: Vec<String> = notes
+        .equations
+        .iter()
+        .zip(assigned)
+        .map(|(display, claim)| match claim {
+            Some(claim) => corrected(claims, &display.text, &claim.errata),
+            None => Ok(display.text.clone()),
+        })
+        .collect::<Result<_>>()?;
+    let mut pending = Pending {
+        claims,
+        definitions: claims.define.iter().collect(),
+        of_particles: claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect(),
+    };
+    pending.settle(model);
+    loop {
+        let mut progress = true;
+        while progress {
+            progress = false;
+            for at in 0..readings.len() {
+                if readings[at].is_none() {
+                    readings[at] = pending.read(&texts[at], assigned[at], model);
+                    if readings[at].is_some() {
+                        pending.settle(model);
+                        progress = true;
+                    }
+                }
+            }
+        }
+        // What is damaged whatever else be known gives the names that it has left; what it takes with it is given up.
+        let unread: Vec<(usize, Symbols, Reading)> = (0..readings.len())
+            .filter(|at| readings[*at].is_none())
+            .map(|at| {
+                let (symbols, reading) = read(&texts[at], assigned[at], model);
+                (at, symbols, reading)
+            })
+            .collect();
+        let broken = |(_, symbols, reading): &(usize, Symbols, Reading)| {
+            let lacks_nothing = |fault: &Fault| fault.missing.is_none();
+            faults(reading).next().is_some() && faults(reading).all(lacks_nothing) && !pending.takes(symbols, reading)
+        };
+        if let Some(first) = unread.iter().position(broken).filter(|_| model.tie_components()) {
+            let (at, symbols, reading) = unread.into_iter().nth(first).unwrap_or_default();
+            readings[at] = Some(accept((symbols, reading), model));
+        } else {
+            let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
+            let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
+            if !pending.give_up(&Damage::of(notes, all), model)? {
+                break;
+            }
+        }
+        pending.settle(model);
+    }
+    for at in 0..readings.len() {
+        if readings[at].is_none() {
+            readings[at] = Some(accept(read(&texts[at], assigned[at], model), model));
+        }
+    }
+    assemble(model);
+    Ok(readings.into_iter().map(Option::unwrap_or_default).collect())
+}
+
+/// Puts together every family whose members all have names of their own, so that the claims file may name it where no
+/// display does: λ_a beside λ₁, λ₂, λ₃.
+fn assemble(model: &mut Model) {
+    let letters: Vec<String> = model.symbols.indices.iter().map(|index| index.letter.clone()).collect();
+    let firsts: Vec<Name> = model.symbols.iter().map(|(_, entry)| entry.name.clone()).collect();
+    for mut name in firsts {
+        let Some(at) = name.subscript.iter().position(|token| token == "1") else { continue };
+        for letter in &letters {
+            name.subscript[at].clone_from(letter);
+            model.symbols.find_or_assemble(&name);
+        }
+    }
+}
+
+/// The text of a display, its errata mended: what is wrong as printed is known as corrected.
+pub(crate) fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> Result<String> {
+    let mut text = printed.to_owned();
+    for erratum in errata {
+        let found = text.matches(&erratum.printed.value).count();
+        if found != erratum.times {
+            let message = format!("“{}” stands {found} times in this equation", erratum.printed.value);
+            return Err(Error::at(&claims.source, erratum.printed.span, message)
+                .help("quote more of it, or say how often with \"times\""));
+        }
+        text = text.replace(&erratum.printed.value, &erratum.read.value);
+    }
+    Ok(text)
+}
+
+/// What the claims file defines and is not known yet, since it stands on names that are not.
+struct Pending<'a> {
+    claims: &'a Claims,
+    definitions: Vec<&'a (Spanned<String>, Spanned<String>)>,
+    of_particles: Vec<&'a (Spanned<String>, Spanned<String>)>,
+}
+
+impl Pending<'_> {
+    /// Adds what can be added now.
+    fn settle(&mut self, model: &mut Model) {
+        loop {
+            let before = self.definitions.len() + self.of_particles.len();
+            self.definitions.retain(|(name, body)| define(self.claims, name, body, model).is_err());
+            self.of_particles.retain(|(name, meaning)| particles::declare(self.claims, name, meaning, model).is_err());
+            if before == self.definitions.len() + self.of_particles.len() {
+                return;
+            }
+        }
+    }
+
+    /// Reads a display, if it can be read wholly and takes no name that is still to be defined.
+    fn read(&self, text: &str, claim: Option<&Claim>, model: &mut Model) -> Option<Reading> {
+        if !model.tie_components() {
+            return None;
+        }
+        let found = read(text, claim, model);
+        let whole = faults(&found.1).next().is_none();
+        (whole && !self.takes(&found.0, &found.1)).then(|| accept(found, model))
+    }
+
+    /// Whether a reading introduces a name that is still to be defined.
+    fn takes(&self, symbols: &Symbols, reading: &Reading) -> bool {
+        let reserved = |name: &Name| {
+            let all = self.definitions.iter().chain(&self.of_particles);
+            all.filter_map(|(latex, _)| names::parse_decorated(&latex.value)).any(|pending| pending == *name)
+        };
+        reading.introduced.iter().any(|introduced| reserved(&symbols.entry(introduced.symbol).name))
+    }
+
+    /// Refuses definitions that stand on each other.
+    ///
+    /// # Errors
+    /// For the first of them, at its place.
+    fn refuse_circles(&self, model: &Model) -> Result<()> {
+        if self.definitions.is_empty() {
+            return Ok(());
+        }
+        let mut unread = model.clone();
+        let stands_on = |(name, body): &(Spanned<String>, Spanned<String>), unread: &mut Model| {
+            let error = define(self.claims, name, body, unread).err()?;
+            let Some(Missing::Name(missing)) = error.missing() else { return None };
+            self.definitions.iter().position(|(other, _)| names::same(&other.value, missing))
+        };
+        let next: Vec<Option<usize>> =
+            self.definitions.iter().map(|definition| stands_on(definition, &mut unread)).collect();
+        for (start, (name, body)) in self.definitions.iter().enumerate() {
+            let circle: Vec<usize> = std::iter::successors(next[start], |at| next[*at]).take(next.len()).collect();
+            if let Some(length) = circle.iter().position(|at| *at == start) {
+                let others: Vec<&str> =
+                    circle[..length].iter().map(|at| self.definitions[*at].0.value.as_str()).collect();
+                let message = match others.as_slice() {
+                    [] => format!("{} is defined by itself", name.value),
+                    others => format!("{} is defined by itself, by way of {}", name.value, others.join(", ")),
+                };
+                return Err(Error::at(&self.claims.source, body.span, message)
+                    .help("say what one of them is without the others"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Gives up what stands on a display that cannot be read; whether there was any.
+    ///
+    /// # Errors
+    /// For a definition that cannot be read for another reason, at its place.
+    fn give_up(&mut self, damage: &Damage<'_>, model: &mut Model) -> Result<bool> {
+        let claims = self.claims;
+        self.refuse_circles(model)?;
+        let mut wrong = None;
+        let mut lost = Vec::new();
+        let mut known = |name: &Spanned<String>, found: Result<()>, model: &Model| {
+            let Err(error) = found else { return false };
+            match damage.cause(error.missing(), model) {
+                Some(cause) => {
+                    lost.push((name.value.clone(), cause));
+                    return false;
+                }
+                None => wrong = wrong.take().or(Some(error)),
+            }
+            true
+        };
+        self.definitions.retain(|(name, body)| known(name, define(claims, name, body, model), model));
+        self.of_particles.retain(|(name, what)| known(name, particles::declare(claims, name, what, model), model));
+        let missing = |axes: &Spanned<String>| {
+            names::parse(&axes.value).map(|(name, _)| name).filter(|name| model.symbols.find(name).is_none())
+        };
+        let mut without_axes = Vec::new();
+        for (vector, components) in &claims.components {
+            if let Components::Along(axes) = &components.value
+                && let Some(name) = missing(axes)
+                && model.components.iter().any(|(_, known)| *known == name)
+            {
+                let fault = Fault::undeclared(axes.span, &axes.value);
+                if !known(vector, Err(Error::fault(&claims.source, fault)), model) {
+                    without_axes.push(name);
+                }
+            }
+        }
+        model.components.retain(|(_, axes)| !without_axes.contains(axes));
+        match (lost.is_empty(), wrong) {
+            (true, Some(error)) => Err(error),
+            (none, _) => {
+                model.lost.extend(lost);
+                Ok(!none)
+            }
+        }
+    }
+}
+
+/// Reads a display with the names of the model; the names that come with it are those that it introduces.
+fn read(text: &str, claim: Option<&Claim>, model: &Model) -> (Symbols, Reading) {
+    let mut symbols = model.symbols.clone();
+    symbols.for_each = for_each(claim, model);
+    let reading = read_display(text, &mut symbols, &model.macros);
+    symbols.for_each = None;
+    (symbols, reading)
+}
+
+/// Takes over a reading, with the meaning of the names that it introduces.
+fn accept((symbols, reading): (Symbols, Reading), model: &mut Model) -> Reading {
+    model.symbols = symbols;
+    for introduced in &reading.introduced {
+        model.define(introduced.symbol, introduced.formula.clone());
+    }
+    reading
+}
+
+/// The label that a claim gives to the names of its equation.
+pub(crate) fn for_each(claim: Option<&Claim>, model: &Model) -> Option<IndexId> {
+    let letter = claim?.for_each.as_ref()?;
+    let (name, _) = names::parse(&letter.value)?;
+    model.symbols.index(&name.to_string())
+}
+
+/// Adds what the claims file defines.
+fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, model: &mut Model) -> Result<()> {
+    let error = |message: String| Error::at(&claims.source, latex.span, message);
+    let square = latex.value.trim().strip_suffix("^2").or(latex.value.trim().strip_suffix("^{2}"));
+    let name = names::parse_decorated(square.unwrap_or(&latex.value)).ok_or_else(|| {
+        error(format!("{} is not the name of a symbol", latex.value))
+            .help("a name is a letter or a Greek command, with accents, a subscript, primes: \\hat{e}_a, p_\\psi")
+    })?;
+    let mut symbols = model.symbols.clone();
+    let formula =
+        read_formula(&body.value, &mut symbols, &model.macros).map_err(|fault| formula_error(claims, body, fault))?;
+    let (formula, found) = bind(formula, &symbols).map_err(|fault| formula_error(claims, body, fault))?;
+    let shown = name.to_string();
+    let kind = match found.shape {
+        Shape::Scalar => Kind::Scalar,
+        Shape::Vector => Kind::Vector,
+        Shape::Matrix(3, 3) => Kind::Matrix,
+        Shape::Matrix(..) => return Err(error(format!("{shown} cannot be defined as a matrix of this size"))),
+    };
+    let id = symbols
+        .add(name, kind)
+        .ok_or_else(|| error(format!("{shown} is declared twice")).help("keep one of the two"))?;
+    let own: Vec<IndexId> = symbols.entry(id).slots.iter().map(|(_, letter)| *letter).collect();
+    if let Some(stray) = found.free.iter().find(|letter| !own.contains(letter)) {
+        let letter = &symbols.indices[stray.0].letter;
+        return Err(error(format!("{letter} is free in this definition, and {shown} does not have it")));
+    }
+    if let Some((_, [letter, _])) =
+        formula.pair_sums().iter().find(|(_, pair)| own.iter().any(|own| pair.contains(own)))
+    {
+        let letter = &symbols.indices[letter.0].letter;
+        return Err(error(format!("{shown} has an index that its definition sums over in pairs with {letter}"))
+            .help("write a Σ for each letter that is summed over"));
+    }
+    symbols.entry_mut(id).varies = true;
+    symbols.entry_mut(id).squared = square.is_some();
+    model.symbols = symbols;
+    model.define(id, formula);
+    Ok(())
+}

@@ -1,0 +1,75 @@
+//! Another text read with the names that a document gives.
+
+use crate::formula::{Expr, Relation, Statement, text};
+use crate::latex::{Introduced, Macros, Reading};
+use crate::notes::claims::Claim;
+
+use crate::check::document::checker::Checker;
+
+/// The reading of a text in the place of the `at`-th equation, with the definitions that it shares with the reference.
+pub(crate) fn read(checker: &Checker<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) -> Reading {
+    let mut reading = checker.as_printed(text, claim, macros);
+    for introduced in &checker.readings[at].introduced {
+        let Some(Ok(original)) = checker.readings[at].statements.get(introduced.statement) else { continue };
+        let shared =
+            |read: &Statement| defined(read, introduced).is_some_and(|d| Some(d) == defined(original, introduced));
+        let here = reading.statements.iter().position(|read| read.as_ref().is_ok_and(shared));
+        if let Some(statement) = here {
+            reading.introduced.push(Introduced { statement, ..introduced.clone() });
+        }
+    }
+    reading
+}
+
+/// What a print has lost of what the reference says: it has fewer relations of a kind, or does not call constant what is
+/// constant there. How it spells what it has is free, and what cannot be read in it is reported as that.
+pub(crate) fn lost(checker: &Checker<'_>, reading: &Reading, reference: &Reading) -> Option<String> {
+    let kind = |relation: Relation| match relation {
+        Relation::Identical => Relation::Equal,
+        Relation::Greater => Relation::Less,
+        Relation::GreaterEqual => Relation::LessEqual,
+        other => other,
+    };
+    let kinds = |reading: &Reading| -> Vec<Relation> {
+        let statements = reading.statements.iter().flatten();
+        statements.flat_map(|s| s.relations.iter().map(|(relation, _)| kind(*relation))).collect()
+    };
+    if reading.statements.iter().any(std::result::Result::is_err) {
+        return None;
+    }
+    let (here, there) = (kinds(reading), kinds(reference));
+    let count = |kinds: &[Relation], wanted: Relation| kinds.iter().filter(|found| **found == wanted).count();
+    let source = &checker.notes.source.path;
+    if let Some(fewer) = there.iter().find(|wanted| count(&here, **wanted) < count(&there, **wanted)) {
+        let (has, had) = (count(&here, *fewer), count(&there, *fewer));
+        let members = |reading: &'_ Reading| -> Vec<Expr> {
+            reading.statements.iter().flatten().flat_map(|statement| statement.members.clone()).collect()
+        };
+        let kept = members(reading);
+        let missing = members(reference).into_iter().find(|member| !kept.contains(member));
+        let missing = missing.map_or_else(String::new, |member| {
+            format!("; {} does not stand here", text::formula(&member, &checker.model.symbols))
+        });
+        return Some(format!("{source} has {had} “{}” in this equation, and this print {has}{missing}", fewer.glyph()));
+    }
+    let constants = |reading: &Reading| reading.statements.iter().flatten().filter(|s| s.constant.is_some()).count();
+    (constants(reading) < constants(reference)).then(|| format!("{source} says that something is constant here"))
+}
+
+/// Whether two readings say the same, wherever it stands.
+pub(crate) fn reads_alike(a: &Reading, b: &Reading) -> bool {
+    let alike = |(a, b): (&_, &_)| matches!((a, b), (Ok(a), Ok(b)) if says_the_same(a, b));
+    a.statements.len() == b.statements.len() && a.statements.iter().zip(&b.statements).all(alike)
+}
+
+/// The member that introduces a name, and the member that defines it.
+pub(crate) fn defined<'a>(statement: &'a Statement, introduced: &Introduced) -> Option<(&'a Expr, &'a Expr)> {
+    let beside = introduced.member.checked_sub(1).unwrap_or(1);
+    Some((statement.members.get(introduced.member)?, statement.members.get(beside)?))
+}
+
+/// Whether two statements are one, wherever they stand.
+pub(crate) fn says_the_same(a: &Statement, b: &Statement) -> bool {
+    let relations = |s: &Statement| s.relations.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
+    a.members == b.members && relations(a) == relations(b) && a.constant.is_some() == b.constant.is_some()
+}

@@ -1,0 +1,149 @@
+//! A whole document: its displays read in order, its claims tied to them, each equation judged.
+
+use std::sync::{Arc, LazyLock};
+
+use crate::latex::Macros;
+use crate::notes::address::Address;
+use crate::notes::claims::{Claim, Claims};
+use crate::notes::{Display, Notes};
+use crate::systems::Registry;
+use crate::{Error, Result};
+
+use crate::check::document::checker::Checker;
+use crate::check::document::names::{id, repeated};
+use crate::check::document::{reading, units};
+use crate::check::model::Model;
+use crate::check::sample::context::Options;
+use crate::check::verdict::progress::Progress;
+
+/// How a run is made, beside its documents.
+#[derive(Clone, Copy)]
+pub struct Run<'a> {
+    /// The systems that claims may name.
+    pub registry: &'a Registry,
+    /// The seed and the number of states.
+    pub options: Options,
+    /// The number or label of the one equation that is wanted; there may be none of it.
+    pub only: Option<&'a str>,
+    /// Who is told of every item done.
+    pub progress: &'a dyn Progress,
+}
+
+/// The displays that are to be checked, by their places.
+pub(crate) fn wanted(notes: &Notes, assigned: &[Option<&Claim>], only: Option<&str>) -> Vec<usize> {
+    let chosen = |display: &Display| only.is_none_or(|only| id(display) == Some(only));
+    let claimed = |at: usize| id(&notes.equations[at]).is_some() || assigned[at].is_some();
+    (0..notes.equations.len()).filter(|at| chosen(&notes.equations[*at]) && claimed(*at)).collect()
+}
+
+/// How many equations and sentences [`check_in`] will report.
+pub fn items(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
+    equations(claims, notes, only) + if only.is_some() { 0 } else { claims.sentences.len() }
+}
+
+/// How many equations [`check_in`] will report; 0 where the claims do not fit the notes.
+pub fn equations(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
+    assign(claims, notes).map_or(0, |assigned| wanted(notes, &assigned, only).len())
+}
+
+/// Lays all that a document's equations need on a checker, and has them worked on.
+pub(crate) fn with_checker<T>(
+    run: &Run<'_>,
+    claims: &Claims,
+    notes: &Notes,
+    work: impl FnOnce(Checker<'_>) -> Result<T>,
+) -> Result<T> {
+    let mut macros = Macros::default();
+    define_macros(notes, &mut macros);
+    repeated_numbers(notes)?;
+    let mut model = Model::new(claims, macros, run.registry)?;
+    let assigned = assign(claims, notes)?;
+    let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
+    let (source, options) = (&*notes.source, run.options);
+    let plain = Checker {
+        claims,
+        notes,
+        source,
+        model: &model,
+        readings: &readings,
+        assigned: &assigned,
+        options,
+        units: None,
+    };
+    let (laws, lost_laws) = plain.laws()?;
+    let lacks_a_name = |error: &Error| plain.cause(error.missing()).is_some();
+    let known = units::declared(claims, &model, &lacks_a_name)?;
+    (model.laws, model.lost_laws) = (laws, lost_laws);
+    let units = units::of_document(claims, &model, &known, &readings, &assigned)?.map(Arc::new);
+    let checker =
+        Checker { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units };
+    checker.granted_conflicts()?;
+    work(checker)
+}
+
+/// Adds the commands that notes define.
+pub(crate) fn define_macros(notes: &Notes, macros: &mut Macros) {
+    for definition in &notes.macros {
+        macros.define(&definition.name, definition.arguments, &definition.body);
+    }
+}
+
+/// Refuses two displays with one number: a claim about it would be about either.
+fn repeated_numbers(notes: &Notes) -> Result<()> {
+    match repeated(notes).first() {
+        None => Ok(()),
+        Some((number, line)) => {
+            let message = format!("the number ({}) is used a second time, after line {line}", number.id);
+            Err(Error::at(&notes.source, number.span, message).help("give each equation a number of its own"))
+        }
+    }
+}
+
+/// The claim of each display, where the claims file makes one.
+pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option<&'c Claim>>> {
+    let mut assigned: Vec<Option<&Claim>> = vec![None; notes.equations.len()];
+    for (address, claim) in &claims.equations {
+        unsupported(claims, address, claim)?;
+        for at in address.resolve(notes, &claims.source)? {
+            if assigned[at].replace(claim).is_some() {
+                let message = "a second claim for the same equation";
+                return Err(Error::at(&claims.source, address.span, message).help("put all keys under one address"));
+            }
+        }
+    }
+    // What is a step is tested, also where nothing more is claimed of it.
+    for derivation in &claims.steps {
+        for at in derivation.resolve(notes, &claims.source)? {
+            assigned[at].get_or_insert(&NOTHING_MORE);
+        }
+    }
+    Ok(assigned)
+}
+
+/// The claim that an equation holds.
+static NOTHING_MORE: LazyLock<Claim> = LazyLock::new(Claim::default);
+
+/// Refuses what the format has and this version does not check yet, rather than pass it over.
+pub(crate) fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> Result<()> {
+    let spans = [
+        ("up to a constant", claim.up_to_a_constant),
+        ("times", claim.times.as_ref().map(|s| s.span)),
+        ("divided by", claim.divided_by.as_ref().map(|s| s.span)),
+        ("defines", claim.defines.first().map(|s| s.span)),
+        ("equation of motion of", claim.equation_of_motion_of.as_ref().map(|s| s.span)),
+        ("from", claim.from.first().map(|a| a.span)),
+    ];
+    if let Some((key, span)) = spans.into_iter().find_map(|(key, span)| Some((key, span?))) {
+        return Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported yet")));
+    }
+    let partial = address.single().is_some_and(|p| p.row.is_some() || p.part.is_some() || p.step.is_some());
+    if partial {
+        return Err(Error::at(
+            &claims.source,
+            address.span,
+            "claims about a part of an equation are not supported yet",
+        )
+        .help("claim it of the whole equation"));
+    }
+    Ok(())
+}

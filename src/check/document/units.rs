@@ -1,0 +1,242 @@
+//! The units of a document: what was declared, what its equations add to that, and the term that does not fit.
+//!
+//! A conflict is a type error. It has its place before any number is computed, and makes its statement unreadable.
+//! Equations teach the dimensions that nobody declared, in the order of the notes; then each is held against all that
+//! is known. An equation that is known to be wrong teaches nothing, and one whose units are switched off is left out.
+
+use std::collections::BTreeSet;
+
+use crate::formula::units::{Affine, Dimension, Mismatch, Ratio, Survey, parse};
+use crate::formula::{Expr, Statement, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::{Claim, Claims};
+use crate::notes::json::place_in_string;
+use crate::source::{Fault, Span};
+use crate::{Error, Result};
+
+use crate::check::document::names;
+use crate::check::model::Model;
+use crate::check::model::meaning::{FrameQuantity, Meaning, ParticleQuantity, Quantity};
+
+/// How far an equation is to be believed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trust {
+    /// It is checked, and teaches the dimensions of what nobody declared.
+    Sound,
+    /// It is checked; it has an erratum or is expected to fail, so it teaches nothing.
+    Doubted,
+    /// Its units are off.
+    Off,
+}
+
+/// A term of the notes that does not fit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Conflict {
+    /// Which of the readings.
+    pub display: usize,
+    /// Which of its statements.
+    pub statement: usize,
+    /// The term, as a place in the text of the display.
+    pub span: Span,
+    /// What is wrong, naming the term.
+    pub message: String,
+    /// The other displays that the dimensions in the message were inferred from.
+    pub inferred_from: Vec<usize>,
+}
+
+/// A declared dimension that a formula of the claims file contradicts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Contradiction {
+    /// The defined symbol.
+    pub symbol: SymbolId,
+    /// What is wrong.
+    pub message: String,
+}
+
+/// All that a document says of its units.
+pub struct Units<'a> {
+    survey: Survey<'a>,
+    /// The definitions of the claims file that do not fit.
+    pub contradictions: Vec<Contradiction>,
+}
+
+impl<'a> Units<'a> {
+    /// Learns from the declared units, the definitions, and the readings; the trust of a reading that has none is
+    /// [`Trust::Sound`].
+    pub fn new(
+        model: &'a Model,
+        declared: &[(SymbolId, Dimension)],
+        readings: &[Reading],
+        trust: &[Trust],
+    ) -> Units<'a> {
+        let mut units = Units { survey: Survey::new(&model.symbols), contradictions: Vec::new() };
+        units.declarations(model, declared);
+        let introduced: BTreeSet<SymbolId> =
+            readings.iter().flat_map(|reading| reading.introduced.iter().map(|i| i.symbol)).collect();
+        for (at, meaning) in model.meanings.iter().enumerate() {
+            let symbol = SymbolId(at);
+            if let (Some(Meaning::Defined(formula)), false) = (meaning, introduced.contains(&symbol)) {
+                units.definition(symbol, formula);
+            }
+        }
+        for (display, reading) in readings.iter().enumerate() {
+            if trust.get(display).is_none_or(|trust| *trust == Trust::Sound) {
+                units.survey.ledger.origin = Some(display);
+                for statement in reading.statements.iter().flatten() {
+                    units.survey.statement(statement);
+                }
+            }
+        }
+        units
+    }
+
+    fn declarations(&mut self, model: &Model, declared: &[(SymbolId, Dimension)]) {
+        let ledger = &mut self.survey.ledger;
+        let mut know = |symbol: SymbolId, dimension: Dimension| {
+            let unit = Affine::known(dimension);
+            // What is declared comes first; a default that contradicts it gives way.
+            ledger.require_equal(&Affine::of(symbol), &unit).is_ok()
+        };
+        for (symbol, dimension) in declared {
+            // A name that is introduced by its square stands for the square.
+            let squared = model.symbols.entry(*symbol).squared;
+            know(*symbol, if squared { dimension.times(*dimension) } else { *dimension });
+        }
+        for (symbol, entry) in model.symbols.iter() {
+            let turns = matches!(
+                model.meaning(symbol),
+                Some(
+                    Meaning::World(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)
+                        | Meaning::FixedAxis(_)
+                        | Meaning::Frame(FrameQuantity::Axes | FrameQuantity::Angle)
+                        | Meaning::Particles(ParticleQuantity::PrincipalAxes, ..)
+                )
+            );
+            if entry.angle || turns {
+                know(symbol, Dimension::NONE);
+            }
+        }
+        for continuum in &model.continua {
+            let exponent = Ratio::whole(continuum.dimension.into());
+            know(continuum.region, Dimension::LENGTH.power(exponent));
+        }
+        let default = model.symbols.time.as_ref().is_some_and(|name| name.to_string() == "t");
+        if let (Some(time), true) = (self.survey.time(), default) {
+            let seconds = Affine::known(Dimension::TIME);
+            self.survey.ledger.require_equal(&Affine::of(time), &seconds).ok();
+        }
+        for (family, entry) in model.symbols.iter() {
+            for member in &entry.members {
+                // Members of different units leave the family without one.
+                self.survey.ledger.require_equal(&Affine::of(family), &Affine::of(*member)).ok();
+            }
+        }
+    }
+
+    fn definition(&mut self, symbol: SymbolId, formula: &Expr) {
+        let found = match self.survey.dimension(formula) {
+            Ok(Some(found)) => found,
+            Ok(None) => return,
+            Err(mismatch) => return self.contradictions.push(Contradiction { symbol, message: mismatch.message }),
+        };
+        let own = Affine::of(symbol);
+        if self.survey.ledger.require_equal(&own, &found).is_err() {
+            let (own, found) = (self.survey.words(&own), self.survey.words(&found));
+            let message = format!("this is {found}, and what it defines is {own}");
+            self.contradictions.push(Contradiction { symbol, message });
+        }
+    }
+
+    /// The first term of a statement that does not fit, for all that is known.
+    pub fn mismatch(&self, statement: &Statement) -> Option<Mismatch> {
+        let mut survey = self.survey.clone();
+        survey.statement(statement).into_iter().next()
+    }
+
+    /// The terms of the readings that do not fit, one to a statement at most.
+    pub fn conflicts(&self, readings: &[Reading], trust: &[Trust]) -> Vec<Conflict> {
+        let mut conflicts = Vec::new();
+        for (display, reading) in readings.iter().enumerate() {
+            if trust.get(display) == Some(&Trust::Off) {
+                continue;
+            }
+            for (statement, read) in reading.statements.iter().enumerate() {
+                let Some(Mismatch { span, message, origins }) = read.as_ref().ok().and_then(|s| self.mismatch(s))
+                else {
+                    continue;
+                };
+                let inferred_from = origins.into_iter().filter(|origin| *origin != display).collect();
+                conflicts.push(Conflict { display, statement, span, message, inferred_from });
+            }
+        }
+        conflicts
+    }
+}
+
+/// The terms of a document that do not fit the declared units and one another.
+pub fn conflicts(model: &Model, declared: &[(SymbolId, Dimension)], readings: &[Reading]) -> Vec<Conflict> {
+    Units::new(model, declared, readings, &[]).conflicts(readings, &[])
+}
+
+/// The units of a document under its claims; `None` where it declares none, and nothing is checked.
+///
+/// # Errors
+/// For a definition that contradicts the units, at its place in the claims file.
+pub(crate) fn of_document<'a>(
+    claims: &Claims,
+    model: &'a Model,
+    declared: &[(SymbolId, Dimension)],
+    readings: &[Reading],
+    assigned: &[Option<&Claim>],
+) -> Result<Option<Units<'a>>> {
+    if claims.units.is_empty() {
+        return Ok(None);
+    }
+    let trust: Vec<Trust> = assigned.iter().map(|claim| claim.map_or(Trust::Sound, trust)).collect();
+    let units = Units::new(model, declared, readings, &trust);
+    if let Some(Contradiction { symbol, message }) = units.contradictions.first() {
+        let name = model.name(*symbol);
+        let define = claims.define.iter().find(|(latex, _)| names::symbol(claims, model, latex).ok() == Some(*symbol));
+        let span = define.map_or(claims.notes.span, |(_, formula)| formula.span);
+        return Err(Error::at(&claims.source, span, format!("the definition of {name}: {message}")));
+    }
+    Ok(Some(units))
+}
+
+pub(crate) fn trust(claim: &Claim) -> Trust {
+    match (claim.units_off, &claim.expect, &claim.skip) {
+        (Some(_), ..) => Trust::Off,
+        (None, None, None) if claim.errata.is_empty() => Trust::Sound,
+        _ => Trust::Doubted,
+    }
+}
+
+/// The declared units, symbol by symbol; a symbol that is not there may be excused.
+///
+/// # Errors
+/// For a unit that cannot be read, and a symbol that is not there or has two units, at its place in the claims file.
+pub(crate) fn declared(
+    claims: &Claims,
+    model: &Model,
+    excused: &dyn Fn(&Error) -> bool,
+) -> Result<Vec<(SymbolId, Dimension)>> {
+    let mut declared: Vec<(SymbolId, Dimension)> = Vec::new();
+    for (latex, unit) in &claims.units {
+        let symbol = match names::symbol(claims, model, latex) {
+            Err(error) if excused(&error) => continue,
+            symbol => symbol?,
+        };
+        let dimension = parse(&unit.value).map_err(|fault| {
+            let place = place_in_string(&claims.source.text, unit.span, fault.span);
+            let span = if place.start < place.end { place } else { unit.span };
+            Error::fault(&claims.source, Fault { span, ..fault })
+        })?;
+        let earlier = declared.iter().find(|(known, _)| *known == symbol);
+        if let Some((_, other)) = earlier.filter(|(_, other)| *other != dimension) {
+            let message = format!("{} is {other} already", model.name(symbol));
+            return Err(Error::at(&claims.source, latex.span, message).help("all members of a family have one unit"));
+        }
+        declared.push((symbol, dimension));
+    }
+    Ok(declared)
+}

@@ -1,0 +1,53 @@
+//! What a display that cannot be read leaves open in other places.
+//!
+//! A misprint in a display that introduces a name, or prints a law, makes the name or the law unknown wherever it is
+//! used: in the claims file, too, which is not wrong for that. So an error for want of a name is laid at the door of an
+//! unreadable display that has the letters of the name in it; if all its fault is that it lacks other names, to one that
+//! has the name for a side. And what needed the name is unreadable, while the rest is judged.
+
+use crate::latex::{Reading, names};
+use crate::notes::Notes;
+use crate::source::{Fault, Missing};
+
+use crate::check::document::names::shown;
+
+use crate::check::model::Model;
+
+/// The displays of a document that cannot be read, each with the faults of its statements.
+pub(crate) struct Damage<'a> {
+    notes: &'a Notes,
+    faults: Vec<(usize, Vec<&'a Fault>)>,
+}
+
+impl<'a> Damage<'a> {
+    /// The damage of a document whose displays read like this, each with its place.
+    pub fn of(notes: &'a Notes, readings: impl Iterator<Item = (usize, &'a Reading)>) -> Damage<'a> {
+        let faults = readings.map(|(at, reading)| (at, faults(reading).collect::<Vec<_>>()));
+        Damage { notes, faults: faults.filter(|(_, faults)| !faults.is_empty()).collect() }
+    }
+
+    /// Which unreadable display leaves this open, in words; none, if no display could be to blame.
+    pub fn cause(&self, missing: Option<&Missing>, model: &Model) -> Option<String> {
+        let name = match missing? {
+            Missing::Equation(id) => return Some(format!("({id}) cannot be read")),
+            Missing::Name(name) => name,
+        };
+        if let Some((_, cause)) = model.lost.iter().find(|(lost, _)| names::same(lost, name)) {
+            return Some(cause.clone());
+        }
+        let lacks = |fault: &&Fault| matches!(&fault.missing, Some(Missing::Name(own)) if names::same(own, name));
+        // What lacks only other names is misprinted in them: it has this one whole, if it introduces it.
+        let is_own = |fault: &&Fault| !matches!(&fault.missing, Some(Missing::Name(_)));
+        let (display, _) = self.faults.iter().find(|(at, faults)| {
+            let text = &self.notes.equations[*at].text;
+            let has_it = if faults.iter().any(is_own) { names::mentions } else { names::is_a_side };
+            !faults.iter().any(lacks) && has_it(text, name, &model.macros)
+        })?;
+        Some(format!("({}), where it stands, cannot be read", shown(&self.notes.equations[*display])))
+    }
+}
+
+/// Why statements of a display cannot be read.
+pub(crate) fn faults(reading: &Reading) -> impl Iterator<Item = &Fault> {
+    reading.statements.iter().filter_map(|read| read.as_ref().err())
+}

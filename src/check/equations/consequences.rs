@@ -1,0 +1,75 @@
+//! What a display that cannot be read leaves open in other equations and sentences.
+
+use crate::Error;
+use crate::code::Code;
+use crate::notes::claims::{Sentence, Test};
+use crate::source::{Missing, Span};
+
+use crate::check::document::checker::Checker;
+use crate::check::document::names::{shown, unjudged};
+use crate::check::document::unreadable::Damage;
+use crate::check::equations::sentences;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::{Equation, Part};
+
+impl Checker<'_> {
+    /// Which unreadable display leaves this open, in words.
+    pub fn cause(&self, missing: Option<&Missing>) -> Option<String> {
+        missing?;
+        let damage = Damage::of(self.notes, self.readings.iter().enumerate());
+        damage.cause(missing, self.model)
+    }
+
+    /// The finding on a display whose claim needs what an unreadable display leaves open; else the error.
+    pub fn excused(&self, at: usize, error: Error) -> Result<Equation, Error> {
+        let display = &self.notes.equations[at];
+        let finding = self.unjudgeable(error, display.body)?;
+        Ok(unjudged(self.notes, &shown(display), display.line, finding))
+    }
+
+    /// The same for a sentence.
+    pub fn excused_sentence(&self, at: usize, sentence: &Sentence, error: Error) -> Result<Equation, Error> {
+        let quoted = self.notes.find_quote(&sentence.quote.value).first().copied().unwrap_or_default();
+        let finding = self.unjudgeable(error, quoted)?;
+        let line = self.notes.source.line_column(quoted.start).0;
+        Ok(unjudged(self.notes, &sentences::name(at, sentence), line, finding))
+    }
+
+    fn unjudgeable(&self, error: Error, span: Span) -> Result<Finding, Error> {
+        match self.cause(error.missing()) {
+            Some(cause) => {
+                let message = format!("it cannot be judged: {}; {cause}", error.message());
+                Ok(Finding::new(Code::NotSupported, Verdict::Unreadable, span, message))
+            }
+            // What is wrong at every state is wrong with this claim alone.
+            None if error.place().is_none() => Ok(Finding::new(
+                Code::NotDecided,
+                Verdict::Undecided,
+                span,
+                format!("it cannot be judged: {}", error.message()),
+            )),
+            None => Err(error),
+        }
+    }
+
+    /// What is found without a law that is lost. A pass stays one, since a law only adds to what holds, but for a
+    /// sentence that asks for a counterexample.
+    pub fn without_lost_laws(&self, mut equation: Equation, sentence: Option<&Sentence>) -> Equation {
+        let Some((law, cause)) = self.model.lost_laws.first() else { return equation };
+        let wants_failure = sentence.is_some_and(|sentence| matches!(sentence.test, Test::NotAlways(_)));
+        let withdraw = |finding: &mut Finding, ok: &mut bool| {
+            let fails = matches!(finding.verdict, Verdict::Refuted | Verdict::Domain | Verdict::Undecided);
+            if fails || wants_failure {
+                let message = format!("it cannot be judged without {law}: {cause}");
+                *finding = Finding::new(Code::NotSupported, Verdict::Unreadable, finding.span, message);
+                *ok = false;
+            }
+        };
+        withdraw(&mut equation.finding, &mut equation.ok);
+        for Part { finding, ok, .. } in &mut equation.parts {
+            withdraw(finding, ok);
+        }
+        equation
+    }
+}

@@ -1,0 +1,365 @@
+//! One equation: its statements link by link, and what else is claimed of it.
+
+use crate::code::Code;
+use crate::formula::{Expr, Relation, Statement, SymbolId, text};
+use crate::latex::{Introduced, Macros, Reading, read_display};
+use crate::notes::Display;
+use crate::notes::claims::{Claim, Holds};
+use crate::source::{Fault, Span};
+use crate::{Error, Result};
+
+use crate::check::certificate::formulas;
+use crate::check::document::checker::Checker;
+use crate::check::document::names::shown;
+use crate::check::document::reading::for_each;
+use crate::check::equations::chain::Step;
+use crate::check::equations::chain_gaps;
+use crate::check::equations::merge::{expected, merged, worst};
+use crate::check::equations::whole::{is_inequality, is_made_of, with_dropped};
+use crate::check::hypotheses::rule::{Action, Rule};
+use crate::check::judge::{identity, term_fit};
+use crate::check::kinds::{conserved, exactly_when, limit};
+use crate::check::model::claim::{Link, is_equality};
+use crate::check::model::meaning::Meaning;
+use crate::check::model::states::Reach;
+use crate::check::sample::context::Context;
+use crate::check::vacuity::tautology;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::{Equation, Part};
+
+impl Checker<'_> {
+    /// The finding on an equation, with its parts.
+    pub fn equation(&self, at: usize, claim: Option<&Claim>) -> Result<Equation> {
+        let display = &self.notes.equations[at];
+        let none = Claim::default();
+        let claim = claim.unwrap_or(&none);
+        let reading = &self.readings[at];
+        let topic = shown(display);
+        let as_printed;
+        let printed = match claim.errata.is_empty() {
+            true => reading,
+            false => {
+                as_printed = self.as_printed(&display.text, claim, &self.model.macros);
+                &as_printed
+            }
+        };
+        let place = (at, display.body.start);
+        let mut parts = self.parts(place, printed, claim, &topic)?;
+        let mut because = claim.expect.as_ref().map(|expect| expect.because.value.clone());
+        let passes = |parts: &[Part]| parts.iter().all(|part| part.finding.verdict.passes());
+        let mut as_expected = match &claim.expect {
+            Some(expect) => {
+                let verdict = expected(expect);
+                let pinned = |part: &Part| part.finding.verdict == verdict;
+                parts.iter().any(pinned) && parts.iter().all(|part| pinned(part) || part.finding.verdict.passes())
+            }
+            None => passes(&parts),
+        };
+        if !claim.errata.is_empty() {
+            let mended = self.parts(place, reading, claim, &topic)?;
+            let fails =
+                |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
+            let failed = parts.iter().any(fails);
+            as_expected = failed && passes(&mended);
+            let edits: Vec<String> =
+                claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
+            let verdict = match (failed, as_expected) {
+                (true, true) => "as corrected it passes".to_owned(),
+                (true, false) => format!("as corrected it does not pass: {}", worst(&mended).message),
+                (false, _) => "but as printed it is not wrong".to_owned(),
+            };
+            because = Some(format!("{}; {verdict}", edits.join(", ")));
+        }
+        if let Some(expect) = &claim.expect {
+            // A pinned equation is as expected as a whole; its sound parts need no excuse.
+            parts.iter_mut().for_each(|part| part.ok = part.ok || part.finding.verdict == expected(expect));
+        }
+        Ok(self.assembled(display, reading, parts, as_expected, because))
+    }
+
+    /// A display with what was found of its parts.
+    pub(crate) fn assembled(
+        &self,
+        display: &Display,
+        reading: &Reading,
+        parts: Vec<Part>,
+        ok: bool,
+        because: Option<String>,
+    ) -> Equation {
+        let statements = reading.statements.iter().flatten();
+        let readings: Vec<String> = statements.map(|s| text::statement(s, &self.model.symbols)).collect();
+        Equation {
+            id: shown(display),
+            line: display.line,
+            latex: self.source.slice(display.body).to_owned(),
+            reading: readings.join("; "),
+            finding: worst(&parts),
+            ok,
+            because,
+            parts: if parts.len() > 1 { parts } else { Vec::new() },
+            repairs: Vec::new(),
+            elsewhere: Vec::new(),
+        }
+    }
+
+    /// The reading of a text by the names of the notes: an equation with errata as it stands, of which only the
+    /// correction is known, or an equation as another print has it.
+    pub(crate) fn as_printed(&self, text: &str, claim: &Claim, macros: &Macros) -> Reading {
+        let mut symbols = self.model.symbols.clone();
+        symbols.for_each = for_each(Some(claim), self.model);
+        let known = symbols.len();
+        let mut reading = read_display(text, &mut symbols, macros);
+        // What only this text names is not known.
+        for new in reading.introduced.drain(..).filter(|introduced| introduced.symbol.0 >= known) {
+            let statement = &mut reading.statements[new.statement];
+            if let Ok(read) = statement {
+                let name = text::plain(&symbols.entry(new.symbol).name.to_string());
+                let span = read.members.get(new.member).map_or(read.span, |member| member.span);
+                *statement = Err(Fault::new(span, format!("{name} is named here, and is not known")));
+            }
+        }
+        reading
+    }
+
+    /// Every statement of a reading of the display, and what else is claimed of it. The text that was read starts at
+    /// `offset` of the file.
+    pub(crate) fn parts(
+        &self,
+        (display, offset): (usize, usize),
+        reading: &Reading,
+        claim: &Claim,
+        topic: &str,
+    ) -> Result<Vec<Part>> {
+        if let Some(reason) = &claim.skip {
+            let finding =
+                Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
+            return Ok(vec![self.part(finding, String::new())]);
+        }
+        let hypotheses = self.hypotheses(claim)?;
+        let local = self.local(claim)?;
+        // The equalities that a claim assumes which adds "also equals" are those of the addition alone; what a number is
+        // greater than says where all of it is meant.
+        let printed = match claim.also_equals {
+            Some(_) => {
+                let of_all = self.hypotheses(&Claim::default())?.into_iter().filter(|c| !is_inequality(c.relation));
+                of_all.chain(hypotheses.iter().filter(|c| is_inequality(c.relation)).cloned()).collect()
+            }
+            None => hypotheses.clone(),
+        };
+        let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
+        let context = |topic: &'_ str, span: Span| -> (String, Span) { (topic.to_owned(), span.shifted(offset)) };
+        let mut parts = Vec::new();
+        let approximates = |s: &Statement| s.relations.iter().any(|(relation, _)| *relation == Relation::Approximately);
+        if let Some(limit) = &claim.limit
+            && !reading.statements.iter().flatten().any(approximates)
+        {
+            return Err(Error::at(
+                &self.claims.source,
+                limit.span,
+                "there is no ≈ in this equation, and only that has a limit",
+            ));
+        }
+        if let (Some(message), true) = (
+            self.lacks_a_relation(claim, reading.statements.iter().flatten()),
+            reading.statements.iter().all(Result::is_ok),
+        ) {
+            let span = self.notes.equations[display].body;
+            return Ok(vec![
+                self.part(Finding::new(Code::NotSupported, Verdict::Unreadable, span, message), String::new()),
+            ]);
+        }
+        let mut units_agree = true;
+        for (at, statement) in reading.statements.iter().enumerate() {
+            let (topic, span) = match statement {
+                Ok(statement) => context(&format!("{topic} part {}", at + 1), statement.span),
+                Err(fault) => {
+                    let mut finding = unreadable(fault, offset);
+                    if let Some(cause) = self.cause(fault.missing.as_ref()) {
+                        finding.message = format!("{}: {cause}", fault.message);
+                    }
+                    parts.push(self.part(finding, String::new()));
+                    continue;
+                }
+            };
+            // Nobody asks for the rest of what is wrong already.
+            let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
+            if !self.options.explain && claim.expect.is_none() && parts.iter().any(is_wrong) {
+                return Ok(parts);
+            }
+            let Ok(statement) = statement else { continue };
+            if let Some(finding) = self.unit_conflict((display, offset), statement, claim) {
+                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+                units_agree = false;
+                continue;
+            }
+            let context = Context {
+                model: self.model,
+                options: self.options,
+                hypotheses: &printed,
+                on_shell,
+                topic: &topic,
+                span,
+                reach: Reach::Declared,
+                local: &local,
+            };
+            if let Some(finding) = context.unclear(&statement.members.iter().collect::<Vec<_>>()) {
+                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+                continue;
+            }
+            if let Some(finding) = self.law(display, statement, &context)? {
+                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+                continue;
+            }
+            let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == at).collect();
+            parts.extend(self.statement(statement, &introduced, claim, &context)?);
+        }
+        if units_agree {
+            self.whole(reading, claim, (&hypotheses, &local), offset, topic, &mut parts)?;
+        }
+        if parts.is_empty() {
+            let finding =
+                Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::at(offset), "nothing says what this should mean");
+            parts.push(self.part(finding, String::new()));
+        }
+        Ok(parts)
+    }
+
+    pub(crate) fn part(&self, finding: Finding, reading: String) -> Part {
+        let latex = self.source.slice(finding.span).to_owned();
+        let ok = finding.verdict.passes();
+        Part { latex, reading, finding, ok }
+    }
+
+    /// The links of one statement, as one part with the worst of them; "is constant" is a part of its own.
+    fn statement(
+        &self,
+        statement: &Statement,
+        introduced: &[&Introduced],
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Vec<Part>> {
+        let reading = text::statement(statement, &self.model.symbols);
+        let (mut findings, mut steps) = (Vec::new(), Vec::new());
+        for (at, (relation, place)) in statement.relations.iter().enumerate() {
+            let last = at + 1 == statement.relations.len();
+            if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
+                continue;
+            }
+            // What defines a name is checked right here, where the chain goes on or the claim says more of it.
+            let says_more = claim.also_equals.is_some()
+                || claim.generates.is_some()
+                || claim.solves.is_some()
+                || claim.conserved.is_some()
+                || statement.constant.is_some();
+            if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
+                if last && !says_more {
+                    findings.push(self.definition(first, context)?);
+                }
+                continue;
+            }
+            let here: Vec<&&Introduced> = introduced.iter().filter(|i| i.member == at + 1).collect();
+            if !here.is_empty() {
+                for introduced in here.into_iter().filter(|_| last && !says_more) {
+                    findings.push(self.definition(introduced, context)?);
+                }
+                continue;
+            }
+            let mut link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+            if let (true, Some(dropped), None) = (last, &claim.dropping, &claim.also_equals) {
+                let dropped = self.formula(dropped)?;
+                if is_made_of(&dropped, &link.lhs) {
+                    let message = "what is dropped is made of the left side, so nothing is checked";
+                    findings.push(context.finding(Code::NotDecided, Verdict::Undecided, message));
+                    continue;
+                }
+                link.rhs = with_dropped(&link.rhs, &dropped);
+            }
+            let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
+            let context = Context { span: from.to(to).shifted(context.span.start - statement.span.start), ..*context };
+            let finding = match (relation, &claim.limit) {
+                (Relation::Approximately, _) if !claim.small.is_empty() => self.small(&link, claim, &context)?,
+                (Relation::Approximately, Some(limit)) => {
+                    let (variable, towards) = self.limit(limit)?;
+                    limit::check(&link, variable, towards, &context)?
+                }
+                (Relation::Approximately, None) => {
+                    let span = place.shifted(context.span.start - from.start);
+                    Finding {
+                        span,
+                        ..context.finding(
+                            Code::NotSupported,
+                            Verdict::Unreadable,
+                            "approximately, but when? Name the \"limit\", or what is \"small\"",
+                        )
+                    }
+                }
+                (Relation::Proportional, _) => {
+                    context.finding(Code::NotSupported, Verdict::Unreadable, "∝ is not checked yet")
+                }
+                (relation, _) if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
+                    exactly_when::check(&link, &self.alternatives(claim)?, &context)?
+                }
+                _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
+                // A ± is two equations in one print, and what was dropped has no place in it.
+                _ if statement.branch.is_none() && claim.dropping.is_none() => {
+                    term_fit::fitted(&link, &context, identity::check(&link, &context)?)
+                }
+                _ => identity::check(&link, &context)?,
+            };
+            steps.push(Step { at, finding, relation: *relation });
+        }
+        let mut parts = Vec::new();
+        let slips = match claim.dropping.is_none() && claim.continuum_limit_of.is_none() {
+            true => {
+                chain_gaps::close(self, statement, &mut steps, context)?;
+                self.slips(statement, &mut steps, context)?
+            }
+            false => Vec::new(),
+        };
+        findings.extend(steps.into_iter().map(|step| step.finding));
+        let one = if slips.len() > 1 { slips } else { slips.into_iter().chain(merged(findings)).take(1).collect() };
+        for mut finding in one {
+            if finding.verdict.passes() {
+                finding.span = context.span;
+            }
+            parts.push(self.part(finding, reading.clone()));
+        }
+        if statement.relations.is_empty() && statement.constant.is_none() {
+            let message = "a formula without a relation claims nothing";
+            parts.push(self.part(context.finding(Code::NotSupported, Verdict::Unreadable, message), reading.clone()));
+        }
+        if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
+            let what = format!("{} is constant", text::formula(last, &self.model.symbols));
+            let mut finding = conserved::conserved(last, context)?;
+            self.only_constant(introduced, statement, &mut finding)?;
+            parts.push(self.part(finding, what));
+        }
+        Ok(parts)
+    }
+
+    /// Whether a link says of a formula what the display says by naming it, or the same in another order.
+    pub(crate) fn only_repeats(&self, link: &Link, introduced: &[Introduced]) -> bool {
+        let names: Vec<SymbolId> = introduced.iter().map(|new| new.symbol).collect();
+        let is_made_of_them = |formula: &Expr| self.model.depends_on(formula, &names);
+        if !is_made_of_them(&link.lhs) {
+            return tautology::is_reordered(&link.lhs, &link.rhs);
+        }
+        let defined = self.model.symbols.iter().filter_map(|(symbol, entry)| match self.model.meaning(symbol) {
+            Some(Meaning::Defined(formula)) if names.contains(&symbol) || is_made_of_them(formula) => {
+                let letters = entry.slots.iter().map(|(_, letter)| *letter).collect();
+                Some(Rule { symbol, letters, action: Action::Equals(formula.as_ref().clone()), throughout: true })
+            }
+            _ => None,
+        });
+        formulas::is_identity_where(&link.lhs, &link.rhs, &defined.collect::<Vec<_>>(), self.model)
+    }
+}
+
+fn unreadable(fault: &Fault, offset: usize) -> Finding {
+    let message = match &fault.help {
+        Some(help) => format!("{}; {help}", fault.message),
+        None => fault.message.clone(),
+    };
+    Finding::new(Code::NotSupported, Verdict::Unreadable, fault.span.shifted(offset), message)
+}

@@ -1,0 +1,62 @@
+//! The finding on a whole of several parts: the worst of them, and what was expected.
+
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::Part;
+use crate::code::Code;
+use crate::notes::claims::{Expect, Expected};
+use crate::source::Span;
+
+/// The verdict that a claims file expects.
+pub(crate) fn expected(expect: &Expect) -> Verdict {
+    match expect.verdict.value {
+        Expected::Refuted => Verdict::Refuted,
+        Expected::Domain => Verdict::Domain,
+        Expected::Undecided => Verdict::Undecided,
+        Expected::Unreadable => Verdict::Unreadable,
+        Expected::Unclaimed => Verdict::Unclaimed,
+    }
+}
+
+/// Several findings as one: the worst speaks, the evidence is taken together.
+pub(crate) fn merged(findings: Vec<Finding>) -> Option<Finding> {
+    let fewest = findings.iter().filter(|f| f.points > 0).map(|f| f.points).min();
+    let largest = findings.iter().filter_map(|f| f.max_residual).reduce(f64::max);
+    let tried = findings.iter().map(|f| f.tried).max();
+    // that one or the other is false is at most as probable as both together
+    let false_accept = findings.iter().filter_map(|f| f.false_accept_log2).map(f64::exp2).reduce(|a, b| a + b);
+    let mut messages: Vec<String> = Vec::new();
+    for finding in findings.iter().filter(|finding| finding.verdict.passes()) {
+        if !messages.contains(&finding.message) {
+            messages.push(finding.message.clone());
+        }
+    }
+    let mut worst = findings.into_iter().reduce(|a, b| if rank(b.verdict) > rank(a.verdict) { b } else { a })?;
+    if worst.verdict.passes() {
+        if messages.len() <= 2 {
+            worst.message = messages.join("; ");
+        }
+        worst.points = fewest.unwrap_or(0);
+        worst.max_residual = largest;
+        worst.tried = tried.unwrap_or(0);
+        worst.false_accept_log2 = false_accept.filter(|_| worst.verdict == Verdict::Certified).map(f64::log2);
+    }
+    Some(worst)
+}
+
+/// Of several verdicts the one of the highest rank counts: the worst; and of passes the one that was tested most.
+fn rank(verdict: Verdict) -> usize {
+    match verdict {
+        Verdict::Definition => 0,
+        Verdict::Law => 1,
+        Verdict::Certified => 2,
+        Verdict::Verified => 3,
+        verdict => verdict.severity(),
+    }
+}
+
+/// The worst finding of some parts, which the whole carries.
+pub(crate) fn worst(parts: &[Part]) -> Finding {
+    merged(parts.iter().map(|part| part.finding.clone()).collect())
+        .unwrap_or_else(|| Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::default(), "nothing is claimed"))
+}

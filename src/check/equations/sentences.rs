@@ -1,0 +1,379 @@
+//! Sentences of the notes turned into tests.
+//!
+//! A sentence is quoted verbatim, so that it cannot drift from the notes, and says one thing: a formula that holds (or
+//! does not always), a constant of the motion, the shape of a function, the number of solutions of an equation.
+
+use crate::code::Code;
+use crate::formula::{Expr, Relation, Statement, SymbolId, text};
+use crate::latex::Reading;
+use crate::notes::claims::{Claims, Holds, Property, Sentence, Sign, Spanned, Test};
+use crate::source::Missing;
+use crate::{Error, Result};
+
+use crate::check::document::checker::Checker;
+use crate::check::document::names::id;
+use crate::check::equations::merge::{expected, merged};
+use crate::check::judge::identity;
+use crate::check::kinds::limit::Towards;
+use crate::check::kinds::shape::{Shape, Target};
+use crate::check::kinds::{conserved, exactly_when, function_shape, limit};
+use crate::check::model::claim::{Link, is_equality};
+use crate::check::model::order;
+use crate::check::model::states::Reach;
+use crate::check::sample::context::Context;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::Equation;
+
+/// Checks the `at`-th sentence of the claims file.
+pub(crate) fn check(checker: &Checker<'_>, at: usize, sentence: &Sentence) -> Result<Equation> {
+    let found = checker.notes.find_quote(&sentence.quote.value);
+    let place = match found.as_slice() {
+        [only] => *only,
+        [] => {
+            let message = "this sentence does not stand in the notes";
+            return Err(Error::at(&checker.claims.source, sentence.quote.span, message).help("quote it word for word"));
+        }
+        _ => {
+            let message = format!("this stands {} times in the notes", found.len());
+            return Err(Error::at(&checker.claims.source, sentence.quote.span, message).help("quote more of it"));
+        }
+    };
+    let name = name(at, sentence);
+    let hypotheses = checker.hypotheses(&sentence.claim)?;
+    let local = checker.local(&sentence.claim)?;
+    let on_shell = sentence.claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
+    let context = Context {
+        model: checker.model,
+        options: checker.options,
+        hypotheses: &hypotheses,
+        on_shell,
+        topic: &name,
+        span: place,
+        reach: Reach::Declared,
+        local: &local,
+    };
+    let (finding, reading) = test(checker, sentence, &context)?;
+    let ok = match &sentence.claim.expect {
+        Some(expect) => finding.verdict == expected(expect),
+        None => finding.verdict.passes(),
+    };
+    Ok(Equation {
+        line: checker.notes.source.line_column(place.start).0,
+        latex: checker.notes.source.slice(place).to_owned(),
+        reading,
+        finding,
+        ok,
+        because: sentence.claim.expect.as_ref().map(|expect| expect.because.value.clone()),
+        parts: Vec::new(),
+        repairs: Vec::new(),
+        elsewhere: Vec::new(),
+        id: name,
+    })
+}
+
+/// What the report calls the `at`-th sentence.
+pub(crate) fn name(at: usize, sentence: &Sentence) -> String {
+    sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone())
+}
+
+/// Refuses the keys of an equation's claim that mean nothing for a sentence, or are not supported yet.
+pub(crate) fn unsupported(claims: &Claims, sentence: &Sentence) -> Result<()> {
+    let claim = &sentence.claim;
+    let spans = [
+        ("in", sentence.scope.as_ref().map(|address| address.span)),
+        ("also equals", claim.also_equals.as_ref().map(|s| s.span)),
+        ("dropping", claim.dropping.as_ref().map(|s| s.span)),
+        ("up to a constant", claim.up_to_a_constant),
+        ("times", claim.times.as_ref().map(|s| s.span)),
+        ("divided by", claim.divided_by.as_ref().map(|s| s.span)),
+        ("erratum", claim.errata.first().map(|e| e.printed.span)),
+        ("skip", claim.skip.as_ref().map(|s| s.span)),
+        ("defines", claim.defines.first().map(|s| s.span)),
+        ("generates", claim.generates.as_ref().map(|s| s.span)),
+        ("equation of motion of", claim.equation_of_motion_of.as_ref().map(|s| s.span)),
+        ("from", claim.from.first().map(|address| address.span)),
+    ];
+    let runs_along =
+        matches!(&sentence.test, Test::Of(_, Property::Sign(_) | Property::Minima(_) | Property::Maxima(_)));
+    let against = sentence.against.as_ref().filter(|_| !runs_along).map(|against| against.span);
+    match spans.into_iter().chain([("against", against)]).find_map(|(key, span)| Some((key, span?))) {
+        Some((key, span)) => Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported for a sentence"))),
+        None => Ok(()),
+    }
+}
+
+fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Result<(Finding, String)> {
+    let symbols = &checker.model.symbols;
+    match &sentence.test {
+        Test::Quoted => {
+            let formulas = quoted(sentence);
+            if formulas.is_empty() {
+                let message = "this quotes no formula, and nothing says what it claims";
+                return Err(Error::at(&checker.claims.source, sentence.quote.span, message)
+                    .help("say it with \"claim\", or quote the formula between its dollar signs"));
+            }
+            let latex = Spanned::new(formulas, sentence.quote.span);
+            let statements = checker.statements(&latex)?;
+            let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
+            Ok((claim(checker, sentence, &statements, context)?, reading.join("; ")))
+        }
+        Test::Claim(latex) => {
+            let statements = checker.statements(latex)?;
+            let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
+            Ok((claim(checker, sentence, &statements, context)?, reading.join("; ")))
+        }
+        Test::NotAlways(latex) => {
+            let statements = checker.statements(latex)?;
+            let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
+            let found = claim(checker, sentence, &statements, context)?;
+            let finding = match found.verdict {
+                Verdict::Refuted => Finding {
+                    verdict: Verdict::Verified,
+                    message: "a counterexample is given".into(),
+                    not_certified_because: Some("a counterexample in numbers".into()),
+                    ..found
+                },
+                verdict if verdict.passes() => {
+                    Finding { verdict: Verdict::Refuted, message: "it holds at every state".into(), ..found }
+                }
+                _ => found,
+            };
+            Ok((finding, format!("not always: {}", reading.join("; "))))
+        }
+        Test::RefersTo { number, containing } => {
+            let wanted = checker.formula(containing)?;
+            let words = text::formula(&wanted, symbols);
+            let contains = |reading: &Reading| {
+                let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+                members.into_iter().any(|member| {
+                    let mut found = false;
+                    member.walk(&mut |inner| found |= *inner == wanted);
+                    found
+                })
+            };
+            let holders: Vec<&str> = checker
+                .notes
+                .equations
+                .iter()
+                .zip(checker.readings)
+                .filter(|(_, reading)| contains(reading))
+                .filter_map(|(display, _)| id(display))
+                .collect();
+            let finding = match checker.display(&number.value) {
+                Some(reading) if contains(reading) => {
+                    let message = format!("({}) contains {words}", number.value);
+                    Finding { points: 1, tried: 1, ..context.verified(message, "what a text refers to") }
+                }
+                found => {
+                    let others = match holders.as_slice() {
+                        [] => String::new(),
+                        [only] => format!("; ({only}) does"),
+                        all => format!("; ({}) do", all.join("), (")),
+                    };
+                    let message = match found {
+                        Some(_) => format!("({}) does not contain {words}{others}", number.value),
+                        None => {
+                            format!("({}) is not in these notes, and so does not contain {words}{others}", number.value)
+                        }
+                    };
+                    context.finding(Code::SidesDiffer, Verdict::Refuted, message)
+                }
+            };
+            Ok((finding, format!("({}) contains {words}", number.value)))
+        }
+        Test::Conserved(latex) => {
+            let formula = checker.formula(latex)?;
+            let reading = format!("{} is constant", text::formula(&formula, symbols));
+            Ok((conserved::conserved(&formula, context)?, reading))
+        }
+        Test::Of(of, property) => {
+            let function = function(checker, of)?;
+            let words = text::formula(&function, symbols);
+            if let Some(finding) = context.unclear(&[&function]) {
+                return Ok((finding, words));
+            }
+            let mut findings = Vec::new();
+            findings.extend(of_one_sign(&function, property, context)?);
+            for (variable, shape) in shapes(checker, sentence, property)? {
+                findings.push(function_shape::check(&function, variable, &shape, context));
+            }
+            let finding = merged(findings)
+                .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "nothing is said"));
+            Ok((finding, format!("{} of {words}", property_words(property))))
+        }
+        Test::Solutions { count, of, unknown } => {
+            let target = function_shape::as_function(&checker.target(&Spanned::new(of.text.clone(), of.span))?);
+            let variable = checker.symbol(unknown)?;
+            let shape = Shape::Solutions(count.value);
+            let name = text::plain(&checker.model.name(variable));
+            let reading = format!("({}) has {} solutions for {name}", of.text, count.value);
+            Ok((function_shape::check(&target, variable, &shape, context), reading))
+        }
+    }
+}
+
+impl Checker<'_> {
+    /// What a sentence says in formulas that must hold, if it does.
+    pub(crate) fn claimed_by(&self, sentence: &Sentence) -> Option<Vec<Statement>> {
+        let latex = match &sentence.test {
+            Test::Claim(latex) if sentence.claim.limit.is_none() => latex.clone(),
+            Test::Quoted => Spanned::new(quoted(sentence), sentence.quote.span),
+            _ => return None,
+        };
+        self.statements(&latex).ok()
+    }
+}
+
+/// Where a function of numbers has another sign than it is said to have: its zeros are looked for there, as the edges of
+/// an inequality.
+fn of_one_sign(function: &Expr, property: &Property, context: &Context<'_>) -> Result<Option<Finding>> {
+    let relation = match property {
+        Property::Sign(sign) if sign.value == Sign::Positive => Relation::Greater,
+        Property::Sign(sign) if sign.value == Sign::Negative => Relation::Less,
+        _ => return Ok(None),
+    };
+    if !context.model.is_plain(function) || order::derivatives(function, context.model) > 0 {
+        return Ok(None);
+    }
+    let link = Link { lhs: function.clone(), relation, rhs: Expr::integer(0, function.span), free: Vec::new() };
+    let found = identity::check(&link, &Context { on_shell: Some(false), ..*context })?;
+    Ok((found.verdict == Verdict::Refuted).then_some(found))
+}
+
+/// The formulas that a sentence quotes.
+fn quoted(sentence: &Sentence) -> String {
+    sentence.quote.value.split('$').skip(1).step_by(2).collect::<Vec<_>>().join(", ")
+}
+
+/// Every link of some statements.
+fn claim(
+    checker: &Checker<'_>,
+    sentence: &Sentence,
+    statements: &[Statement],
+    context: &Context<'_>,
+) -> Result<Finding> {
+    if let Some(message) = checker.lacks_a_relation(&sentence.claim, statements.iter()) {
+        return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
+    }
+    if sentence.claim.units_off.is_none()
+        && let Some(message) = statements.iter().find_map(|statement| checker.claimed_conflict(statement))
+    {
+        return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
+    }
+    let members: Vec<&Expr> = statements.iter().flat_map(|statement| &statement.members).collect();
+    if let Some(finding) = context.unclear(&members) {
+        return Ok(finding);
+    }
+    let mut findings = Vec::new();
+    for statement in statements {
+        for (at, (relation, _)) in statement.relations.iter().enumerate() {
+            let link = checker.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+            findings.push(match (&sentence.claim.limit, relation) {
+                (_, Relation::Approximately) if !sentence.claim.small.is_empty() => {
+                    checker.small(&link, &sentence.claim, context)?
+                }
+                (_, relation) if !is_equality(*relation) && !sentence.claim.exactly_when.is_empty() => {
+                    exactly_when::check(&link, &checker.alternatives(&sentence.claim)?, context)?
+                }
+                _ if sentence.claim.continuum_limit_of.is_some() => {
+                    checker.continuum(&link, &sentence.claim, context)?
+                }
+                (Some(limit), Relation::Approximately) => {
+                    let (variable, towards) = checker.limit(limit)?;
+                    limit::check(&link, variable, towards, context)?
+                }
+                _ => identity::check(&link, context)?,
+            });
+        }
+        if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
+            findings.push(conserved::conserved(last, context)?);
+        }
+    }
+    Ok(merged(findings).unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "nothing is claimed")))
+}
+
+/// A function given by the number of an equation (its last member) or by LaTeX.
+fn function(checker: &Checker<'_>, of: &Spanned<String>) -> Result<Expr> {
+    match checker.display(&of.value).map(|reading| reading.statements.first()) {
+        Some(Some(Ok(statement))) => {
+            let last = statement.members.last().cloned();
+            last.ok_or_else(|| Error::at(&checker.claims.source, of.span, "this equation is empty"))
+        }
+        Some(_) => Err(Error::at(&checker.claims.source, of.span, format!("({}) cannot be read", of.value))
+            .lacking(Some(Missing::Equation(of.value.clone())))),
+        None => checker.formula(of),
+    }
+}
+
+fn property_words(property: &Property) -> String {
+    match property {
+        Property::IndependentOf(names) => {
+            let names: Vec<&str> = names.iter().map(|name| name.value.as_str()).collect();
+            format!("independence from {}", text::plain(&names.join(", ")))
+        }
+        Property::Sign(sign) => match sign.value {
+            Sign::Positive => "positive sign".to_owned(),
+            Sign::Negative => "negative sign".to_owned(),
+            Sign::Changes => "change of sign".to_owned(),
+        },
+        Property::Minima(n) => format!("{} minima", n.value),
+        Property::Maxima(n) => format!("{} maxima", n.value),
+        Property::TendsTo(limits) => {
+            let limits: Vec<String> = limits
+                .iter()
+                .map(|(at, value)| format!("{}: {}", text::plain(&at.value), text::plain(&value.value)))
+                .collect();
+            format!("limits ({})", limits.join(", "))
+        }
+        Property::RisesWith(x) => format!("rise with {}", text::plain(&x.value)),
+        Property::FallsWith(x) => format!("fall with {}", text::plain(&x.value)),
+    }
+}
+
+/// The shapes that a sentence claims, each with its variable.
+fn shapes(checker: &Checker<'_>, sentence: &Sentence, property: &Property) -> Result<Vec<(SymbolId, Shape)>> {
+    let along = || {
+        sentence.against.as_ref().map(|name| checker.symbol(name)).unwrap_or_else(|| {
+            Err(Error::at(&checker.claims.source, sentence.quote.span, "along which variable?")
+                .help("name it with \"against\""))
+        })
+    };
+    Ok(match property {
+        Property::IndependentOf(names) => {
+            let each = names.iter().map(|name| Ok((checker.symbol(name)?, Shape::Independent)));
+            each.collect::<Result<_>>()?
+        }
+        Property::Sign(sign) => {
+            let shape = match sign.value {
+                Sign::Positive => Shape::Positive,
+                Sign::Negative => Shape::Negative,
+                Sign::Changes => Shape::ChangesSign,
+            };
+            vec![(along()?, shape)]
+        }
+        Property::Minima(n) => vec![(along()?, Shape::Minima(n.value))],
+        Property::Maxima(n) => vec![(along()?, Shape::Maxima(n.value))],
+        Property::RisesWith(x) => vec![(checker.symbol(x)?, Shape::Rises)],
+        Property::FallsWith(x) => vec![(checker.symbol(x)?, Shape::Falls)],
+        Property::TendsTo(limits) => {
+            let each = limits.iter().map(|(at, value)| {
+                let (variable, towards) = checker.limit(at)?;
+                let Towards::Number(end) = towards else {
+                    return Err(Error::at(
+                        &checker.claims.source,
+                        at.span,
+                        "limits at infinity are not supported here yet",
+                    ));
+                };
+                let target = match value.value.replace(' ', "").as_str() {
+                    "\\infty" | "+\\infty" => Target::Infinite(Towards::Infinity),
+                    "-\\infty" => Target::Infinite(Towards::MinusInfinity),
+                    _ => Target::Finite(Box::new(checker.formula(value)?)),
+                };
+                Ok((variable, Shape::TendsTo(end, target)))
+            });
+            each.collect::<Result<_>>()?
+        }
+    })
+}

@@ -1,0 +1,182 @@
+//! Who uses a defined name: the equations and sentences that say something of it, and those that hold by a law that does.
+
+use crate::code::Code;
+use crate::formula::{Expr, Node, Relation, Statement, text};
+use crate::latex::Introduced;
+use crate::notes::claims::Claim;
+use crate::{Error, Result};
+
+use crate::check::document::checker::Checker;
+use crate::check::document::names;
+use crate::check::document::names::shown;
+use crate::check::equations::noticed::Use;
+use crate::check::kinds::definitions;
+use crate::check::kinds::definitions::User;
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::sample::context::Context;
+use crate::check::vacuity::restatement;
+use crate::check::vacuity::restatement::Restated;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+impl Use {
+    /// The user that this is in a context.
+    fn by<'a>(&'a self, context: &Context<'a>) -> User<'a> {
+        let Use { id, link, hypotheses, local, .. } = self;
+        let context = Context { hypotheses, local, topic: id, on_shell: None, ..*context };
+        User { id: id.clone(), link: link.clone(), context }
+    }
+}
+
+impl Checker<'_> {
+    /// The verdict on a statement that introduces a symbol.
+    pub(crate) fn definition(&self, introduced: &Introduced, context: &Context<'_>) -> Result<Finding> {
+        let symbol = introduced.symbol;
+        let (uses, restated) = self.uses(introduced)?;
+        if uses.is_empty() && !restated.is_empty() {
+            let name = text::plain(&self.model.name(symbol));
+            let message = format!("introduces {name}, and {} says the same in other words", restated.join(", "));
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        }
+        let by_law = self.uses_by_law(introduced)?;
+        let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
+        let by_law: Vec<User<'_>> = by_law.iter().map(|used| used.by(context)).collect();
+        definitions::check(symbol, &introduced.formula, (&mut users, &by_law), context)
+    }
+
+    /// Says of a name that a statement introduces, and of which nothing is known but that it is constant, what that leaves open.
+    pub(crate) fn only_constant(
+        &self,
+        introduced: &[&Introduced],
+        statement: &Statement,
+        found: &mut Finding,
+    ) -> Result<()> {
+        let [first] = introduced else { return Ok(()) };
+        if !found.verdict.passes() || statement.relations.len() != 1 {
+            return Ok(());
+        }
+        let is_own = |used: &Use| {
+            let rate = |formula: &Expr| matches!(&formula.node, Node::TimeDerivative(1, inner) if statement.members.contains(inner));
+            rate(&used.link.lhs)
+        };
+        if self.uses(first)?.0.iter().all(is_own) && self.uses_by_law(first)?.is_empty() {
+            let name = text::plain(&self.model.name(first.symbol));
+            found.message =
+                format!("{}; nothing else checks {name}: a factor in it would not be noticed", found.message);
+        }
+        Ok(())
+    }
+
+    /// What holds only because a law does that stands on a defined name: it would notice another definition.
+    fn uses_by_law(&self, introduced: &Introduced) -> Result<Vec<Use>> {
+        let model = self.model;
+        let depends = |expr: &Expr| model.depends_on(expr, &[introduced.symbol]);
+        let is_of_it = |c: &Hypothesis| depends(&c.lhs) || depends(&c.rhs);
+        let laws: Vec<_> = model.laws.iter().filter(|law| law.hypotheses.iter().any(is_of_it)).collect();
+        let mut uses = Vec::new();
+        if laws.is_empty() {
+            return Ok(uses);
+        }
+        for (at, reading) in self.readings.iter().enumerate().filter(|(at, _)| !self.is_law(*at)) {
+            let none = Claim::default();
+            let claim = self.assigned[at].unwrap_or(&none);
+            if !names::is_plain(claim) || claim.expect.is_some() || !claim.errata.is_empty() {
+                continue;
+            }
+            for statement in reading.statements.iter().flatten().filter(|_| reading.introduced.is_empty()) {
+                for (k, (relation, _)) in statement.relations.iter().enumerate().filter(|(_, r)| is_equality(r.0)) {
+                    let link = self.link(&statement.members[k], *relation, &statement.members[k + 1])?;
+                    let (hypotheses, local) = (self.hypotheses(claim)?, self.local(claim)?);
+                    let id = format!("({})", shown(&self.notes.equations[at]));
+                    uses.push(Use { id, link, hypotheses, local, is_plain: true });
+                }
+            }
+        }
+        Ok(uses)
+    }
+
+    /// The equations and sentences that use a defined name; and those that only say the definition in other words, which
+    /// hold whatever the definition says.
+    pub(crate) fn uses(&self, introduced: &Introduced) -> Result<(Vec<Use>, Vec<String>)> {
+        let symbol = introduced.symbol;
+        let depends = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
+        let (mut uses, mut restated, mut constant) = (Vec::new(), Vec::new(), Vec::new());
+        let mut add = |name: String, (statement, k): (&Statement, usize), claim: &Claim| {
+            let relation = statement.relations[k].0;
+            if !is_equality(relation) || !statement.members[k..k + 2].iter().any(depends) {
+                return Ok(());
+            }
+            let (a, b) = (&statement.members[k], &statement.members[k + 1]);
+            let mut link = self.link(a, relation, b)?;
+            let says_it_again = |link: &Link| restatement::restates(link, symbol, &introduced.formula, self.model);
+            let how = says_it_again(&link);
+            let mut is_restated = how.is_some();
+            if how == Some(Restated::Differentiated)
+                && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+            {
+                // Of a chain that goes on from there, the name is also held to the rest: Ė = … = 0 says Ė = 0.
+                let member = if depends(a) { a } else { b };
+                let others = (0..statement.members.len()).filter(|at| *at != k && *at != k + 1);
+                for other in others.map(|at| &statement.members[at]).filter(|other| !depends(other)) {
+                    let across = self.link(member, Relation::Equal, other)?;
+                    if is_restated && says_it_again(&across).is_none() {
+                        (link, is_restated) = (across, false);
+                    }
+                }
+            }
+            match is_restated {
+                true => restated.push(name),
+                false => {
+                    let (hypotheses, local) = (self.hypotheses(claim)?, self.local(claim)?);
+                    let is_plain = claim.expect.is_none() && names::is_plain(claim);
+                    uses.push(Use { id: name, link, hypotheses, local, is_plain });
+                }
+            }
+            Ok::<(), Error>(())
+        };
+        // A law is taken for granted, and holds whatever the name stands for.
+        for (at, reading) in self.readings.iter().enumerate().filter(|(at, _)| !self.is_law(*at)) {
+            let none = Claim::default();
+            let claim = self.assigned[at].unwrap_or(&none);
+            for (place, statement) in reading.statements.iter().enumerate() {
+                let Ok(statement) = statement else { continue };
+                for k in 0..statement.relations.len() {
+                    let defines =
+                        |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
+                    if !reading.introduced.iter().any(defines) {
+                        add(format!("({})", shown(&self.notes.equations[at])), (statement, k), claim)?;
+                    }
+                }
+                let last = statement.members.last().filter(|member| statement.constant.is_some() && depends(member));
+                if let Some(member) = last {
+                    let rate = Expr::new(Node::TimeDerivative(1, Box::new(member.clone())), member.span);
+                    let link = self.link(&rate, Relation::Equal, &Expr::integer(0, member.span))?;
+                    let (hypotheses, local) = (self.hypotheses(claim)?, self.local(claim)?);
+                    let id = format!("({})", shown(&self.notes.equations[at]));
+                    constant.push(Use {
+                        id,
+                        link,
+                        hypotheses,
+                        local,
+                        is_plain: claim.expect.is_none() && names::is_plain(claim),
+                    });
+                }
+            }
+        }
+        for sentence in self.claims.sentences.iter().filter(|sentence| sentence.claim.expect.is_none()) {
+            for statement in self.claimed_by(sentence).iter().flatten() {
+                for k in 0..statement.relations.len() {
+                    let name = sentence.name.as_ref().map_or("a sentence", |name| name.value.as_str());
+                    add(format!("“{name}”"), (statement, k), &sentence.claim)?;
+                }
+            }
+        }
+        uses.append(&mut constant);
+        Ok((uses, restated))
+    }
+
+    /// Whether a display is taken for granted, as a law.
+    pub(crate) fn is_law(&self, at: usize) -> bool {
+        self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at))
+    }
+}

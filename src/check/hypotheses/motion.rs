@@ -1,0 +1,136 @@
+//! Laws that give the highest derivative of something: `m_i \ddot{\vec r}_i = …`, however it is printed.
+//!
+//! `\vec F_i = \dot{\vec p}_i` is such a law: with the definitions of p and F opened it is linear in the second
+//! derivative of the positions, with a coefficient that does not vary. Solved for it, the law says how things move from
+//! any positions and velocities; all further derivatives follow, one after the other.
+
+use crate::formula::{Expr, Index, IndexId, Node, Sign, SymbolId, Term};
+use crate::source::Span;
+
+use crate::check::hypotheses::rule::{Action, Rule, letters};
+use crate::check::model::Model;
+use crate::check::model::claim::Hypothesis;
+use crate::check::model::meaning::Meaning;
+
+/// How deep definitions are opened.
+const DEPTH: usize = 8;
+
+/// A term of a law: a sign, factors that do not vary, and what varies.
+struct Opened {
+    sign: Sign,
+    fixed: Vec<Expr>,
+    core: Expr,
+}
+
+/// The rule that a law is, if it gives the highest derivative of a free function of time.
+pub(crate) fn motion(model: &Model, hypothesis: &Hypothesis) -> Option<Rule> {
+    let mut terms = Vec::new();
+    let whole = |expr: &Expr, sign| Opened { sign, fixed: Vec::new(), core: expr.clone() };
+    open(model, whole(&hypothesis.lhs, Sign::Plus), 0, DEPTH, &mut terms);
+    open(model, whole(&hypothesis.rhs, Sign::Minus), 0, DEPTH, &mut terms);
+    for (at, term) in terms.iter().enumerate() {
+        let Some((symbol, letters, order)) = derivative(model, &term.core) else { continue };
+        let rest: Vec<&Opened> =
+            terms.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, term)| term).collect();
+        if rest.iter().any(|other| {
+            crate::check::model::order::order(model, &other.core, symbol).is_some_and(|known| known >= order)
+        }) {
+            continue;
+        }
+        let formula = solved(term, &rest);
+        return Some(Rule { symbol, letters, action: Action::Follows { order, formula }, throughout: true });
+    }
+    None
+}
+
+/// −rest / coefficient.
+fn solved(term: &Opened, rest: &[&Opened]) -> Expr {
+    let span = Span::default();
+    let product = |factors: Vec<Expr>| match factors.len() {
+        1 => factors.into_iter().next().unwrap_or_else(|| Expr::integer(1, span)),
+        _ => Expr::new(Node::Product(factors), span),
+    };
+    let terms: Vec<Term> = rest
+        .iter()
+        .map(|other| {
+            let sign = if term.sign == Sign::Plus { other.sign.flipped() } else { other.sign };
+            let expr = product(other.fixed.iter().cloned().chain([other.core.clone()]).collect());
+            Term { sign, sign_span: None, expr }
+        })
+        .collect();
+    let sum = match terms.is_empty() {
+        true => Expr::integer(0, span),
+        false => Expr::new(Node::Sum(terms), span),
+    };
+    match term.fixed.is_empty() {
+        true => sum,
+        false => Expr::new(Node::Quotient(Box::new(sum), Box::new(product(term.fixed.clone()))), span),
+    }
+}
+
+/// A free function of time under at least one dot, with a letter of its own for each index.
+fn derivative(model: &Model, core: &Expr) -> Option<(SymbolId, Vec<IndexId>, u8)> {
+    let Node::Symbol { id, indices, dots: order @ 1.. } = &core.node else { return None };
+    if !matches!(model.meaning(*id)?, Meaning::Varying(_)) {
+        return None;
+    }
+    Some((*id, letters(indices)?, *order))
+}
+
+/// Opens sums, products with constants, derivatives and definitions; `dots` derivatives are taken of the term.
+fn open(model: &Model, term: Opened, dots: u8, depth: usize, into: &mut Vec<Opened>) {
+    let Opened { sign, fixed, core } = term;
+    let keep = |core: Expr, fixed: Vec<Expr>, into: &mut Vec<Opened>| {
+        let span = core.span;
+        let core = if dots == 0 { core } else { Expr::new(Node::TimeDerivative(dots, Box::new(core)), span) };
+        into.push(Opened { sign, fixed, core });
+    };
+    match &core.node {
+        _ if core.is_null() => {}
+        Node::Sum(terms) => {
+            for inner in terms {
+                let sign = if inner.sign == Sign::Minus { sign.flipped() } else { sign };
+                let inner = Opened { sign, fixed: fixed.clone(), core: inner.expr.clone() };
+                open(model, inner, dots, depth, into);
+            }
+        }
+        Node::Product(factors) => {
+            let (constant, varying): (Vec<&Expr>, Vec<&Expr>) =
+                factors.iter().partition(|factor| is_constant(model, factor));
+            match varying.as_slice() {
+                [only] => {
+                    let fixed = fixed.into_iter().chain(constant.into_iter().cloned()).collect();
+                    open(model, Opened { sign, fixed, core: (*only).clone() }, dots, depth, into);
+                }
+                _ => keep(core.clone(), fixed, into),
+            }
+        }
+        Node::TimeDerivative(n, inner) => {
+            open(model, Opened { sign, fixed, core: inner.as_ref().clone() }, dots + n, depth, into);
+        }
+        Node::Symbol { id, indices, dots: own } => {
+            let letters = model.symbols.entry(*id).slots.iter().map(|(_, letter)| Index::Letter(*letter));
+            match model.meaning(*id) {
+                Some(Meaning::Defined(formula)) if depth > 0 && letters.eq(indices.iter().copied()) => {
+                    let inner = Opened { sign, fixed, core: formula.as_ref().clone() };
+                    open(model, inner, dots + own, depth - 1, into);
+                }
+                Some(Meaning::Varying(_)) => {
+                    let node = Node::Symbol { id: *id, indices: indices.clone(), dots: own + dots };
+                    into.push(Opened { sign, fixed, core: Expr::new(node, core.span) });
+                }
+                _ => keep(core.clone(), fixed, into),
+            }
+        }
+        _ => keep(core.clone(), fixed, into),
+    }
+}
+
+/// Whether a formula is a number that does not vary.
+fn is_constant(model: &Model, expr: &Expr) -> bool {
+    expr.symbols().iter().all(|(id, _)| match model.meaning(*id) {
+        Some(Meaning::Constant(_)) => model.symbols.entry(*id).kind == crate::formula::Kind::Scalar,
+        Some(Meaning::Defined(formula)) => is_constant(model, formula),
+        _ => false,
+    })
+}

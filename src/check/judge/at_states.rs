@@ -1,0 +1,88 @@
+//! A claim at states with the values of its sides kept, since mutants share one of them.
+
+use std::cell::OnceCell;
+
+use crate::Result;
+use crate::formula::evaluate::Unavailable;
+use crate::scalar::Measured;
+
+use crate::check::judge::mutants::{Mutant, mutants_of};
+use crate::check::model::claim::Link;
+use crate::check::model::states::Mode;
+use crate::check::sample::context::Context;
+use crate::check::sample::outcome::{Outcome, gathered};
+use crate::check::state::residual;
+use crate::check::state::residual::{Point, Sides};
+use crate::check::state::sampled_state::SampledState;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// A link at states, with the values of its sides where they were needed: mutants_of share one of the two.
+pub(crate) struct AtStates<'a, 'm> {
+    pub(crate) link: &'a Link,
+    pub(crate) states: &'a [SampledState<'m, Measured>],
+    sides: Vec<OnceCell<Option<Sides>>>,
+}
+
+impl<'a, 'm> AtStates<'a, 'm> {
+    pub(crate) fn new(link: &'a Link, states: &'a [SampledState<'m, Measured>]) -> Self {
+        AtStates { link, states, sides: states.iter().map(|_| OnceCell::new()).collect() }
+    }
+
+    fn sides(&self, at: usize) -> Option<&Sides> {
+        self.sides[at].get_or_init(|| Sides::of(self.link, &self.states[at]).ok()).as_ref()
+    }
+
+    /// Tests the link itself at all states.
+    pub(crate) fn run(&self) -> Result<Outcome, Unavailable> {
+        gathered(self.states.len(), |at| match self.sides(at) {
+            Some(sides) => residual::test_sides(self.link, sides, &self.states[at]),
+            None => residual::test(self.link, &self.states[at]),
+        })
+    }
+
+    /// What a state says of a mutant.
+    pub(crate) fn test(&self, mutant: &Link, at: usize) -> Result<Point, Unavailable> {
+        residual::test_mutant(mutant, self.link, self.sides(at), &self.states[at])
+    }
+
+    /// Whether a mutant fails at one of the states; it counts as failing where it has no value at all.
+    fn fails(&self, mutant: &Link) -> bool {
+        (0..self.states.len()).any(|at| !matches!(self.test(mutant, at), Ok(Point::Holds(_) | Point::Useless)))
+    }
+}
+
+/// A pass stands only if the states refute every mutant that is not as true as the claim itself.
+pub(crate) fn held_against_mutants(
+    states: &AtStates<'_, '_>,
+    context: &Context<'_>,
+    mode: Mode,
+    finding: Finding,
+) -> Result<Finding> {
+    let link = states.link;
+    let survivors: Vec<Mutant> =
+        mutants_of(link, context.model).into_iter().filter(|mutant| !states.fails(&mutant.link)).collect();
+    if survivors.is_empty() {
+        return Ok(finding);
+    }
+    // A mutant that holds where the claim does and fails where it does, far beyond the ranges, says the same.
+    let wide = context.ensemble(mode, true, 3 * context.options.points)?;
+    let holds = |found: Result<Point, Unavailable>| match found {
+        Ok(Point::Holds(_)) => Some(true),
+        Ok(Point::Useless) => None,
+        _ => Some(false),
+    };
+    let states = AtStates::new(link, &wide.states);
+    let itself: Vec<Option<bool>> = (0..wide.states.len()).map(|at| holds(states.test(link, at))).collect();
+    for mutant in survivors {
+        let told_apart = |(at, itself): (usize, &Option<bool>)| match (itself, holds(states.test(&mutant.link, at))) {
+            (Some(a), Some(b)) => *a != b,
+            _ => false,
+        };
+        if itself.iter().enumerate().any(told_apart) {
+            let message = format!("these states cannot tell it from the same claim with {}", mutant.change);
+            return Ok(Finding { message, verdict: Verdict::Undecided, ..finding });
+        }
+    }
+    Ok(finding)
+}

@@ -1,0 +1,435 @@
+//! What a refuted claim is off by, as a formula: the left side without the right, beside what was derived.
+//!
+//! Both sides are evaluated over [`Symbol`]s in a [`Scene`] whose base numbers are the symbols themselves, q, q̇ and the
+//! constants, and [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are those
+//! that were derived. Where the claim prints momenta and not the velocities, it is written in these momenta.
+//!
+//! It explains, and decides nothing: the verdict was given by numbers. So it is shown only if it is worth reading, and if
+//! it has the value of the difference of the two sides at the counterexample and at all the other states. Nothing is
+//! shown where hypotheses would have to be solved.
+
+use nalgebra::DMatrix;
+
+use crate::derive;
+use crate::derive::{Class, Letter};
+use crate::formula::evaluate::Unavailable;
+use crate::formula::{Expr, Index, IndexId, Kind, Node, SymbolId, Value, text};
+use crate::latex::typeset;
+use crate::mechanics::{Elimination, solve_by};
+use crate::notes::claims::Range;
+use crate::scalar::{Graph, Measured, Number, Symbol};
+
+use crate::check::certificate::decide;
+use crate::check::model::Model;
+use crate::check::model::claim::{Link, is_equality};
+use crate::check::model::meaning::{Meaning, Quantity};
+use crate::check::model::order::derivatives;
+use crate::check::model::states::Mode;
+use crate::check::sample::context::Context;
+use crate::check::sample::ensemble::Ensemble;
+use crate::check::state::generic_body::Generality;
+use crate::check::state::numbers::{Base, Layout, Slot, slots};
+use crate::check::state::residual;
+use crate::check::state::sampled_state::SampledState;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::{Counterexample, Finding, Formula};
+
+/// Nobody reads a formula of more letters.
+const LONGEST: usize = 200;
+
+/// Nobody wrote a number of more digits.
+const MOST_DIGITS: usize = 4;
+
+/// How near a shown formula comes to the numbers that it stands for.
+const NEAR: f64 = 1e-9;
+
+/// A finding, with what is left of one side without the other if the claim is refuted.
+pub(crate) fn explained(link: &Link, context: &Context<'_>, finding: Finding) -> Finding {
+    let Some(failed) = Failed::of(link, context, &finding) else { return finding };
+    let difference = failed.difference().map(|formula| shown(&formula, context.model));
+    Finding { difference, derived: failed.derived(), ..finding }
+}
+
+/// Left side minus right side of a link that is refuted, where that is worth reading.
+pub(crate) fn formula(link: &Link, context: &Context<'_>, finding: &Finding) -> Option<Expr> {
+    Failed::of(link, context, finding)?.difference()
+}
+
+/// Two numbers of a state that is made of symbols.
+pub(crate) type Numbers<'n> = dyn Fn(&SampledState<'_, Symbol>) -> Option<(Symbol, Symbol)> + 'n;
+
+/// A claim with the states at which it was refuted.
+struct Failed<'a> {
+    link: &'a Link,
+    ensemble: Ensemble<'a>,
+    model: &'a Model,
+    /// Which of the states is the counterexample.
+    at: usize,
+    /// Which entry fails there, counted over the free indices and the components.
+    entry: usize,
+}
+
+impl<'a> Failed<'a> {
+    /// Finds the states of an equality that is refuted, on shell or off.
+    fn of(link: &'a Link, context: &Context<'a>, finding: &Finding) -> Option<Self> {
+        let is_wrong = finding.verdict == Verdict::Refuted && is_equality(link.relation);
+        let counterexample = finding.counterexample.as_ref().filter(|_| is_wrong)?;
+        let modes: &[bool] = match (context.on_shell, context.model.has_motion()) {
+            (_, false) => &[false],
+            (Some(true), true) => &[true],
+            (Some(false), true) => &[false],
+            (None, true) => &[true, false],
+        };
+        modes.iter().find_map(|on_shell| Failed::find(link, context, *on_shell, counterexample))
+    }
+
+    /// Finds the state of a counterexample again, and the entry at which it fails.
+    fn find(link: &'a Link, context: &Context<'a>, on_shell: bool, known: &Counterexample) -> Option<Self> {
+        let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
+        let ensemble = context.ensemble(mode, false, context.options.points).ok()?;
+        let sides = [&link.lhs, &link.rhs];
+        if !is_nameable(&sides, context.model, &ensemble) {
+            return None;
+        }
+        let (at, entry) = ensemble.states.iter().enumerate().find_map(|(at, state)| {
+            let entries = entries(link, state).ok()?;
+            let fails = |(a, b): &(Measured, Measured)| a.value == known.lhs && b.value == known.rhs;
+            let mut failing = entries.iter().enumerate().filter(|(_, sides)| fails(sides));
+            match (failing.next(), failing.next()) {
+                (Some((entry, _)), None) => Some((at, entry)),
+                _ => None,
+            }
+        })?;
+        Some(Failed { link, ensemble, model: context.model, at, entry })
+    }
+
+    /// Left side minus right side, in momenta if it can be, and if it is worth reading.
+    fn difference(&self) -> Option<Expr> {
+        let momenta = momenta(self.link, self.model);
+        let in_momenta = (!momenta.is_empty()).then(|| self.in_terms_of(&momenta)).flatten();
+        let found = in_momenta.or_else(|| self.in_terms_of(&[]))?;
+        self.tells_more(&text::formula(&found, &self.model.symbols)).then_some(found)
+    }
+
+    /// Whether a formula says more than the claim itself: of a = b it does not help to know that a − b is left.
+    fn tells_more(&self, text: &str) -> bool {
+        let Failed { link, model, .. } = self;
+        let sides = [&link.lhs, &link.rhs];
+        let is_derived =
+            |side: &Expr| !model.is_plain(side) || self.ensemble.mode.on_shell && derivatives(side, model) > 1;
+        let length = |text: &str| text.chars().count();
+        let printed: usize = sides.iter().map(|side| length(&text::formula(side, &model.symbols))).sum();
+        sides.into_iter().any(is_derived) || length(text) < printed
+    }
+
+    /// The same with these momenta in place of their velocities: of each, the coordinate and the name.
+    fn in_terms_of(&self, momenta: &[(usize, SymbolId)]) -> Option<Expr> {
+        let Failed { link, ensemble, model, .. } = self;
+        let needed = derivatives(&link.lhs, model).max(derivatives(&link.rhs, model)) + 1;
+        let sides = |state: &SampledState<'_, Symbol>| entries(link, state).ok()?.get(self.entry).copied();
+        let found = recorded(model, ensemble, self.at, (momenta, needed), &sides)?;
+        (is_short(&found, model) && self.is_the_difference(&found)).then_some(found)
+    }
+
+    /// Whether a formula has the value of left side minus right side, wherever these have one.
+    fn is_the_difference(&self, formula: &Expr) -> bool {
+        self.ensemble.states.iter().enumerate().all(|(at, state)| {
+            let Some((a, b)) = entries(self.link, state).ok().and_then(|all| all.get(self.entry).copied()) else {
+                return false;
+            };
+            let difference = a.value - b.value;
+            let off = |value: Measured| (value.value - difference).abs();
+            match value(formula, state) {
+                Some(value) if at == self.at => off(value) <= NEAR * difference.abs(),
+                Some(value) if difference.is_finite() => {
+                    off(value) <= NEAR * (a.magnitude + b.magnitude + value.magnitude)
+                }
+                _ => !difference.is_finite() && at != self.at,
+            }
+        })
+    }
+
+    /// The Euler–Lagrange equation of the one acceleration that the claim is about.
+    fn derived(&self) -> Option<Formula> {
+        let Failed { link, ensemble, model, at, .. } = self;
+        let coordinate = acceleration(link, model).filter(|_| ensemble.mode.on_shell)?;
+        let mode = Mode { on_shell: false, order: 2 };
+        let fixed = &ensemble.bases[*at];
+        let alphabet = Alphabet::new(model, mode, fixed);
+        let record = || {
+            let state = SampledState::by(
+                Elimination::Cramer,
+                3,
+                model,
+                mode,
+                (&Layout::of(model, mode), &alphabet.base()),
+                &ensemble.rules,
+            )
+            .ok()?;
+            state.euler_lagrange()?.get(coordinate).copied()
+        };
+        let (graph, residual) = Graph::record(record).ok()?;
+        let (left, right) = derive::equation_of_motion(&graph, residual?, &alphabet.letters).ok()?;
+        let holds = |state: &SampledState<'_, Measured>| match (value(&left, state), value(&right, state)) {
+            (Some(a), Some(b)) => (a.value - b.value).abs() <= NEAR * (a.magnitude + b.magnitude),
+            _ => false,
+        };
+        let readable = is_short(&left, model) && is_short(&right, model);
+        (readable && ensemble.states.iter().all(holds)).then(|| {
+            let [left, right] = [&left, &right].map(|side| shown(side, model));
+            Formula {
+                latex: format!("{} = {}", left.latex, right.latex),
+                text: format!("{} = {}", left.text, right.text),
+            }
+        })
+    }
+}
+
+/// What some states say of two numbers, one without the other, in normal form: where they are made of names alone. The link
+/// is what the numbers are made from.
+pub(crate) fn normal(model: &Model, ensemble: &Ensemble<'_>, link: &Link, numbers: &Numbers<'_>) -> Option<Expr> {
+    let sides = [&link.lhs, &link.rhs];
+    if !is_nameable(&sides, model, ensemble) {
+        return None;
+    }
+    let needed = derivatives(&link.lhs, model).max(derivatives(&link.rhs, model)) + 1;
+    let momenta = momenta(link, model);
+    let in_momenta = (!momenta.is_empty()).then(|| recorded(model, ensemble, 0, (&momenta, needed), numbers)).flatten();
+    let found = in_momenta.or_else(|| recorded(model, ensemble, 0, (&[], needed), numbers))?;
+    is_short(&found, model).then_some(found)
+}
+
+/// Whether states are made of numbers that have names, and not moved onto hypotheses.
+fn is_nameable(sides: &[&Expr], model: &Model, ensemble: &Ensemble<'_>) -> bool {
+    ensemble.projection.equalities().next().is_none()
+        && decide::reached(sides, &ensemble.projection).is_ok()
+        && Generality::of(sides, model, &ensemble.rules) == Some(Generality::Themselves)
+}
+
+/// The difference of two numbers of a state that is made of symbols, with momenta in place of their velocities: of each the
+/// coordinate and the name. So many derivatives are needed.
+fn recorded(
+    model: &Model,
+    ensemble: &Ensemble<'_>,
+    at: usize,
+    (momenta, needed): (&[(usize, SymbolId)], usize),
+    numbers: &Numbers<'_>,
+) -> Option<Expr> {
+    let mut alphabet = Alphabet::new(model, ensemble.mode, ensemble.bases.get(at)?);
+    let first = alphabet.letters.len();
+    let momentum = |(_, id): &(usize, SymbolId)| Letter { expr: symbol(*id, Vec::new(), 0), class: Class::Momentum };
+    alphabet.letters.extend(momenta.iter().map(momentum));
+    let terms = if ensemble.rules.is_empty() { needed } else { ensemble.mode.order + 1 };
+    let record = || {
+        let mut base = alphabet.base();
+        let coordinates: Vec<usize> = momenta.iter().map(|(coordinate, _)| *coordinate).collect();
+        let values: Vec<Symbol> = (0..momenta.len()).map(|n| Symbol::input(first + n)).collect();
+        exchange(model, ensemble.mode, &mut base, &coordinates, &values)?;
+        let state = ensemble.projection.state_by(Elimination::Cramer, &base, terms).ok()?;
+        numbers(&state)
+    };
+    let (graph, found) = Graph::record(record).ok()?;
+    let (left, right) = found?;
+    derive::difference(&graph, left, right, &alphabet.letters).ok()
+}
+
+/// Both sides, for all values of the free indices and entry by entry.
+pub(crate) fn entries<B: Number>(link: &Link, state: &SampledState<'_, B>) -> Result<Vec<(B, B)>, Unavailable> {
+    let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
+    let mut all = Vec::new();
+    loop {
+        let lhs = state.now(&link.lhs, &indices)?;
+        let rhs = state.now(&link.rhs, &indices)?;
+        let (a, b) = residual::pair(lhs, rhs);
+        all.extend(a.into_iter().zip(b));
+        if !residual::advance(&mut indices, state)? {
+            return Ok(all);
+        }
+    }
+}
+
+/// The value of a number at a state.
+pub(crate) fn value(formula: &Expr, state: &SampledState<'_, Measured>) -> Option<Measured> {
+    match state.now(formula, &[]) {
+        Ok(Value::Scalar(value)) => Some(value).filter(|value| value.value.is_finite()),
+        _ => None,
+    }
+}
+
+/// A formula to be shown.
+pub(crate) fn shown(formula: &Expr, model: &Model) -> Formula {
+    Formula { latex: typeset(formula, &model.symbols), text: text::formula(formula, &model.symbols) }
+}
+
+/// Whether somebody would read it, and could have written its numbers.
+fn is_short(formula: &Expr, model: &Model) -> bool {
+    let mut simple = true;
+    formula.walk(&mut |part| {
+        if let Node::Number(digits) = &part.node {
+            simple &= digits.len() <= MOST_DIGITS && digits.bytes().all(|byte| byte.is_ascii_digit());
+        }
+    });
+    simple && text::formula(formula, &model.symbols).chars().count() <= LONGEST
+}
+
+fn symbol(id: SymbolId, indices: Vec<Index>, dots: u8) -> Expr {
+    Expr::new(Node::Symbol { id, indices, dots }, crate::source::Span::default())
+}
+
+/// The numbers of a base as symbols, with their names.
+struct Alphabet {
+    letters: Vec<Letter>,
+    /// What stands at each place of the base.
+    places: Vec<Place>,
+}
+
+/// What stands at a place of a base.
+enum Place {
+    /// An input. Those without a name come after all that have one, and what depends on them is not shown.
+    Input(usize),
+    /// A number of its own: how many particles there are.
+    Fixed(f64),
+}
+
+/// Inputs without a name have numbers from here on.
+const NAMELESS: usize = 1 << 20;
+
+impl Alphabet {
+    /// The names of a base of this mode; whole numbers are those of `base`.
+    fn new(model: &Model, mode: Mode, base: &[f64]) -> Self {
+        let (mut letters, mut places) = (Vec::new(), Vec::new());
+        let (mut last, mut number) = (None, 0);
+        for (at, slot) in slots(model, mode).iter().enumerate() {
+            // the numbers of one symbol follow one another, each with its derivatives
+            number = if slot.symbol == last { number + usize::from(slot.order == 0) } else { 0 };
+            last = slot.symbol;
+            places.push(match (&slot.range, letter(model, at, slot, number)) {
+                (Range::Integer { .. }, _) => Place::Fixed(base.get(at).copied().unwrap_or(f64::NAN)),
+                (_, Some(letter)) => {
+                    letters.push(letter);
+                    Place::Input(letters.len() - 1)
+                }
+                (_, None) => Place::Input(NAMELESS + at),
+            });
+        }
+        Alphabet { letters, places }
+    }
+
+    fn base(&self) -> Vec<Symbol> {
+        let number = |place: &Place| match place {
+            Place::Input(n) => Symbol::input(*n),
+            Place::Fixed(value) => Symbol::from(*value),
+        };
+        self.places.iter().map(number).collect()
+    }
+}
+
+/// The name of a number of a base: the n-th of its symbol.
+fn letter(model: &Model, at: usize, slot: &Slot, n: usize) -> Option<Letter> {
+    let Some(id) = slot.symbol else {
+        let is_time = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Time));
+        let time = model.symbols.iter().map(|(id, _)| id).find(|id| at == 0 && is_time(id))?;
+        return Some(Letter { expr: symbol(time, Vec::new(), 0), class: Class::Time });
+    };
+    let class = match (model.meaning(id)?, slot.order) {
+        (Meaning::Constant(_), _) => Class::Parameter,
+        (Meaning::Coordinate(_) | Meaning::Varying(_), 0) => Class::Coordinate,
+        (Meaning::Coordinate(_) | Meaning::Varying(_), 1) => Class::Velocity,
+        (Meaning::Coordinate(_) | Meaning::Varying(_), _) => Class::Acceleration,
+        _ => return None,
+    };
+    let is_vector = model.symbols.entry(id).kind == Kind::Vector;
+    let (mut member, axis) = if is_vector { (n / 3, n % 3) } else { (n, 0) };
+    let mut indices = Vec::new();
+    for extent in model.symbols.extents(id).iter().rev() {
+        indices.insert(0, Index::Fixed((member % usize::from(*extent)) as u8 + 1));
+        member /= usize::from(*extent);
+    }
+    let mut expr = symbol(id, indices, slot.order as u8);
+    if is_vector {
+        let span = expr.span;
+        expr = Expr::new(Node::Component(Box::new(expr), Index::Fixed(axis as u8 + 1)), span);
+    }
+    Some(Letter { expr, class })
+}
+
+/// Puts the velocities of some coordinates into a base that belong to these momenta: p = M q̇ + b. Where L is not
+/// quadratic in them this is wrong, and what comes of it is not shown.
+fn exchange(model: &Model, mode: Mode, base: &mut [Symbol], coordinates: &[usize], momenta: &[Symbol]) -> Option<()> {
+    let (Some(world), false) = (&model.world, coordinates.is_empty()) else { return Some(()) };
+    let sorted = Base::of(&Layout::of(model, mode), base);
+    let part = |order: usize| sorted.coordinates().map(|jet| jet.get(order).copied()).collect::<Option<Vec<_>>>();
+    let (q, mut v) = (part(0)?, part(1)?);
+    let parameters: Vec<Symbol> = model.parameters.iter().map(|place| sorted.constant(*place)[0]).collect();
+    coordinates.iter().for_each(|i| v[*i] = Symbol::from(0.0));
+    let at_rest = world.quantities(sorted.time, &q, &v, &parameters).momenta;
+    let mass = world.mass_matrix(sorted.time, &q, &v, &parameters);
+    let block = DMatrix::from_fn(coordinates.len(), coordinates.len(), |i, j| mass[(coordinates[i], coordinates[j])]);
+    let right = coordinates.iter().zip(momenta).map(|(i, p)| *p - at_rest[*i]).collect();
+    let velocities = solve_by(Elimination::Cramer, "mass matrix", block, right).ok()?;
+    let slots = slots(model, mode);
+    for (i, velocity) in coordinates.iter().zip(velocities) {
+        let of = Some(model.coordinates[*i].symbol);
+        let place = slots.iter().position(|slot| slot.symbol == of && slot.order == 1)?;
+        base[place] = velocity;
+    }
+    Some(())
+}
+
+/// Every symbol of a claim with its dots, through definitions too.
+fn symbols(link: &Link, model: &Model) -> Vec<(SymbolId, u8)> {
+    let mut all = [link.lhs.symbols(), link.rhs.symbols()].concat();
+    let mut at = 0;
+    while let Some((id, _)) = all.get(at).copied() {
+        let members = model.symbols.entry(id).members.iter().map(|member| (*member, 0));
+        let beneath = match model.meaning(id) {
+            Some(Meaning::Defined(formula)) => formula.symbols(),
+            _ => Vec::new(),
+        };
+        for symbol in members.chain(beneath) {
+            if !all.contains(&symbol) {
+                all.push(symbol);
+            }
+        }
+        at += 1;
+    }
+    all
+}
+
+/// The momenta that a claim prints without the velocity of their coordinate.
+fn momenta(link: &Link, model: &Model) -> Vec<(usize, SymbolId)> {
+    let printed = symbols(link, model);
+    let moves = |coordinate: usize| {
+        let is_it = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(i)) if *i == coordinate);
+        printed.iter().any(|(id, dots)| *dots > 0 && is_it(*id))
+    };
+    let mut momenta = Vec::new();
+    for (id, _) in &printed {
+        if let Some(Meaning::World(Quantity::Momentum(i))) = model.meaning(*id)
+            && !moves(*i)
+            && !momenta.contains(&(*i, *id))
+        {
+            momenta.push((*i, *id));
+        }
+    }
+    momenta.sort_unstable_by_key(|(coordinate, _)| *coordinate);
+    momenta.dedup_by_key(|(coordinate, _)| *coordinate);
+    momenta
+}
+
+/// The coordinate whose acceleration a claim is about, if there is a single one and no other derivative but velocities.
+fn acceleration(link: &Link, model: &Model) -> Option<usize> {
+    let mut is_differentiated = false;
+    for side in [&link.lhs, &link.rhs] {
+        side.walk(&mut |part| is_differentiated |= matches!(part.node, Node::TimeDerivative(..)));
+    }
+    let mut found = None;
+    for (id, dots) in symbols(link, model) {
+        match (model.meaning(id), dots) {
+            (Some(Meaning::Coordinate(i)), 2) if found.is_none_or(|known| known == *i) => found = Some(*i),
+            (Some(Meaning::Coordinate(_)), 0 | 1) | (_, 0) => {}
+            _ => return None,
+        }
+    }
+    found.filter(|_| !is_differentiated)
+}

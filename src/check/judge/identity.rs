@@ -1,0 +1,153 @@
+//! Claims between two formulas: always, or on shell, under hypotheses.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::Expr;
+use crate::scalar::Measured;
+
+use crate::check::certificate::unseen;
+use crate::check::judge::at_states::{AtStates, held_against_mutants};
+use crate::check::judge::conclusion::conclude;
+use crate::check::judge::difference;
+use crate::check::judge::trivial::trivial;
+use crate::check::model::claim::{Link, is_equality};
+use crate::check::model::order::derivatives;
+use crate::check::sample::context::Context;
+use crate::check::search::{boundary, branches, double_range, family_sizes, magnitudes, worst_state};
+use crate::check::state::residual;
+use crate::check::state::residual::Point;
+use crate::check::state::sampled_state::SampledState;
+use crate::check::vacuity::premises::Emptiness;
+use crate::check::vacuity::{forced_value, premises, zero};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// Checks a claim between two formulas; if it is refuted, the finding says what it is off by.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
+    let finding = judged(link, context)?;
+    Ok(if context.options.explain { difference::explained(link, context, finding) } else { finding })
+}
+
+fn judged(link: &Link, context: &Context<'_>) -> Result<Finding> {
+    if let Some(finding) = trivial(link, context) {
+        return Ok(finding);
+    }
+    if zero::is_its_rate(link, context)? {
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "what is differentiated is always 0, so nothing is checked",
+        ));
+    }
+    match (context.on_shell, context.model.has_motion()) {
+        (Some(on_shell), true) => Ok(check_in(link, context, on_shell)?.0),
+        (_, false) => Ok(check_in(link, context, false)?.0),
+        (None, true) => {
+            let (always, next) = check_in(link, context, false)?;
+            if next == Next::Settled {
+                return Ok(always);
+            }
+            let (on_shell, _) = check_in(link, context, true)?;
+            Ok(match (always.verdict, on_shell.verdict) {
+                (always_verdict, verdict) if always_verdict.holds() && verdict.holds() => always,
+                (Verdict::Undecided, Verdict::Refuted | Verdict::Undecided) => always,
+                _ => on_shell,
+            })
+        }
+    }
+}
+
+/// Whether a claim tested off shell must be tested on shell as well.
+#[derive(Clone, Copy, PartialEq)]
+enum Next {
+    Settled,
+    OnShell,
+}
+
+/// Checks a claim at states on shell or off.
+fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Finding, Next)> {
+    let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
+    let mut ensemble = context.ensemble(mode, false, context.options.points)?;
+    if ensemble.states.is_empty() {
+        return Ok((context.no_room(&ensemble), Next::Settled));
+    }
+    let forced = forced_value::of_claim(link, context, &ensemble);
+    if !is_equality(link.relation) {
+        let special = context.special(mode)?;
+        ensemble.tried += special.tried;
+        // What nothing but drawn numbers is made of has its edges off shell, where it was tried.
+        let plain = |expr: &Expr| context.model.is_plain(expr) && derivatives(expr, context.model) == 0;
+        if !on_shell || !plain(&link.lhs) || !plain(&link.rhs) {
+            let own: Vec<_> = boundary::of_link(link).into_iter().collect();
+            let of_claim = own.len();
+            let all: Vec<_> =
+                own.into_iter().chain(context.hypotheses.iter().filter_map(boundary::of_hypothesis)).collect();
+            let edges = boundary::states((&all, of_claim), context, &ensemble, &special)?;
+            ensemble.tried += edges.len();
+            ensemble.states.extend(edges);
+        }
+        ensemble.states.extend(special.states);
+        double_range::reached(link, context, &mut ensemble);
+    }
+    double_range::within_doubles(link, context, &mut ensemble)?;
+    let fails = |state: &SampledState<'_, Measured>| matches!(residual::test(link, state), Ok(Point::Fails(_)));
+    ensemble.states.extend(branches::states(context, &ensemble)?.into_iter().filter(fails));
+    let states = AtStates::new(link, &ensemble.states);
+    let outcome = match states.run() {
+        Ok(outcome) => outcome,
+        Err(reason) => return Ok((context.unavailable(&reason), Next::Settled)),
+    };
+    let finding = conclude(&states, context, &ensemble, &outcome);
+    // What is claimed of all states is claimed of the motions: an inequality may fail on them alone.
+    let open = outcome.failure.is_some() || outcome.doubtful > 0 || !is_equality(link.relation);
+    let next = if open { Next::OnShell } else { Next::Settled };
+    if let (Verdict::Verified, Some(symbol)) = (finding.verdict, forced) {
+        let message = forced_value::message(symbol, context);
+        return Ok((Finding { verdict: Verdict::Undecided, message, ..finding }, next));
+    }
+    // Near misses of an inequality are inequalities too: only an equality is held against its mutants_of.
+    if finding.verdict != Verdict::Verified {
+        return Ok((finding, next));
+    }
+    if !is_equality(link.relation) {
+        let finding = Finding { not_certified_because: Some("an ordering".to_owned()), ..finding };
+        let finding = family_sizes::looked_at(link, context, mode, finding)?;
+        return Ok((worst_state::looked_at(link, context, &ensemble, finding), next));
+    }
+    let withheld =
+        |message: String| Ok((Finding { verdict: Verdict::Undecided, message, ..finding.clone() }, Next::Settled));
+    if let Some(term) = unseen::unseen(link, &ensemble.states) {
+        return withheld(format!("“{term}” is too small beside the other terms to be seen"));
+    }
+    let special = on_shell || !context.hypotheses.is_empty();
+    if special && premises::vanishes_throughout(link, &ensemble.states) {
+        let place = if on_shell { "on shell" } else { "under its hypotheses" };
+        return withheld(format!("both sides vanish {place}, so nothing tells one factor from another"));
+    }
+    let emptiness = premises::emptiness(link, context, on_shell)?;
+    if let Emptiness::Empty(reason) = emptiness {
+        return withheld(reason.to_owned());
+    }
+    let mut finding = held_against_mutants(&states, context, ensemble.mode, finding)?;
+    if finding.verdict == Verdict::Verified {
+        if on_shell && let Some(combination) = premises::combination(link, context)? {
+            finding.message.push_str(&format!(": it is {combination}"));
+        }
+        if let Emptiness::Follows = emptiness {
+            finding.message.push_str("; it follows from its assumptions alone");
+        }
+        let unneeded = premises::unneeded(link, context, on_shell)?;
+        if !unneeded.is_empty() {
+            finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
+        }
+        drop(states);
+        finding = family_sizes::certified(link, context, &ensemble, finding)?;
+        finding = family_sizes::looked_at(link, context, ensemble.mode, finding)?;
+        finding = magnitudes::looked_at(link, context, ensemble.mode, finding)?;
+    }
+    let next = if finding.verdict == Verdict::Refuted { Next::OnShell } else { Next::Settled };
+    Ok((finding, next))
+}

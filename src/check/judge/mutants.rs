@@ -1,0 +1,315 @@
+//! The twins of a claim: the same claim with one slip in it, such as authors make.
+//!
+//! A check that accepts a twin has not checked much. Every pass is held against its twins at the very states it used;
+//! the twins of a refuted claim that hold are what its author may have meant.
+
+use std::cell::Cell;
+
+use crate::formula::tree::{Function, Index, Sign};
+use crate::formula::{Expr, Kind, Node, SymbolId, text};
+
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
+
+/// A claim with one slip.
+#[derive(Clone, Debug)]
+pub struct Mutant {
+    /// The claim.
+    pub link: Link,
+    /// What kind of slip it is.
+    pub slip: Slip,
+    /// What was changed, as it continues "with …".
+    pub change: String,
+}
+
+/// The kinds of slip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Slip {
+    /// A sign flipped.
+    Sign,
+    /// A term or factor left out.
+    Omission,
+    /// Factors in another order.
+    Order,
+    /// Another number.
+    Number,
+    /// Another power, or none.
+    Power,
+    /// Sine for cosine.
+    Function,
+    /// A dot more or less.
+    Dot,
+    /// Another index, or two swapped.
+    Index,
+    /// One symbol for another.
+    Symbol,
+    /// Numerator and denominator exchanged, a transpose or inverse lost.
+    Structure,
+}
+
+/// All mutants_of of a link; those of a literal zero are none.
+pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
+    let mut present: Vec<SymbolId> = Vec::new();
+    for side in [&link.lhs, &link.rhs] {
+        present.extend(side.symbols().into_iter().map(|(id, _)| id));
+    }
+    present.sort();
+    present.dedup();
+    let count = |side: &Expr| {
+        let mut nodes = 0;
+        side.walk(&mut |_| nodes += 1);
+        nodes
+    };
+    // Of a formula too long to try every slip, slips are taken at even distances.
+    let nodes = count(&link.lhs) + count(&link.rhs);
+    let stride = (4 * nodes / MOST.min(LARGEST / nodes.max(1)).max(1)).max(1);
+    let slips = Slips { model, present, stride, met: Cell::new(0) };
+    // The whole of a side with another sign, and twice as large.
+    let whole =
+        [(Slip::Sign, "−"), (Slip::Number, "2 ")].into_iter().filter(|_| !link.rhs.is_null()).map(|(slip, sign)| {
+            let words = text::formula(&link.rhs, &model.symbols);
+            let rhs = match slip {
+                Slip::Sign => link.rhs.clone().negated(),
+                _ => Expr::new(Node::Product(vec![Expr::integer(2, link.rhs.span), link.rhs.clone()]), link.rhs.span),
+            };
+            Mutant { link: Link { rhs, ..link.clone() }, slip, change: format!("“{sign}({words})”") }
+        });
+    let left = slips.of(&link.lhs).into_iter().map(|(lhs, slip, change)| (Link { lhs, ..link.clone() }, slip, change));
+    let right = slips.of(&link.rhs).into_iter().map(|(rhs, slip, change)| (Link { rhs, ..link.clone() }, slip, change));
+    left.chain(right).map(|(link, slip, change)| Mutant { link, slip, change }).chain(whole).collect()
+}
+
+/// About as many mutants_of of one claim are tried.
+const MOST: usize = 2_000;
+
+/// All mutants_of of one claim together have about as many nodes at most.
+const LARGEST: usize = 1_000_000;
+
+struct Slips<'a> {
+    model: &'a Model,
+    /// One in so many slips is made.
+    stride: usize,
+    /// How many slips were met.
+    met: Cell<usize>,
+    /// The symbols of the claim.
+    present: Vec<SymbolId>,
+}
+
+impl Slips<'_> {
+    /// A formula with one slip anywhere in it, in every way.
+    fn of(&self, expr: &Expr) -> Vec<(Expr, Slip, String)> {
+        let mut slips = self.here(expr);
+        let count = expr.children().len();
+        for at in 0..count {
+            if matches!(&expr.node, Node::Power(..)) && at == 1 {
+                continue;
+            }
+            let inside = self.of(expr.children()[at]);
+            let kept = inside.into_iter().filter(|_| self.stride == 1 || count < MOST / 8 || self.is_wanted());
+            for (changed, slip, change) in kept {
+                let mut whole = expr.clone();
+                *whole.children_mut()[at] = changed;
+                slips.push((whole, slip, change));
+            }
+        }
+        slips
+    }
+
+    /// Whether the slip met now is one of those that are made.
+    fn is_wanted(&self) -> bool {
+        self.met.set(self.met.get() + 1);
+        self.met.get().is_multiple_of(self.stride)
+    }
+
+    fn words(&self, expr: &Expr) -> String {
+        text::formula(expr, &self.model.symbols)
+    }
+
+    /// Slips at the root of a formula.
+    fn here(&self, expr: &Expr) -> Vec<(Expr, Slip, String)> {
+        let span = expr.span;
+        let mut slips: Vec<(Node, Slip, String)> = Vec::new();
+        match &expr.node {
+            Node::Sum(terms) => {
+                for (at, term) in terms.iter().enumerate() {
+                    if !self.is_wanted() {
+                        continue;
+                    }
+                    let words = self.words(&term.expr);
+                    let mut flipped = terms.clone();
+                    flipped[at].sign = term.sign.flipped();
+                    let sign = if term.sign == Sign::Plus { "−" } else { "+" };
+                    slips.push((Node::Sum(flipped), Slip::Sign, format!("“{sign} {words}”")));
+                    if terms.len() > 1 {
+                        let mut fewer = terms.clone();
+                        fewer.remove(at);
+                        slips.push((Node::Sum(fewer), Slip::Omission, format!("“{words}” left out")));
+                    }
+                }
+            }
+            Node::Product(factors) => {
+                for at in 0..factors.len() {
+                    if !self.is_wanted() {
+                        continue;
+                    }
+                    let mut fewer = factors.clone();
+                    let gone = fewer.remove(at);
+                    let rest = if fewer.len() == 1 { fewer.remove(0).node } else { Node::Product(fewer) };
+                    slips.push((rest, Slip::Omission, format!("the factor “{}” left out", self.words(&gone))));
+                }
+                for at in 1..factors.len() {
+                    // The order counts for matrices alone.
+                    if [at - 1, at].iter().all(|k| self.is_matrix(&factors[*k])) {
+                        let mut swapped = factors.clone();
+                        swapped.swap(at - 1, at);
+                        let words = self.words(&factors[at]);
+                        slips.push((Node::Product(swapped), Slip::Order, format!("“{words}” one place earlier")));
+                    }
+                }
+            }
+            Node::Number(digits) => {
+                if let Some(n) = digits.parse::<f64>().ok().filter(|n| *n != 0.0) {
+                    slips.push((
+                        Node::Number((2.0 * n).to_string()),
+                        Slip::Number,
+                        format!("{} for {digits}", 2.0 * n),
+                    ));
+                }
+            }
+            Node::Power(base, exponent) => {
+                if let Some(n) = exponent.as_digits().and_then(|n| n.parse::<u32>().ok()) {
+                    let words = self.words(base);
+                    let higher = Box::new(Expr::integer(n + 1, exponent.span));
+                    slips.push((
+                        Node::Power(base.clone(), higher),
+                        Slip::Power,
+                        format!("{words} to the power {}", n + 1),
+                    ));
+                    slips.push((base.node.clone(), Slip::Power, format!("{words} without its power")));
+                }
+            }
+            Node::Call(function, argument) => {
+                let other = match function {
+                    Function::Sin => Some(Function::Cos),
+                    Function::Cos => Some(Function::Sin),
+                    Function::Tan => Some(Function::Cot),
+                    _ => None,
+                };
+                if let Some(other) = other {
+                    let change = format!("{}({}) for {}", other.name(), self.words(argument), function.name());
+                    slips.push((Node::Call(other, argument.clone()), Slip::Function, change));
+                }
+            }
+            Node::Symbol { id, indices, dots } => self.symbol_slips(*id, indices, *dots, &mut slips),
+            Node::Apply(id, arguments) => {
+                for other in self.present.iter().filter(|other| self.alike(**other, *id)) {
+                    let change = format!("{} for {}", self.model.name(*other), self.model.name(*id));
+                    slips.push((Node::Apply(*other, arguments.clone()), Slip::Symbol, change));
+                }
+            }
+            Node::Quotient(a, b) => {
+                if self.is_scalar(a) {
+                    slips.push((
+                        Node::Quotient(b.clone(), a.clone()),
+                        Slip::Structure,
+                        format!("“{}” upside down", self.words(expr)),
+                    ));
+                }
+            }
+            Node::Cross(a, b) => {
+                slips.push((Node::Cross(b.clone(), a.clone()), Slip::Order, format!("“{}” swapped", self.words(expr))));
+            }
+            Node::Matrix(rows) => {
+                for (i, row) in rows.iter().enumerate() {
+                    for (j, entry) in row.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
+                        let mut changed = rows.clone();
+                        changed[i][j] = entry.clone().negated();
+                        let change = format!("“−({})” in row {}, column {}", self.words(entry), i + 1, j + 1);
+                        slips.push((Node::Matrix(changed), Slip::Sign, change));
+                    }
+                }
+            }
+            Node::Transpose(inner) | Node::Inverse(inner) => {
+                slips.push((inner.node.clone(), Slip::Structure, format!("{} as it is", self.words(inner))));
+            }
+            Node::Entry(inner, i, j) if i != j => {
+                slips.push((
+                    Node::Entry(inner.clone(), *j, *i),
+                    Slip::Index,
+                    format!("the indices of {} swapped", self.words(expr)),
+                ));
+            }
+            Node::Epsilon([a, b, c]) => {
+                slips.push((
+                    Node::Epsilon([*b, *a, *c]),
+                    Slip::Index,
+                    format!("the indices of {} swapped", self.words(expr)),
+                ));
+            }
+            Node::Entry(..)
+            | Node::Pi
+            | Node::Euler
+            | Node::Root(..)
+            | Node::TimeDerivative(..)
+            | Node::Norm(_)
+            | Node::Dot(..)
+            | Node::Delta(_)
+            | Node::Integral(..)
+            | Node::Shrinking(..)
+            | Node::Component(..)
+            | Node::SumOver { .. } => {}
+        }
+        slips.into_iter().map(|(node, slip, change)| (Expr::new(node, span), slip, change)).collect()
+    }
+
+    fn symbol_slips(&self, id: SymbolId, indices: &[Index], dots: u8, slips: &mut Vec<(Node, Slip, String)>) {
+        let entry = self.model.symbols.entry(id);
+        let symbol = |id, indices: &[Index], dots| Node::Symbol { id, indices: indices.to_vec(), dots };
+        let name = text::with_dots(&entry.name.to_string(), dots);
+        if dots > 0 {
+            slips.push((symbol(id, indices, dots - 1), Slip::Dot, format!("a dot fewer on {name}")));
+        }
+        if entry.varies {
+            slips.push((symbol(id, indices, dots + 1), Slip::Dot, format!("a dot more on {name}")));
+        }
+        if let [i, j] = indices
+            && i != j
+        {
+            slips.push((symbol(id, &[*j, *i], dots), Slip::Index, format!("the indices of {name} swapped")));
+        }
+        if let [Index::Fixed(value)] = indices {
+            for other in (1..=self.model.symbols.extents(id)[0]).filter(|other| other != value) {
+                slips.push((
+                    symbol(id, &[Index::Fixed(other)], dots),
+                    Slip::Index,
+                    format!("the index {other} on {name}"),
+                ));
+            }
+        }
+        for other in self.present.iter().filter(|other| self.alike(**other, id)) {
+            let change = format!("{} for {name}", text::with_dots(&self.model.name(*other), dots));
+            slips.push((symbol(*other, indices, dots), Slip::Symbol, change));
+        }
+    }
+
+    /// Whether an author could write one for the other.
+    fn alike(&self, a: SymbolId, b: SymbolId) -> bool {
+        let (x, y) = (self.model.symbols.entry(a), self.model.symbols.entry(b));
+        let coordinates = [a, b].iter().all(|id| matches!(self.model.meaning(*id), Some(Meaning::Coordinate(_))));
+        a != b && x.kind == y.kind && x.slots.len() == y.slots.len() && (coordinates || x.name.base == y.name.base)
+    }
+
+    fn is_scalar(&self, expr: &Expr) -> bool {
+        crate::formula::shape::shape_of(expr, &self.model.symbols)
+            .is_ok_and(|s| s == crate::formula::shape::Shape::Scalar)
+    }
+
+    fn is_matrix(&self, expr: &Expr) -> bool {
+        match &expr.node {
+            Node::Matrix(_) | Node::Apply(..) | Node::Transpose(_) | Node::Inverse(_) => true,
+            Node::Symbol { id, .. } => self.model.symbols.entry(*id).kind == Kind::Matrix,
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Claims that are settled without a state: both sides one formula, a hypothesis, a law.
+
+use crate::code::Code;
+use crate::formula::Expr;
+
+use crate::check::certificate::formulas;
+use crate::check::hypotheses::rule::Action;
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::Meaning;
+use crate::check::sample::context::Context;
+use crate::check::vacuity::tautology;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// Claims that say nothing: both sides the same formula, or the hypothesis itself.
+pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
+    if link.lhs == link.rhs {
+        return Some(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "both sides are one formula, so nothing is checked",
+        ));
+    }
+    let opened = |expr: &Expr| match expr.as_plain_symbol().and_then(|id| context.model.meaning(id)) {
+        Some(Meaning::Defined(formula)) => formula.as_ref().clone(),
+        _ => expr.clone(),
+    };
+    if is_equality(link.relation) && opened(&link.lhs) == opened(&link.rhs) {
+        return Some(context.finding(
+            Code::Definition,
+            Verdict::Definition,
+            "true by definition: the claims file defines it so",
+        ));
+    }
+    if let Some(finding) = context.unclear(&[&link.lhs, &link.rhs]) {
+        return Some(finding);
+    }
+    for rule in context.local {
+        let bare =
+            [&link.lhs, &link.rhs].into_iter().any(|side| side.symbols().iter().any(|(id, _)| *id == rule.symbol));
+        match &rule.action {
+            Action::Equals(formula)
+                if bare
+                    && ([&link.lhs, &link.rhs].into_iter().any(|side| opened(side) == *formula)
+                        || tautology::is_linear_in(link, rule.symbol)
+                            && formulas::is_identity_where(&link.lhs, &link.rhs, context.local, context.model)) =>
+            {
+                return Some(context.finding(
+                    Code::NotDecided,
+                    Verdict::Undecided,
+                    "it only restates what \"where\" says",
+                ));
+            }
+            _ => {}
+        }
+    }
+    let is_hypothesis = |c: &Hypothesis| {
+        c.relation == link.relation
+            && (c.lhs == link.lhs && c.rhs == link.rhs || c.lhs == link.rhs && c.rhs == link.lhs)
+    };
+    if let Some(law) = context.model.laws.iter().find(|law| law.hypotheses.iter().any(is_hypothesis)) {
+        return (context.on_shell != Some(false))
+            .then(|| context.finding(Code::Law, Verdict::Law, format!("taken for granted: {}", law.title())));
+    }
+    context.hypotheses.iter().any(is_hypothesis).then(|| {
+        context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "this is one of its own hypotheses, so nothing is checked",
+        )
+    })
+}

@@ -1,0 +1,81 @@
+//! Two formulas without a document: every letter is a real number, and so is every dotted letter.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::symbols::Name;
+use crate::formula::{Relation, SymbolId, Symbols, text};
+use crate::latex::{Macros, read_formula};
+use crate::notes::claims::Range;
+use crate::source::{Fault, Span};
+
+use crate::check::judge::identity;
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::model::meaning::{Meaning, Variable};
+use crate::check::model::states::Reach;
+use crate::check::sample::context::{Context, Options};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// The answer to whether two formulas are equal.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The verdict, with its evidence.
+    pub finding: Finding,
+    /// How the two were read.
+    pub readings: [String; 2],
+    /// What was taken for granted.
+    pub assumed: Vec<String>,
+}
+
+/// A fault in the first (0) or second (1) formula, or in the ranges (2).
+pub type Misread = (usize, Fault);
+
+/// Whether two formulas are equal for all real values of their letters, or for those in `ranges`.
+///
+/// # Errors
+/// When one of the two cannot be read, or a range is for a letter that is in neither.
+pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Result<Answer, Misread> {
+    let mut symbols = Symbols::open();
+    let macros = Macros::default();
+    let lhs = read_formula(a, &mut symbols, &macros).map_err(|fault| (0, fault))?;
+    let rhs = read_formula(b, &mut symbols, &macros).map_err(|fault| (1, fault))?;
+    let mut model = Model::empty(symbols, macros);
+    for (name, _) in ranges {
+        if model.symbols.find(name).is_none() {
+            return Err((2, Fault::new(Span::default(), format!("{name} is in neither formula"))));
+        }
+    }
+    let mut assumed = Vec::new();
+    let letters: Vec<(SymbolId, Name)> = model.symbols.iter().map(|(id, entry)| (id, entry.name.clone())).collect();
+    for (symbol, name) in letters {
+        let given = ranges.iter().find(|(known, _)| *known == name).map(|(_, range)| range.clone());
+        let shown = text::plain(&name.to_string());
+        if given.is_none() {
+            assumed.push(format!("{shown} is a real number"));
+        }
+        model.mean(symbol, Meaning::Varying(model.varying.len()));
+        model.varying.push(Variable::number(symbol, given.unwrap_or(Range::Any)));
+        model.symbols.entry_mut(symbol).varies = true;
+    }
+    let readings = [text::formula(&lhs, &model.symbols), text::formula(&rhs, &model.symbols)];
+    let span = Span::default();
+    if lhs == rhs {
+        let finding = Finding::new(Code::Definition, Verdict::Definition, span, "both are one formula");
+        return Ok(Answer { finding, readings, assumed });
+    }
+    let reach = Reach::Vast;
+    let context = Context {
+        model: &model,
+        options,
+        hypotheses: &[],
+        on_shell: Some(false),
+        topic: "equal",
+        span,
+        reach,
+        local: &[],
+    };
+    let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };
+    let finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
+    Ok(Answer { finding, readings, assumed })
+}

@@ -1,0 +1,88 @@
+//! The claim that a quantity is constant along the motion.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::{Expr, Node, Relation, SymbolId};
+
+use crate::check::judge::at_states::AtStates;
+use crate::check::judge::conclusion::conclude;
+use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::model::free_symbols;
+use crate::check::model::meaning::Meaning;
+use crate::check::sample::context::Context;
+use crate::check::sample::outcome::run;
+use crate::check::search::family_sizes;
+use crate::check::vacuity::forced_value;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// Checks that a formula does not change along the motion, and that this says something. What is assumed of
+/// anything but families is assumed at all times.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
+    if !context.model.has_motion() {
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "nothing says how it moves: name a \"system\" or \"laws\"",
+        ));
+    }
+    if let Some(finding) = context.unclear(&[expr]) {
+        return Ok(finding);
+    }
+    // Constant is said of all times; a hypothesis about an instant would make of any turning point a constant.
+    // What is said of families, and of constants alone, stays as it is.
+    let symbols = &context.model.symbols;
+    let varies = |symbol: &SymbolId| !matches!(context.model.meaning(*symbol), Some(Meaning::Constant(_)));
+    let at_all_times = |hypothesis: &Hypothesis| {
+        let drawn = free_symbols::drawn(&[&hypothesis.lhs, &hypothesis.rhs], context.model);
+        let single = drawn.iter().all(|symbol| symbols.entry(*symbol).slots.is_empty());
+        Hypothesis { throughout: hypothesis.throughout || single && drawn.iter().any(varies), ..hypothesis.clone() }
+    };
+    let hypotheses: Vec<Hypothesis> = context.hypotheses.iter().map(at_all_times).collect();
+    let context = &Context { hypotheses: &hypotheses, ..*context };
+    let rate = Expr::new(Node::TimeDerivative(1, Box::new(expr.clone())), expr.span);
+    let zero = Expr::integer(0, expr.span);
+    let free = crate::formula::shape::bind(expr.clone(), &context.model.symbols).map(|(_, found)| found.free);
+    let link = Link { lhs: rate, relation: Relation::Equal, rhs: zero, free: free.unwrap_or_default() };
+    let off_shell = context.ensemble(context.mode(false, &[&link.lhs]), false, context.options.points)?;
+    match run(&link, &off_shell.states) {
+        Err(reason) => return Ok(context.unavailable(&reason)),
+        Ok(outcome) if outcome.failure.is_none() => {
+            return Ok(context.finding(
+                Code::NotDecided,
+                Verdict::Undecided,
+                "it does not vary even off shell, so nothing is conserved",
+            ));
+        }
+        Ok(_) => {}
+    }
+    let on_shell = Context { on_shell: Some(true), ..*context };
+    let mode = on_shell.mode(true, &[&link.lhs]);
+    let ensemble = on_shell.ensemble(mode, false, context.options.points)?;
+    if ensemble.states.is_empty() {
+        return Ok(context.no_room(&ensemble));
+    }
+    let states = AtStates::new(&link, &ensemble.states);
+    let outcome = match states.run() {
+        Ok(outcome) => outcome,
+        Err(reason) => return Ok(context.unavailable(&reason)),
+    };
+    let mut finding = conclude(&states, &on_shell, &ensemble, &outcome);
+    if let (Verdict::Verified, Some(symbol)) =
+        (finding.verdict, forced_value::of_formulas(&[expr], &on_shell, &ensemble))
+    {
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, forced_value::message(symbol, context)));
+    }
+    finding.message = match finding.verdict {
+        Verdict::Verified => {
+            finding.message = "constant on shell".to_owned();
+            return family_sizes::certified(&link, &on_shell, &ensemble, finding);
+        }
+        Verdict::Refuted => "it varies on shell; the left side is its rate".to_owned(),
+        _ => finding.message,
+    };
+    Ok(finding)
+}

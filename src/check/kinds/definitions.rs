@@ -1,0 +1,157 @@
+//! Whether a definition is pinned: each slip in it must break something that is checked elsewhere.
+//!
+//! A definition cannot be wrong by itself, and so it cannot be right either. It earns its verdict when every twin of
+//! it, put in its place, makes an equation that uses the symbol fail.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::evaluate::evaluate;
+use crate::formula::{Expr, Relation, SymbolId, text};
+
+use crate::check::judge::mutants::mutants_of;
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::sample::context::Context;
+use crate::check::sample::outcome::run;
+use crate::check::sample::setting::FEWEST;
+use crate::check::state::residual;
+use crate::check::state::residual::Point;
+use crate::check::vacuity::zero;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// What is said of a definition of which nothing would notice the sign.
+pub const SIGN_ASIDE: &str = ", its sign aside,";
+
+/// An equation that uses a defined symbol, with the name that it is reported by.
+pub struct User<'a> {
+    /// The number or label of the equation.
+    pub id: String,
+    /// What it claims.
+    pub link: Link,
+    /// Its hypotheses.
+    pub context: Context<'a>,
+}
+
+/// The verdict on `symbol = formula`, which `users` stand on, and others `by_law`: a law that they hold by names the symbol.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(
+    symbol: SymbolId,
+    formula: &Expr,
+    (users, by_law): (&mut [User<'_>], &[User<'_>]),
+    context: &Context<'_>,
+) -> Result<Finding> {
+    let name = text::plain(&context.model.name(symbol));
+    if users.is_empty() && by_law.is_empty() {
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            format!("introduces {name}, which nothing else checks"),
+        ));
+    }
+    if zero::is_nothing(formula, context)? {
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            format!("introduces {name}, which is always 0 as it is printed"),
+        ));
+    }
+    let itself = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
+    let definition = Link { lhs: itself, relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
+    let mut loose: Vec<(Expr, String)> = mutants_of(&definition, context.model)
+        .into_iter()
+        .filter(|mutant| mutant.link.rhs != *formula)
+        .map(|mutant| (mutant.link.rhs, mutant.change))
+        .collect();
+    let mut names: Vec<String> = Vec::new();
+    let mut points = 0;
+    for user in users.iter_mut() {
+        // Nothing is left to be noticed.
+        if loose.is_empty() && !names.is_empty() {
+            break;
+        }
+        // The user's own check settles whether it holds always or on shell; here the mode in which it holds is used.
+        for on_shell in [false, true] {
+            let mode = user.context.mode(on_shell, &[&user.link.lhs, &user.link.rhs, formula]);
+            let mut ensemble = user.context.ensemble(mode, false, context.options.points)?;
+            let holds = run(&user.link, &ensemble.states).is_ok_and(|o| o.failure.is_none() && o.points > 0);
+            if !holds {
+                continue;
+            }
+            points = points.max(ensemble.states.len());
+            loose.retain(|(mutant, _)| {
+                !ensemble.states.iter_mut().any(|state| {
+                    let Ok(value) = evaluate(mutant, state, &[]) else { return true };
+                    state.replace(symbol, value);
+                    let found = residual::test(&user.link, state);
+                    state.set_only(&[]);
+                    !matches!(found, Ok(Point::Holds(_) | Point::Doubtful | Point::Useless))
+                })
+            });
+            if !names.contains(&user.id) {
+                names.push(user.id.clone());
+            }
+            break;
+        }
+    }
+    for user in by_law {
+        if loose.is_empty() || !holds_by_law(user, context.model)? {
+            continue;
+        }
+        let before = loose.len();
+        loose.retain(|(mutant, _)| !breaks_by_law(user, symbol, mutant));
+        if loose.len() < before && !names.contains(&user.id) {
+            names.push(user.id.clone());
+        }
+    }
+    // A mutant that is the same formula in other words breaks nothing, and need not.
+    let mode = context.mode(false, &[formula]);
+    let states = context.ensemble(mode, true, context.options.points)?;
+    loose.retain(|(mutant, _)| {
+        let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
+        !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
+    });
+    // The sign of the whole is often a convention, as of a root that is only used squared.
+    let whole = formula.clone().negated();
+    let signed = loose.len();
+    loose.retain(|(mutant, _)| {
+        let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: whole.clone(), free: Vec::new() };
+        *mutant != whole
+            && !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
+    });
+    let aside = if loose.len() < signed { SIGN_ASIDE } else { "" };
+    match loose.first() {
+        _ if names.is_empty() => {
+            let message = format!("introduces {name}, and nothing that holds uses it");
+            Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
+        }
+        Some((_, change)) => {
+            let message = format!("introduces {name} loosely: nothing would notice it with {change}");
+            Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
+        }
+        None => {
+            let message = format!("introduces {name}; each slip in it{aside} breaks {}", names.join(" or "));
+            Ok(Finding { points, tried: points, ..context.finding(Code::Definition, Verdict::Definition, message) })
+        }
+    }
+}
+
+/// Whether an equation holds on shell.
+fn holds_by_law(user: &User<'_>, model: &Model) -> Result<bool> {
+    let mode = user.context.mode(true, &[&user.link.lhs, &user.link.rhs]);
+    let states = user.context.ensemble_of(model, mode, FEWEST, "")?;
+    Ok(run(&user.link, &states.states).is_ok_and(|o| o.failure.is_none() && o.points > 0))
+}
+
+/// Whether an equation does not hold on shell any more where a name that its laws use stands for another formula.
+fn breaks_by_law(user: &User<'_>, symbol: SymbolId, mutant: &Expr) -> bool {
+    // What is defined by itself is not defined.
+    if user.context.model.depends_on(mutant, &[symbol]) {
+        return true;
+    }
+    let mut model = user.context.model.clone();
+    model.define(symbol, mutant.clone());
+    !holds_by_law(user, &model).is_ok_and(|holds| holds)
+}

@@ -1,0 +1,192 @@
+//! Hamilton's equations: whether a printed function of coordinates and momenta generates the motion.
+//!
+//! The formula is differentiated by its coordinates and momenta, each taken as independent (by AD over the formula);
+//! then q̇ = ∂H/∂p and ṗ = −∂H/∂q must be what the Lagrangian gives on shell, in numbers and over a field.
+
+use num_dual::Dual;
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::evaluate::{Unavailable, evaluate, evaluate_to};
+use crate::formula::{Expr, SymbolId, Value, text};
+use crate::scalar::field::Modulus;
+use crate::scalar::{Measured, Modular, Series};
+
+use crate::check::certificate::claim::{Claim, Differences};
+use crate::check::certificate::decide;
+use crate::check::model::Model;
+use crate::check::model::meaning::{Meaning, Quantity};
+use crate::check::sample::context::Context;
+use crate::check::sample::setting::FEWEST;
+use crate::check::state::sampled_state::SampledState;
+use crate::check::state::{counterexample, residual};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::{Counterexample, Finding};
+
+/// Checks that `hamiltonian`, a formula of coordinates and momenta, generates the motion of the world.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
+    let model = context.model;
+    if model.world.is_none() {
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            "there is no system whose motion it could generate",
+        ));
+    }
+    if let Some(name) = fixed_by_the_state(hamiltonian, model) {
+        let message = format!("it contains {}, and of that it is not printed how it depends on", text::plain(&name));
+        let message = format!("{message} coordinates and momenta: give its formula under \"define\"");
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+    }
+    // A momentum may have several names.
+    let named = |wanted: Quantity| -> Vec<SymbolId> {
+        let is = |(_, meaning): &(usize, &Option<Meaning>)| matches!(meaning, Some(Meaning::World(q)) if *q == wanted);
+        model.meanings.iter().enumerate().filter(is).map(|(at, _)| SymbolId(at)).collect()
+    };
+    let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|v| v.symbol).collect();
+    let momenta: Vec<Vec<SymbolId>> = (0..coordinates.len()).map(|k| named(Quantity::Momentum(k))).collect();
+    if let Some(k) = momenta.iter().position(Vec::is_empty) {
+        let coordinate = text::plain(&model.name(coordinates[k]));
+        let message = format!("the momentum of {coordinate} has no name: give it one under \"means\"");
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+    }
+    // What is varied: the names of each.
+    let varied: Vec<Vec<SymbolId>> = coordinates.iter().map(|id| vec![*id]).chain(momenta).collect();
+    let mode = context.mode(true, &[hamiltonian]);
+    let ensemble = context.ensemble(mode, false, context.options.points)?;
+    if ensemble.states.is_empty() {
+        return Ok(context.no_room(&ensemble));
+    }
+    let (mut points, mut worst) = (0, 0.0_f64);
+    for (scene, base) in ensemble.states.iter().zip(&ensemble.bases) {
+        let base: Vec<Dual<Measured>> = base.iter().map(|x| Dual::from_re(Measured::new(*x))).collect();
+        let mut free = SampledState::new(model, mode, &base, &ensemble.rules)?;
+        let Some(known) = scene.quantities() else { continue };
+        let values: Vec<Measured> = scene.coordinates().iter().chain(&known.momenta).map(Series::value).collect();
+        for place in 0..varied.len() {
+            let seeded: Vec<(SymbolId, Series<Dual<Measured>>)> = (0..varied.len())
+                .flat_map(|other| varied[other].iter().map(move |id| (other, *id)))
+                .map(|(other, id)| {
+                    let slope = Measured::new(if other == place { 1.0 } else { 0.0 });
+                    (id, Series::from_derivatives(&[Dual::new(values[other], slope)]))
+                })
+                .collect();
+            free.set_only(&seeded);
+            let slope = match evaluate(hamiltonian, &free, &[]) {
+                Ok(Value::Scalar(value)) => value.value().eps,
+                Ok(_) => {
+                    return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, "a Hamiltonian is a number"));
+                }
+                Err(Unavailable::Derivative(_)) => {
+                    let message = "it is not written in coordinates and momenta: it contains velocities";
+                    return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
+                }
+                Err(reason) => return Ok(context.unavailable(&reason)),
+            };
+            let n = coordinates.len();
+            let (printed, derived, equation) = if place < n {
+                let name = text::plain(&model.name(varied[n + place][0]));
+                (-slope, known.momenta[place].derivative().value(), format!("the rate of {name}"))
+            } else {
+                let i = place - n;
+                let name = text::plain(&model.name(coordinates[i]));
+                (slope, scene.coordinates()[i].derivative().value(), format!("the rate of {name}"))
+            };
+            let difference = printed - derived;
+            if !printed.value.is_finite() || !derived.value.is_finite() {
+                continue;
+            }
+            let residual = difference.value.abs() / difference.magnitude.max(f64::MIN_POSITIVE);
+            if !residual::vanishes(difference) {
+                let counterexample = Counterexample {
+                    state: counterexample::values(&[hamiltonian], scene),
+                    lhs: printed.value,
+                    rhs: derived.value,
+                    entry: Some(equation.clone()),
+                };
+                return Ok(Finding {
+                    points: points + 1,
+                    tried: ensemble.tried,
+                    max_residual: Some(residual),
+                    counterexample: Some(counterexample),
+                    ..context.finding(
+                        Code::SidesDiffer,
+                        Verdict::Refuted,
+                        format!("Hamilton's equations from it do not give {equation}"),
+                    )
+                });
+            }
+            worst = worst.max(residual);
+        }
+        points += 1;
+    }
+    if points < FEWEST.min(context.options.points) {
+        return Ok(context.finding(
+            Code::NotDecided,
+            Verdict::Undecided,
+            format!("only {points} states can tell: too few"),
+        ));
+    }
+    let finding = Finding {
+        points,
+        tried: ensemble.tried,
+        max_residual: Some(worst),
+        ..context.finding(Code::Holds, Verdict::Verified, "Hamilton's equations from it give the motion")
+    };
+    let claim = Generates { hamiltonian, varied: &varied };
+    Ok(decide::decide(&[hamiltonian], context, &ensemble, &claim).stamp(finding))
+}
+
+/// The name of something in a formula that the state determines and that is no coordinate or momentum: how it varies with
+/// these the name does not say.
+fn fixed_by_the_state(formula: &Expr, model: &Model) -> Option<String> {
+    formula.symbols().into_iter().find_map(|(id, _)| match model.meaning(id)? {
+        Meaning::World(Quantity::Momentum(_)) => None,
+        Meaning::World(_) | Meaning::Frame(_) => Some(model.name(id)),
+        Meaning::Defined(formula) => fixed_by_the_state(formula, model),
+        _ => None,
+    })
+}
+
+/// That a formula generates the motion, for a field to decide.
+struct Generates<'a> {
+    hamiltonian: &'a Expr,
+    /// The names of each coordinate, then of each momentum.
+    varied: &'a [Vec<SymbolId>],
+}
+
+impl Claim for Generates<'_> {
+    /// ∂H/∂p − q̇ and ∂H/∂q + ṗ. A series in time is a dual number as well: what the formula's rate changes by, when one
+    /// symbol's rate becomes 1, is its derivative by the symbol.
+    fn differences<F: Modulus>(&self, state: &mut SampledState<'_, Modular<F>>) -> Differences<F> {
+        let none = "a formula without a motion";
+        let momenta = state.quantities().ok_or(none)?.momenta.clone();
+        let coordinates = state.coordinates().to_vec();
+        let values: Vec<Series<Modular<F>>> = coordinates.iter().chain(&momenta).copied().collect();
+        let mut rate = |varied: Option<usize>| {
+            let slope = |at: usize| Modular::from(if varied == Some(at) { 1.0 } else { 0.0 });
+            let series = |at: usize| Series::from_derivatives(&[values[at].value(), slope(at)]);
+            let names = self.varied.iter().enumerate().flat_map(|(at, names)| names.iter().map(move |id| (at, *id)));
+            let point: Vec<_> = names.map(|(at, id)| (id, series(at))).collect();
+            state.set_only(&point);
+            let found = evaluate_to(2, self.hamiltonian, state, &[]);
+            state.set_only(&[]);
+            match found {
+                Ok(Value::Scalar(value)) => value.nth_derivative_value(1).ok_or(none.to_owned()),
+                _ => Err(none.to_owned()),
+            }
+        };
+        let still = rate(None)?;
+        let n = coordinates.len();
+        let moved = |at: usize| values[at].derivative().value();
+        let mut all = Vec::new();
+        for at in 0..n {
+            all.push(rate(Some(n + at))? - still - moved(at));
+            all.push(rate(Some(at))? - still + moved(n + at));
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,299 @@
+//! Claims that hold in a limit: `A ≈ B` as x → a.
+//!
+//! The ratio of the sides must tend to 1, or the difference to 0 where the right side is finite and its limit is zero,
+//! and at a rate: the error is followed over several steps towards the limit and must fall as a power, which is
+//! reported. Steps at which rounding would drown the error are not used. A number is approached from both sides, as far
+//! as the range of the symbol and the hypotheses allow.
+
+use std::sync::Arc;
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::evaluate::Unavailable;
+use crate::formula::{Expr, Node, SymbolId, Value};
+use crate::notes::claims::Range;
+use crate::scalar::{Measured, Series};
+
+use crate::check::hypotheses::rule::Rule;
+use crate::check::judge::mutants::{Slip, mutants_of};
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::states::Mode;
+use crate::check::sample::context::Context;
+use crate::check::sample::setting::FEWEST;
+use crate::check::state::counterexample::counterexample;
+use crate::check::state::numbers::slots;
+use crate::check::state::residual;
+use crate::check::state::residual::{Failure, Point};
+use crate::check::state::sampled_state::SampledState;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// Where a limit goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Towards {
+    /// `\infty`, `+\infty`
+    Infinity,
+    /// `-\infty`
+    MinusInfinity,
+    /// A number.
+    Number(f64),
+}
+
+impl Towards {
+    /// The k-th step towards the limit, and what lies between two; towards a number from above, if `side` is 1, and from
+    /// below, if it is −1.
+    pub fn step(self, k: f64, side: f64) -> f64 {
+        let far = 16.0 * k.exp2();
+        match self {
+            Towards::Infinity => far,
+            Towards::MinusInfinity => -far,
+            Towards::Number(a) => a + side / far,
+        }
+    }
+}
+
+/// The sides from which a number is approached within a range: 1 from above, −1 from below.
+pub(crate) fn sides(range: &Range, end: f64) -> &'static [f64] {
+    let is_at = |other: f64| (end - other).abs() <= 1e-9;
+    match range {
+        Range::Interval { high, .. } if is_at(*high) => &[-1.0],
+        Range::Interval { low, .. } if is_at(*low) => &[1.0],
+        Range::Positive if is_at(0.0) => &[1.0],
+        Range::Negative if is_at(0.0) => &[-1.0],
+        _ => &[1.0, -1.0],
+    }
+}
+
+/// How the two sides of a claim approach each other at one state.
+enum Approach {
+    /// The error falls as this power of the distance from the limit.
+    Power(f64),
+    /// It does not fall, from this side, up to this step.
+    Fails(Failure, f64, f64),
+    /// Too few steps can tell.
+    Useless,
+}
+
+/// Checks a claim in the limit of one symbol: always, else on shell.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Context<'_>) -> Result<Finding> {
+    let always = match context.on_shell {
+        Some(on_shell) => return check_in(link, variable, towards, context, on_shell),
+        None => check_in(link, variable, towards, context, false)?,
+    };
+    if always.verdict == Verdict::Verified || !context.model.has_motion() {
+        return Ok(always);
+    }
+    let on_shell = check_in(link, variable, towards, context, true)?;
+    Ok(if on_shell.verdict == Verdict::Verified { on_shell } else { always })
+}
+
+fn check_in(
+    link: &Link,
+    variable: SymbolId,
+    towards: Towards,
+    context: &Context<'_>,
+    on_shell: bool,
+) -> Result<Finding> {
+    let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
+    let ensemble = context.ensemble(mode, false, context.options.points)?;
+    if ensemble.states.is_empty() {
+        return Ok(context.no_room(&ensemble));
+    }
+    let mut powers: Vec<f64> = Vec::new();
+    let mut used: Vec<Steps<'_>> = Vec::new();
+    for base in &ensemble.bases {
+        let steps = Steps { context, mode, base, rules: &ensemble.rules, variable, towards };
+        match steps.approach(link, FARTHEST) {
+            Ok(Approach::Power(power)) => {
+                powers.push(power);
+                used.push(steps);
+            }
+            Ok(Approach::Fails(failure, side, k)) => {
+                return Ok(Finding {
+                    points: powers.len() + 1,
+                    tried: ensemble.tried,
+                    max_residual: Some(failure.residual),
+                    counterexample: steps.state(k, side).map(|state| counterexample(link, &state, &failure)),
+                    ..context.finding(
+                        Code::SidesDiffer,
+                        Verdict::Refuted,
+                        "the two sides do not approach each other in this limit",
+                    )
+                });
+            }
+            Ok(Approach::Useless) => {}
+            Err(reason) => return Ok(context.unavailable(&reason)),
+        }
+    }
+    if powers.len() < FEWEST.min(context.options.points) {
+        let message = format!("only {} of {} states reach the limit", powers.len(), ensemble.tried);
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+    }
+    // Each printed term must earn its place: without it, or with a slip in it, the right side must be farther off.
+    // On the left, terms that the limit drops may be anything; there only symbols must be told apart.
+    for mutant in mutants_of(link, context.model) {
+        if mutant.link.rhs == link.rhs && mutant.slip != Slip::Symbol {
+            continue;
+        }
+        let as_near = used.iter().zip(&powers).all(
+            |(steps, power)| matches!(steps.approach(&mutant.link, LAST), Ok(Approach::Power(other)) if other > power - 0.5),
+        );
+        if as_near {
+            let message = format!("these states cannot tell it from the same claim with {}", mutant.change);
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        }
+    }
+    let slowest = powers.iter().copied().fold(f64::INFINITY, f64::min);
+    let name = crate::formula::text::plain(&context.model.name(variable));
+    let distance = match towards {
+        Towards::Number(_) => "of the distance from the limit".to_owned(),
+        _ => format!("of 1/{name}"),
+    };
+    Ok(Finding {
+        points: powers.len(),
+        tried: ensemble.tried,
+        ..context.verified(
+            format!("holds in the limit; the relative error falls as the power {slowest:.1} {distance}"),
+            "a limit",
+        )
+    })
+}
+
+/// The last step that is taken with a slip; and with the claim itself, as long as rounding leaves an error: what is left of
+/// it may be small, as the 10⁻⁴ of √(1 + a) ≈ 1.0001.
+const LAST: i32 = 10;
+
+const FARTHEST: i32 = 26;
+
+/// Where the error is gone at the first steps, as that of tanh a ≈ 1 − 2e⁻²ᵃ, shorter ones are taken before them: so many, of
+/// this share of a step.
+const BEFORE: i32 = 16;
+
+const SHORT: f64 = 0.25;
+
+/// The states on the way to a limit: one base, with the variable moved.
+struct Steps<'a> {
+    context: &'a Context<'a>,
+    mode: Mode,
+    base: &'a [f64],
+    rules: &'a Arc<[Rule]>,
+    variable: SymbolId,
+    towards: Towards,
+}
+
+impl<'a> Steps<'a> {
+    /// The state at the k-th step: a number of the base is moved there, anything else is given that value.
+    fn state(&self, k: f64, side: f64) -> Option<SampledState<'a, Measured>> {
+        let x = self.towards.step(k, side);
+        let model = self.context.model;
+        let slot = self.slot();
+        let mut base: Vec<Measured> = self.base.iter().map(|x| Measured::new(*x)).collect();
+        if let Some(slot) = slot {
+            base[slot] = Measured::new(x);
+        }
+        let mut state = SampledState::new(model, self.mode, &base, self.rules).ok()?;
+        if slot.is_none() {
+            state.set_only(&[(self.variable, Series::constant(Measured::new(x)))]);
+        }
+        Some(state)
+    }
+
+    /// The number of the base that is moved.
+    fn slot(&self) -> Option<usize> {
+        let slots = slots(self.context.model, self.mode);
+        slots.iter().position(|slot| slot.symbol == Some(self.variable) && slot.order == 0)
+    }
+
+    /// The sides from which the limit is approached.
+    fn sides(&self) -> Vec<f64> {
+        let Towards::Number(end) = self.towards else { return vec![1.0] };
+        let context = self.context;
+        if self.slot().is_none() {
+            // What is no number of its own is on the side on which the state has it.
+            let base: Vec<Measured> = self.base.iter().map(|x| Measured::new(*x)).collect();
+            let name = Expr::new(Node::Symbol { id: self.variable, indices: Vec::new(), dots: 0 }, context.span);
+            let state = SampledState::new(context.model, self.mode, &base, self.rules).ok();
+            let value = state.map(|state| state.now(&name, &[]));
+            let is_below = matches!(value, Some(Ok(Value::Scalar(value))) if value.value < end);
+            return vec![if is_below { -1.0 } else { 1.0 }];
+        }
+        let range = context.model.range(self.variable);
+        sides(&range, end).iter().copied().filter(|side| self.is_allowed(*side)).collect()
+    }
+
+    /// Whether the hypotheses that are inequalities hold on the way to the limit.
+    fn is_allowed(&self, side: f64) -> bool {
+        let inequalities = || self.context.hypotheses.iter().filter(|hypothesis| !is_equality(hypothesis.relation));
+        if inequalities().next().is_none() {
+            return true;
+        }
+        let Some(state) = self.state(LAST.into(), side) else { return false };
+        inequalities().all(|hypothesis| {
+            let Hypothesis { lhs, relation, rhs, free, .. } = hypothesis.clone();
+            !matches!(residual::test(&Link { lhs, relation, rhs, free }, &state), Ok(Point::Fails(_)))
+        })
+    }
+
+    /// How the sides of a link approach each other up to a step, the slower of the two ways where there are two.
+    fn approach(&self, link: &Link, last: i32) -> Result<Approach, Unavailable> {
+        let mut slowest = Approach::Useless;
+        for side in self.sides() {
+            slowest = match (slowest, self.approach_from(side, link, last)?) {
+                (_, Approach::Fails(failure, side, k)) => return Ok(Approach::Fails(failure, side, k)),
+                (Approach::Power(a), Approach::Power(b)) => Approach::Power(a.min(b)),
+                (Approach::Useless, other) | (other, Approach::Useless) => other,
+                (fails @ Approach::Fails(..), _) => fails,
+            };
+        }
+        Ok(slowest)
+    }
+
+    fn approach_from(&self, side: f64, link: &Link, last: i32) -> Result<Approach, Unavailable> {
+        let mut errors = self.errors(link, side, (0..=last).map(f64::from))?;
+        if errors.list.len() < 3 {
+            let before = errors.list.len() as i32 - 1;
+            let closer = (-BEFORE..=before * (1.0 / SHORT) as i32).map(|k| SHORT * f64::from(k));
+            errors = self.errors(link, side, closer)?;
+        }
+        let Errors { list, last: Some((failure, k)) } = errors else { return Ok(Approach::Useless) };
+        let tail = &list[list.len().saturating_sub(4)..];
+        let ([(first, more), .., (end, less)], 3..) = (tail, list.len()) else {
+            // The sides are one to rounding: then they agree in the limit too.
+            return Ok(if failure.residual < 1e-9 { Approach::Power(f64::INFINITY) } else { Approach::Useless });
+        };
+        let power = (more / less).log2() / (end - first);
+        Ok(if power > 0.3 && *less < 0.05 { Approach::Power(power) } else { Approach::Fails(failure, side, k) })
+    }
+
+    /// The relative errors at some steps, as long as rounding leaves any.
+    fn errors(&self, link: &Link, side: f64, steps: impl Iterator<Item = f64>) -> Result<Errors, Unavailable> {
+        let mut errors = Errors { list: Vec::new(), last: None };
+        for k in steps {
+            let Some(state) = self.state(k, side) else { continue };
+            let (Value::Scalar(a), Value::Scalar(b)) = (state.now(&link.lhs, &[])?, state.now(&link.rhs, &[])?) else {
+                return Err(Unavailable::Operation("a limit of something that is no number"));
+            };
+            if !a.value.is_finite() || !b.value.is_finite() {
+                continue;
+            }
+            let scale = if b.value == 0.0 { 1.0 } else { b.value.abs() };
+            let error = (a.value - b.value).abs() / scale;
+            let noise = 1e-13 * (a.magnitude + b.magnitude) / scale;
+            errors.last = Some((Failure { lhs: a.value, rhs: b.value, residual: error, entry: None }, k));
+            if error <= noise {
+                break;
+            }
+            errors.list.push((k, error));
+        }
+        Ok(errors)
+    }
+}
+
+/// What was seen on the way to a limit: steps and errors, and the last state.
+struct Errors {
+    list: Vec<(f64, f64)>,
+    last: Option<(Failure, f64)>,
+}

@@ -1,0 +1,404 @@
+//! A function of one variable, its other symbols fixed: what it does along its range.
+//!
+//! The range is walked on a grid, evenly inside and ever closer to its ends, and in decades where it has none. A hypothesis
+//! about the variable itself says where it runs: the other points are left out, and the edges of what is left are looked at
+//! closely. What is counted on the grid is counted on a finer one as well.
+
+use num_dual::Dual;
+
+use crate::formula::{Environment, Expr, Moving, SymbolId, Symbols, Unavailable, Value, evaluate};
+use crate::latex::typeset;
+use crate::notes::claims::Range;
+use crate::scalar::Measured;
+
+use crate::check::kinds::limit::{Towards, sides};
+use crate::check::kinds::shape::{Shape, Target};
+use crate::check::kinds::solves::{lowest, roots_on_the_grid};
+use crate::check::model::Model;
+use crate::check::model::claim::Hypothesis;
+use crate::check::sample::sampler::last;
+use crate::check::state::residual;
+
+/// So many times finer is the second look at what is counted.
+const FINER: u32 = 3;
+
+/// A limit is followed until the distance has been halved so many times.
+const NEAREST: i32 = 32;
+
+/// Roots are looked for below this, and above its inverse.
+const ROOTS: f64 = 1e7;
+
+/// From this share of the scale on, values far apart are two.
+const CHANGED: f64 = 1e-9;
+
+/// A state's atoms.
+pub(crate) type Atoms = Vec<(SymbolId, f64)>;
+
+/// Atoms as plain numbers: nothing here moves.
+pub(crate) struct Still<'a, D> {
+    symbols: &'a Symbols,
+    values: Vec<(SymbolId, D)>,
+}
+
+impl<D: Moving> Environment<D> for Still<'_, D> {
+    fn symbols(&self) -> &Symbols {
+        self.symbols
+    }
+
+    fn symbol(&self, id: SymbolId, _indices: &[u8]) -> Result<Value<D>, Unavailable> {
+        let found = self.values.iter().find(|(known, _)| *known == id);
+        found.map(|(_, value)| Value::Scalar(*value)).ok_or(Unavailable::Symbol(id))
+    }
+}
+
+/// The sides of a hypothesis at a state, the one minus the other.
+pub(crate) fn difference<D: Moving>(
+    state: &Atoms,
+    hypothesis: &Hypothesis,
+    model: &Model,
+    mut number: impl FnMut(f64) -> D,
+) -> Option<D> {
+    let values = state.iter().map(|(id, x)| (*id, number(*x))).collect();
+    let still = Still { symbols: &model.symbols, values };
+    Some(value_of(&hypothesis.lhs, &still)? - value_of(&hypothesis.rhs, &still)?)
+}
+
+fn value_of<D: Moving>(expr: &Expr, environment: &impl Environment<D>) -> Option<D> {
+    match evaluate(expr, environment, &[]) {
+        Ok(Value::Scalar(value)) => Some(value),
+        _ => None,
+    }
+}
+
+/// What a look at one state shows.
+pub(crate) enum Look {
+    Holds,
+    Useless,
+    /// What is counted depends on how closely one looks.
+    Open(String),
+    Fails {
+        at: Option<f64>,
+        found: f64,
+        wanted: f64,
+        what: String,
+    },
+}
+
+/// A function of one variable, its other atoms fixed.
+pub(crate) struct Probe<'a> {
+    pub model: &'a Model,
+    pub function: &'a Expr,
+    pub variable: SymbolId,
+    pub atoms: &'a Atoms,
+    /// The hypotheses that say where the variable runs.
+    pub bounds: &'a [&'a Hypothesis],
+}
+
+impl Probe<'_> {
+    /// Whether the variable runs through a point.
+    fn runs_through(&self, x: f64) -> bool {
+        if self.bounds.is_empty() {
+            return true;
+        }
+        let atom = |(id, value): &(SymbolId, f64)| (*id, if *id == self.variable { x } else { *value });
+        let atoms: Atoms = self.atoms.iter().map(atom).collect();
+        self.bounds.iter().all(|hypothesis| {
+            difference::<Measured>(&atoms, hypothesis, self.model, Measured::new)
+                .is_some_and(|difference| residual::holds(hypothesis.relation, difference))
+        })
+    }
+
+    /// The points of the range through which the variable runs, piece by piece, so many times finer than usual.
+    fn pieces(&self, range: &Range, finer: u32) -> Vec<Vec<f64>> {
+        let mut points = grid(range, finer);
+        if self.bounds.is_empty() {
+            return vec![points];
+        }
+        points.extend(self.atoms.iter().filter(|(id, _)| *id == self.variable).map(|(_, x)| *x));
+        points.sort_by(f64::total_cmp);
+        let mut pieces: Vec<Vec<f64>> = vec![Vec::new()];
+        let mut before: Option<(f64, bool)> = None;
+        for x in points {
+            let inside = self.runs_through(x);
+            if let (Some((last, was_inside)), Some(piece)) =
+                (before.filter(|(_, was)| *was != inside), pieces.last_mut())
+            {
+                let (within, beyond) = if was_inside { (last, x) } else { (x, last) };
+                let edge = self.edge(within, beyond);
+                let mut near: Vec<f64> =
+                    (0..=24).map(|k| edge + (within - edge) * 10f64.powf(-f64::from(k) / 3.0)).collect();
+                near.push(edge);
+                if !was_inside {
+                    near.reverse();
+                }
+                piece.extend(near.into_iter().filter(|x| *x != within && self.runs_through(*x)));
+                if was_inside {
+                    pieces.push(Vec::new());
+                }
+            }
+            if let (true, Some(piece)) = (inside, pieces.last_mut()) {
+                piece.push(x);
+            }
+            before = Some((x, inside));
+        }
+        pieces
+    }
+
+    /// The last point from one inside towards one outside through which the variable runs.
+    fn edge(&self, mut inside: f64, mut outside: f64) -> f64 {
+        for _ in 0..60 {
+            let middle = 0.5 * (inside + outside);
+            if self.runs_through(middle) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        inside
+    }
+
+    /// Value and slope at a point; a number that rounding drowns is none.
+    fn at(&self, x: f64) -> Option<(Measured, Measured)> {
+        let atom = |(id, value): &(SymbolId, f64)| match *id == self.variable {
+            true => (*id, Dual::new(Measured::new(x), Measured::new(1.0))),
+            false => (*id, Dual::from_re(Measured::new(*value))),
+        };
+        let still = Still { symbols: &self.model.symbols, values: self.atoms.iter().map(atom).collect() };
+        let value: Dual<Measured> = value_of(self.function, &still)?;
+        (value.re.value.is_finite() && value.eps.value.is_finite()).then_some((value.re, value.eps))
+    }
+
+    /// The value alone; not a number where there is none.
+    fn value(&self, x: f64) -> f64 {
+        let atom = |(id, value): &(SymbolId, f64)| (*id, if *id == self.variable { x } else { *value });
+        let still = Still { symbols: &self.model.symbols, values: self.atoms.iter().map(atom).collect() };
+        value_of(self.function, &still).unwrap_or(f64::NAN)
+    }
+
+    /// What its values show of a shape.
+    pub(crate) fn look(&self, shape: &Shape, range: &Range) -> Look {
+        let name = typeset_name(self.model, self.variable);
+        match shape {
+            Shape::Solutions(wanted) => {
+                let found = roots_on_the_grid(range, |x| self.value(x));
+                let ordinary = |x: &f64| (ROOTS.recip()..ROOTS).contains(&x.abs());
+                let finer = grid(range, FINER).into_iter().filter(ordinary);
+                let values: Vec<f64> = finer.map(|x| self.value(x)).collect();
+                let changes = values.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+                if changes > found {
+                    return Look::Open(closer(&name, "solutions", found, changes));
+                }
+                if found == *wanted {
+                    return Look::Holds;
+                }
+                let what = format!("there are {found} real solutions for {name}, not {wanted}");
+                Look::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
+            }
+            Shape::TendsTo(end, target) => self.tends(*end, target, range),
+            _ => self.along(shape, range, &name),
+        }
+    }
+
+    fn along(&self, shape: &Shape, range: &Range, name: &str) -> Look {
+        if let Shape::Minima(wanted) | Shape::Maxima(wanted) = shape {
+            let (what, minima) = if matches!(shape, Shape::Minima(_)) { ("minima", true) } else { ("maxima", false) };
+            let Some(found) = self.extrema(range, 1, minima) else { return Look::Useless };
+            return match self.extrema(range, FINER, minima) {
+                Some(finer) if finer != found => Look::Open(closer(name, what, found, finer)),
+                _ if found == *wanted => Look::Holds,
+                _ => {
+                    let what = format!("along {name} it has {found} {what}, not {wanted}");
+                    Look::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
+                }
+            };
+        }
+        let (mut last_slope, mut first) = (0.0_f64, None);
+        let (mut positive, mut negative, mut seen) = (false, false, 0);
+        let mut signs: Vec<(f64, f64, f64, f64)> = Vec::new();
+        let mut last_value = None;
+        let clear = |m: Measured| if residual::vanishes(m) { 0.0 } else { m.value.signum() };
+        for (x, is_first) in self.pieces(range, 1).into_iter().flat_map(beginning) {
+            if is_first {
+                last_value = None;
+            }
+            let Some((value, slope)) = self.at(x) else { continue };
+            seen += 1;
+            let first: Measured = *first.get_or_insert(value);
+            let (sign, slope_sign) = (clear(value), clear(slope));
+            positive |= sign > 0.0;
+            negative |= sign < 0.0;
+            let fails = |found: f64, what: &str| Look::Fails { at: Some(x), found, wanted: 0.0, what: what.to_owned() };
+            let step = last_value.map(|last: Measured| clear(value - last));
+            last_value = Some(value);
+            match shape {
+                Shape::Rises if step.is_some_and(|step| step < 0.0) => return fails(value.value, "it falls to here"),
+                Shape::Falls if step.is_some_and(|step| step > 0.0) => return fails(value.value, "it rises to here"),
+                Shape::Positive if sign < 0.0 => return fails(value.value, "it is negative here"),
+                Shape::Negative if sign > 0.0 => return fails(value.value, "it is positive here"),
+                Shape::Rises if slope_sign < 0.0 => return fails(slope.value, "it falls here"),
+                Shape::Falls if slope_sign > 0.0 => return fails(slope.value, "it rises here"),
+                Shape::Independent if slope_sign != 0.0 => return fails(slope.value, "it changes here"),
+                Shape::Independent if has_changed(first, value) => {
+                    let what = "it has another value here than elsewhere".to_owned();
+                    return Look::Fails { at: Some(x), found: value.value, wanted: first.value, what };
+                }
+                _ => {}
+            }
+            if sign != 0.0 {
+                signs.push((x, sign * value.value, slope_sign * sign, sign));
+            }
+            if slope_sign != 0.0 {
+                last_slope = slope_sign;
+            }
+        }
+        if seen == 0 {
+            return Look::Useless;
+        }
+        if matches!(shape, Shape::Positive | Shape::Negative) {
+            // Between two points where it falls towards zero and rises again it may reach zero.
+            let dip = |pair: &&[(f64, f64, f64, f64)]| pair[0].3 == pair[1].3 && pair[0].2 < 0.0 && pair[1].2 > 0.0;
+            for pair in signs.windows(2).filter(dip) {
+                let (lowest, x) = lowest(pair[0].0, pair[1].0, |x| pair[0].3 * self.value(x));
+                if lowest <= 1e-13 * pair[0].1.max(pair[1].1) {
+                    let what = "it does not keep its sign here".to_owned();
+                    return Look::Fails { at: Some(x), found: pair[0].3 * lowest, wanted: 0.0, what };
+                }
+            }
+        }
+        let fails = |what: String| Look::Fails { at: None, found: 0.0, wanted: 0.0, what };
+        match shape {
+            Shape::ChangesSign if !positive => fails(format!("it is nowhere positive along {name}")),
+            Shape::ChangesSign if !negative => fails(format!("it is nowhere negative along {name}")),
+            Shape::Positive if !positive => fails(format!("it vanishes all along {name}")),
+            Shape::Negative if !negative => fails(format!("it vanishes all along {name}")),
+            Shape::Rises | Shape::Falls if last_slope == 0.0 => fails(format!("it does not change along {name}")),
+            _ => Look::Holds,
+        }
+    }
+
+    /// How many minima, or maxima, it has inside the range; none where it has no value.
+    fn extrema(&self, range: &Range, finer: u32, minima: bool) -> Option<usize> {
+        let (mut seen, mut found) = (false, 0);
+        let towards = if minima { 1.0 } else { -1.0 };
+        for piece in self.pieces(range, finer) {
+            let mut last = 0.0_f64;
+            for (_, slope) in piece.into_iter().filter_map(|x| self.at(x)) {
+                seen = true;
+                if !residual::vanishes(slope) {
+                    let slope = slope.value.signum() * towards;
+                    found += usize::from(last < 0.0 && slope > 0.0);
+                    last = slope;
+                }
+            }
+        }
+        seen.then_some(found)
+    }
+
+    fn tends(&self, end: f64, target: &Target, range: &Range) -> Look {
+        let near = |inward: &&f64| self.runs_through(end + *inward * 0.5f64.powi(NEAREST));
+        let mut look = Look::Useless;
+        for inward in sides(range, end).iter().filter(near) {
+            look = self.tends_from(end, *inward, target);
+            if !matches!(look, Look::Holds) {
+                break;
+            }
+        }
+        look
+    }
+
+    /// The same from one side.
+    fn tends_from(&self, end: f64, inward: f64, target: &Target) -> Look {
+        let wanted = match target {
+            Target::Infinite(Towards::MinusInfinity) => f64::NEG_INFINITY,
+            Target::Infinite(_) => f64::INFINITY,
+            Target::Finite(formula) => {
+                let still = Still { symbols: &self.model.symbols, values: self.atoms.clone() };
+                match value_of(formula, &still) {
+                    Some(value) => value,
+                    None => return Look::Useless,
+                }
+            }
+        };
+        let steps: Vec<(f64, Measured)> = (2..=NEAREST)
+            .filter_map(|k| {
+                let x = end + inward * 0.5f64.powi(k);
+                let (value, _) = self.at(x)?;
+                (value.value.abs() > 1e-9 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
+            })
+            .collect();
+        let [_, _, _, _, .., last] = steps.as_slice() else { return Look::Useless };
+        let fails = |what: &str| Look::Fails { at: Some(last.0), found: last.1.value, wanted, what: what.to_owned() };
+        if wanted.is_infinite() {
+            // Each halving of the distance adds at least as much as the one before, if only a logarithm's share.
+            let gains: Vec<f64> =
+                steps.windows(2).map(|two| (two[1].1.value - two[0].1.value) * wanted.signum()).collect();
+            let tail = &gains[gains.len().saturating_sub(4)..];
+            let diverges = tail.iter().all(|gain| *gain > 0.0)
+                && tail.windows(2).all(|two| two[1] > 0.95 * two[0])
+                && last.1.value * wanted.signum() > 0.0;
+            return if diverges { Look::Holds } else { fails("it does not diverge there") };
+        }
+        let errors: Vec<f64> = steps.iter().map(|(_, value)| (value.value - wanted).abs()).collect();
+        let scale = wanted.abs().max(1e-3 * last.1.magnitude);
+        let [.., a, b] = errors.as_slice() else { return Look::Useless };
+        let approaches = *b <= 1e-9 * scale || b < &(0.95 * a) && *b < 0.05 * errors[0].max(scale);
+        if approaches { Look::Holds } else { fails("it does not tend to this value") }
+    }
+}
+
+/// A name as plain text.
+fn typeset_name(model: &Model, id: SymbolId) -> String {
+    let expr =
+        Expr::new(crate::formula::Node::Symbol { id, indices: Vec::new(), dots: 0 }, crate::source::Span::default());
+    crate::formula::text::plain(&typeset(&expr, &model.symbols))
+}
+
+/// That a closer look shows another number.
+fn closer(name: &str, what: &str, found: usize, finer: usize) -> String {
+    format!(
+        "along {name} one look shows {found} {what} and a closer one {finer}: they are too near each other to count"
+    )
+}
+
+/// Whether two values of a function are clearly not one.
+fn has_changed(first: Measured, value: Measured) -> bool {
+    let difference = value - first;
+    difference.value.abs() > CHANGED * difference.magnitude
+}
+
+/// Points, each with whether it is the first of its piece.
+fn beginning(piece: Vec<f64>) -> impl Iterator<Item = (f64, bool)> {
+    piece.into_iter().enumerate().map(|(at, x)| (x, at == 0))
+}
+
+/// Points along a range: evenly inside, and ever closer to its ends; so many times more of them than usual.
+fn grid(range: &Range, finer: u32) -> Vec<f64> {
+    let pi = std::f64::consts::PI;
+    let near = |end: f64, inward: f64, width: f64| -> Vec<f64> {
+        (0..24).map(|k| end + inward * width * 10f64.powf(-1.2 - f64::from(k) / 6.0)).collect()
+    };
+    let interval = |low: f64, high: f64| {
+        let width = high - low;
+        let inside = (1..64 * finer).map(|k| low + width * f64::from(k) / f64::from(64 * finer));
+        let mut points: Vec<f64> = inside.chain(near(low, 1.0, width)).chain(near(high, -1.0, width)).collect();
+        points.sort_by(f64::total_cmp);
+        points
+    };
+    match range {
+        Range::Interval { low, high, .. } => interval(*low, *high),
+        Range::Angle => interval(-pi, pi),
+        Range::Positive => decades(finer),
+        Range::Negative => decades(finer).into_iter().rev().map(|x| -x).collect(),
+        Range::Any | Range::Rigid { .. } | Range::FixedDirection | Range::Labels { .. } => {
+            let positive = decades(finer);
+            positive.iter().rev().map(|x| -x).chain(positive.iter().copied()).collect()
+        }
+        Range::Integer { low, high } => (*low..=last(high, *low)).map(|n| n as f64).collect(),
+    }
+}
+
+/// Positive numbers of any order of magnitude that parameters can bring about.
+fn decades(finer: u32) -> Vec<f64> {
+    let (most, a_decade) = (72 * finer as i32, f64::from(6 * finer));
+    (-most..=most).map(|k| 10f64.powf(f64::from(k) / a_decade)).collect()
+}

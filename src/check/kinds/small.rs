@@ -1,0 +1,318 @@
+//! Claims that hold while some quantities are small: `A ≈ B` to an order in ε, when those are scaled by ε.
+//!
+//! From each state a family of states is made in which the small quantities are ε times what they were and everything
+//! that is free stays. Along it the difference of the sides must fall faster than the order that is claimed, as a power
+//! that is measured; and it must be the world that makes it fall: a claim whose terms are all that small anyhow, off
+//! shell too, says nothing.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::evaluate::Unavailable;
+use crate::formula::{Expr, Node, Value};
+use crate::scalar::Measured;
+
+use crate::check::judge::mutants::mutants_of;
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::model::states::Mode;
+use crate::check::sample::context::Context;
+use crate::check::sample::scaled_family::Family;
+use crate::check::sample::setting::FEWEST;
+use crate::check::state::counterexample::counterexample;
+use crate::check::state::residual::{Failure, pair};
+use crate::check::state::sampled_state::SampledState;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// The steps: ε = 2⁻ᵏ.
+const STEPS: std::ops::RangeInclusive<i32> = 2..=8;
+
+/// The steps after these, as long as an error is left that is not small beside rounding: what is left over may be small.
+const FURTHER: [i32; 4] = [11, 14, 17, 20];
+
+/// Along so many of the states: what is left over shows at any.
+const FOLLOWED: usize = 4;
+
+/// Most slips are seen along so many.
+const SCREENED: usize = 3;
+
+/// The share of the sides that rounding may make, and so many times that is clear of it.
+const ROUNDING: f64 = 1e-12;
+
+const CLEAR: f64 = 10.0;
+
+/// How far below a whole power a measured one may lie.
+const SLACK: f64 = 0.25;
+
+/// States along which some quantities become small.
+pub(crate) struct Shrinkage<'m> {
+    states: Vec<SampledState<'m, Measured>>,
+    /// Where they are smaller still, and at which step.
+    further: Vec<(i32, SampledState<'m, Measured>)>,
+}
+
+/// A state, and what fails there.
+type Shown<'s, 'm> = (&'s SampledState<'m, Measured>, Failure);
+
+/// A few families of states for claims about what stands in some formulas, and in others like them.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub(crate) fn screen<'m>(
+    model: &'m Model,
+    mode: Mode,
+    small: &[Expr],
+    context: &Context<'_>,
+) -> Result<Vec<Shrinkage<'m>>> {
+    families(model, (mode, SCREENED, 0), small, context)
+}
+
+/// Whether a claim to an order fails along one of these families for certain.
+pub(crate) fn is_missed(link: &Link, order: u32, families: &[Shrinkage<'_>]) -> bool {
+    families.iter().any(|family| family.power(link).is_ok_and(|(power, _)| power < missed(order)))
+}
+
+/// Below this power an order is missed for certain, and not by what rounding makes of the measurement.
+fn missed(order: u32) -> f64 {
+    f64::from(order) + SLACK
+}
+
+/// Checks a claim to an order in some small quantities: always, else on shell.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Result<Finding> {
+    let on_shell = context.on_shell.unwrap_or(context.model.has_motion());
+    let wanted = f64::from(order + 1) - SLACK;
+    let missed = missed(order);
+    let families = drawn(link, small, context, on_shell)?;
+    if families.len() < FEWEST.min(context.options.points) {
+        let message = format!("only {} states have small quantities that can be scaled", families.len());
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+    }
+    let (mut slowest, mut told) = (f64::INFINITY, 0);
+    for family in &families {
+        match family.power_further(link) {
+            Err(reason) => return Ok(context.unavailable(&reason)),
+            Ok((power, failure)) if power < missed => {
+                return Ok(Finding {
+                    points: families.len(),
+                    tried: families.len(),
+                    max_residual: failure.as_ref().map(|(_, failure)| failure.residual),
+                    counterexample: failure.map(|(state, failure)| counterexample(link, state, &failure)),
+                    ..context.finding(
+                        Code::SidesDiffer,
+                        Verdict::Refuted,
+                        format!("the sides differ at order {:.0} of what is small", power.max(0.0)),
+                    )
+                });
+            }
+            Ok((power, _)) => {
+                slowest = slowest.min(power);
+                told += usize::from(!power.is_nan());
+            }
+        }
+    }
+    if told < FEWEST.min(context.options.points) {
+        let message = format!("only {told} of {} states can tell: too few", families.len());
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+    }
+    if slowest < wanted {
+        let message = format!("the error falls as the power {slowest:.1} of what is small, which tells neither way");
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+    }
+    let all_reach = |link: &Link, families: &[Shrinkage<'_>], least: f64| {
+        families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
+    };
+    let could_be_anything = |term: &Expr| {
+        let words = crate::formula::text::formula(term, &context.model.symbols);
+        format!("“{words}” is smaller than the order that is claimed, and so could be anything")
+    };
+    // Off shell nothing makes a term small but what it is made of. One beyond the order could be anything.
+    let free = drawn(link, small, context, false)?;
+    for term in terms(link) {
+        let alone = Link { lhs: term.clone(), rhs: Expr::integer(0, term.span), ..link.clone() };
+        if !free.is_empty() && all_reach(&alone, &free, wanted) {
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, could_be_anything(term)));
+        }
+    }
+    for (term, without) in omissions(&link.rhs) {
+        let without = Link { lhs: link.rhs.clone(), rhs: without, ..link.clone() };
+        if !free.is_empty() && all_reach(&without, &free, wanted) {
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, could_be_anything(&term)));
+        }
+    }
+    let survivors: Vec<_> = mutants_of(link, context.model)
+        .into_iter()
+        .filter(|mutant| all_reach(&mutant.link, &families, wanted))
+        .collect();
+    if !survivors.is_empty() {
+        let wide = Context { reach: crate::check::model::states::Reach::Beyond, ..*context };
+        let mut wide = drawn(link, small, &wide, on_shell)?;
+        // Far out not every state has a family: those at which the claim itself can be seen to hold count.
+        wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
+        // Far out rounding may drown the last steps: what falls on the whole falls.
+        let falls = |link: &Link| wide.iter().all(|family| family.falls(link, missed));
+        if let Some(mutant) = survivors.iter().find(|mutant| !falls(&mutant.link)) {
+            let message = format!("these states cannot tell it from the same claim with {}", mutant.change);
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        }
+    }
+    let message = match slowest.is_finite() {
+        true => format!("holds to order {order}: the error falls as the power {slowest:.1} of what is small"),
+        false => "holds to every order of what is small".to_owned(),
+    };
+    let points = families.len();
+    Ok(Finding { points, tried: points, ..context.verified(message, "an approximation") })
+}
+
+/// The terms of both sides, but for a literal 0.
+fn terms(link: &Link) -> Vec<&Expr> {
+    let mut found = Vec::new();
+    for side in [&link.lhs, &link.rhs] {
+        match &side.node {
+            Node::Sum(terms) => found.extend(terms.iter().map(|term| &term.expr)),
+            _ => found.push(side),
+        }
+    }
+    found.retain(|term| !term.is_null());
+    found
+}
+
+/// A formula without one of the terms of a sum inside of it, for each of these.
+fn omissions(expr: &Expr) -> Vec<(Expr, Expr)> {
+    let mut found = Vec::new();
+    for (at, child) in expr.children().into_iter().enumerate() {
+        let mut variants = omissions(child);
+        if let Node::Sum(terms) = &child.node
+            && terms.len() > 1
+        {
+            for (k, term) in terms.iter().enumerate() {
+                let mut left = terms.clone();
+                left.remove(k);
+                variants.push((term.expr.clone(), Expr::new(Node::Sum(left), child.span)));
+            }
+        }
+        for (term, variant) in variants {
+            let mut whole = expr.clone();
+            if let Some(place) = whole.children_mut().into_iter().nth(at) {
+                *place = variant;
+            }
+            found.push((term, whole));
+        }
+    }
+    found
+}
+
+/// Families of states for a claim.
+fn drawn<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bool) -> Result<Vec<Shrinkage<'m>>> {
+    let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
+    families(context.model, (mode, context.options.points.min(2 * FEWEST), FOLLOWED), small, context)
+}
+
+/// Families of states, from so many states of the claim; so many of them are followed further.
+fn families<'m>(
+    model: &'m Model,
+    (mode, points, followed): (Mode, usize, usize),
+    small: &[Expr],
+    context: &Context<'_>,
+) -> Result<Vec<Shrinkage<'m>>> {
+    let setting = context.setting(mode);
+    let ensemble = context.ensemble_of(model, mode, points, "")?;
+    let mut family = Family::new(model, &setting, small);
+    let mut found = Vec::new();
+    for (state, base) in ensemble.states.iter().zip(&ensemble.bases) {
+        let value = |expr: &Expr| match state.now(expr, &[]) {
+            Ok(Value::Scalar(value)) => Some(value.value),
+            _ => None,
+        };
+        let Some(values) = small.iter().map(value).collect::<Option<Vec<f64>>>() else { continue };
+        let mut states = Vec::new();
+        for k in STEPS {
+            let scaled: Vec<f64> = values.iter().map(|value| value * 2f64.powi(-k)).collect();
+            states.extend(family.at(base, &scaled)?);
+        }
+        if states.len() == STEPS.count() {
+            let mut further = Vec::new();
+            for k in FURTHER.iter().filter(|_| found.len() < followed) {
+                let scaled: Vec<f64> = values.iter().map(|value| value * 2f64.powi(-k)).collect();
+                further.extend(family.at(base, &scaled)?.map(|state| (*k, state)));
+            }
+            found.push(Shrinkage { states, further });
+        }
+    }
+    Ok(found)
+}
+
+impl<'m> Shrinkage<'m> {
+    /// Whether the difference of the sides falls as this power at least, in the last steps or on the whole.
+    fn falls(&self, link: &Link, least: f64) -> bool {
+        let at = |state: &SampledState<'_, Measured>| -> Option<f64> {
+            let sides = pair(state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?);
+            Some(sides.0.iter().zip(&sides.1).map(|(a, b)| (a.value - b.value).abs()).fold(0.0, f64::max))
+        };
+        let ends = self.states.first().and_then(at).zip(self.states.last().and_then(at));
+        let steps = (self.states.len() - 1) as f64;
+        ends.is_some_and(|(first, last)| (first / last).log2() / steps >= least)
+            || self.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least)
+    }
+
+    /// The power of ε with which the difference of the sides falls, infinite where there is none but rounding.
+    fn power(&self, link: &Link) -> Result<(f64, Option<Failure>), Unavailable> {
+        let mut errors: Vec<f64> = Vec::new();
+        let mut last = None;
+        for state in &self.states {
+            // Where too little is left of a number to tell, nothing is told.
+            let Some((error, noise, failure)) = error(link, state)? else { return Ok((f64::NAN, None)) };
+            last = failure;
+            if error <= noise {
+                break;
+            }
+            errors.push(error);
+        }
+        if errors.len() < 3 {
+            return Ok((f64::INFINITY, last));
+        }
+        let tail = &errors[errors.len() - 3..];
+        Ok(((tail[0] / tail[2]).log2() / 2.0, last))
+    }
+
+    /// The same, or the power with which it falls further on, where that is less; and the last state that shows it.
+    fn power_further(&self, link: &Link) -> Result<(f64, Option<Shown<'_, 'm>>), Unavailable> {
+        let (mut slowest, failure) = self.power(link)?;
+        let Some(end) = self.states.last() else { return Ok((slowest, None)) };
+        let mut shown = failure.map(|failure| (end, failure));
+        let mut before = error(link, end)?.filter(|_| slowest.is_finite()).map(|(error, ..)| (*STEPS.end(), error));
+        for (k, state) in &self.further {
+            let (Some((step, larger)), Some((error, noise, failure))) = (before, error(link, state)?) else { break };
+            if error <= CLEAR * noise {
+                break;
+            }
+            let power = (larger / error).log2() / f64::from(k - step);
+            if power < slowest {
+                (slowest, shown) = (power, failure.map(|failure| (state, failure)));
+            }
+            before = Some((*k, error));
+        }
+        Ok((slowest, shown))
+    }
+}
+
+/// The difference of the sides at a state, what rounding may make of it, and the entry where it is largest; nothing where
+/// too little is left of a number.
+fn error(link: &Link, state: &SampledState<'_, Measured>) -> Result<Option<(f64, f64, Option<Failure>)>, Unavailable> {
+    let (lhs, rhs) = pair(state.now(&link.lhs, &[])?, state.now(&link.rhs, &[])?);
+    let (mut error, mut noise, mut failure) = (0.0_f64, 0.0_f64, None);
+    for (a, b) in lhs.into_iter().zip(rhs) {
+        let difference = (a.value - b.value).abs();
+        if difference.is_nan() {
+            return Ok(None);
+        }
+        if difference >= error {
+            failure = Some(Failure { lhs: a.value, rhs: b.value, residual: difference, entry: None });
+        }
+        error = error.max(difference);
+        noise = noise.max(ROUNDING * (a.magnitude + b.magnitude));
+    }
+    Ok(Some((error, noise, failure)))
+}

@@ -1,0 +1,18 @@
+//! Errors in formulas that stand in a claims file, at their place there.
+
+use crate::Error;
+use crate::notes::claims::{Claims, Spanned};
+
+/// A fault in LaTeX that stands in a claims file, at its place there.
+pub fn formula_error(claims: &Claims, latex: &Spanned<String>, fault: crate::source::Fault) -> Error {
+    let at = latex.value.get(fault.span.range()).filter(|part| !part.is_empty() && *part != latex.value);
+    let message = match at {
+        Some(part) => format!("at “{part}”: {}", fault.message),
+        None => fault.message,
+    };
+    let error = Error::at(&claims.source, latex.span, message).lacking(fault.missing);
+    match fault.help {
+        Some(help) => error.help(help),
+        None => error,
+    }
+}

@@ -1,0 +1,84 @@
+//! Meanings that point masses give a name: `inertia tensor of m_i at \vec r_i`.
+//!
+//! The particles may be introduced by the notes themselves, so such a name is read together with the displays.
+
+use crate::formula::shape::bind;
+use crate::formula::{Expr, Kind, Node};
+use crate::latex::{names, read_formula};
+use crate::notes::claims::{Claims, Spanned};
+use crate::{Error, Result};
+
+use crate::check::model::Model;
+use crate::check::model::claims_error::formula_error;
+use crate::check::model::meaning::{Meaning, ParticleQuantity};
+
+const QUANTITIES: [(&str, ParticleQuantity); 3] = [
+    ("inertia tensor of ", ParticleQuantity::InertiaTensor),
+    ("principal moments of ", ParticleQuantity::PrincipalMoments),
+    ("principal axes of ", ParticleQuantity::PrincipalAxes),
+];
+
+/// The quantity that a meaning names, and of what; none, if it is of something else than particles.
+pub(crate) fn quantity(meaning: &Spanned<String>) -> Option<(ParticleQuantity, &str)> {
+    QUANTITIES.iter().find_map(|(word, quantity)| Some((*quantity, meaning.value.strip_prefix(word)?)))
+}
+
+/// Adds a name that means something of particles.
+///
+/// # Errors
+/// When the particles are not known, or the name has other indices than the quantity.
+pub(crate) fn declare(
+    claims: &Claims,
+    latex: &Spanned<String>,
+    meaning: &Spanned<String>,
+    model: &mut Model,
+) -> Result<()> {
+    let Some((quantity, particles)) = quantity(meaning) else { return Ok(()) };
+    let error = |place: &Spanned<String>, message: String| Error::at(&claims.source, place.span, message);
+    let Some((mass, position)) = particles.split_once(" at ") else {
+        return Err(error(meaning, "of which particles?".into()).help("write \"inertia tensor of m_i at \\vec r_i\""));
+    };
+    let mut symbols = model.symbols.clone();
+    let mut formula = |text: &str| -> Result<(Expr, crate::formula::shape::Type)> {
+        let latex = Spanned::new(text.trim().to_owned(), meaning.span);
+        let fault = |fault| formula_error(claims, &latex, fault);
+        let expr = read_formula(&latex.value, &mut symbols, &model.macros).map_err(fault)?;
+        bind(expr, &symbols).map_err(fault)
+    };
+    let ((mass, of_mass), (position, of_position)) = (formula(mass)?, formula(position)?);
+    let label = match (&position.node, of_position.free.as_slice()) {
+        (Node::Symbol { .. }, [label]) if symbols.indices[label.0].labels => *label,
+        _ => {
+            return Err(error(meaning, "the positions are no family of vectors".into())
+                .help("a family carries a label: \"indices\": { \"i\": \"1..n\" }, \\vec r_i"));
+        }
+    };
+    use crate::formula::shape::Shape;
+    let others = of_mass.free.iter().any(|letter| *letter != label);
+    if of_mass.shape != Shape::Scalar || of_position.shape != Shape::Vector || others {
+        return Err(error(meaning, "these are no masses and positions of particles".into())
+            .help("as in \"inertia tensor of m_i at \\vec r_i\""));
+    }
+    let Some((name, 0)) = names::parse(&latex.value) else {
+        return Err(error(latex, format!("{} is not the name of a symbol", latex.value)));
+    };
+    let slots = name.subscript.iter().filter(|token| symbols.index(token).is_some()).count();
+    let kind = match (quantity, slots) {
+        (ParticleQuantity::InertiaTensor, 0) => Kind::Matrix,
+        (ParticleQuantity::InertiaTensor, 2) | (ParticleQuantity::PrincipalMoments, 1) => Kind::Scalar,
+        (ParticleQuantity::PrincipalAxes, 1) => Kind::Vector,
+        _ => {
+            return Err(error(latex, format!("{name} has {slots} indices, and that does not fit")).help(
+                "the inertia tensor has two or none; principal moments and axes have one, that runs over \"1..3\"",
+            ));
+        }
+    };
+    let shown = name.to_string();
+    let id = symbols
+        .add(name, kind)
+        .ok_or_else(|| error(latex, format!("{shown} is declared twice")).help("keep one of the two"))?;
+    model.symbols = symbols;
+    model.mean(id, Meaning::Particles(quantity, label, Box::new(mass), Box::new(position)));
+    model.tie_components();
+    Ok(())
+}

@@ -1,0 +1,194 @@
+//! The symbols of a system: its coordinates and parameters tied to declared names, and what `"means"` says.
+
+use crate::check::model::builder::{Builder, plain};
+use crate::check::model::meaning::{Frame, FrameQuantity, MEANINGS, Meaning, Quantity};
+use crate::check::model::particles;
+use crate::formula::{Kind, text};
+use crate::latex::names;
+use crate::mechanics::rotations::Axis;
+use crate::notes::claims::Spanned;
+use crate::systems::Registry;
+use crate::{Error, Result, suggest};
+use std::sync::Arc;
+
+impl Builder<'_> {
+    /// Ties the declared coordinates and constants to those of the system, by name or by `"read"`.
+    pub(crate) fn world(&mut self, registry: &Registry) -> Result<()> {
+        let Some(reference) = &self.claims.system else { return Ok(()) };
+        let system = registry.get(&reference.name.value).ok_or_else(|| {
+            let error = self.error(&reference.name, format!("there is no system \"{}\"", reference.name.value));
+            match suggest::nearest(&reference.name.value, registry.names()) {
+                Some(near) => error.help(format!("did you mean \"{near}\"?")),
+                None => error.help(format!("there are {}", registry.names().collect::<Vec<_>>().join(", "))),
+            }
+        })?;
+        let world = system.world()?;
+        for (target, symbol) in &reference.read {
+            let known = world.coordinates().iter().chain(world.parameters());
+            if !known.clone().any(|name| plain(name) == plain(&target.value)) {
+                let names: Vec<&str> = known.map(String::as_str).collect();
+                return Err(self
+                    .error(target, format!("\"{}\" has no \"{}\"", world.name(), target.value))
+                    .help(format!("it has {}", names.join(", "))));
+            }
+            let name = self.name(symbol)?;
+            if self.model.symbols.find(&name).is_none() {
+                return Err(self.error(symbol, format!("{name} is not declared")));
+            }
+        }
+        let reads = |printed: &str, wanted: &str| {
+            let renamed = reference.read.iter().find(|(_, symbol)| plain(&symbol.value) == plain(printed));
+            plain(renamed.map_or(printed, |(target, _)| target.value.as_str())) == plain(wanted)
+        };
+        let mut map = Vec::new();
+        let mut coordinates = Vec::new();
+        for wanted in world.coordinates() {
+            let found = self.model.coordinates.iter().find(|v| reads(&self.model.name(v.symbol), wanted));
+            let variable = found.ok_or_else(|| self.missing(&reference.name, "coordinate", wanted))?;
+            map.push(format!("{} is the coordinate {}", self.shown(variable.symbol), text::plain(wanted)));
+            coordinates.push(variable.clone());
+        }
+        for variable in &self.model.coordinates {
+            if !coordinates.iter().any(|known| known.symbol == variable.symbol) {
+                let name = self.model.name(variable.symbol);
+                let place = self.claims.declarations.iter().find(|d| plain(&d.name.value) == plain(&name));
+                let span = place.map_or(reference.name.span, |d| d.name.span);
+                let message = format!("{name} is not a coordinate of \"{}\"", world.name());
+                return Err(Error::at(&self.claims.source, span, message)
+                    .help("declare it under \"constants\" or \"varies with time\", or map it with \"read\""));
+            }
+        }
+        for (place, variable) in coordinates.iter().enumerate() {
+            self.model.mean(variable.symbol, Meaning::Coordinate(place));
+        }
+        self.model.coordinates = coordinates;
+        for wanted in world.parameters() {
+            let found = self.model.constants.iter().position(|v| reads(&self.model.name(v.symbol), wanted));
+            let place = found.ok_or_else(|| self.missing(&reference.name, "parameter", wanted))?;
+            let symbol = self.model.constants[place].symbol;
+            map.push(format!("{} is the parameter {}", self.shown(symbol), text::plain(wanted)));
+            self.model.parameters.push(place);
+        }
+        self.model.inferred.push(format!("the system is {}: {}", world.name(), map.join(", ")));
+        self.model.world = Some(Arc::new(world));
+        Ok(())
+    }
+
+    fn missing(&self, place: &Spanned<String>, what: &str, name: &str) -> Error {
+        self.error(place, format!("no declared symbol stands for the {what} {name} of \"{}\"", place.value))
+            .help(format!("declare {name}, or say which symbol it is with \"read\""))
+    }
+
+    pub(crate) fn means(&mut self) -> Result<()> {
+        for (latex, meaning) in &self.claims.means {
+            if self.of_frame_or_particles(latex, meaning)? {
+                continue;
+            }
+            let quantity = self.quantity(meaning)?;
+            let name = self.name(latex)?;
+            let slots = name.subscript.iter().filter(|token| self.model.symbols.index(token).is_some()).count();
+            let kind = match (quantity, slots) {
+                (Quantity::RotationMatrix, 0) => Kind::Matrix,
+                (Quantity::RotationMatrix, 2) | (Quantity::AngularVelocity, 1) => Kind::Scalar,
+                (Quantity::AngularVelocity, 0) => Kind::Vector,
+                (Quantity::BodyAxes | Quantity::SpaceAxes, 1) => Kind::Vector,
+                (Quantity::RotationMatrix | Quantity::AngularVelocity, _)
+                | (Quantity::BodyAxes | Quantity::SpaceAxes, _) => {
+                    return Err(self
+                        .error(latex, format!("{name} has {slots} indices, and the {} has not", meaning.value))
+                        .help("declare the letters of its subscript under \"indices\""));
+                }
+                (_, 0) => Kind::Scalar,
+                _ => return Err(self.error(latex, format!("{name} has an index, and the {} has none", meaning.value))),
+            };
+            let id = self.add(latex, kind, Meaning::World(quantity))?;
+            self.model.symbols.entry_mut(id).varies = true;
+        }
+        Ok(())
+    }
+
+    /// Meanings that need no system: `angle turned with \vec\omega`; and those of particles, which wait until these are
+    /// known.
+    fn of_frame_or_particles(&mut self, latex: &Spanned<String>, meaning: &Spanned<String>) -> Result<bool> {
+        if let Some(vector) = meaning.value.strip_prefix("angle turned with ") {
+            self.turning_with(vector, meaning)?;
+            if self.model.frame != Some(Frame::FixedDirection) {
+                return Err(self
+                    .error(meaning, format!("the direction of {vector} is not fixed"))
+                    .help("declare it under \"varies with time\" as \"fixed direction\""));
+            }
+            let id = self.add(latex, Kind::Scalar, Meaning::Frame(FrameQuantity::Angle))?;
+            let entry = self.model.symbols.entry_mut(id);
+            (entry.varies, entry.angle) = (true, true);
+            return Ok(true);
+        }
+        Ok(particles::quantity(meaning).is_some())
+    }
+
+    fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {
+        let Some(world) = &self.model.world else {
+            return Err(self.error(meaning, "nothing can be known here without a system").help("name a \"system\""));
+        };
+        if let Some(coordinate) = meaning.value.strip_prefix("momentum of ") {
+            let place =
+                self.model.coordinates.iter().position(|v| plain(&self.model.name(v.symbol)) == plain(coordinate));
+            return place
+                .map(Quantity::Momentum)
+                .ok_or_else(|| self.error(meaning, format!("{coordinate} is not a coordinate")));
+        }
+        let found = MEANINGS.iter().find(|(word, _)| *word == meaning.value).map(|(_, quantity)| *quantity);
+        let quantity = found.ok_or_else(|| {
+            let words: Vec<&str> = MEANINGS.iter().map(|(word, _)| *word).collect();
+            let error = self.error(meaning, format!("\"{}\" is not a meaning", meaning.value));
+            match suggest::nearest(&meaning.value, words.iter().copied()) {
+                Some(near) => error.help(format!("did you mean \"{near}\"?")),
+                None => error.help(format!("the meanings are {}, momentum of q", words.join(", "))),
+            }
+        })?;
+        let lacks = match quantity {
+            Quantity::KineticEnergy | Quantity::PotentialEnergy if !world.has_potential() => Some("potential energy"),
+            Quantity::RotationMatrix | Quantity::AngularVelocity | Quantity::BodyAxes | Quantity::SpaceAxes
+                if !world.has_orientation() =>
+            {
+                Some("orientation")
+            }
+            _ => None,
+        };
+        match lacks {
+            Some(what) => Err(self.error(meaning, format!("the system \"{}\" gives no {what}", world.name()))),
+            None => Ok(quantity),
+        }
+    }
+
+    /// `p_q` is the momentum of each coordinate q, unless it is declared otherwise.
+    pub(crate) fn momenta(&mut self) {
+        if self.model.world.is_none() {
+            return;
+        }
+        for place in 0..self.model.coordinates.len() {
+            let coordinate = self.model.name(self.model.coordinates[place].symbol);
+            let Some((name, 0)) = names::parse(&format!("p_{{{coordinate}}}")) else { continue };
+            let shown = name.to_string();
+            if let Some(id) = self.model.symbols.add(name, Kind::Scalar) {
+                self.model.symbols.entry_mut(id).varies = true;
+                self.model.mean(id, Meaning::World(Quantity::Momentum(place)));
+                let (shown, coordinate) = (text::plain(&shown), text::plain(&coordinate));
+                self.model.inferred.push(format!("{shown} is the momentum of {coordinate}"));
+            }
+        }
+    }
+
+    pub(crate) fn rotations(&mut self) -> Result<()> {
+        for (latex, sense) in &self.claims.rotations {
+            let name = self.name(latex)?;
+            let axis = match name.subscript.as_slice() {
+                [axis] if axis == "x" || axis == "1" => Axis::X,
+                [axis] if axis == "y" || axis == "2" => Axis::Y,
+                [axis] if axis == "z" || axis == "3" => Axis::Z,
+                _ => return Err(self.error(latex, "a rotation names its axis below: \\mathbf{R}_z")),
+            };
+            self.add(latex, Kind::Rotation, Meaning::Rotation(axis, sense.value))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,382 @@
+//! The edit of one display that mends several others.
+//!
+//! Where a law has a slip, or a definition, whatever stands on it fails, and each of these equations could be made to agree
+//! with the slip. One slip in what they share is likelier than one in each of them. So where two equations or more are
+//! refuted, or one and a sentence, what they stand on, which may be one of them, is tried with every edit that undoes a
+//! slip, and an edit that mends several of them, and spoils nothing that held, is what each is offered.
+
+use rayon::prelude::*;
+use std::cmp::{Ordering, Reverse};
+
+use crate::formula::{Expr, Node, Statement};
+use crate::latex::slips::{Edit, Pool, Slip};
+use crate::latex::{Introduced, Reading, read_display, slips};
+use crate::notes::Notes;
+use crate::notes::claims::{Claim, Solved};
+use crate::source::Fault;
+
+use crate::check::certificate::formulas;
+use crate::check::document::checker::Checker;
+use crate::check::document::names;
+use crate::check::document::names::{is_wrong, shown};
+use crate::check::document::reading::for_each;
+use crate::check::document::setup::{Run, with_checker};
+use crate::check::equations::sentences;
+use crate::check::repair::suggest::{has_branches, is_each, is_real, likelihood};
+use crate::check::sample::context::Options;
+use crate::check::trial::document::retyped;
+use crate::check::trial::trial_text::Trial;
+use crate::check::trial::wrong::{MISSING, OFFERED};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::repair::{Repair, Shared};
+use crate::check::verdict::report::Equation;
+
+/// With so many edits of one display the whole document is checked at most.
+const DOCUMENTS: usize = 4;
+
+/// So many of the likeliest are tried, as each of them makes another document.
+const TRIED: usize = 160;
+
+/// Most edits mend nothing, which so many states show.
+const STATES: usize = 2;
+
+impl Checker<'_> {
+    /// The equations of a document, those that one edit mends together with that edit as their first repair.
+    pub(crate) fn with_shared_repairs(
+        &self,
+        run: &Run<'_>,
+        mut equations: Vec<Equation>,
+        sentences: &[Equation],
+    ) -> Vec<Equation> {
+        let wrong: Vec<(usize, usize)> = equations
+            .iter()
+            .enumerate()
+            .filter(|(_, equation)| equation.finding.follows_from.is_none() && !equation.ok && is_wrong(equation))
+            .filter_map(|(nth, equation)| Some((nth, self.display_of(equation)?)))
+            .filter(|(_, at)| self.is_open(*at))
+            .collect();
+        let failing: Vec<Item> =
+            (0..sentences.len()).filter(|at| is_refuted(&sentences[*at])).map(Item::Sentence).collect();
+        if wrong.is_empty() || wrong.len() + failing.len() < 2 || !self.options.explain {
+            return equations;
+        }
+        let held = self.held(&equations, sentences);
+        let mut best: Vec<Found> = Vec::new();
+        for at in (0..self.notes.equations.len()).filter(|at| self.is_open(*at)) {
+            let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
+            let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
+            // What stands on a display that cannot be read cannot be told either.
+            let mut stand_on_it: Vec<usize> = match self.is_damaged(at) && wrong.iter().any(|(_, other)| *other == at) {
+                true => std::iter::once(at).chain(others).collect(),
+                false => {
+                    let stands = |other: &usize| self.stands_on(*other, at) || self.solves(*other, at);
+                    refuted.filter(|other| *other == at || stands(other)).collect()
+                }
+            };
+            // Its own definition takes the longest to judge.
+            stand_on_it.sort_by_key(|other| *other == at && !self.is_damaged(at));
+            let said = failing.iter().filter(|_| !self.readings[at].introduced.is_empty() || self.is_law(at)).copied();
+            let stand_on_it: Vec<Item> = stand_on_it.into_iter().map(Item::Display).chain(said).collect();
+            if stand_on_it.len() < 2 || !matches!(stand_on_it[0], Item::Display(_)) {
+                continue;
+            }
+            let found = self.edits_that_mend(run, at, &stand_on_it, &held);
+            let most = |found: &[Found]| found.first().map_or(0, |found| found.mended.len());
+            match most(&found).cmp(&most(&best)) {
+                Ordering::Greater => best = found,
+                Ordering::Equal => best.extend(found),
+                Ordering::Less => {}
+            }
+        }
+        // Of edits of several displays the likeliest first; a minus too much is rarer than a wrong sign.
+        best.sort_by_key(|Found { at, edit, .. }| match edit.slip == Slip::Sign && edit.replacement.is_empty() {
+            true => Slip::Fraction,
+            false => likelihood(&self.notes.equations[*at].text, edit, false).0,
+        });
+        best.truncate(OFFERED);
+        for Found { at, edit, mended } in best.into_iter().rev() {
+            let repairs = self.shared_repairs(at, &edit, &mended);
+            for ((item, _), repair) in mended.into_iter().zip(repairs) {
+                for (nth, _) in wrong.iter().filter(|(_, other)| item == Item::Display(*other)) {
+                    equations[*nth].parts.iter_mut().for_each(|part| part.finding.fit = None);
+                    equations[*nth].finding.fit = None;
+                    let known = &mut equations[*nth].repairs;
+                    known.retain(|other| (other.span, &other.replacement) != (repair.span, &repair.replacement));
+                    known.insert(0, repair.clone());
+                    known.truncate(OFFERED);
+                }
+            }
+        }
+        equations
+    }
+
+    /// An edit of a display as a repair of each equation that it mends.
+    pub(crate) fn shared_repairs(&self, at: usize, edit: &Edit, mended: &[(Item, Verdict)]) -> Vec<Repair> {
+        let display = &self.notes.equations[at];
+        let name = |item: &Item| match item {
+            Item::Display(at) => shown(&self.notes.equations[*at]),
+            Item::Sentence(at) => sentences::name(*at, &self.claims.sentences[*at]),
+        };
+        let mends: Vec<String> = mended.iter().map(|(item, _)| name(item)).collect();
+        let repair = |(_, verdict): &(Item, Verdict)| Repair {
+            span: edit.span.shifted(display.body.start),
+            replacement: edit.replacement.clone(),
+            slip: edit.slip,
+            verdict: *verdict,
+            step: false,
+            idle: false,
+            shared: Some(Shared { of: shown(display), mends: mends.clone() }),
+        };
+        mended.iter().map(repair).collect()
+    }
+
+    /// What is as it should be.
+    pub(crate) fn held(&self, equations: &[Equation], sentences: &[Equation]) -> Held {
+        Held {
+            displays: equations.iter().filter(|equation| equation.ok).filter_map(|e| self.display_of(e)).collect(),
+            sentences: (0..sentences.len()).filter(|at| sentences[*at].ok).collect(),
+        }
+    }
+
+    pub(crate) fn display_of(&self, equation: &Equation) -> Option<usize> {
+        self.notes.equations.iter().position(|display| shown(display) == equation.id)
+    }
+
+    /// Whether nothing is said of a display that makes its slips no slips.
+    pub(crate) fn is_open(&self, at: usize) -> bool {
+        self.assigned[at].is_none_or(|claim| claim.expect.is_none() && claim.errata.is_empty())
+    }
+
+    /// Whether what an equation says depends on what a display takes for granted or introduces.
+    pub(crate) fn stands_on(&self, equation: usize, at: usize) -> bool {
+        let is_law = self.is_law(at);
+        let members = || self.readings[equation].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let uses = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
+        let named = |new: &Introduced| {
+            self.model.laws.iter().flat_map(|law| &law.hypotheses).any(|hypothesis| {
+                [&hypothesis.lhs, &hypothesis.rhs].iter().any(|side| self.model.depends_on(side, &[new.symbol]))
+            })
+        };
+        let said = || self.assigned[equation].is_some_and(|claim| self.speaks_of(claim, at));
+        equation != at && (is_law || self.readings[at].introduced.iter().any(|new| uses(new) || named(new)) || said())
+    }
+
+    /// Whether a display is claimed to solve another.
+    fn solves(&self, display: usize, other: usize) -> bool {
+        let solves = self.assigned[display].and_then(|claim| claim.solves.as_ref());
+        matches!(solves.map(|solves| &solves.of), Some(Solved::Equation(address)) if self.place(&address.text) == Some(other))
+    }
+
+    /// Whether a claim assumes something of a name that a display introduces, or means something else by it.
+    fn speaks_of(&self, claim: &Claim, at: usize) -> bool {
+        let says_nothing = claim.assume.is_empty() && claim.throughout.is_empty() && claim.meanings.is_empty();
+        let introduced: Vec<_> = self.readings[at].introduced.iter().map(|new| new.symbol).collect();
+        if says_nothing || introduced.is_empty() {
+            return false;
+        }
+        let hypotheses = self.hypotheses(claim).unwrap_or_default();
+        let rules = self.local(claim).unwrap_or_default();
+        let sides = hypotheses.iter().flat_map(|hypothesis| [&hypothesis.lhs, &hypothesis.rhs]);
+        let mut formulas = sides.chain(rules.iter().flat_map(|rule| rule.action.formulas()));
+        formulas.any(|formula| self.model.depends_on(formula, &introduced))
+    }
+
+    /// Whether a claim is about which states something holds at.
+    fn takes_many_states(&self, item: Item) -> bool {
+        let claim = match item {
+            Item::Display(at) => self.assigned[at],
+            Item::Sentence(at) => Some(&self.claims.sentences[at].claim),
+        };
+        claim.is_some_and(|claim| !claim.exactly_when.is_empty())
+    }
+
+    /// The edits of a display that mend most of these equations, two at least if there are several, and spoil nothing.
+    pub(crate) fn edits_that_mend(&self, run: &Run<'_>, at: usize, wrong: &[Item], held: &Held) -> Vec<Found> {
+        let display = &self.notes.equations[at];
+        let (symbols, macros) = (&self.model.symbols, &self.model.macros);
+        let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
+        let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
+        let least = wrong.len().min(2);
+        // What takes many states to tell waits for the full check, where others can be looked at.
+        let soon: Vec<Item> = wrong.iter().copied().filter(|item| !self.takes_many_states(*item)).collect();
+        let soon = if soon.len() < least { wrong } else { &soon };
+        let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
+        let terms = || Pool::of(texts(), symbols, macros, MISSING);
+        let all = || terms().factors_only();
+        let mut tried: Vec<Edit> = Vec::new();
+        for (pool, of_terms) in
+            [(&Pool::empty as &dyn Fn() -> Pool, false), (&own, false), (&all, false), (&terms, true)]
+        {
+            let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
+            edits.retain(|edit| !tried.contains(edit) && (!of_terms || edit.slip == Slip::Term));
+            edits.retain(|edit| is_real(self, &display.text, edit, display.body.start));
+            // That something is 0 says more than that it does not change; what it is that does not change is the law.
+            let names = |edit: &Edit| matches!(edit.slip, Slip::Dot | Slip::Symbol | Slip::Name);
+            edits.retain(|edit| !names(edit) || !self.says_that_nothing_moves(at));
+            edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(&display.text));
+            edits.retain(|edit| !self.is_damaged(at) || self.is_readable(at, &edit.applied(&display.text)));
+            edits.sort_by_key(|edit| likelihood(&display.text, edit, false));
+            edits.truncate(TRIED);
+            tried.extend(edits.iter().cloned());
+            let mended = |edit: &Edit| match self.is_damaged(at) {
+                true => self.edited(&Run { options: quick, ..*run }, at, edit, |checker| checker.mended(soon, true)),
+                false => self.with_text(quick, at, &edit.applied(&display.text), |checker| checker.mended(soon, true)),
+            };
+            let likely = edits.into_par_iter().filter_map(|edit| {
+                let mended = mended(&edit)?;
+                Some(Found { at, edit, mended }).filter(|found| found.mended.len() >= least)
+            });
+            let found = self.confirmed(run, at, likely.collect(), (wrong, held));
+            if !found.is_empty() {
+                return found;
+            }
+        }
+        Vec::new()
+    }
+
+    /// Those of some edits of a display that mend most, by the full check.
+    fn confirmed(
+        &self,
+        run: &Run<'_>,
+        at: usize,
+        mut likely: Vec<Found>,
+        (wrong, held): (&[Item], &Held),
+    ) -> Vec<Found> {
+        let text = &self.notes.equations[at].text;
+        let least = wrong.len().min(2);
+        likely.sort_by_key(|found| (Reverse(found.mended.len()), likelihood(text, &found.edit, false)));
+        // Two edits may say the same; of what cannot be read as it stands that is not known.
+        let none = Claim::default();
+        let claim = self.assigned[at].unwrap_or(&none);
+        let equal = |a: &Expr, b: &Expr| formulas::is_identity(a, b, self.model);
+        let mut distinct: Vec<(Found, Reading)> = Vec::new();
+        for found in likely {
+            let reading = self.as_printed(&found.edit.applied(text), claim, &self.model.macros);
+            let is_known = || distinct.iter().any(|(_, known)| is_each(known, &reading, equal));
+            if distinct.len() < DOCUMENTS && (self.is_damaged(at) || !is_known()) {
+                distinct.push((found, reading));
+            }
+        }
+        let full = Options { explain: false, ..self.options };
+        let mut found: Vec<Found> = Vec::new();
+        for (Found { edit, .. }, _) in distinct {
+            let judge = |checker: &Checker<'_>| checker.still_holds(held).then(|| checker.mended(wrong, false));
+            match self.edited(&Run { options: full, ..*run }, at, &edit, judge).flatten() {
+                Some(mut mended) if mended.len() >= least => {
+                    mended.sort_by_key(|(item, _)| *item);
+                    found.push(Found { at, edit, mended });
+                }
+                _ => {}
+            }
+        }
+        let most = found.iter().map(|found| found.mended.len()).max().unwrap_or(0);
+        found.retain(|found| found.mended.len() == most);
+        found
+    }
+
+    /// Whether a display cannot be read, and no other is to blame.
+    pub(crate) fn is_damaged(&self, at: usize) -> bool {
+        let own = |statement: &Result<Statement, Fault>| {
+            statement.as_ref().is_err_and(|fault| self.cause(fault.missing.as_ref()).is_none())
+        };
+        self.readings[at].statements.iter().any(own)
+    }
+
+    /// Whether a text in the place of a display can be read, whatever it names.
+    fn is_readable(&self, at: usize, text: &str) -> bool {
+        let mut symbols = self.model.symbols.clone();
+        symbols.for_each = for_each(self.assigned[at], self.model);
+        read_display(text, &mut symbols, &self.model.macros).statements.iter().all(Result::is_ok)
+    }
+
+    /// Whether a statement of a display is that a rate is 0.
+    fn says_that_nothing_moves(&self, at: usize) -> bool {
+        let moves = |member: &Expr| matches!(member.node, Node::Symbol { dots: 1.., .. } | Node::TimeDerivative(..));
+        let is_law = self.is_law(at);
+        let says_so = |s: &Statement| s.members.iter().any(Expr::is_null) && s.members.iter().any(moves);
+        is_law && self.readings[at].statements.iter().flatten().any(says_so)
+    }
+
+    /// What is found on the checker of the same document with an edit of a display; nothing, if that is none.
+    fn edited<T>(&self, run: &Run<'_>, at: usize, edit: &Edit, judge: impl FnOnce(&Checker<'_>) -> T) -> Option<T> {
+        let mut file = self.notes.source.text.clone();
+        file.replace_range(edit.span.shifted(self.notes.equations[at].body.start).range(), &edit.replacement);
+        let notes: Notes = retyped(self.notes, file).ok()?;
+        let is_alike = notes.equations.len() == self.notes.equations.len();
+        let introduced = |checker: &Checker<'_>| -> Vec<String> {
+            checker.readings[at].introduced.iter().map(|new| checker.model.name(new.symbol)).collect()
+        };
+        // A display that names other things says something else, however it is judged.
+        let is_same = |checker: &Checker<'_>| introduced(checker) == introduced(self) || self.is_damaged(at);
+        let judged = |checker: Checker<'_>| Ok(is_same(&checker).then(|| judge(&checker)));
+        is_alike.then(|| with_checker(run, self.claims, &notes, judged).ok())??
+    }
+
+    /// Those of these that pass, with their verdicts; none is looked at after two that do not, or where too few are left.
+    /// In haste what holds at a few states passes where it defines something.
+    fn mended(&self, wrong: &[Item], haste: bool) -> Vec<(Item, Verdict)> {
+        let none = Claim::default();
+        let display = |at: usize| -> Option<Verdict> {
+            let (reading, claim) = (&self.readings[at], self.assigned[at].unwrap_or(&none));
+            if haste && !reading.introduced.is_empty() && names::is_plain(claim) {
+                let is_readable = reading.statements.iter().all(Result::is_ok);
+                let stands = is_readable && Trial::new(self, at, reading, claim).ok()?.stands();
+                return stands.then_some(Verdict::Definition);
+            }
+            let found = self.equation(at, self.assigned[at]).ok()?;
+            found.ok.then_some(found.finding.verdict)
+        };
+        let judged = |item: Item| match item {
+            Item::Display(at) => display(at),
+            Item::Sentence(at) => {
+                let found = sentences::check(self, at, &self.claims.sentences[at]).ok()?;
+                found.ok.then_some(found.finding.verdict)
+            }
+        };
+        let mut mended = Vec::new();
+        let least = wrong.len().min(2);
+        for (looked_at, item) in wrong.iter().enumerate() {
+            match judged(*item) {
+                Some(verdict) => mended.push((*item, verdict)),
+                _ if looked_at > mended.len() || mended.len() + wrong.len() <= looked_at + least => return mended,
+                _ => {}
+            }
+        }
+        mended
+    }
+
+    /// Whether what held still does.
+    fn still_holds(&self, held: &Held) -> bool {
+        let sentence =
+            |at: &usize| sentences::check(self, *at, &self.claims.sentences[*at]).is_ok_and(|found| found.ok);
+        held.displays.iter().all(|at| self.equation(*at, self.assigned[*at]).is_ok_and(|found| found.ok))
+            && held.sentences.iter().all(sentence)
+    }
+}
+
+/// What is as it should be, by its place.
+pub(crate) struct Held {
+    displays: Vec<usize>,
+    sentences: Vec<usize>,
+}
+
+/// What may be wrong, by its place.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Item {
+    /// A display.
+    Display(usize),
+    /// A sentence of the claims file.
+    Sentence(usize),
+}
+
+/// An edit of a display, and what passes with it.
+pub(crate) struct Found {
+    pub at: usize,
+    pub edit: Edit,
+    pub mended: Vec<(Item, Verdict)>,
+}
+
+/// Whether an equation says something false.
+pub(crate) fn is_refuted(equation: &Equation) -> bool {
+    !equation.ok && matches!(equation.finding.verdict, Verdict::Refuted | Verdict::Domain)
+}

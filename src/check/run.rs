@@ -1,0 +1,112 @@
+//! A whole run: documents checked in parallel, each equation judged, repaired and placed in its derivation.
+
+use rayon::prelude::*;
+
+use crate::Result;
+use crate::code::Code;
+use crate::notes::claims::Claims;
+use crate::notes::{Display, Notes};
+use crate::systems::Registry;
+
+use crate::check::document::names::{id, is_wrong, unjudged};
+use crate::check::document::setup::{Run, wanted, with_checker};
+use crate::check::equations::sentences;
+use crate::check::sample::context::Options;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::{Document, Equation};
+
+/// Checks a document; `only` restricts the work to one equation, and there may be none of that number.
+///
+/// # Errors
+/// For claims that do not fit the notes or the system, each at its place in the claims file.
+pub fn check_document(
+    claims: &Claims,
+    notes: &Notes,
+    registry: &Registry,
+    options: Options,
+    only: Option<&str>,
+) -> Result<Document> {
+    check_in(&Run { registry, options, only, progress: &() }, claims, notes)
+}
+
+/// Checks a document as part of a run.
+///
+/// # Errors
+/// As [`check_document`].
+pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
+    for sentence in &claims.sentences {
+        sentences::unsupported(claims, sentence)?;
+    }
+    with_checker(run, claims, notes, |checker| {
+        let work = wanted(notes, checker.assigned, run.only);
+        let sentences = if run.only.is_some() { &[] } else { claims.sentences.as_slice() };
+        let path = notes.source.path.as_str();
+        let told = |equation: Result<Equation>| {
+            run.progress.done(path);
+            equation
+        };
+        let derivations = checker.derivations()?;
+        let judged = |at: usize| {
+            let found = checker.equation(at, checker.assigned[at]).or_else(|error| checker.excused(at, error))?;
+            Ok(checker.without_lost_laws(found, None))
+        };
+        let sentence = |(at, sentence)| {
+            let found = sentences::check(&checker, at, sentence);
+            let found = found.or_else(|error| checker.excused_sentence(at, sentence, error))?;
+            Ok(checker.without_lost_laws(found, Some(sentence)))
+        };
+        let equations: Result<Vec<Equation>> = work.par_iter().with_max_len(1).map(|at| told(judged(*at))).collect();
+        let sentences: Result<Vec<Equation>> =
+            sentences.par_iter().enumerate().with_max_len(1).map(|s| told(sentence(s))).collect();
+        let (equations, sentences) = (equations?, sentences?);
+        let alone = equations.iter().filter(|equation| !equation.ok && is_wrong(equation)).count() == 1;
+        // What several of them share comes first; but what a step follows from, and what it is to be mended to, depends on
+        // those before it.
+        let has_steps = !derivations.is_empty();
+        let equations = if has_steps { equations } else { checker.with_shared_repairs(run, equations, &sentences) };
+        let mended = |(at, equation): (&usize, Equation)| {
+            let is_step = derivations.iter().flatten().any(|step| step == at);
+            match is_step || !equation.repairs.is_empty() {
+                true => Ok(equation),
+                false => checker.with_repairs(run, *at, equation, alone),
+            }
+        };
+        let equations: Result<Vec<Equation>> = work.par_iter().zip(equations).with_max_len(1).map(mended).collect();
+        let equations = checker.with_steps(run, &derivations, (&work, equations?), judged)?;
+        let equations = if has_steps { checker.with_shared_repairs(run, equations, &sentences) } else { equations };
+        Ok(Document {
+            path: notes.source.path.clone(),
+            claims: Some(claims.source.path.clone()),
+            source: notes.source.clone(),
+            // Of one display alone nothing else is known.
+            equations: if run.only.is_none() { checker.with_doubts(run, equations, &sentences) } else { equations },
+            sentences,
+            unnumbered: checker
+                .assigned
+                .iter()
+                .zip(&notes.equations)
+                .filter(|(claim, d)| claim.is_none() && id(d).is_none())
+                .count(),
+            inferred: checker.model.inferred.clone(),
+        })
+    })
+}
+
+/// The report of notes that no claims file is about: every numbered equation is unclaimed.
+pub fn unclaimed(notes: &Notes) -> Document {
+    let equation = |display: &Display| {
+        let message = "nothing says what this should mean: it has no claims file";
+        let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
+        Some(unjudged(notes, id(display)?, display.line, finding))
+    };
+    Document {
+        path: notes.source.path.clone(),
+        claims: None,
+        source: notes.source.clone(),
+        equations: notes.equations.iter().filter_map(equation).collect(),
+        sentences: Vec::new(),
+        unnumbered: notes.equations.iter().filter(|display| id(display).is_none()).count(),
+        inferred: Vec::new(),
+    }
+}

@@ -1,0 +1,147 @@
+//! The context of one claim: its model, its hypotheses, and the name that seeds its states.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::evaluate::Unavailable;
+use crate::formula::{Expr, text};
+use crate::scalar::TERMS;
+use crate::source::Span;
+
+use crate::check::hypotheses::rule::Rule;
+use crate::check::model::Model;
+use crate::check::model::claim::Hypothesis;
+use crate::check::model::order::derivatives;
+use crate::check::model::states::{Mode, Reach};
+use crate::check::sample::ensemble::Ensemble;
+use crate::check::sample::sampler::Sampler;
+use crate::check::sample::setting::Setting;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// What a check is run with.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// The seed of all states.
+    pub seed: u64,
+    /// How many usable states are asked for.
+    pub points: usize,
+    /// Whether of what is refuted it is said by how much it is off, what may have been meant, and how the notes are mended.
+    pub explain: bool,
+}
+
+/// A claim's hypotheses and its name, which seeds its states.
+#[derive(Clone, Copy)]
+pub struct Context<'a> {
+    /// The symbols and the world.
+    pub model: &'a Model,
+    /// Seed and number of states.
+    pub options: Options,
+    /// The hypotheses.
+    pub hypotheses: &'a [Hypothesis],
+    /// Whether the claim is pinned to hold always (`false`) or on shell (`true`).
+    pub on_shell: Option<bool>,
+    /// The name of the claim.
+    pub topic: &'a str,
+    /// The bytes of the notes that the claim is about.
+    pub span: Span,
+    /// How far from the declared ranges its states are drawn.
+    pub reach: Reach,
+    /// What symbols mean in this claim only.
+    pub local: &'a [Rule],
+}
+
+impl<'a> Context<'a> {
+    /// The mode of states on shell or off, with enough derivatives for these formulas and one more dot.
+    pub fn mode(&self, on_shell: bool, formulas: &[&Expr]) -> Mode {
+        let of_conditions = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
+        let of_laws = self.model.laws.iter().flat_map(|law| &law.hypotheses).flat_map(|c| [&c.lhs, &c.rhs]);
+        let of_laws = of_laws.filter(|_| on_shell);
+        let of_rules = self.local.iter().flat_map(|rule| rule.action.formulas());
+        // A symbol that a hypothesis or a law gives its value is differentiated as often as it is itself, and then as
+        // often as the formula is.
+        let beneath = of_conditions.chain(of_laws).chain(of_rules).map(|f| derivatives(f, self.model)).max();
+        let needed = formulas.iter().map(|f| derivatives(f, self.model)).max();
+        let stacked = on_shell && !self.model.laws.is_empty() || !self.local.is_empty();
+        let needed = if stacked { needed.map(|n| n + beneath.unwrap_or(0)) } else { needed.max(beneath) };
+        let usual = if self.model.world.is_some() { 2 } else { 1 };
+        let least = if self.hypotheses.iter().any(|c| c.throughout) { 4 } else { usual };
+        Mode { on_shell, order: (needed.unwrap_or(0) + 1).max(least).min(TERMS - 1) }
+    }
+
+    /// What its states obey.
+    pub(crate) fn setting(&self, mode: Mode) -> Setting<'a> {
+        Setting { hypotheses: self.hypotheses, local: self.local, mode, reach: self.reach }
+    }
+
+    /// States of the claim.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at all of them.
+    pub fn ensemble(&self, mode: Mode, relaxed: bool, points: usize) -> Result<Ensemble<'a>> {
+        let reach = if relaxed { Reach::Beyond } else { self.reach };
+        Context { reach, ..*self }.ensemble_of(self.model, mode, points, if relaxed { "beyond" } else { "" })
+    }
+
+    /// States of the claim as a model has it, from a stream of their own.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at all of them.
+    pub(crate) fn ensemble_of<'m>(
+        &self,
+        model: &'m Model,
+        mode: Mode,
+        points: usize,
+        what: &str,
+    ) -> Result<Ensemble<'m>> {
+        Ensemble::named(model, &self.setting(mode), points, self.options.seed, &self.stream(mode, what))
+    }
+
+    /// States of the claim at special places.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at all of them.
+    pub fn special(&self, mode: Mode) -> Result<Ensemble<'a>> {
+        Ensemble::special(self.model, &self.setting(mode), self.options.seed, &self.stream(mode, "special"))
+    }
+
+    /// The random numbers of its states.
+    pub(crate) fn draw(&self, mode: Mode, what: &str) -> Sampler {
+        Sampler::new(self.options.seed, &self.stream(mode, what))
+    }
+
+    /// The name of their stream.
+    fn stream(&self, mode: Mode, what: &str) -> String {
+        format!("{}/{}/{what}", self.topic, mode.on_shell)
+    }
+
+    /// A finding about this claim.
+    pub fn finding(&self, code: Code, verdict: Verdict, message: impl Into<String>) -> Finding {
+        Finding::new(code, verdict, self.span, message)
+    }
+
+    /// The finding that this claim holds, by numbers alone: a field has no word for what it is about.
+    pub fn verified(&self, message: impl Into<String>, about: &str) -> Finding {
+        Finding {
+            not_certified_because: Some(about.to_owned()),
+            ..self.finding(Code::Holds, Verdict::Verified, message)
+        }
+    }
+
+    /// The finding that no state obeys the hypotheses.
+    pub fn no_room(&self, ensemble: &Ensemble<'_>) -> Finding {
+        let message = "no state obeys the hypotheses: they contradict each other or leave no room";
+        Finding { tried: ensemble.tried, ..self.finding(Code::NotDecided, Verdict::Undecided, message) }
+    }
+
+    /// Why a formula has no value, as a finding.
+    pub fn unavailable(&self, reason: &Unavailable) -> Finding {
+        let message = match reason {
+            Unavailable::Symbol(id) => {
+                format!("nothing here gives {} a value", text::plain(&self.model.name(*id)))
+            }
+            Unavailable::Derivative(_) => format!("it needs time derivatives beyond the {}th", TERMS - 1),
+            Unavailable::Operation(what) => format!("{what} cannot be evaluated"),
+        };
+        self.finding(Code::NotSupported, Verdict::Unreadable, message)
+    }
+}

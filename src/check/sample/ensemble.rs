@@ -1,0 +1,165 @@
+//! The states at which a claim is tested: drawn, and moved onto the claim's hypotheses.
+//!
+//! A hypothesis `A = B` is solved for one number of the base: one in which it is linear before others, higher derivatives
+//! before velocities before coordinates before constants. *Assuming* it, it holds at the instant; *throughout*, its time
+//! derivatives vanish too, each solved for a further number or found to vanish by itself. Inequalities select.
+
+use std::sync::Arc;
+
+use crate::notes::claims::Range;
+use crate::scalar::Measured;
+use crate::{Error, Result};
+
+use crate::check::hypotheses::rule::Rule;
+use crate::check::model::Model;
+use crate::check::model::states::{CacheKey, CachedStates, Mode};
+use crate::check::sample::projection::Projection;
+use crate::check::sample::sampler::{Sampler, contains};
+use crate::check::sample::setting::{FEWEST, Setting};
+use crate::check::sample::special::{Place, crowds};
+use crate::check::state::sampled_state::SampledState;
+
+/// More states than these are seldom asked for.
+const USUAL: usize = 128;
+
+/// Where a few states are enough, so many bases are tried before hypotheses are given up that none could be moved onto.
+const IN_HASTE: usize = 4;
+
+/// States that obey a setting.
+pub struct Ensemble<'m> {
+    /// The states.
+    pub states: Vec<SampledState<'m, Measured>>,
+    /// The base of each.
+    pub bases: Vec<Vec<f64>>,
+    /// How many were tried to get them.
+    pub tried: usize,
+    /// The mode they were made in.
+    pub mode: Mode,
+    /// What the hypotheses make of some symbols.
+    pub rules: Arc<[Rule]>,
+    /// How they were moved onto the hypotheses.
+    pub projection: Projection<'m>,
+}
+
+impl<'m> Ensemble<'m> {
+    /// Draws `points` states; there may be fewer where the hypotheses leave no room.
+    ///
+    /// # Errors
+    /// When no state could be made because the mass matrix is singular at all of them.
+    pub fn draw(model: &'m Model, setting: &Setting<'_>, points: usize, draw: &mut Sampler) -> Result<Self> {
+        let mode = setting.mode;
+        let mut projection = Projection::new(model, setting);
+        let (mut states, mut bases, mut tried) = (Vec::with_capacity(points.min(USUAL)), Vec::new(), 0);
+        let mut failure: Option<Error> = None;
+        let is_in_vain = |projection: &Projection<'_>, tried: usize| {
+            projection.progress.hopeless || points < FEWEST && tried == IN_HASTE && projection.progress.is_stuck()
+        };
+        while states.len() < points && tried < 4 * points + 32 && !is_in_vain(&projection, tried) {
+            tried += 1;
+            let base = draw.base(&projection.slots, setting.reach);
+            match projection.project(base) {
+                Ok(Some((base, state))) => {
+                    states.push(state);
+                    bases.push(base);
+                }
+                Ok(None) => {}
+                Err(error) => failure = Some(error),
+            }
+        }
+        match failure {
+            Some(error) if states.is_empty() => Err(error),
+            _ => Ok(Ensemble { states, bases, tried, mode, rules: projection.rules.clone(), projection }),
+        }
+    }
+}
+
+impl<'m> Ensemble<'m> {
+    /// The states that [`Ensemble::draw`] gives for a stream of this name. Where they have to be moved onto hypotheses,
+    /// those that were found before are taken again.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn named(model: &'m Model, setting: &Setting<'_>, points: usize, seed: u64, name: &str) -> Result<Self> {
+        let draw = |draw: &mut Sampler| Self::draw(model, setting, points, draw);
+        Self::kept(model, setting, points, (seed, name), draw)
+    }
+
+    /// The states of this name that are kept, or else those that are found now. Where nothing has to be moved they are not
+    /// kept.
+    fn kept(
+        model: &'m Model,
+        setting: &Setting<'_>,
+        points: usize,
+        (seed, name): (u64, &str),
+        find: impl FnOnce(&mut Sampler) -> Result<Self>,
+    ) -> Result<Self> {
+        let mut projection = Projection::new(model, setting);
+        let mut draw = Sampler::new(seed, name);
+        // What symbols mean in one claim only is not compared.
+        if projection.equalities().next().is_none() || !setting.local.is_empty() {
+            return find(&mut draw);
+        }
+        let Setting { mode, reach, .. } = *setting;
+        let stream = (seed, name.to_owned());
+        let wanted = CacheKey { stream, mode, reach, points, hypotheses: setting.hypotheses.to_vec() };
+        let Some(found) = model.drawn.find(&wanted) else {
+            let ensemble = find(&mut draw)?;
+            let Ensemble { bases, tried, projection, .. } = &ensemble;
+            let found = CachedStates { bases: bases.clone(), tried: *tried, progress: projection.progress.clone() };
+            model.drawn.keep(wanted, found);
+            return Ok(ensemble);
+        };
+        projection.progress = found.progress.clone();
+        let states = found.bases.iter().map(|base| projection.measured(base)).collect::<Result<_>>()?;
+        let (bases, tried) = (found.bases.clone(), found.tried);
+        Ok(Ensemble { states, bases, tried, mode, rules: projection.rules.clone(), projection })
+    }
+
+    /// States at special places: each number of the base in turn far larger and far smaller than the rest, zero, of the
+    /// other sign, at the ends of its range, equal and opposite to another; and at rest.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at all of them.
+    pub fn special(model: &'m Model, setting: &Setting<'_>, seed: u64, name: &str) -> Result<Self> {
+        Self::kept(model, setting, 0, (seed, name), |draw| Self::at_special_places(model, setting, draw))
+    }
+
+    fn at_special_places(model: &'m Model, setting: &Setting<'_>, draw: &mut Sampler) -> Result<Self> {
+        let mode = setting.mode;
+        let mut projection = Projection::new(model, setting);
+        let (mut states, mut bases, mut tried) = (Vec::new(), Vec::new(), 0);
+        let single: Vec<usize> = (1..projection.slots.len()).filter(|at| !projection.slots[*at].one_of_many).collect();
+        let mut places: Vec<Place> = Vec::new();
+        for &at in &single {
+            places.extend([1e3, 1e-3, 0.0, -1.0].map(|factor| Place::Times(at, factor)));
+            if let Range::Interval { low, high, .. } = projection.slots[at].range {
+                places.extend([Place::At(at, low), Place::At(at, high)]);
+            }
+            let alike = |other: &&usize| projection.slots[**other].order == projection.slots[at].order && **other < at;
+            for &other in single.iter().filter(alike) {
+                places.extend([Place::Like(at, other, 1.0), Place::Like(at, other, -1.0)]);
+            }
+        }
+        places.extend([Place::Rest, Place::Nothing]);
+        places.extend(crowds(model, &projection.slots));
+        for place in places {
+            // Hypotheses may exclude a state that is drawn, and not the place.
+            for _ in 0..8 {
+                if projection.progress.hopeless {
+                    break;
+                }
+                tried += 1;
+                let mut base = draw.base(&projection.slots, setting.reach);
+                place.set(&mut base, &projection.slots);
+                if projection.slots.iter().zip(&base).all(|(slot, value)| contains(&slot.range, *value))
+                    && let Ok(Some((base, state))) = projection.project(base)
+                {
+                    states.push(state);
+                    bases.push(base);
+                    break;
+                }
+            }
+        }
+        Ok(Ensemble { states, bases, tried, mode, rules: projection.rules.clone(), projection })
+    }
+}

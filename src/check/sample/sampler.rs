@@ -1,0 +1,202 @@
+//! Numbers for a state: independent values over the declared ranges, away from the places where faults hide.
+//!
+//! Angles stay away from the multiples of π/2, numbers from zero, and symbols that are alike from each other. The
+//! stream depends on the seed and on the claim alone, so that `--only` and the number of threads change nothing.
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+
+use crate::notes::claims::{Count, Range};
+
+use crate::check::model::meaning::is_angle;
+use crate::check::model::states::Reach;
+use crate::check::state::numbers::Slot;
+
+/// How far |sin| and |cos| of a drawn angle stay from zero.
+const MARGIN: f64 = 0.1;
+
+/// So many turns either way an angle has at most.
+const TURNS: f64 = 8.0;
+
+/// A seeded stream of numbers.
+pub struct Sampler {
+    generator: Pcg64Mcg,
+}
+
+impl Sampler {
+    /// The stream of a claim, named by `topic`.
+    pub fn new(seed: u64, topic: &str) -> Self {
+        // FNV-1a: any fixed mixing of the name into the seed will do.
+        let mix = topic
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
+        Sampler { generator: Pcg64Mcg::seed_from_u64(seed ^ mix) }
+    }
+
+    /// A seed for another stream.
+    pub fn seed(&mut self) -> u64 {
+        self.generator.next_u64()
+    }
+
+    /// A number between 0 and 1.
+    pub fn unit(&mut self) -> f64 {
+        (self.generator.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A magnitude of order one, spread over `decade` factors of e either way.
+    fn magnitude(&mut self, low: f64, high: f64) -> f64 {
+        self.between(low.ln(), high.ln()).exp()
+    }
+
+    /// A value of a range.
+    pub fn value(&mut self, range: &Range, reach: Reach) -> f64 {
+        let (small, large) = match reach {
+            Reach::Declared | Reach::Near => (0.3, 3.0),
+            Reach::Beyond => (0.1, 10.0),
+            Reach::Vast if self.unit() < 0.5 => (0.3, 3.0),
+            Reach::Vast | Reach::Wide => (1e-4, 1e4),
+        };
+        let relaxed = reach == Reach::Beyond;
+        match range {
+            Range::Positive => self.magnitude(small, large),
+            Range::Negative => -self.magnitude(small, large),
+            Range::Any => {
+                let size = self.magnitude(small, large);
+                if self.unit() < 0.5 { -size } else { size }
+            }
+            Range::Angle => {
+                let turns = if reach == Reach::Wide { TURNS } else { 0.5 };
+                self.angle(-turns * std::f64::consts::TAU, turns * std::f64::consts::TAU)
+            }
+            Range::Interval { low, high, low_open, high_open } => {
+                let width = high - low;
+                if relaxed && !is_angle(range) {
+                    // A little beyond, and far beyond: a narrow range must not hide what happens outside of it.
+                    let far = self.magnitude(0.1, 10.0) * low.abs().max(high.abs());
+                    let near = self.between(low - width, high + width);
+                    let side = if *high <= 0.0 || *low < 0.0 && self.unit() < 0.5 { -1.0 } else { 1.0 };
+                    return if self.unit() < 0.5 { near } else { side * far };
+                }
+                if reach == Reach::Vast && self.unit() < 0.2 {
+                    let end = if self.unit() < 0.5 { (low, low_open) } else { (high, high_open) };
+                    if !end.1 {
+                        return *end.0;
+                    }
+                }
+                let margin = if reach == Reach::Wide { 1e-3 } else { 0.05 };
+                let keep = |open: bool| if open { margin * width } else { 0.0 };
+                let (mut low, mut high) = (low + keep(*low_open), high - keep(*high_open));
+                if reach == Reach::Near && low < large && high > -large {
+                    (low, high) = (low.max(-large), high.min(large));
+                }
+                if is_angle(range) { self.angle(low, high) } else { self.between(low, high) }
+            }
+            // Vectors and indices are drawn elsewhere.
+            Range::Rigid { .. } | Range::FixedDirection | Range::Labels { .. } => self.value(&Range::Any, reach),
+            Range::Integer { low, high } => {
+                let high = last(high, *low);
+                (*low as f64 + (self.unit() * (high - low + 1) as f64).floor()).min(high as f64)
+            }
+        }
+    }
+
+    fn angle(&mut self, low: f64, high: f64) -> f64 {
+        let mut angle = self.between(low, high);
+        for _ in 0..32 {
+            if angle.sin().abs() >= MARGIN && angle.cos().abs() >= MARGIN {
+                break;
+            }
+            angle = self.between(low, high);
+        }
+        angle
+    }
+
+    /// A base: a value for each slot, like ones apart from each other.
+    pub fn base(&mut self, slots: &[Slot], reach: Reach) -> Vec<f64> {
+        let mut base: Vec<f64> = Vec::with_capacity(slots.len());
+        for slot in slots {
+            // Of a crowd of numbers none needs to be far from another, nor evenly spread in the logarithm.
+            if slot.one_of_many && slot.range == Range::Any && reach == Reach::Declared {
+                let value = self.between(-2.5, 2.5);
+                base.push(value + 0.3_f64.copysign(value));
+                continue;
+            }
+            let mut value = self.value(&slot.range, reach);
+            let tries = if slot.one_of_many { 0 } else { 16 };
+            for _ in 0..tries {
+                let near = |other: &f64| (value - other).abs() < 0.05 * value.abs().max(other.abs());
+                let alike =
+                    slots.iter().zip(&base).filter(|(other, _)| other.order == slot.order && !other.one_of_many);
+                if !alike.map(|(_, other)| other).any(near) {
+                    break;
+                }
+                value = self.value(&slot.range, reach);
+            }
+            base.push(value);
+        }
+        base
+    }
+}
+
+/// The last number of an integer range; a count that is a symbol is three or four.
+pub fn last(high: &Count, low: i64) -> i64 {
+    match high {
+        Count::Number(high) => *high,
+        Count::Symbol(_) => low + 3,
+    }
+}
+
+/// Whether a value lies in a range; how it is spread there does not count.
+pub fn contains(range: &Range, value: f64) -> bool {
+    match range {
+        Range::Positive => value > 0.0,
+        Range::Negative => value < 0.0,
+        Range::Any | Range::Angle | Range::Rigid { .. } | Range::FixedDirection | Range::Labels { .. } => {
+            value.is_finite()
+        }
+        Range::Interval { low, high, low_open, high_open } => {
+            let above = if *low_open { value > *low } else { value >= *low };
+            let below = if *high_open { value < *high } else { value <= *high };
+            above && below
+        }
+        Range::Integer { low, high } => {
+            value.fract() == 0.0 && (*low as f64..=last(high, *low) as f64).contains(&value)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_drawn_lies_in_its_range() {
+        let pi = std::f64::consts::PI;
+        let ranges = [
+            Range::Positive,
+            Range::Negative,
+            Range::Any,
+            Range::Interval { low: 0.0, high: pi, low_open: true, high_open: true },
+            Range::Interval { low: 0.2, high: 0.3, low_open: false, high_open: false },
+            Range::Integer { low: 2, high: Count::Number(5) },
+        ];
+        let mut draw = Sampler::new(1, "test");
+        for range in &ranges {
+            for _ in 0..200 {
+                assert!(contains(range, draw.value(range, Reach::Declared)), "{range:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_stream_depends_on_seed_and_topic_alone() {
+        let first = |seed, topic| Sampler::new(seed, topic).unit();
+        assert_eq!(first(1, "6.73"), first(1, "6.73"));
+        assert_ne!(first(1, "6.73"), first(2, "6.73"));
+        assert_ne!(first(1, "6.73"), first(1, "6.74"));
+    }
+}

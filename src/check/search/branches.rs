@@ -1,0 +1,88 @@
+//! The other ways in which hypotheses can be met.
+//!
+//! xy = 0 is solved for one number, y, and so y = 0 at all states that are drawn; x = 0 obeys it as well. A claim must
+//! hold there too. The states here are those at which one factor of such a hypothesis is 0, or one of its symbols.
+
+use crate::Result;
+use crate::formula::{Expr, Kind, Node, Relation};
+use crate::notes::claims::Range;
+use crate::scalar::Measured;
+
+use crate::check::model::claim::{Hypothesis, is_equality};
+use crate::check::model::free_symbols::drawn;
+use crate::check::sample::context::Context;
+use crate::check::sample::ensemble::Ensemble;
+use crate::check::sample::sampler::{Sampler, contains};
+use crate::check::sample::setting::Setting;
+use crate::check::state::sampled_state::SampledState;
+
+/// So many states are drawn of each way.
+const OF_EACH: usize = 3;
+
+/// States at which the hypotheses of a claim are met in another way than where they were solved.
+///
+/// # Errors
+/// When the mass matrix is singular at all states of one way.
+pub(crate) fn states<'m>(context: &Context<'m>, ensemble: &Ensemble<'m>) -> Result<Vec<SampledState<'m, Measured>>> {
+    let mut found = Vec::new();
+    for (at, hypothesis) in context.hypotheses.iter().enumerate() {
+        if !is_equality(hypothesis.relation) || !hypothesis.free.is_empty() {
+            continue;
+        }
+        for factor in factors(hypothesis, context) {
+            let mut hypotheses = context.hypotheses.to_vec();
+            hypotheses[at] = zero(factor, hypothesis.throughout);
+            found.extend(drawn_under(&hypotheses, context, ensemble)?);
+        }
+        for symbol in symbols(hypothesis, context) {
+            let first = [zero(symbol, false)].into_iter();
+            let hypotheses: Vec<Hypothesis> = first.chain(context.hypotheses.iter().cloned()).collect();
+            found.extend(drawn_under(&hypotheses, context, ensemble)?);
+        }
+    }
+    Ok(found)
+}
+
+fn zero(expr: Expr, throughout: bool) -> Hypothesis {
+    let rhs = Expr::integer(0, expr.span);
+    Hypothesis { lhs: expr, relation: Relation::Equal, rhs, free: Vec::new(), throughout }
+}
+
+/// The factors of a product that is said to be 0, if more than one of them varies.
+fn factors(hypothesis: &Hypothesis, context: &Context<'_>) -> Vec<Expr> {
+    let product = match (&hypothesis.lhs.node, &hypothesis.rhs.node) {
+        (Node::Product(factors), _) if hypothesis.rhs.is_null() => factors,
+        (_, Node::Product(factors)) if hypothesis.lhs.is_null() => factors,
+        _ => return Vec::new(),
+    };
+    let varying = product.iter().filter(|factor| !drawn(&[factor], context.model).is_empty());
+    let varying: Vec<Expr> = varying.cloned().collect();
+    if varying.len() > 1 { varying } else { Vec::new() }
+}
+
+/// The numbers that a hypothesis speaks of, of which it has several, and that may be 0.
+fn symbols(hypothesis: &Hypothesis, context: &Context<'_>) -> Vec<Expr> {
+    let model = context.model;
+    let all = drawn(&[&hypothesis.lhs, &hypothesis.rhs], model);
+    if all.len() < 2 {
+        return Vec::new();
+    }
+    let may_vanish =
+        |range: &Range| matches!(range, Range::Any | Range::Angle | Range::Interval { .. }) && contains(range, 0.0);
+    let numbers = all.into_iter().filter(|symbol| {
+        let entry = model.symbols.entry(*symbol);
+        entry.kind == Kind::Scalar && entry.slots.is_empty() && may_vanish(&model.range(*symbol))
+    });
+    let name = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, hypothesis.lhs.span);
+    numbers.map(name).collect()
+}
+
+fn drawn_under<'m>(
+    hypotheses: &[Hypothesis],
+    context: &Context<'m>,
+    ensemble: &Ensemble<'m>,
+) -> Result<Vec<SampledState<'m, Measured>>> {
+    let setting = Setting { hypotheses, local: context.local, mode: ensemble.mode, reach: context.reach };
+    let mut draw = Sampler::new(context.options.seed, &format!("{}/another way", context.topic));
+    Ok(Ensemble::draw(context.model, &setting, OF_EACH, &mut draw)?.states)
+}

@@ -1,0 +1,175 @@
+//! What numbers cannot tell at a state: values beyond the largest double, or below the smallest, and sides that approach each
+//! other and never meet.
+//!
+//! At x = 800 eˣ is infinite to a double and e⁻ˣ is 0, so that eˣ ≥ 1 + x seems to have no left side, and e⁻ˣ > 0 to be false.
+//! Such states are left out. At x = 40 tanh x is 1 to a double, and tanh x < 1 seems to fail; but there the sides are equal on
+//! the way out and not on the way back, where of (x − 1)² > 0 at x = 1 they are equal on neither. So a strict inequality whose
+//! sides are equal, and no more than that, is refuted where they are equal alone, or all around.
+
+use crate::Result;
+use crate::formula::tree::Function;
+use crate::formula::{Expr, Node, Relation, Value};
+use crate::scalar::Measured;
+
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
+use crate::check::model::states::Reach;
+use crate::check::sample::context::Context;
+use crate::check::sample::ensemble::Ensemble;
+use crate::check::sample::projection::Projection;
+use crate::check::sample::sampler::contains;
+use crate::check::state::residual;
+use crate::check::state::residual::{DIFFERENCE, Point, Sides};
+use crate::check::state::sampled_state::SampledState;
+
+/// Below this a number may have lost digits, or all of them.
+const SMALLEST: f64 = 1e-290;
+
+/// A number is doubled and halved so often to see whether the sides are equal on the way.
+const ASIDE: i32 = 8;
+
+/// So many states are asked, and so many numbers of each are moved at most.
+const ASKED: usize = 32;
+
+const MOVED: usize = 48;
+
+/// Whether a formula may leave the range of doubles at numbers that are not large, through its definitions too.
+fn has_exponentials(expr: &Expr, model: &Model) -> bool {
+    let own = match &expr.node {
+        Node::Power(base, _) if base.node == Node::Euler => true,
+        Node::Power(_, exponent) => !exponent.symbols().is_empty(),
+        Node::Call(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, _) => true,
+        Node::Symbol { id, .. } => match model.meaning(*id) {
+            Some(Meaning::Defined(formula)) => has_exponentials(formula, model),
+            _ => false,
+        },
+        _ => false,
+    };
+    own || expr.children().into_iter().any(|child| has_exponentials(child, model))
+}
+
+/// Whether something in a formula is beyond the largest double at a state, or an exponential below the smallest.
+fn overflows(expr: &Expr, state: &SampledState<'_, Measured>) -> bool {
+    let value = |expr: &Expr| match state.now(expr, &[]) {
+        Ok(Value::Scalar(value)) => Some(value.value),
+        _ => None,
+    };
+    let too_large = || value(expr).is_some_and(|value| !value.is_finite());
+    let own = match &expr.node {
+        Node::Power(base, exponent) if base.node == Node::Euler || !exponent.symbols().is_empty() => {
+            value(expr).is_some_and(|value| !value.is_finite() || value.abs() < SMALLEST)
+                && !value(base).is_some_and(|base| base <= 0.0)
+        }
+        Node::Call(Function::Exp, _) => value(expr).is_some_and(|value| !value.is_finite() || value < SMALLEST),
+        Node::Call(Function::Sinh | Function::Cosh | Function::Tanh, inner) => {
+            too_large() && value(inner).is_some_and(f64::is_finite)
+        }
+        Node::Power(base, _) => too_large() && value(base).is_some_and(|base| base.is_finite() && base != 0.0),
+        Node::Product(factors) => {
+            value(expr).is_some_and(f64::is_infinite)
+                && factors.iter().all(|factor| value(factor).is_none_or(f64::is_finite))
+        }
+        Node::Symbol { id, .. } => match state.model().meaning(*id) {
+            Some(Meaning::Defined(formula)) => overflows(formula, state),
+            _ => false,
+        },
+        _ => false,
+    };
+    own || expr.children().into_iter().any(|child| overflows(child, state))
+}
+
+/// Leaves out the states of a claim whose numbers a double cannot hold; where there are any, others are drawn that are of
+/// order one.
+///
+/// # Errors
+/// When the mass matrix is singular at all of these.
+pub(crate) fn within_doubles(link: &Link, context: &Context<'_>, ensemble: &mut Ensemble<'_>) -> Result<()> {
+    if ![&link.lhs, &link.rhs].into_iter().any(|side| has_exponentials(side, context.model)) {
+        return Ok(());
+    }
+    let keep = |state: &SampledState<'_, Measured>| !overflows(&link.lhs, state) && !overflows(&link.rhs, state);
+    let all = ensemble.states.len();
+    retain(ensemble, keep);
+    if ensemble.states.len() < all {
+        let near = Context { reach: Reach::Near, ..*context }.setting(ensemble.mode);
+        let mut draw = context.draw(ensemble.mode, "near");
+        let mut more = Ensemble::draw(ensemble.projection.model, &near, context.options.points, &mut draw)?;
+        retain(&mut more, keep);
+        ensemble.tried += more.tried;
+        ensemble.states.append(&mut more.states);
+        ensemble.bases.append(&mut more.bases);
+    }
+    Ok(())
+}
+
+fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&SampledState<'_, Measured>) -> bool) {
+    let kept: Vec<bool> = ensemble.states.iter().map(keep).collect();
+    let mut at = kept.iter();
+    ensemble.states.retain(|_| at.next() == Some(&true));
+    let mut at = kept.iter();
+    ensemble.bases.retain(|_| at.next() != Some(&false));
+}
+
+/// Of an inequality's states those are left out at which it holds by less than can be called a difference. Of those at which
+/// it fails as its sides are equal, and nothing worse, so are the ones at which they are equal to rounding alone.
+pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensemble<'_>) {
+    let is_close = |state: &SampledState<'_, Measured>| {
+        let margin = || Sides::of(link, state).ok()?.margin(link.relation);
+        matches!(residual::test(link, state), Ok(Point::Doubtful)) && margin().is_some_and(|margin| margin.share > 0.0)
+    };
+    ensemble.states.retain(|state| !is_close(state));
+    if !is_strict(link.relation) {
+        return;
+    }
+    let failure = |state: &SampledState<'_, Measured>| match residual::test(link, state) {
+        Ok(Point::Fails(failure)) => Some(failure.residual > DIFFERENCE),
+        _ => None,
+    };
+    let fails: Vec<Option<bool>> = ensemble.states.iter().map(failure).collect();
+    if !fails.contains(&Some(false)) || fails.contains(&Some(true)) {
+        return;
+    }
+    let mut projection = Projection::new(context.model, &context.setting(ensemble.mode));
+    let mut asked = 0;
+    let mut stays = |(state, fails): (&SampledState<'_, Measured>, &Option<bool>)| {
+        asked += usize::from(fails.is_some());
+        let base = || state.base.numbers().iter().map(|x| x.value).collect::<Vec<f64>>();
+        fails.is_none() || asked <= ASKED && is_reached(link, &mut projection, &base())
+    };
+    let kept: Vec<bool> = ensemble.states.iter().zip(&fails).map(&mut stays).collect();
+    let mut at = kept.into_iter();
+    ensemble.states.retain(|_| at.next() == Some(true));
+}
+
+/// Whether a relation excludes equality.
+pub(crate) fn is_strict(relation: Relation) -> bool {
+    matches!(relation, Relation::Less | Relation::Greater | Relation::NotEqual)
+}
+
+/// Whether sides that are equal at a state are not so because a number of it has run far enough one way: then they are equal
+/// further out as well, and not further in.
+pub(crate) fn is_reached(link: &Link, projection: &mut Projection<'_>, base: &[f64]) -> bool {
+    let equal = Link { relation: Relation::Equal, ..link.clone() };
+    (1..base.len()).take(MOVED).all(|at| {
+        let [one, other] = [0.5, 2.0].map(|factor: f64| {
+            let mut seen = None;
+            for k in 1..=ASIDE {
+                let mut moved = base.to_vec();
+                moved[at] =
+                    if base[at] == 0.0 { (factor - 1.0) * f64::from(k) / 2.0 } else { base[at] * factor.powi(k) };
+                let state = contains(&projection.slots[at].range, moved[at]).then(|| projection.project(moved));
+                match state {
+                    Some(Ok(Some((_, state)))) => match residual::test(&equal, &state) {
+                        Ok(Point::Fails(_) | Point::Doubtful) => return Some(false),
+                        // Beyond what a double holds nothing tells the sides apart.
+                        _ => seen = Some(true),
+                    },
+                    _ => break,
+                }
+            }
+            seen
+        });
+        one.is_none() || other.is_none() || one == other
+    })
+}

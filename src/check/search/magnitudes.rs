@@ -1,0 +1,174 @@
+//! States of all orders of magnitude, for equalities that may be true on one branch alone.
+//!
+//! |p − 5| = 5 − p holds for all p that are of order one, and `> 0` says more than that. What has a root, an absolute
+//! value, a logarithm or an inverse function in it may change where its numbers are large, of the other sign, or angles of
+//! many turns; what has none of these is one formula everywhere, and needs no look. A difference counts here if it is
+//! gross and made of numbers that are far from overflow, and a side without a value if it is asked for the root or the
+//! logarithm of something that has none. All else out there may be rounding, and says nothing.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::tree::Function;
+use crate::formula::{Expr, Node, Value};
+use crate::scalar::Measured;
+
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
+use crate::check::model::states::{Mode, Reach};
+use crate::check::sample::context::Context;
+use crate::check::sample::ensemble::Ensemble;
+use crate::check::state::counterexample::counterexample;
+use crate::check::state::residual;
+use crate::check::state::residual::{Failure, Point};
+use crate::check::state::sampled_state::SampledState;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// So many states are looked at.
+const STATES: usize = 32;
+
+/// From this share of the scale on, a difference is gross.
+const GROSS: f64 = 1e-6;
+
+/// Numbers beyond this, and below its inverse, are near to overflow.
+const HUGE: f64 = 1e60;
+
+/// What a formula may do where its numbers are not of order one.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Branches {
+    /// It is one formula everywhere.
+    None,
+    /// It may be another one there.
+    Turns,
+    /// It may have no value there.
+    Ends,
+}
+
+/// The finding on an equality that has passed at states of order one, with what wide states say of it.
+///
+/// # Errors
+/// When the world's mass matrix is singular at all of them.
+pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
+    let branches = of(&link.lhs, context.model).max(of(&link.rhs, context.model));
+    // A field knows all values of a root, and not where it has none.
+    let is_open = match finding.verdict {
+        Verdict::Verified => branches > Branches::None,
+        Verdict::Certified => branches == Branches::Ends,
+        _ => false,
+    };
+    if !is_open {
+        return Ok(finding);
+    }
+    let setting = Context { reach: Reach::Wide, ..*context }.setting(mode);
+    let states = Ensemble::draw(context.model, &setting, STATES, &mut context.draw(mode, "wide"))?;
+    let mut ends = None;
+    for state in &states.states {
+        match residual::test(link, state) {
+            Ok(Point::Fails(failure)) if failure.residual > GROSS && is_moderate(link, state) => {
+                let message = "the two sides agree where all numbers are of order one, and differ here";
+                return Ok(found(
+                    (Code::SidesDiffer, Verdict::Refuted),
+                    message,
+                    (link, state, failure),
+                    context,
+                    finding,
+                ));
+            }
+            Ok(Point::OneSided(failure)) if ends.is_none() => {
+                let side = if failure.lhs.is_finite() { &link.rhs } else { &link.lhs };
+                ends = has_no_value(side, state).then_some((link, state, failure));
+            }
+            _ => {}
+        }
+    }
+    Ok(match ends {
+        None => finding,
+        Some(place) => {
+            let which = if place.2.lhs.is_finite() { "right" } else { "left" };
+            let message =
+                format!("agrees wherever both sides are defined, but the {which} side is not defined everywhere");
+            found((Code::DomainDiffers, Verdict::Domain), &message, place, context, finding)
+        }
+    })
+}
+
+fn found(
+    (code, verdict): (Code, Verdict),
+    message: &str,
+    (link, state, failure): (&Link, &SampledState<'_, Measured>, Failure),
+    context: &Context<'_>,
+    passed: Finding,
+) -> Finding {
+    Finding {
+        points: passed.points,
+        tried: passed.tried + STATES,
+        max_residual: if verdict == Verdict::Refuted { Some(failure.residual) } else { passed.max_residual },
+        counterexample: Some(counterexample(link, state, &failure)),
+        ..context.finding(code, verdict, message)
+    }
+}
+
+/// What a formula may do, the formulas of its names included.
+fn of(expr: &Expr, model: &Model) -> Branches {
+    let own = match &expr.node {
+        Node::Norm(_) | Node::Call(Function::Arctan, _) => Branches::Turns,
+        Node::Root(degree, _) if degree % 2 == 0 => Branches::Ends,
+        Node::Call(Function::Ln | Function::Arcsin | Function::Arccos, _) => Branches::Ends,
+        Node::Power(_, exponent) if exponent.as_digits().is_none() && !is_whole(exponent) => Branches::Ends,
+        Node::Symbol { id, .. } => match model.meaning(*id) {
+            Some(Meaning::Defined(formula)) => of(formula, model),
+            _ => Branches::None,
+        },
+        _ => Branches::None,
+    };
+    expr.children().into_iter().map(|child| of(child, model)).fold(own, Branches::max)
+}
+
+/// Whether an exponent is a negative whole number.
+fn is_whole(exponent: &Expr) -> bool {
+    matches!(&exponent.node, Node::Sum(terms) if terms.len() == 1 && terms[0].expr.as_digits().is_some())
+}
+
+/// The value of a formula that is a number.
+fn number(expr: &Expr, state: &SampledState<'_, Measured>) -> Option<Measured> {
+    match state.now(expr, &[]) {
+        Ok(Value::Scalar(value)) => Some(value),
+        _ => None,
+    }
+}
+
+/// Whether no number that both sides are made of is near to overflow, nor has become 0.
+fn is_moderate(link: &Link, state: &SampledState<'_, Measured>) -> bool {
+    let mut moderate = true;
+    for side in [&link.lhs, &link.rhs] {
+        side.walk(&mut |expr| {
+            let size = || number(expr, state).map_or(1.0, |value| value.value.abs());
+            moderate = moderate && (expr.is_null() || (HUGE.recip()..HUGE).contains(&size()));
+        });
+    }
+    moderate
+}
+
+/// Whether a formula asks for a root, a logarithm or an angle that does not exist, clearly.
+fn has_no_value(expr: &Expr, state: &SampledState<'_, Measured>) -> bool {
+    let argument = |inner: &Expr| number(inner, state).filter(|value| value.value.is_finite());
+    let is_negative = |inner: &Expr| argument(inner).is_some_and(|value| value.value < -GROSS * value.magnitude);
+    let own = match &expr.node {
+        Node::Root(degree, inner) => degree % 2 == 0 && is_negative(inner),
+        Node::Call(Function::Ln, inner) => is_negative(inner),
+        Node::Call(Function::Arcsin | Function::Arccos, inner) => {
+            argument(inner).is_some_and(|value| value.value.abs() - 1.0 > GROSS * value.magnitude)
+        }
+        Node::Power(base, exponent) => {
+            is_negative(base)
+                && argument(exponent).is_some_and(|power| (power.value - power.value.round()).abs() > GROSS)
+        }
+        Node::Symbol { id, .. } => match state.model().meaning(*id) {
+            Some(Meaning::Defined(formula)) => has_no_value(formula, state),
+            _ => false,
+        },
+        _ => false,
+    };
+    own || expr.children().into_iter().any(|child| has_no_value(child, state))
+}

@@ -1,0 +1,166 @@
+//! Any body in place of some particles, where a claim speaks of their principal axes and is decided over a field.
+//!
+//! Principal moments are the roots of a cubic, which a field does not have. But what holds for any axes at all holds for the
+//! principal ones; and what speaks of the particles through their inertia tensor alone, and holds for any symmetric tensor,
+//! Rᵀ diag(λ₁, λ₂, λ₃) R, holds for theirs. Both are more than what is claimed: an identity among them is one of the
+//! particles, and what is none says nothing of them.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::formula::{Expr, SymbolId};
+use crate::scalar::field::Modulus;
+use crate::scalar::{Modular, Number};
+
+use crate::check::hypotheses::rule::{Action, Rule};
+use crate::check::model::Model;
+use crate::check::model::meaning::{Meaning, ParticleQuantity};
+
+/// Why a claim about principal axes stays open.
+pub(crate) const PRINCIPAL_AXES: &str = "principal axes: their moments are the roots of a cubic";
+
+/// What may stand in for the particles of a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Generality {
+    /// Nothing has to: their principal axes are not spoken of.
+    Themselves,
+    /// Any right-handed orthonormal axes in place of the principal ones.
+    AnyAxes,
+    /// Any axes, and any moments about them.
+    AnyTensor,
+}
+
+/// Principal axes and moments.
+#[derive(Clone, Debug)]
+pub(crate) struct GenericBody<B: Number> {
+    /// The axes are the rows.
+    axes: Matrix3<B>,
+    /// Not given where the particles have an inertia tensor of their own.
+    moments: Option<Vector3<B>>,
+}
+
+impl Generality {
+    /// The most general that formulas allow, under rules; none, if their principal axes cannot be stood in for.
+    pub fn of(formulas: &[&Expr], model: &Model, rules: &[Rule]) -> Option<Self> {
+        let mut spoken = Reached { model, rules, symbols: Vec::new(), bodies: Vec::new() };
+        formulas.iter().for_each(|formula| spoken.follow(formula));
+        let is_principal = |of: &(ParticleQuantity, [&Expr; 2])| of.0 != ParticleQuantity::InertiaTensor;
+        let Some((_, particles)) = spoken.bodies.iter().find(|of| is_principal(of)) else {
+            return Some(Generality::Themselves);
+        };
+        let joined = rules.iter().any(|rule| matches!(rule.action, Action::Union(_)));
+        if joined || spoken.bodies.iter().any(|of| is_principal(of) && of.1 != *particles) {
+            return None;
+        }
+        let mut hidden = Reached { model, rules, symbols: Vec::new(), bodies: Vec::new() };
+        particles.iter().for_each(|formula| hidden.follow(formula));
+        let is_axis = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::FixedAxis(_)));
+        let shared = spoken.symbols.iter().any(|id| hidden.symbols.contains(id) && !is_axis(id));
+        if !shared && spoken.bodies.iter().all(|of| of.1 == *particles) {
+            return Some(Generality::AnyTensor);
+        }
+        let of_moments = spoken.bodies.iter().any(|of| of.0 == ParticleQuantity::PrincipalMoments);
+        (!of_moments).then_some(Generality::AnyAxes)
+    }
+}
+
+/// What formulas speak of, through definitions and rules, but not through particles that give something a name.
+struct Reached<'a> {
+    model: &'a Model,
+    rules: &'a [Rule],
+    symbols: Vec<SymbolId>,
+    /// What of particles is spoken of, with their masses and positions.
+    bodies: Vec<(ParticleQuantity, [&'a Expr; 2])>,
+}
+
+impl<'a> Reached<'a> {
+    fn follow(&mut self, formula: &'a Expr) {
+        formula.symbols().into_iter().for_each(|(id, _)| self.visit(id));
+    }
+
+    fn visit(&mut self, id: SymbolId) {
+        if self.symbols.contains(&id) {
+            return;
+        }
+        self.symbols.push(id);
+        self.model.symbols.entry(id).members.iter().for_each(|member| self.visit(*member));
+        for rule in self.rules.iter().filter(|rule| rule.symbol == id) {
+            rule.action.formulas().into_iter().for_each(|formula| self.follow(formula));
+        }
+        match self.model.meaning(id) {
+            Some(Meaning::Defined(formula)) => self.follow(formula),
+            Some(Meaning::Particles(quantity, _, masses, positions)) => {
+                self.bodies.push((*quantity, [masses, positions]));
+            }
+            Some(Meaning::Rigid(at)) => {
+                if let Some(about) = self.model.rigid[*at].about {
+                    self.visit(about);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+impl<F: Modulus> GenericBody<Modular<F>> {
+    /// A random one, of axes that a random quaternion turns to.
+    pub fn drawn(generality: Generality) -> Option<Self> {
+        if generality == Generality::Themselves {
+            return None;
+        }
+        let (w, v) = (Modular::<F>::drawn_plain(), Vector3::from_fn(|_, _| Modular::drawn_plain()));
+        let turned = |x: Vector3<Modular<F>>| {
+            (x * (w * w - v.dot(&v)) + (v * v.dot(&x) + v.cross(&x) * w) * Modular::from(2.0)) / (w * w + v.dot(&v))
+        };
+        let axes = Matrix3::from_fn(|row, at| Modular::from(if row == at { 1.0 } else { 0.0 }));
+        let axes = Matrix3::from_rows(&[0, 1, 2].map(|at| turned(axes.column(at).into()).transpose()));
+        let moments = || Vector3::from_fn(|_, _| Modular::drawn_plain());
+        Some(GenericBody { axes, moments: (generality == Generality::AnyTensor).then(moments) })
+    }
+}
+
+impl<B: Number> GenericBody<B> {
+    /// The a-th principal axis.
+    pub fn axis(&self, a: usize) -> Vector3<B> {
+        self.axes.row(a).transpose()
+    }
+
+    /// The a-th principal moment.
+    pub fn moment(&self, a: usize) -> Option<B> {
+        self.moments.map(|moments| moments[a])
+    }
+
+    /// The inertia tensor, where the particles have none of their own.
+    pub fn tensor(&self) -> Option<Matrix3<B>> {
+        self.moments.map(|moments| self.axes.transpose() * Matrix3::from_diagonal(&moments) * self.axes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::field::{Large, at_a_point};
+
+    #[test]
+    fn the_axes_are_right_handed_and_orthonormal_and_the_tensor_has_its_moments_along_them() {
+        for seed in 1..=5 {
+            let (all, account) = at_a_point::<Large, _>(seed, 0, 1, || {
+                let body = GenericBody::<Modular<Large>>::drawn(Generality::AnyTensor).expect("one that stands in");
+                let tensor = body.tensor().expect("a tensor");
+                let axes: Vec<_> = (0..3).map(|a| body.axis(a)).collect();
+                let mut vanishing = vec![axes[0].cross(&axes[1]) - axes[2]];
+                for a in 0..3 {
+                    vanishing.push(tensor * axes[a] - axes[a] * body.moment(a).expect("a moment"));
+                    let norm = axes[a].dot(&axes[a]) - 1.0;
+                    vanishing.push(Vector3::new(norm, axes[a].dot(&axes[(a + 1) % 3]), Modular::from(0.0)));
+                }
+                let zero = vanishing.iter().all(|vector| vector.iter().all(|x| x.vanishes()));
+                // The mutants_of: they are no fixed axes, and no moment is another.
+                let [x, y] = [0, 1].map(|a| body.moment(a).expect("a moment"));
+                (zero, axes[0].x.vanishes() || (axes[0].x - 1.0).vanishes() || (x - y).vanishes())
+            });
+            assert!(account.fault.is_none() && account.elsewhere.is_none(), "seed {seed}");
+            assert_eq!(all, (true, false), "seed {seed}");
+        }
+        assert!(GenericBody::<Modular<Large>>::drawn(Generality::Themselves).is_none());
+    }
+}

@@ -1,0 +1,308 @@
+//! Whether two sides agree at a state.
+//!
+//! A residual is judged on the scale of the terms that met in both sides ([`Measured`]), and falls into one of three
+//! zones: as small as rounding makes it, clearly there, or in between, where it is doubtful. One doubtful state is
+//! enough to withhold a pass, so a large common offset never makes two sides equal.
+
+use approx::{AbsDiffEq, abs_diff_eq};
+
+use crate::formula::evaluate::{Environment, Unavailable};
+use crate::formula::{Expr, IndexId, Relation, Value};
+use crate::scalar::Measured;
+
+use crate::check::model::claim::Link;
+use crate::check::state::sampled_state::SampledState;
+
+/// Up to this share of the scale a residual is rounding: some forty roundings of a double. Identities stay far below.
+pub const ROUNDING: f64 = 1e-14;
+
+/// From this share of the scale on, a residual is a difference.
+pub const DIFFERENCE: f64 = 1e-11;
+
+/// What a state says of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Point {
+    /// The relation holds; with the relative residual.
+    Holds(f64),
+    /// It does not.
+    Fails(Failure),
+    /// One side is defined here and the other is not.
+    OneSided(Failure),
+    /// The sides differ by more than rounding, and by less than can be called a difference.
+    Doubtful,
+    /// Neither side has a value here.
+    Useless,
+}
+
+/// Where and how a link fails at a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// The left side's value.
+    pub lhs: f64,
+    /// The right side's value.
+    pub rhs: f64,
+    /// The residual relative to the scale.
+    pub residual: f64,
+    /// Which entry of a vector, matrix or family.
+    pub entry: Option<String>,
+}
+
+/// A number with its scale, compared with `approx` on that scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Scaled {
+    value: f64,
+    scale: f64,
+}
+
+impl AbsDiffEq for Scaled {
+    type Epsilon = f64;
+    fn default_epsilon() -> f64 {
+        ROUNDING
+    }
+    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
+        abs_diff_eq!(self.value, other.value, epsilon = epsilon * (self.scale + other.scale))
+    }
+}
+
+/// Whether a value that should be zero is as small as rounding makes it.
+pub fn vanishes(value: Measured) -> bool {
+    abs_diff_eq!(Scaled { value: value.value, scale: value.magnitude }, Scaled { value: 0.0, scale: 0.0 })
+        || value.value == 0.0
+}
+
+/// Whether a difference of two sides satisfies an inequality, clearly.
+pub fn holds(relation: Relation, difference: Measured) -> bool {
+    let clear = difference.value.abs() > DIFFERENCE * difference.magnitude;
+    match relation {
+        Relation::Less => clear && difference.value < 0.0,
+        Relation::Greater => clear && difference.value > 0.0,
+        Relation::LessEqual => vanishes(difference) || clear && difference.value < 0.0,
+        Relation::GreaterEqual => vanishes(difference) || clear && difference.value > 0.0,
+        Relation::NotEqual => clear,
+        Relation::Equal | Relation::Identical | Relation::Approximately | Relation::Proportional => {
+            vanishes(difference)
+        }
+    }
+}
+
+/// By how much an inequality holds; negative, where it fails.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margin {
+    /// Relative to the terms of its sides.
+    pub share: f64,
+    /// As a number.
+    pub size: f64,
+}
+
+/// The values of the two sides of a link at a state, for all values of its free indices: mutants_of share one of them.
+pub struct Sides {
+    lhs: Vec<Value<Measured>>,
+    rhs: Vec<Value<Measured>>,
+}
+
+impl Sides {
+    /// Of a link at a state.
+    pub fn of(link: &Link, state: &SampledState<'_, Measured>) -> Result<Self, Unavailable> {
+        let mut sides = Sides { lhs: Vec::new(), rhs: Vec::new() };
+        let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
+        loop {
+            sides.lhs.push(state.now(&link.lhs, &indices)?);
+            sides.rhs.push(state.now(&link.rhs, &indices)?);
+            if !advance(&mut indices, state)? {
+                return Ok(sides);
+            }
+        }
+    }
+
+    /// By how much an inequality between numbers holds, where it holds by least.
+    pub fn margin(self, relation: Relation) -> Option<Margin> {
+        let mut least: Option<Margin> = None;
+        for (lhs, rhs) in self.lhs.into_iter().zip(self.rhs) {
+            let (Value::Scalar(a), Value::Scalar(b)) = (lhs, rhs) else { return None };
+            let difference = match relation {
+                Relation::Less | Relation::LessEqual => b.value - a.value,
+                Relation::Greater | Relation::GreaterEqual => a.value - b.value,
+                Relation::NotEqual => (a.value - b.value).abs(),
+                _ => return None,
+            };
+            let scale = a.magnitude + b.magnitude;
+            let share = if scale > 0.0 { difference / scale } else { 0.0 };
+            if !share.is_finite() {
+                return None;
+            }
+            if least.is_none_or(|least| share < least.share) {
+                least = Some(Margin { share, size: difference });
+            }
+        }
+        least
+    }
+}
+
+/// Tests a link at a state where its sides are known.
+pub fn test_sides(link: &Link, sides: &Sides, state: &SampledState<'_, Measured>) -> Result<Point, Unavailable> {
+    test_knowing(link, state, (Some(&sides.lhs), Some(&sides.rhs)), false)
+}
+
+/// Tests a link at a state, for all values of its free indices and entry by entry.
+pub fn test(link: &Link, state: &SampledState<'_, Measured>) -> Result<Point, Unavailable> {
+    test_knowing(link, state, (None, None), false)
+}
+
+/// Tests a mutant of a link at a state, the link's sides being known there. What does not agree at one entry is looked at
+/// no further, so this says whether it holds, and not where it fails most clearly.
+pub fn test_mutant(
+    mutant: &Link,
+    link: &Link,
+    sides: Option<&Sides>,
+    state: &SampledState<'_, Measured>,
+) -> Result<Point, Unavailable> {
+    let lhs = sides.filter(|_| mutant.lhs == link.lhs).map(|sides| sides.lhs.as_slice());
+    let rhs = sides.filter(|_| mutant.rhs == link.rhs).map(|sides| sides.rhs.as_slice());
+    test_knowing(mutant, state, (lhs, rhs), true)
+}
+
+/// The values of a side, for one after another of the values of the free indices.
+type Known<'a> = Option<&'a [Value<Measured>]>;
+
+fn test_knowing(
+    link: &Link,
+    state: &SampledState<'_, Measured>,
+    (known_lhs, known_rhs): (Known<'_>, Known<'_>),
+    to_the_first: bool,
+) -> Result<Point, Unavailable> {
+    let mut worst = Point::Holds(0.0);
+    let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
+    for at in 0.. {
+        let side = |expr: &Expr, known: Known<'_>, indices: &[(IndexId, u8)]| match known.and_then(|all| all.get(at)) {
+            Some(value) => Ok(value.clone()),
+            None => state.now(expr, indices),
+        };
+        let (lhs, rhs) = (side(&link.lhs, known_lhs, &indices)?, side(&link.rhs, known_rhs, &indices)?);
+        let label = |k: usize, shape| {
+            let letters =
+                indices.iter().map(|(id, value)| format!("{} = {value}", state.model().symbols.indices[id.0].letter));
+            let all: Vec<String> = letters.chain(Value::<f64>::entry_name(shape, k)).collect();
+            (!all.is_empty()).then(|| all.join(", "))
+        };
+        let shape = if link.lhs.is_zero() { rhs.shape() } else { lhs.shape() };
+        let (a, b) = pair(lhs, rhs);
+        for (k, (a, b)) in a.into_iter().zip(b).enumerate() {
+            let found = compare(link.relation, a, b, || label(k, shape));
+            worst = worse(worst, found);
+            if to_the_first && !matches!(worst, Point::Holds(_) | Point::Useless) {
+                return Ok(worst);
+            }
+        }
+        if !advance(&mut indices, state)? {
+            break;
+        }
+    }
+    Ok(worst)
+}
+
+/// The numbers of two sides; a literal 0 or 1 takes the shape of the other side.
+pub fn pair<B: crate::scalar::Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, Vec<B>) {
+    use crate::formula::shape::Shape;
+    let (a_shape, b_shape) = (lhs.shape(), rhs.shape());
+    let (a, b) = (lhs.entries(), rhs.entries());
+    let spread = |literal: B, shape: Shape| -> Vec<B> {
+        match shape {
+            Shape::Scalar => vec![literal],
+            Shape::Vector => vec![literal; 3],
+            Shape::Matrix(rows, columns) => {
+                (0..rows * columns).map(|k| if k / columns == k % columns { literal } else { B::zero() }).collect()
+            }
+        }
+    };
+    match (a_shape, b_shape) {
+        (Shape::Scalar, other) if other != Shape::Scalar => (spread(a[0], other), b),
+        (other, Shape::Scalar) if other != Shape::Scalar => (a, spread(b[0], other)),
+        _ => (a, b),
+    }
+}
+
+fn compare(relation: Relation, a: Measured, b: Measured, entry: impl Fn() -> Option<String>) -> Point {
+    let finite = (a.value.is_finite(), b.value.is_finite());
+    let scale = a.magnitude + b.magnitude;
+    let residual = if scale > 0.0 { (a.value - b.value).abs() / scale } else { 0.0 };
+    let failure = || Failure { lhs: a.value, rhs: b.value, residual, entry: entry() };
+    match finite {
+        (true, true) if !scale.is_finite() => Point::Useless,
+        (true, true) => {
+            let difference = Measured { value: a.value - b.value, magnitude: scale };
+            match relation {
+                Relation::Equal | Relation::Identical | Relation::Approximately | Relation::Proportional => {
+                    if vanishes(difference) {
+                        Point::Holds(residual)
+                    } else if residual > DIFFERENCE {
+                        Point::Fails(failure())
+                    } else {
+                        Point::Doubtful
+                    }
+                }
+                relation if holds(relation, difference) => Point::Holds(0.0),
+                _ if residual > DIFFERENCE || vanishes(difference) => Point::Fails(failure()),
+                _ => Point::Doubtful,
+            }
+        }
+        (false, false) => Point::Useless,
+        _ => Point::OneSided(failure()),
+    }
+}
+
+fn worse(a: Point, b: Point) -> Point {
+    let rank = |point: &Point| match point {
+        Point::Holds(_) => 0,
+        Point::Useless => 1,
+        Point::Doubtful => 2,
+        Point::OneSided(_) => 3,
+        Point::Fails(_) => 4,
+    };
+    match (&a, &b) {
+        (Point::Holds(x), Point::Holds(y)) => Point::Holds(x.max(*y)),
+        (Point::Fails(x), Point::Fails(y)) if y.residual > x.residual => b,
+        _ if rank(&b) > rank(&a) => b,
+        _ => a,
+    }
+}
+
+/// The next values of the free indices; false after the last.
+pub fn advance<B: crate::scalar::Number>(
+    indices: &mut [(IndexId, u8)],
+    state: &SampledState<'_, B>,
+) -> Result<bool, Unavailable> {
+    for (id, value) in indices.iter_mut() {
+        if *value < state.count(*id)? {
+            *value += 1;
+            return Ok(true);
+        }
+        *value = 1;
+    }
+    Ok(false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_large_offset_makes_a_state_doubtful_and_never_equal() {
+        let one = Measured::new(1e12) + Measured::new(3.0);
+        let other = Measured::new(1e12) + Measured::new(2.9);
+        assert_eq!(compare(Relation::Equal, one, other, || None), Point::Doubtful);
+        assert!(matches!(compare(Relation::Equal, one, one, || None), Point::Holds(_)));
+    }
+
+    #[test]
+    fn two_sides_without_a_value_do_not_agree() {
+        let nan = Measured::new(f64::NAN);
+        assert_eq!(compare(Relation::Equal, nan, nan, || None), Point::Useless);
+        assert!(matches!(compare(Relation::Equal, nan, Measured::new(1.0), || None), Point::OneSided(_)));
+    }
+
+    #[test]
+    fn tiny_numbers_are_told_apart() {
+        let (a, b) = (Measured::new(1e-30), Measured::new(2e-30));
+        assert!(matches!(compare(Relation::Equal, a, b, || None), Point::Fails(_)));
+    }
+}

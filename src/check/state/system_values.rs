@@ -1,0 +1,162 @@
+//! What the traced system determines at a sampled state: coordinates on shell, energies, momenta, the orientation.
+
+use std::cell::OnceCell;
+
+use nalgebra::Vector3;
+
+use crate::Result;
+use crate::check::model::Model;
+use crate::check::model::meaning::Quantity;
+use crate::check::model::states::Mode;
+use crate::check::state::numbers::Base;
+use crate::check::state::values::matrix;
+use crate::formula::Value;
+use crate::mechanics::{Elimination, Quantities, World};
+use crate::scalar::{Instant, Number, Series};
+
+/// The coordinates of a state as series in time, and what the system determines by them, computed when it is asked for.
+pub(crate) struct SystemValues<'m, B: Number> {
+    world: Option<&'m World>,
+    elimination: Elimination,
+    /// How many coefficients are known of what is drawn.
+    terms: usize,
+    time: B,
+    parameters: Vec<B>,
+    coordinates: Vec<Series<B>>,
+    series: OnceCell<Option<Box<Quantities<Series<B>>>>>,
+    /// The same as values at the instant.
+    values: OnceCell<Option<Box<Quantities<Instant<B>>>>>,
+}
+
+impl<'m, B: Number> SystemValues<'m, B> {
+    /// The coordinates by the equations of motion, if the state is on shell and there is a system; else as drawn.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular at this state.
+    pub(crate) fn new(
+        model: &'m Model,
+        mode: Mode,
+        base: &Base<B>,
+        elimination: Elimination,
+        terms: usize,
+    ) -> Result<Self> {
+        let world = model.world.as_deref();
+        let parameters: Vec<B> = model.parameters.iter().map(|place| base.constant(*place)[0]).collect();
+        let coordinates = match world {
+            Some(world) if mode.on_shell => {
+                let q: Vec<B> = base.coordinates().map(|jet| jet[0]).collect();
+                let v: Vec<B> = base.coordinates().map(|jet| jet[1]).collect();
+                let order = mode.order.min(terms - 1).max(1);
+                world.motion_by(elimination, base.time, &q, &v, &parameters, order)?
+            }
+            _ => base.coordinates().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
+        };
+        let (series, values) = (OnceCell::new(), OnceCell::new());
+        Ok(SystemValues { world, elimination, terms, time: base.time, parameters, coordinates, series, values })
+    }
+
+    /// How linear equations are solved at this state.
+    pub(crate) fn elimination(&self) -> Elimination {
+        self.elimination
+    }
+
+    /// The coordinates as functions of time.
+    pub(crate) fn coordinates(&self) -> &[Series<B>] {
+        &self.coordinates
+    }
+
+    /// The quantities of the system as series in time.
+    pub(crate) fn series(&self) -> Option<&Quantities<Series<B>>> {
+        let compute = || {
+            let v = self.velocities();
+            Some(Box::new(self.world?.quantities(self.time(), &self.coordinates, &v, &self.constants())))
+        };
+        self.series.get_or_init(compute).as_deref()
+    }
+
+    /// The quantities of the system at the instant.
+    fn values(&self) -> Option<&Quantities<Instant<B>>> {
+        let compute = || {
+            let derivative = |order: usize| -> Option<Vec<_>> {
+                self.coordinates.iter().map(|q| q.rate(order).map(Instant)).collect()
+            };
+            let parameters: Vec<_> = self.parameters.iter().map(|parameter| Instant(*parameter)).collect();
+            let time = Instant(self.time);
+            Some(Box::new(self.world?.quantities(time, &derivative(0)?, &derivative(1)?, &parameters)))
+        };
+        self.values.get_or_init(compute).as_deref()
+    }
+
+    /// One quantity at the instant, where it is one of those that the system gives all at once.
+    pub(crate) fn value(&self, quantity: Quantity, indices: &[u8]) -> Option<Value<Instant<B>>> {
+        match quantity {
+            Quantity::SpaceAxes | Quantity::EffectivePotential => None,
+            quantity => one_of(self.values()?, quantity, indices),
+        }
+    }
+
+    /// One quantity as a series in time.
+    pub(crate) fn quantity(&self, quantity: Quantity, indices: &[u8]) -> Option<Value<Series<B>>> {
+        match quantity {
+            Quantity::SpaceAxes => {
+                let at = usize::from(*indices.first()?) - 1;
+                let constant = |x| Series::constant(x).truncated(self.terms);
+                Some(Value::Vector(Vector3::from_fn(|i, _| constant(if i == at { B::one() } else { B::zero() }))))
+            }
+            Quantity::EffectivePotential => {
+                let (world, v, parameters) = (self.world?, self.velocities(), self.constants());
+                let value = match self.elimination {
+                    Elimination::Pivots => world.effective_potential(self.time(), &self.coordinates, &v, &parameters),
+                    Elimination::Cramer => {
+                        world.effective_potential_exactly(self.time(), &self.coordinates, &v, &parameters)
+                    }
+                };
+                value.ok().map(Value::Scalar)
+            }
+            quantity => one_of(self.series()?, quantity, indices),
+        }
+    }
+
+    /// The Euler–Lagrange residuals of the system, one a coordinate.
+    pub(crate) fn euler_lagrange(&self) -> Option<Vec<B>> {
+        let derivative = |order: usize| -> Option<Vec<B>> {
+            self.coordinates.iter().map(|q| q.nth_derivative_value(order)).collect()
+        };
+        let (q, v, a) = (derivative(0)?, derivative(1)?, derivative(2)?);
+        Some(self.world?.euler_lagrange(self.time, &q, &v, &self.parameters, &a))
+    }
+
+    fn time(&self) -> Series<B> {
+        Series::time(self.time).truncated(self.terms)
+    }
+
+    fn velocities(&self) -> Vec<Series<B>> {
+        self.coordinates.iter().map(Series::derivative).collect()
+    }
+
+    fn constants(&self) -> Vec<Series<B>> {
+        self.parameters.iter().map(|x| Series::constant(*x).truncated(self.terms)).collect()
+    }
+}
+
+/// One of the quantities that a world determines.
+fn one_of<D: Number>(all: &Quantities<D>, quantity: Quantity, indices: &[u8]) -> Option<Value<D>> {
+    let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1);
+    Some(match quantity {
+        Quantity::Lagrangian => Value::Scalar(all.lagrangian),
+        Quantity::KineticEnergy => Value::Scalar(all.kinetic?),
+        Quantity::PotentialEnergy => Value::Scalar(all.potential?),
+        Quantity::Energy => Value::Scalar(all.energy),
+        Quantity::Momentum(i) => Value::Scalar(*all.momenta.get(i)?),
+        Quantity::RotationMatrix => match indices {
+            [] => matrix(all.orientation.as_ref()?),
+            _ => Value::Scalar(all.orientation.as_ref()?[(place(0)?, place(1)?)]),
+        },
+        Quantity::AngularVelocity => match indices {
+            [] => Value::Vector(all.angular_velocity?),
+            _ => Value::Scalar(all.body_rates.as_ref()?[place(0)?]),
+        },
+        Quantity::BodyAxes => Value::Vector(all.orientation.as_ref()?.row(place(0)?).transpose()),
+        Quantity::EffectivePotential | Quantity::SpaceAxes => return None,
+    })
+}

@@ -1,0 +1,28 @@
+//! Conversions between values at the instant and series in time.
+
+use nalgebra::{DMatrix, Matrix3};
+
+use crate::Result;
+use crate::formula::Value;
+use crate::formula::evaluate::Unavailable;
+use crate::scalar::{Instant, Number, Series};
+
+/// The values of all members of a family, in order.
+pub(crate) type Members<B> = Vec<Value<Series<B>>>;
+
+/// A value, or why there is none.
+pub(crate) type Valued<B> = Result<Value<Series<B>>, Unavailable>;
+
+pub(crate) fn matrix<D: Number>(m: &Matrix3<D>) -> Value<D> {
+    Value::Matrix(DMatrix::from_fn(3, 3, |i, j| m[(i, j)]))
+}
+
+/// What a series is at the instant.
+pub(crate) fn first<B: Number>(value: &Value<Series<B>>) -> Value<Instant<B>> {
+    value.each(|x| Instant(x.value()))
+}
+
+/// The same as a series of which no more is known.
+pub(crate) fn lifted<B: Number>(value: &Value<Instant<B>>) -> Value<Series<B>> {
+    value.each(|x| Series::of_value(x.0))
+}

@@ -1,0 +1,248 @@
+//! A step of a derivation as printed, taken for granted in place of what is true.
+//!
+//! Whether a line follows from a wrong one is asked of a world in which the wrong one is right. If it prints the
+//! Lagrangian, or one of the energies, that world is the one of the printed Lagrangian: all that follows from a Lagrangian
+//! follows there. Else the line is a law where there is no system: what the system determines is then any function of time,
+//! so that nothing is taken from the truth but what the names are defined by. A law that takes hold of more than the
+//! derivatives it speaks of, or of the names that the system had determined, may contradict what is known or pin the state,
+//! where anything would follow: of such a law nothing is concluded.
+
+use std::sync::Arc;
+
+use crate::Result;
+use crate::formula::{Expr, Kind, Relation, SymbolId, Value};
+use crate::mechanics::{Elimination, World};
+use crate::notes::claims::Range;
+use crate::scalar::Symbol;
+
+use crate::check::document::checker::Checker;
+use crate::check::hypotheses::explicit::rules;
+use crate::check::model::claim::{Hypothesis, Law, is_equality};
+use crate::check::model::meaning::{Meaning, Quantity, Variable};
+use crate::check::model::order::{derivatives, order};
+use crate::check::model::states::Mode;
+use crate::check::model::{Model, free_symbols};
+use crate::check::sample::ensemble::Ensemble;
+use crate::check::sample::setting::FEWEST;
+use crate::check::state::numbers::{Layout, slots};
+use crate::check::state::sampled_state::SampledState;
+
+/// Values nearer to one another than this, relative to their size, are one value.
+const ONE_VALUE: f64 = 1e-9;
+
+/// A world in which a step holds as printed.
+pub(crate) struct Premise {
+    /// The names, with what they mean there.
+    pub model: Model,
+    /// Of a law: the names that the system had determined.
+    freed: Vec<SymbolId>,
+}
+
+impl Checker<'_> {
+    /// The world of the Lagrangian that a step prints, or of the energies that it prints, the other one as the steps before
+    /// have it or, if they do not, as it is. None, if it prints none of them in coordinates and velocities.
+    pub(crate) fn printed_world(&self, earlier: &[usize], step: usize) -> Option<Premise> {
+        let world = self.model.world.as_ref()?;
+        let own = self.energies(step);
+        let known = |wanted: Quantity| {
+            let all = earlier.iter().filter(|at| **at != step).flat_map(|at| self.energies(*at)).chain(own.clone());
+            all.filter(|(quantity, _)| *quantity == wanted).map(|(_, formula)| formula).next_back()
+        };
+        let is_own = |wanted: Quantity| own.iter().any(|(quantity, _)| *quantity == wanted);
+        let energies = match is_own(Quantity::Lagrangian) {
+            true => Energies::Lagrangian(known(Quantity::Lagrangian)?),
+            false if !own.is_empty() && world.has_potential() => {
+                Energies::Parts(known(Quantity::KineticEnergy), known(Quantity::PotentialEnergy))
+            }
+            false => return None,
+        };
+        let more: Vec<usize> = self
+            .model
+            .constants
+            .iter()
+            .enumerate()
+            .filter(|(at, c)| c.numbers == 1 && !self.model.parameters.contains(at))
+            .map(|(at, _)| at)
+            .collect();
+        let names = more.iter().map(|at| self.model.name(self.model.constants[*at].symbol)).collect();
+        let places: Vec<usize> = self.model.parameters.iter().copied().chain(more).collect();
+        let mut readable = true;
+        let printed = world.with_lagrangian("as printed", names, |time, q, v, parameters| {
+            let values = self.symbolic(time, (q, v), (&places, parameters), &energies);
+            readable = values.is_some();
+            values.unwrap_or((Symbol::from(f64::NAN), None))
+        });
+        let printed: Arc<World> = Arc::new(printed.ok().filter(|_| readable)?);
+        let mut model = self.model.clone();
+        (model.world, model.parameters) = (Some(printed), places);
+        Some(Premise { model, freed: Vec::new() })
+    }
+
+    /// The energies that a display prints in coordinates and velocities, by their last forms.
+    fn energies(&self, at: usize) -> Vec<(Quantity, Expr)> {
+        let mut found = Vec::new();
+        for statement in self.readings[at].statements.iter().flatten() {
+            if !statement.relations.iter().all(|(relation, _)| is_equality(*relation)) {
+                continue;
+            }
+            let energy = |member: &Expr| match self.model.meaning(member.as_plain_symbol()?)? {
+                Meaning::World(
+                    quantity @ (Quantity::Lagrangian | Quantity::KineticEnergy | Quantity::PotentialEnergy),
+                ) => Some(*quantity),
+                _ => None,
+            };
+            let printed = |member: &&Expr| self.model.is_plain(member) && derivatives(member, self.model) <= 1;
+            let formula = statement.members.iter().rev().find(printed);
+            found.extend(statement.members.iter().find_map(energy).zip(formula.cloned()));
+        }
+        found
+    }
+
+    /// L, and U where it is L = T − U, over symbols; none, if one of them is no number of coordinates and velocities.
+    fn symbolic(
+        &self,
+        time: Symbol,
+        (q, v): (&[Symbol], &[Symbol]),
+        (places, parameters): (&[usize], &[Symbol]),
+        energies: &Energies,
+    ) -> Option<(Symbol, Option<Symbol>)> {
+        let model = self.model;
+        let mode = Mode { on_shell: false, order: 1 };
+        let number = |(at, slot): (usize, &crate::check::state::numbers::Slot)| {
+            let coordinate = model.coordinates.iter().position(|c| Some(c.symbol) == slot.symbol);
+            let constant = places.iter().position(|place| Some(model.constants[*place].symbol) == slot.symbol);
+            match (coordinate, constant, slot.order) {
+                (Some(i), _, 0) => q[i],
+                (Some(i), _, 1) => v[i],
+                (_, Some(i), 0) => parameters[i],
+                _ if at == 0 => time,
+                // What else is drawn is nothing that a Lagrangian is made of.
+                _ => Symbol::from(f64::NAN),
+            }
+        };
+        let base: Vec<Symbol> = slots(model, mode).iter().enumerate().map(number).collect();
+        let layout = Layout::of(model, mode);
+        let state = SampledState::by(Elimination::Cramer, 2, model, mode, (&layout, &base), &Arc::from([])).ok()?;
+        let value = |formula: &Expr| match state.now(formula, &[]) {
+            Ok(Value::Scalar(value)) => Some(value),
+            _ => None,
+        };
+        match energies {
+            Energies::Lagrangian(formula) => Some((value(formula)?, None)),
+            Energies::Parts(kinetic, potential) => {
+                let own = state.quantities()?;
+                let printed = |formula: &Option<Expr>, own: Option<Symbol>| match formula {
+                    Some(formula) => value(formula),
+                    None => own,
+                };
+                let potential = printed(potential, own.potential.map(|u| u.value()))?;
+                let kinetic = printed(kinetic, own.kinetic.map(|t| t.value()))?;
+                Some((kinetic - potential, Some(potential)))
+            }
+        }
+    }
+
+    /// The names without the system and without laws: what these determined is any function of time, and so are, if that is
+    /// asked for, the numbers that a formula defines.
+    pub(crate) fn aside(&self, names: bool) -> Premise {
+        let mut model = self.model.clone();
+        (model.world, model.laws) = (None, Vec::new());
+        model.parameters.clear();
+        for coordinate in std::mem::take(&mut model.coordinates) {
+            model.mean(coordinate.symbol, Meaning::Varying(model.varying.len()));
+            model.varying.push(coordinate);
+        }
+        let mut freed = Vec::new();
+        let determined = |(at, meaning): (usize, &Option<Meaning>)| {
+            let is_determined =
+                matches!(meaning, Some(Meaning::World(_))) || names && matches!(meaning, Some(Meaning::Defined(_)));
+            let id = SymbolId(at);
+            let entry = (is_determined && at < self.model.symbols.len()).then(|| self.model.symbols.entry(id))?;
+            (entry.kind == Kind::Scalar && entry.slots.is_empty()).then_some(id)
+        };
+        for id in self.model.meanings.iter().enumerate().filter_map(determined) {
+            model.mean(id, Meaning::Varying(model.varying.len()));
+            model.varying.push(Variable::number(id, Range::Any));
+            freed.push(id);
+        }
+        Premise { model, freed }
+    }
+
+    /// Steps as laws where there is no system: the equalities that they print, `names` as in [`Checker::aside`]. None, if they
+    /// print none, or if one is about vectors or families and does not say outright what one of these is.
+    pub(crate) fn as_laws(&self, steps: &[usize], names: bool) -> Option<Premise> {
+        let Premise { mut model, freed } = self.aside(names);
+        for step in steps {
+            let mut hypotheses = Vec::new();
+            for statement in self.readings[*step].statements.iter().flatten() {
+                for (at, (relation, _)) in statement.relations.iter().enumerate() {
+                    if !is_equality(*relation) {
+                        return None;
+                    }
+                    let link = self.link(&statement.members[at], Relation::Equal, &statement.members[at + 1]).ok()?;
+                    hypotheses.push(Hypothesis::of(link, true));
+                }
+            }
+            let name = format!("({})", crate::check::document::names::shown(&self.notes.equations[*step]));
+            model.laws.push(Law { name, printed: Vec::new(), hypotheses, units_off: false });
+        }
+        if model.laws.iter().all(|law| law.hypotheses.is_empty()) {
+            return None;
+        }
+        let all: Vec<Hypothesis> = model.laws.iter().flat_map(|law| law.hypotheses.iter().cloned()).collect();
+        let (_, explicit) = rules(&model, &[], &all);
+        let is_single = |symbol: SymbolId| {
+            let entry = model.symbols.entry(symbol);
+            entry.kind == Kind::Scalar && entry.slots.is_empty()
+        };
+        let is_solved = |hypothesis: &Hypothesis| {
+            let sides = [&hypothesis.lhs, &hypothesis.rhs];
+            sides.iter().all(|side| model.is_plain(side))
+                && free_symbols::drawn(&sides, &model).into_iter().all(is_single)
+        };
+        let can_be_met = all.iter().zip(explicit).all(|(hypothesis, outright)| outright || is_solved(hypothesis));
+        can_be_met.then_some(Premise { model, freed })
+    }
+}
+
+/// The energies that make a Lagrangian.
+enum Energies {
+    /// L itself.
+    Lagrangian(Expr),
+    /// T and U, each as it is where it is not printed.
+    Parts(Option<Expr>, Option<Expr>),
+}
+
+impl Premise {
+    /// Whether laws leave all that they do not speak of as free as it was: they give names that the system had determined, or
+    /// derivatives that are the highest in them, and together nothing else. A single law may tie two coordinates.
+    ///
+    /// # Errors
+    /// When states cannot be made.
+    pub(crate) fn leaves_the_state_free(&self, ensemble: &Ensemble<'_>) -> Result<bool> {
+        let laws: usize = self.model.laws.iter().map(|law| law.hypotheses.len()).sum();
+        let projection = &ensemble.projection;
+        if laws == 0 {
+            return Ok(true);
+        }
+        if ensemble.states.len() < FEWEST {
+            return Ok(false);
+        }
+        let first = projection.hypotheses.len() - laws;
+        let is_free = |((hypothesis, derivative, _), slot): &((usize, usize, usize), usize)| {
+            let (hypothesis, slot) = (&projection.hypotheses[*hypothesis], &projection.slots[*slot]);
+            let Some(symbol) = slot.symbol.filter(|_| !slot.constant) else { return false };
+            let highest =
+                [&hypothesis.lhs, &hypothesis.rhs].into_iter().filter_map(|side| order(&self.model, side, symbol));
+            let leads = highest.max().is_some_and(|highest| slot.order >= usize::from(highest) + derivative);
+            leads && (laws == 1 || slot.order > 0 || self.freed.contains(&symbol))
+        };
+        // What is solved for has a value of its own at every state, or it is pinned.
+        let varies = |((_, derivative, _), slot): &((usize, usize, usize), usize)| {
+            let apart = |a: f64, b: f64| (a - b).abs() > ONE_VALUE * (1.0 + a.abs());
+            let values: Vec<f64> = ensemble.bases.iter().map(|base| base[*slot]).collect();
+            *derivative > 0 || values.iter().enumerate().all(|(n, a)| values[..n].iter().all(|b| apart(*a, *b)))
+        };
+        Ok(projection.progress.plan.iter().filter(|(row, _)| row.0 >= first).all(|row| is_free(row) && varies(row)))
+    }
+}

@@ -1,0 +1,290 @@
+//! How the pieces of a display stand to a false one: whether they follow from it as printed, or say something else.
+//!
+//! A piece follows if it says the same in other words, or if it passes its check in a world in which the false one is right
+//! ([`super::premise`]). It says something else if it is refuted there, and that world is about it. All else stays open.
+
+use crate::Result;
+use crate::formula::{Expr, Node, Relation, Statement};
+use crate::latex::{Introduced, Reading};
+use crate::notes::claims::Claim;
+use crate::scalar::Measured;
+
+use crate::check::document::checker::Checker;
+use crate::check::document::names::{is_plain, shown};
+use crate::check::hypotheses::motion;
+use crate::check::hypotheses::rule::Action;
+use crate::check::judge::difference::entries;
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::Meaning;
+use crate::check::model::states::Reach;
+use crate::check::model::{free_symbols, order};
+use crate::check::sample::context::{Context, Options};
+use crate::check::sample::setting::FEWEST;
+use crate::check::state::residual;
+use crate::check::steps::premise::Premise;
+use crate::check::verdict::Verdict;
+
+/// How a step stands to a false one before it.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Standing {
+    /// It follows.
+    Follows,
+    /// It says something else.
+    Differs,
+    /// It cannot be told.
+    Open,
+}
+
+/// What a step is held against.
+pub(crate) struct Against<'s> {
+    /// A false step before it.
+    pub from: usize,
+    /// All steps before it.
+    pub before: &'s [usize],
+    /// Those of them that pass.
+    pub sound: &'s [usize],
+}
+
+impl Checker<'_> {
+    /// The pieces of a display that are false; all of them, of one that is true.
+    ///
+    /// # Errors
+    /// As for a check of the display.
+    pub(crate) fn wrong_pieces(&self, at: usize, wrong: bool) -> Result<Vec<Reading>> {
+        let none = Claim::default();
+        let claim = self.assigned[at].unwrap_or(&none);
+        let quiet = self.quiet();
+        let mut open = Vec::new();
+        for piece in pieces(&self.readings[at]) {
+            if !wrong || !quiet.holds(at, &piece, claim)?.0 {
+                open.push(piece);
+            }
+        }
+        Ok(open)
+    }
+
+    /// The same checker, without explanations.
+    fn quiet(&self) -> Checker<'_> {
+        Checker { options: Options { explain: false, ..self.options }, units: self.units.clone(), ..*self }
+    }
+
+    /// Whether a step claims what it prints, under hypotheses, and nothing else: then others may be held against it.
+    pub(crate) fn is_bare(&self, at: usize) -> bool {
+        let Some(claim) = self.assigned[at] else { return true };
+        is_plain(claim) && claim.errata.is_empty() && claim.expect.is_none() && claim.meanings.is_empty()
+    }
+
+    /// How pieces of a step stand to a false one, as printed; `wrong` is whether they are false themselves.
+    ///
+    /// # Errors
+    /// As for a check of the step.
+    pub(crate) fn standings(
+        &self,
+        Against { from, before, sound }: &Against<'_>,
+        (at, pieces): (usize, &[&Reading]),
+        wrong: bool,
+    ) -> Result<Vec<Standing>> {
+        let from = *from;
+        let mut standings = vec![Standing::Open; pieces.len()];
+        let none = Claim::default();
+        let claim = |at: usize| self.assigned[at].unwrap_or(&none);
+        let own = self.hypotheses(claim(at))?;
+        let same = |a: &Hypothesis, b: &Hypothesis| {
+            a.lhs == b.lhs && a.rhs == b.rhs && a.relation == b.relation && (a.throughout || !b.throughout)
+        };
+        // What holds under hypotheses of its own says nothing where these do not hold, nor at other times than they do.
+        let is_constant = |symbol| matches!(self.model.meaning(symbol), Some(Meaning::Constant(_)));
+        let at_all_times = |hypothesis: &Hypothesis| {
+            let drawn = free_symbols::drawn(&[&hypothesis.lhs, &hypothesis.rhs], self.model);
+            hypothesis.throughout || drawn.into_iter().all(is_constant)
+        };
+        let is_usable = |at: &usize| {
+            let hypotheses = self.hypotheses(claim(*at)).ok();
+            let granted = |other: &Hypothesis| at_all_times(other) && own.iter().any(|own| same(own, other));
+            let granted = |all: Vec<Hypothesis>| all.iter().all(granted);
+            self.is_bare(*at) && hypotheses.is_some_and(granted)
+        };
+        if !is_usable(&from) {
+            return Ok(standings);
+        }
+        let before: Vec<usize> = before.iter().copied().filter(is_usable).collect();
+        let quiet = self.quiet();
+        let aside = self.aside(false);
+        let aside = Checker { model: &aside.model, units: self.units.clone(), ..quiet };
+        for (standing, piece) in standings.iter_mut().zip(pieces) {
+            if wrong && aside.says_the_same(piece, from, &own)? {
+                *standing = Standing::Follows;
+            }
+        }
+        let printed = quiet.printed_world(&before, from);
+        let is_world = printed.is_some();
+        let equal = |at: &usize| {
+            let relations = self.readings[*at].statements.iter().flatten().flat_map(|statement| &statement.relations);
+            relations.into_iter().all(|(relation, _)| is_equality(*relation))
+        };
+        let true_ones = before.iter().copied().filter(|at| sound.contains(at) && equal(at));
+        let together: Vec<usize> = true_ones.chain([from]).collect();
+        let mut laws = Vec::new();
+        if wrong {
+            laws = vec![(vec![from], false), (together, false), (vec![from], true)];
+        } else if !is_world {
+            laws = vec![(vec![from], false)];
+        }
+        let laws = laws.into_iter().filter_map(|(steps, names)| quiet.as_laws(&steps, names));
+        for (n, premise) in printed.into_iter().chain(laws).enumerate() {
+            let there = Checker { model: &premise.model, units: quiet.units.clone(), ..quiet };
+            for (standing, piece) in standings.iter_mut().zip(pieces).filter(|(known, _)| **known != Standing::Follows)
+            {
+                match there.stands(at, piece, claim(at), &premise)? {
+                    Standing::Differs if n > 0 || !is_world && !self.is_about_one_motion(from, piece) => {}
+                    Standing::Open => {}
+                    told => *standing = told,
+                }
+            }
+        }
+        Ok(standings)
+    }
+
+    /// Whether a piece of a display holds in the world of a premise, which this checker is about.
+    fn stands(&self, at: usize, piece: &Reading, claim: &Claim, premise: &Premise) -> Result<Standing> {
+        // A world without states, as where the printed mass matrix is singular, decides nothing.
+        let Ok(true) = self.has_room(at, piece, claim, premise) else { return Ok(Standing::Open) };
+        Ok(match self.holds(at, piece, claim) {
+            Ok((true, _)) => Standing::Follows,
+            Ok((false, true)) => Standing::Differs,
+            _ => Standing::Open,
+        })
+    }
+
+    /// Whether a piece of a display passes; and whether it is refuted.
+    fn holds(&self, at: usize, piece: &Reading, claim: &Claim) -> Result<(bool, bool)> {
+        let display = &self.notes.equations[at];
+        // What is small concerns ≈ alone, and not every link of a chain has one.
+        let relations = || piece.statements.iter().flatten().flat_map(|statement| &statement.relations);
+        let exact = Claim { small: Vec::new(), order: None, ..claim.clone() };
+        let claim = if relations().any(|(relation, _)| !is_equality(*relation)) { claim } else { &exact };
+        let parts = self.parts((at, display.body.start), piece, claim, &format!("{} step", shown(display)))?;
+        let all = |is: &dyn Fn(Verdict) -> bool| parts.iter().all(|part| is(part.finding.verdict));
+        Ok((all(&Verdict::passes), all(&|verdict| verdict == Verdict::Refuted)))
+    }
+
+    /// Whether a premise leaves the states of a piece free.
+    fn has_room(&self, at: usize, piece: &Reading, claim: &Claim, premise: &Premise) -> Result<bool> {
+        let (hypotheses, local) = (self.hypotheses(claim)?, self.local(claim)?);
+        let members: Vec<&Expr> = piece.statements.iter().flatten().flat_map(|statement| &statement.members).collect();
+        let topic = format!("{} room", shown(&self.notes.equations[at]));
+        let context = Context {
+            model: self.model,
+            options: self.options,
+            hypotheses: &hypotheses,
+            on_shell: Some(true),
+            topic: &topic,
+            span: self.notes.equations[at].body,
+            reach: Reach::Declared,
+            local: &local,
+        };
+        let ensemble = context.ensemble(context.mode(true, &members), false, FEWEST)?;
+        premise.leaves_the_state_free(&ensemble)
+    }
+
+    /// Whether a piece says what a step says in other words: that something vanishes which is a number times what vanishes by
+    /// the step, or its rate.
+    fn says_the_same(&self, piece: &Reading, from: usize, hypotheses: &[Hypothesis]) -> Result<bool> {
+        let Some(Ok(Statement { members, relations, constant: None, .. })) = piece.statements.first() else {
+            return Ok(false);
+        };
+        let ([a, b], [(relation, _)]) = (members.as_slice(), relations.as_slice()) else { return Ok(false) };
+        let Some(link) = is_equality(*relation).then(|| self.link(a, Relation::Equal, b).ok()).flatten() else {
+            return Ok(false);
+        };
+        for statement in self.readings[from].statements.iter().flatten() {
+            for (members, (relation, _)) in statement.members.windows(2).zip(&statement.relations) {
+                let (a, b) = (&members[0], &members[1]);
+                let rate = |of: &Expr| Expr::new(Node::TimeDerivative(1, Box::new(of.clone())), of.span);
+                for (a, b) in [(a.clone(), b.clone()), (rate(a), rate(b))] {
+                    let Ok(known) = self.link(&a, Relation::Equal, &b) else { continue };
+                    if is_equality(*relation) && self.proportional(&link, &known, hypotheses)? {
+                        return Ok(true);
+                    }
+                }
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether the sides of a link differ, at all states, by one number times what those of another differ by.
+    fn proportional(&self, link: &Link, known: &Link, hypotheses: &[Hypothesis]) -> Result<bool> {
+        let context = Context {
+            model: self.model,
+            options: self.options,
+            hypotheses,
+            on_shell: Some(false),
+            topic: "the same",
+            span: link.lhs.span,
+            reach: Reach::Declared,
+            local: &[],
+        };
+        let mode = context.mode(false, &[&link.lhs, &link.rhs, &known.lhs, &known.rhs]);
+        let ensemble = context.ensemble(mode, false, self.options.points.max(FEWEST))?;
+        let mut factor = None;
+        for state in &ensemble.states {
+            let (Ok(own), Ok(others)) = (entries(link, state), entries(known, state)) else { return Ok(false) };
+            let apart = |(a, b): (Measured, Measured)| a - b;
+            let (own, others) = (own.into_iter().map(apart), others.into_iter().map(apart));
+            for (own, other) in own.clone().zip(others.clone()) {
+                if residual::vanishes(other) && residual::vanishes(own) {
+                    continue;
+                }
+                let factor = *factor.get_or_insert(own.value / other.value);
+                if !f64::is_normal(factor) || !residual::vanishes(own - other * factor) {
+                    return Ok(false);
+                }
+            }
+            if own.len() != others.len() {
+                return Ok(false);
+            }
+        }
+        Ok(factor.is_some() && ensemble.states.len() >= FEWEST)
+    }
+
+    /// Whether a step gives the highest derivative of something that a piece of another speaks of too.
+    fn is_about_one_motion(&self, from: usize, piece: &Reading) -> bool {
+        let Some(premise) = self.as_laws(&[from], false) else { return false };
+        let hypotheses = premise.model.laws.iter().flat_map(|law| &law.hypotheses);
+        let rules: Vec<_> = hypotheses.filter_map(|hypothesis| motion::motion(&premise.model, hypothesis)).collect();
+        let members = || piece.statements.iter().flatten().flat_map(|statement| &statement.members);
+        rules.iter().any(|rule| {
+            let order = |formula: &Expr| order::order(&premise.model, formula, rule.symbol);
+            let Action::Follows { order: leading, .. } = &rule.action else { return false };
+            members().filter_map(order).max().is_some_and(|highest| highest >= *leading)
+        })
+    }
+}
+
+/// A display link by link; a statement that introduces a name stays whole.
+fn pieces(reading: &Reading) -> Vec<Reading> {
+    let mut pieces = Vec::new();
+    for (at, statement) in reading.statements.iter().enumerate() {
+        let Ok(statement) = statement else { continue };
+        let introduced = reading.introduced.iter().filter(|introduced| introduced.statement == at);
+        let introduced: Vec<Introduced> = introduced.map(|new| Introduced { statement: 0, ..new.clone() }).collect();
+        let mut add = |statement: Statement, introduced: Vec<Introduced>| {
+            pieces.push(Reading { statements: vec![Ok(statement)], introduced });
+        };
+        if !introduced.is_empty() {
+            add(statement.clone(), introduced);
+            continue;
+        }
+        for (at, relation) in statement.relations.iter().enumerate() {
+            let members = statement.members[at..=at + 1].to_vec();
+            let span = members[0].span.to(members[1].span);
+            let link = Statement { members, relations: vec![*relation], constant: None, span, ..statement.clone() };
+            add(link, Vec::new());
+        }
+        if statement.constant.is_some() {
+            let members = statement.members.last().cloned().into_iter().collect();
+            add(Statement { members, relations: Vec::new(), ..statement.clone() }, Vec::new());
+        }
+    }
+    pieces
+}

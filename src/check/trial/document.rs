@@ -1,0 +1,52 @@
+//! A whole document with an edit made.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::formula::SymbolId;
+use crate::notes::Notes;
+use crate::notes::claims::Claims;
+use crate::notes::document::Kind;
+use crate::source::Source;
+use crate::{Error, Result};
+
+use crate::check::document::setup::{Run, wanted, with_checker};
+use crate::check::equations::sentences;
+use crate::check::verdict::Verdict;
+
+/// The verdict on the first equation or sentence of a document that is not as expected, those before the others that
+/// use what the `at`-th display introduces; none, if all are.
+pub(crate) fn first_unexpected(run: &Run<'_>, claims: &Claims, notes: &Notes, at: usize) -> Result<Option<Verdict>> {
+    with_checker(run, claims, notes, |checker| {
+        let introduced: Vec<SymbolId> = checker.readings[at].introduced.iter().map(|new| new.symbol).collect();
+        let uses = |other: usize| {
+            let members = checker.readings[other].statements.iter().flatten().flat_map(|s| &s.members);
+            members.flat_map(|member| member.symbols()).any(|(symbol, _)| introduced.contains(&symbol))
+        };
+        let (mut order, rest): (Vec<usize>, Vec<usize>) = wanted(notes, checker.assigned, None)
+            .into_iter()
+            .filter(|other| *other != at)
+            .partition(|other| uses(*other));
+        order.extend(rest);
+        for other in order.iter().chain([&at]) {
+            let found = checker.equation(*other, checker.assigned[*other])?;
+            if !found.ok {
+                return Ok(Some(found.finding.verdict));
+            }
+        }
+        for (at, sentence) in claims.sentences.iter().enumerate() {
+            let found = sentences::check(&checker, at, sentence)?;
+            if !found.ok {
+                return Ok(Some(found.finding.verdict));
+            }
+        }
+        Ok(None)
+    })
+}
+
+/// Another text of the same notes.
+pub(crate) fn retyped(notes: &Notes, text: String) -> Result<Notes> {
+    let path = &notes.source.path;
+    let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a kind of notes")))?;
+    Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)
+}

@@ -1,0 +1,163 @@
+//! What more can be said of a claim that passes: which Euler–Lagrange equations it is made of, and which of its
+//! hypotheses it does not need.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::Result;
+use crate::formula::{Expr, Relation, Value, text};
+use crate::scalar::Measured;
+
+use crate::check::model::Model;
+use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::model::meaning::Meaning;
+use crate::check::sample::context::Context;
+use crate::check::sample::outcome::run;
+use crate::check::sample::setting::FEWEST;
+use crate::check::state::residual::DIFFERENCE;
+use crate::check::state::sampled_state::SampledState;
+
+/// So many states are looked at first where most claims fail: the first of those that are drawn then.
+const FIRST: usize = 3;
+
+/// A claim that holds on shell, as a combination of the Euler–Lagrange equations with constant coefficients: its
+/// residual off shell is fitted by theirs, and the fit must be exact.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>> {
+    let coordinates = &context.model.coordinates;
+    if !link.free.is_empty() || link.relation != Relation::Equal || !context.hypotheses.is_empty() {
+        return Ok(None);
+    }
+    let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+    let ensemble = context.ensemble(mode, false, context.options.points.max(2 * coordinates.len() + 4))?;
+    let mut rows: Vec<(Vec<f64>, f64, f64)> = Vec::new();
+    for state in &ensemble.states {
+        let sides = (state.now(&link.lhs, &[]), state.now(&link.rhs, &[]));
+        let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = sides else { return Ok(None) };
+        let residual: Measured = a - b;
+        let Some(equations) = state.euler_lagrange() else { return Ok(None) };
+        let scale = residual.magnitude + equations.iter().map(|e| e.magnitude).sum::<f64>();
+        rows.push((equations.iter().map(|e| e.value).collect(), residual.value, scale));
+    }
+    if rows.len() < coordinates.len() + FEWEST {
+        return Ok(None);
+    }
+    let matrix = DMatrix::from_fn(rows.len(), coordinates.len(), |i, j| rows[i].0[j]);
+    let residuals = DVector::from_fn(rows.len(), |i, _| rows[i].1);
+    let Ok(fit) = matrix.clone().svd(true, true).solve(&residuals, 1e-12) else { return Ok(None) };
+    let rest = matrix * &fit - residuals;
+    let exact = rest.iter().zip(&rows).all(|(rest, (_, _, scale))| rest.abs() <= DIFFERENCE * scale);
+    let terms: Vec<String> = fit
+        .iter()
+        .zip(coordinates)
+        .filter(|(coefficient, _)| coefficient.abs() > 1e-9)
+        .map(|(coefficient, variable)| {
+            let name = text::plain(&context.model.name(variable.symbol));
+            let nearest = (coefficient * 60.0).round() / 60.0;
+            format!(
+                "{} × the Euler–Lagrange equation of {name}",
+                if nearest < 0.0 { format!("−{}", -nearest) } else { nearest.to_string() }
+            )
+        })
+        .collect();
+    let rational = fit.iter().all(|c| (c * 60.0 - (c * 60.0).round()).abs() < 1e-7);
+    Ok((exact && rational && !terms.is_empty()).then(|| terms.join(" + ")))
+}
+
+/// The hypotheses that a claim which holds does not need, by trying it without each.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn unneeded(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vec<String>> {
+    let mut found = Vec::new();
+    for (at, dropped) in context.hypotheses.iter().enumerate() {
+        if holds_without(link, context, at, on_shell)? {
+            let symbols = &context.model.symbols;
+            let (lhs, rhs) = (text::formula(&dropped.lhs, symbols), text::formula(&dropped.rhs, symbols));
+            found.push(format!("{lhs} {} {rhs}", dropped.relation.glyph()));
+        }
+    }
+    Ok(found)
+}
+
+/// Whether a claim holds without its `at`-th hypothesis.
+fn holds_without(link: &Link, context: &Context<'_>, at: usize, on_shell: bool) -> Result<bool> {
+    let mut fewer: Vec<Hypothesis> = context.hypotheses.to_vec();
+    fewer.remove(at);
+    let without = Context { hypotheses: &fewer, ..*context };
+    let mode = without.mode(on_shell, &[&link.lhs, &link.rhs]);
+    let clean = |states: &[SampledState<'_, Measured>]| {
+        let outcome = run(link, states).ok()?;
+        (outcome.failure.is_none() && outcome.one_sided.is_none() && outcome.doubtful == 0).then_some(outcome.points)
+    };
+    if without.ensemble(mode, false, FIRST).is_ok_and(|first| clean(&first.states).is_none()) {
+        return Ok(false);
+    }
+    let ensemble = without.ensemble(mode, false, context.options.points)?;
+    let enough = |points: usize| points >= FEWEST.min(context.options.points);
+    Ok(enough(ensemble.states.len()) && clean(&ensemble.states).is_some_and(enough))
+}
+
+/// Whether both sides of a claim are zero at all states, though neither is printed as 0: then any factor would do.
+pub fn vanishes_throughout(link: &Link, states: &[SampledState<'_, Measured>]) -> bool {
+    let zero = |side: &Expr| Link { lhs: side.clone(), rhs: Expr::integer(0, side.span), ..link.clone() };
+    let vanishes = |side: &Expr| run(&zero(side), states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0);
+    !link.lhs.is_null() && !link.rhs.is_null() && vanishes(&link.lhs) && vanishes(&link.rhs)
+}
+
+/// How little a claim that holds says of the world.
+pub enum Emptiness {
+    /// It says something.
+    None,
+    /// It follows from its hypotheses, whatever the world; that may still be worth printing.
+    Follows,
+    /// It says nothing, for this reason.
+    Empty(&'static str),
+}
+
+/// Whether a claim that holds says anything of the world, or follows from its hypotheses alone, or restates them.
+///
+/// # Errors
+/// When the world's mass matrix is singular.
+pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Emptiness> {
+    let formulas = [&link.lhs, &link.rhs].into_iter();
+    if on_shell || context.hypotheses.is_empty() || formulas.clone().any(|f| concerns_world(f, context.model)) {
+        return Ok(Emptiness::None);
+    }
+    let unconditional = Context { hypotheses: &[], ..*context };
+    let mode = unconditional.mode(false, &[&link.lhs, &link.rhs]);
+    let free = unconditional.ensemble(mode, false, context.options.points)?;
+    if run(link, &free.states).is_ok_and(|outcome| outcome.failure.is_none()) {
+        return Ok(Emptiness::None);
+    }
+    if context.hypotheses.iter().any(|hypothesis| hypothesis.throughout) {
+        return Ok(Emptiness::Empty("it follows from its assumptions alone, whatever the motion"));
+    }
+    // The converse: if the claim in turn gives the hypotheses, the two say the same.
+    let claim = [Hypothesis::of(Link { relation: Relation::Equal, ..link.clone() }, false)];
+    let converse = Context { hypotheses: &claim, ..*context };
+    let states = converse.ensemble(mode, false, context.options.points)?;
+    let given_back = |hypothesis: &Hypothesis| {
+        let Hypothesis { lhs, relation, rhs, free, .. } = hypothesis.clone();
+        let link = Link { lhs, relation, rhs, free };
+        run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.points >= FEWEST.min(states.states.len()))
+    };
+    let mut needed: Vec<&Hypothesis> = Vec::new();
+    for (at, hypothesis) in context.hypotheses.iter().enumerate() {
+        if !holds_without(link, context, at, false)? {
+            needed.push(hypothesis);
+        }
+    }
+    let restates = !states.states.is_empty() && !needed.is_empty() && needed.into_iter().all(given_back);
+    Ok(if restates { Emptiness::Empty("it only restates its assumptions") } else { Emptiness::Follows })
+}
+
+/// Whether a formula speaks of something that the world determines.
+fn concerns_world(expr: &Expr, model: &Model) -> bool {
+    expr.symbols().iter().any(|(id, _)| match model.meaning(*id) {
+        Some(Meaning::World(_) | Meaning::Particles(..) | Meaning::Frame(_) | Meaning::Rigid(_)) => true,
+        Some(Meaning::Defined(formula)) => concerns_world(formula, model),
+        _ => false,
+    })
+}

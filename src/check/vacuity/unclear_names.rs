@@ -1,0 +1,104 @@
+//! Formulas that name something of which it is not clear what is meant: a family that is joined of several, the motion of a
+//! place that is integrated over, and the rate of what is declared not to change.
+
+use crate::code::Code;
+use crate::formula::tree::Node;
+use crate::formula::{Expr, SymbolId, text};
+
+use crate::check::hypotheses::rule::Action;
+use crate::check::model::Model;
+use crate::check::model::meaning::Meaning;
+use crate::check::sample::context::Context;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+impl Context<'_> {
+    /// The finding that formulas, or the hypotheses, name something without saying clearly what.
+    pub fn unclear(&self, formulas: &[&Expr]) -> Option<Finding> {
+        let hypotheses = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
+        let all: Vec<&Expr> = formulas.iter().copied().chain(hypotheses).collect();
+        let message = self.joined(&all).or_else(|| self.moving_place(&all)).or_else(|| self.moving_constant(&all))?;
+        Some(self.finding(Code::NotSupported, Verdict::Unreadable, message))
+    }
+
+    /// A family that is joined of several in this claim: which of them is meant is not clear. What is defined by sums
+    /// over it is.
+    fn joined(&self, formulas: &[&Expr]) -> Option<String> {
+        let is_named = |id: SymbolId| formulas.iter().any(|side| side.symbols().iter().any(|(known, _)| *known == id));
+        let unions = self.local.iter().filter(|rule| matches!(rule.action, Action::Union(_)));
+        let rule = unions.into_iter().find(|rule| is_named(rule.symbol))?;
+        let name = text::plain(&self.model.name(rule.symbol));
+        Some(format!("{name} is joined of several families here, so which of them is printed is not clear"))
+    }
+
+    /// A dot on what depends on the place under an integral: nothing says how the matter there moves.
+    fn moving_place(&self, formulas: &[&Expr]) -> Option<String> {
+        let mut seen = Vec::new();
+        let name = formulas.iter().find_map(|formula| moving_place(formula, &[], self.model, &mut seen))?;
+        let name = text::plain(&self.model.name(name));
+        Some(format!(
+            "there is a dot on the place {name} that is integrated over, and nothing says how the matter there moves; \
+             write its velocity out"
+        ))
+    }
+}
+
+impl Context<'_> {
+    /// A dot on what is declared a constant: as 0 it would make true whatever stands beside it.
+    fn moving_constant(&self, formulas: &[&Expr]) -> Option<String> {
+        let mut seen = Vec::new();
+        let name = formulas.iter().find_map(|formula| moving_constant(formula, self.model, &mut seen))?;
+        let what = match self.model.meaning(name) {
+            Some(Meaning::Time) => "which is the time",
+            _ => "which is declared among the constants; if it changes, it belongs under \"varies with time\"",
+        };
+        Some(format!("there is a dot on {}, {what}", text::plain(&self.model.name(name))))
+    }
+}
+
+/// What has a dot on it, in a formula or in the definitions that it stands on, and is a constant, or the time.
+fn moving_constant(formula: &Expr, model: &Model, seen: &mut Vec<SymbolId>) -> Option<SymbolId> {
+    let constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Time)).then_some(id);
+    match &formula.node {
+        Node::TimeDerivative(_, inner) if matches!(inner.node, Node::Symbol { .. }) => {
+            let Node::Symbol { id, .. } = inner.node else { return None };
+            constant(id)
+        }
+        Node::Symbol { id, dots: 1.., .. } => constant(*id),
+        Node::Symbol { id, .. } if !seen.contains(id) => {
+            seen.push(*id);
+            let Some(Meaning::Defined(definition)) = model.meaning(*id) else { return None };
+            moving_constant(definition, model, seen)
+        }
+        _ => formula.children().into_iter().find_map(|inner| moving_constant(inner, model, seen)),
+    }
+}
+
+/// What has a dot on it, in a formula or in the definitions that it stands on, and depends on the place of an integral;
+/// `under` are that place and what fills the continuum there, if the formula stands in one.
+fn moving_place(
+    formula: &Expr,
+    under: &[SymbolId],
+    model: &Model,
+    seen: &mut Vec<(SymbolId, Vec<SymbolId>)>,
+) -> Option<SymbolId> {
+    let moves = |expr: &Expr| under.first().copied().filter(|_| model.depends_on(expr, under));
+    match &formula.node {
+        Node::Integral(region, body) => {
+            let entry = model.symbols.entry(*region);
+            let place = entry.argument.as_ref().and_then(|name| model.symbols.find(name)).map(|(id, _)| id);
+            let under: Vec<SymbolId> = place.into_iter().chain(entry.density).collect();
+            return moving_place(body, &under, model, seen);
+        }
+        Node::TimeDerivative(_, inner) if moves(inner).is_some() => return moves(inner),
+        Node::Symbol { dots: 1.., .. } if moves(formula).is_some() => return moves(formula),
+        Node::Symbol { id, .. } if !seen.iter().any(|(known, at)| (*known, &at[..]) == (*id, under)) => {
+            seen.push((*id, under.to_vec()));
+            if let Some(Meaning::Defined(definition)) = model.meaning(*id) {
+                return moving_place(definition, under, model, seen);
+            }
+        }
+        _ => {}
+    }
+    formula.children().into_iter().find_map(|inner| moving_place(inner, under, model, seen))
+}
