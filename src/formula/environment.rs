@@ -1,7 +1,7 @@
 //! What a formula needs in order to be evaluated: the values of its symbols, and numbers that may know their time
 //! derivative.
 //!
-//! [`Environment`] supplies the values. [`Moving`] is a number that may be a Taylor series in time ([`Series`]). A
+//! [`Environment`] supplies the values. [`Differentiable`] is a number that may be a Taylor series in time ([`Series`]). A
 //! derivative that nobody supplied is [`Unavailable`], never zero.
 
 use nalgebra::Matrix3;
@@ -26,7 +26,7 @@ pub enum Unavailable {
 }
 
 /// A number that may know its own time derivative.
-pub trait Moving: Number {
+pub trait Differentiable: Number {
     /// The time derivative, if it is known.
     fn rate(&self) -> Option<Self> {
         None
@@ -35,7 +35,7 @@ pub trait Moving: Number {
     fn truncate(&mut self, _terms: usize) {}
 }
 
-impl<B: Number> Moving for Series<B> {
+impl<B: Number> Differentiable for Series<B> {
     fn rate(&self) -> Option<Self> {
         (self.known() > 1).then(|| self.derivative())
     }
@@ -44,13 +44,13 @@ impl<B: Number> Moving for Series<B> {
     }
 }
 
-impl<B: Number> Moving for Instant<B> {}
-impl Moving for f64 {}
-impl Moving for Measured {}
-impl<B: Number> Moving for Dual<B> {}
+impl<B: Number> Differentiable for Instant<B> {}
+impl Differentiable for f64 {}
+impl Differentiable for Measured {}
+impl<B: Number> Differentiable for Dual<B> {}
 
 /// Where symbols get their values.
-pub trait Environment<D: Moving> {
+pub trait Environment<D: Differentiable> {
     /// The table that the formula was read with.
     fn symbols(&self) -> &Symbols;
     /// The value of a symbol, for given values of its indices.
@@ -107,7 +107,7 @@ pub trait Environment<D: Moving> {
 pub type Body<'b, D> = &'b mut dyn FnMut() -> Result<Value<D>, Unavailable>;
 
 /// Takes the time derivative so many times.
-pub fn differentiate<D: Moving>(value: &mut Value<D>, order: u8) -> Result<(), Unavailable> {
+pub fn differentiate<D: Differentiable>(value: &mut Value<D>, order: u8) -> Result<(), Unavailable> {
     for _ in 0..order {
         let mut known = true;
         value.for_each(|entry| match entry.rate() {

@@ -7,10 +7,10 @@ use nalgebra::{DMatrix, Vector3};
 
 use crate::scalar::Number;
 
-pub use super::environment::{Body, Environment, Moving, Unavailable, differentiate};
+pub use super::environment::{Body, Differentiable, Environment, Unavailable, differentiate};
 use super::ids::{Index, IndexId, SymbolId};
 use super::symbols::Kind;
-use super::tree::{Expr, Function, LeftOut, Node, Sign, Term};
+use super::tree::{Excluded, Expr, Function, Node, Sign, Term};
 use super::value::Value;
 
 /// Evaluates a formula whose free indices have the values `free`.
@@ -18,7 +18,7 @@ use super::value::Value;
 /// # Errors
 /// [`Unavailable`] where the environment has no value or no derivative of a symbol, or where an operation is not
 /// defined for the shapes at hand.
-pub fn evaluate<D: Moving>(
+pub fn evaluate<D: Differentiable>(
     expr: &Expr,
     environment: &impl Environment<D>,
     free: &[(IndexId, u8)],
@@ -31,7 +31,7 @@ pub const ALL: usize = usize::MAX;
 
 /// As [`evaluate`], but computes only the first `terms` terms of the result: the value and `terms - 1` derivatives.
 /// Fewer terms make products of series cheaper.
-pub fn evaluate_to<D: Moving>(
+pub fn evaluate_to<D: Differentiable>(
     terms: usize,
     expr: &Expr,
     environment: &impl Environment<D>,
@@ -74,7 +74,7 @@ struct Evaluator<'a, D, E> {
 
 type Evaluated<T> = Result<T, Unavailable>;
 
-impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
+impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
     fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         Ok(match &expr.node {
             Node::Number(text) => Value::Scalar(constant(literal(text).ok_or(Unavailable::Operation("a number"))?)),
@@ -220,7 +220,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     fn sum_over(
         &mut self,
         index: IndexId,
-        except: &[LeftOut],
+        except: &[Excluded],
         within: Option<SymbolId>,
         body: &Expr,
     ) -> Evaluated<Value<D>> {
@@ -253,14 +253,14 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     }
 
     /// The values that a Σ keeps: from the first to the last, without those of the list.
-    fn kept(&self, except: &[LeftOut], upper: u8) -> Evaluated<(u8, u8, Vec<u8>)> {
+    fn kept(&self, except: &[Excluded], upper: u8) -> Evaluated<(u8, u8, Vec<u8>)> {
         let (mut first, mut last, mut out) = (1, upper, Vec::new());
         for left_out in except {
             match left_out {
-                LeftOut::Value(index) => out.push(self.index(*index)?),
-                LeftOut::From(index) => last = last.min(self.index(*index)?.saturating_sub(1)),
-                LeftOut::UpTo(index) => first = first.max(self.index(*index)?.saturating_add(1)),
-                LeftOut::Last(count) => last = last.min(upper.saturating_sub(*count)),
+                Excluded::Value(index) => out.push(self.index(*index)?),
+                Excluded::From(index) => last = last.min(self.index(*index)?.saturating_sub(1)),
+                Excluded::UpTo(index) => first = first.max(self.index(*index)?.saturating_add(1)),
+                Excluded::Last(count) => last = last.min(upper.saturating_sub(*count)),
             }
         }
         Ok((first, last, out))

@@ -25,7 +25,7 @@ pub mod units;
 pub mod value;
 
 pub use assignment::Assignment;
-pub use environment::{Environment, Moving, Unavailable};
+pub use environment::{Differentiable, Environment, Unavailable};
 pub use evaluate::evaluate;
 pub use ids::{Index, IndexId, SymbolId};
 pub use symbols::{Entry, Kind, Symbols};

@@ -3,7 +3,7 @@
 //! This is what an author looks at to see whether the reader understood: `λ_1·θ̈ = λ_1·φ̇²·sin(θ)·cos(θ) − …`.
 
 use super::symbols::Symbols;
-use super::tree::{Expr, Index, LeftOut, Node, Sign, Statement};
+use super::tree::{Excluded, Expr, Index, Node, Sign, Statement};
 
 /// A statement in plain words.
 pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
@@ -132,12 +132,12 @@ impl Writer<'_> {
         }
     }
 
-    fn left_out(&self, left_out: LeftOut) -> String {
+    fn left_out(&self, left_out: Excluded) -> String {
         match left_out {
-            LeftOut::Value(index) => format!("≠{}", self.index(index)),
-            LeftOut::From(index) => format!("<{}", self.index(index)),
-            LeftOut::UpTo(index) => format!(">{}", self.index(index)),
-            LeftOut::Last(count) => format!("…−{count}"),
+            Excluded::Value(index) => format!("≠{}", self.index(index)),
+            Excluded::From(index) => format!("<{}", self.index(index)),
+            Excluded::UpTo(index) => format!(">{}", self.index(index)),
+            Excluded::Last(count) => format!("…−{count}"),
         }
     }
 

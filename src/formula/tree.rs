@@ -85,7 +85,7 @@ pub enum Node {
         /// Whether it is implied by repetition.
         implied: bool,
         /// The values that it leaves out.
-        except: Vec<LeftOut>,
+        except: Vec<Excluded>,
         /// The continuum in whose part at hand the particles summed over lie: `\sum_{\vec r_i \in V(\vec r)}`.
         within: Option<SymbolId>,
         /// What is summed.
@@ -144,7 +144,7 @@ impl Sign {
 
 /// Values that a Σ leaves out of those of its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LeftOut {
+pub enum Excluded {
     /// This one: the i of `\sum_{j \neq i}`.
     Value(Index),
     /// This one and all above: the i of `\sum_{j < i}`.
@@ -155,12 +155,12 @@ pub enum LeftOut {
     Last(u8),
 }
 
-impl LeftOut {
+impl Excluded {
     /// The index that bounds it, if there is one.
     pub fn index(self) -> Option<Index> {
         match self {
-            LeftOut::Value(index) | LeftOut::From(index) | LeftOut::UpTo(index) => Some(index),
-            LeftOut::Last(_) => None,
+            Excluded::Value(index) | Excluded::From(index) | Excluded::UpTo(index) => Some(index),
+            Excluded::Last(_) => None,
         }
     }
 }

@@ -2,14 +2,14 @@
 //!
 //! Rows, `\quad`, commas between statements and arrows set statements apart; a row that starts with a relation
 //! continues the one before. A statement with `±` is read twice, top signs with top signs. A name that is not known and
-//! stands alone is *introduced* by the statement ([`super::introductions`]).
+//! stands alone is *introduced* by the statement ([`super::definitions`]).
 
 use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
-use super::introductions::{Introduced, New, Place, Unknown};
+use super::definitions::{DefinedSymbol, New, Place, Unknown};
 use super::layout::{Item, Layout, typeset_items};
 use super::lexer::Space;
 use super::macros::Macros;
@@ -22,7 +22,7 @@ pub struct Reading {
     /// Its statements in order, or why one of them cannot be read.
     pub statements: Vec<Result<Statement, Fault>>,
     /// The symbols that its statements introduce, in the order in which they were added to the table.
-    pub introduced: Vec<Introduced>,
+    pub introduced: Vec<DefinedSymbol>,
 }
 
 /// A display is read this often while it goes on introducing names that its own statements use.
@@ -63,7 +63,7 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
             Ok((statement, news)) => {
                 for (member, new) in news {
                     if let Some((symbol, formula)) = new.add(symbols) {
-                        reading.introduced.push(Introduced { symbol, statement: *at, member, formula });
+                        reading.introduced.push(DefinedSymbol { symbol, statement: *at, member, formula });
                     }
                 }
                 results[*at] = Some(Ok(statement));

@@ -4,7 +4,7 @@
 //! together, and a product within a product keeps its parentheses: the text is unambiguous before it is pretty.
 
 use crate::formula::symbols::Symbols;
-use crate::formula::tree::{Expr, Index, LeftOut, Node, Sign};
+use crate::formula::tree::{Excluded, Expr, Index, Node, Sign};
 
 use super::names::{self, unaccented};
 
@@ -129,11 +129,11 @@ impl Typesetter<'_> {
                     let separator =
                         if clauses.is_empty() && within.is_none() { String::new() } else { format!(", {letter}") };
                     let clause = match left_out {
-                        LeftOut::Value(other) => format!("\\neq {}", self.index(*other)),
-                        LeftOut::From(other) => format!("< {}", self.index(*other)),
-                        LeftOut::UpTo(Index::Fixed(value)) => format!("= {}", value + 1),
-                        LeftOut::UpTo(other) => format!("> {}", self.index(*other)),
-                        LeftOut::Last(less) => {
+                        Excluded::Value(other) => format!("\\neq {}", self.index(*other)),
+                        Excluded::From(other) => format!("< {}", self.index(*other)),
+                        Excluded::UpTo(Index::Fixed(value)) => format!("= {}", value + 1),
+                        Excluded::UpTo(other) => format!("> {}", self.index(*other)),
+                        Excluded::Last(less) => {
                             let entry = &self.symbols.indices[index.0];
                             let count = entry.count.map(|count| self.symbols.entry(count).name.to_string());
                             upper = format!("^{{{} - {less}}}", count.unwrap_or_else(|| entry.upper.to_string()));

@@ -8,8 +8,8 @@ use std::sync::Arc;
 use super::display::Display;
 use super::document::Notes;
 use super::json::{LONGEST, Spanned, place_in_string};
-use super::scan::is_number;
-use super::spelling::plain;
+use super::normalize::normalized;
+use super::tex_scanner::is_number;
 use crate::code::Code;
 use crate::source::{Fault, Source, Span};
 use crate::suggest;
@@ -243,8 +243,8 @@ fn chapter(id: &str) -> Option<(&str, u64)> {
 }
 
 fn containing(notes: &Notes, snippet: &str) -> Vec<usize> {
-    let snippet = plain(snippet);
-    let contains = |display: &Display| plain(&display.text).contains(&snippet);
+    let snippet = normalized(snippet);
+    let contains = |display: &Display| normalized(&display.text).contains(&snippet);
     (0..notes.equations.len()).filter(|&i| contains(&notes.equations[i])).collect()
 }
 
@@ -316,7 +316,7 @@ fn target(rest: &str) -> Option<Target> {
     };
     if let Some(snippet) = body.strip_prefix('`') {
         let snippet = snippet.strip_suffix('`')?.trim();
-        let usable = !plain(snippet).is_empty() && !snippet.contains('`');
+        let usable = !normalized(snippet).is_empty() && !snippet.contains('`');
         let target = if every { Target::EverySnippet } else { Target::Snippet };
         return usable.then(|| target(snippet.to_owned()));
     }

@@ -5,8 +5,9 @@
 //! formula overwritten by spaces. A display's text is cut from the second, so that every place in it stays true.
 
 use super::display::{Display, Numbered};
+
 use super::rows;
-use super::scan::{self, Delimiter, Name, Raw};
+use super::tex_scanner::{self, Delimiter, Name, RawDisplay};
 use crate::source::{Fault, Span};
 
 /// Overwrites `spans` by spaces, line ends kept.
@@ -22,7 +23,7 @@ pub(super) fn blank<'a>(clean: &mut [u8], spans: impl IntoIterator<Item = &'a Sp
 
 /// A display with what is printed in and beside it, before neighbours are joined.
 struct Piece {
-    raw: Raw,
+    raw: RawDisplay,
     /// With an inline tail, as in `$$x = 1$$ , $y = 2$ (2.7)`.
     body: Span,
     number: Option<Numbered>,
@@ -38,7 +39,12 @@ struct Piece {
 }
 
 /// Joins, numbers and cuts out the displays.
-pub(super) fn assemble(source: &str, clean: Vec<u8>, raws: Vec<Raw>, names: Vec<Name>) -> Result<Vec<Display>, Fault> {
+pub(super) fn assemble(
+    source: &str,
+    clean: Vec<u8>,
+    raws: Vec<RawDisplay>,
+    names: Vec<Name>,
+) -> Result<Vec<Display>, Fault> {
     let mut work = Work { source, clean };
     let mut pieces = Vec::new();
     let mut names = names.into_iter().peekable();
@@ -67,7 +73,7 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// The pieces of one display: one, or the row groups of an `align` with several numbers.
-    fn pieces(&mut self, raw: Raw, next: usize, pieces: &mut Vec<Piece>) -> Result<(), Fault> {
+    fn pieces(&mut self, raw: RawDisplay, next: usize, pieces: &mut Vec<Piece>) -> Result<(), Fault> {
         let rows = self.rows(raw);
         let (tags, labels) = self.tags(raw.body);
         let carries = |row: &Span| tags.iter().chain(&labels).any(|n| row.contains(n.span));
@@ -76,7 +82,7 @@ impl Work<'_> {
         {
             for group in self.groups(rows, &tags, &labels) {
                 let own = |all: &[Numbered]| all.iter().filter(|n| group.contains(n.span)).cloned().collect();
-                let raw = Raw { span: group, body: group, delimiter: Delimiter::Rows };
+                let raw = RawDisplay { span: group, body: group, delimiter: Delimiter::Rows };
                 pieces.push(self.piece(raw, group.end, own(&tags), own(&labels))?);
             }
             return Ok(());
@@ -86,7 +92,7 @@ impl Work<'_> {
     }
 
     /// The rows of a display whose rows may be numbered one by one; also of an `align` that stands within `$$`.
-    fn rows(&self, raw: Raw) -> Option<Vec<Span>> {
+    fn rows(&self, raw: RawDisplay) -> Option<Vec<Span>> {
         if raw.delimiter == Delimiter::Rows {
             return Some(rows::split(&self.clean, raw.body));
         }
@@ -94,11 +100,11 @@ impl Work<'_> {
         if self.clean[raw.body.start..inside].iter().any(|b| !b.is_ascii_whitespace()) {
             return None;
         }
-        let (name, start) = scan::begin(self.source, inside)?;
+        let (name, start) = tex_scanner::begin(self.source, inside)?;
         let closing = format!("\\end{{{name}}}");
         let body = self.source[raw.body.range()].trim_end().strip_suffix(&closing)?;
         let end = raw.body.start + body.len();
-        (scan::environment(name) == Some(Delimiter::Rows) && start <= end)
+        (tex_scanner::environment(name) == Some(Delimiter::Rows) && start <= end)
             .then(|| rows::split(&self.clean, Span::new(start, end)))
     }
 
@@ -127,7 +133,7 @@ impl Work<'_> {
     fn continues(&self, span: Span) -> bool {
         // Whole characters only were overwritten, so the text is still UTF-8; where it is long, its start will do.
         let text = &self.clean[span.range()];
-        let start = scan::skip_space(text, 0);
+        let start = tex_scanner::skip_space(text, 0);
         rows::starts_with_relation(&String::from_utf8_lossy(&text[start..text.len().min(start + 80)]))
     }
 
@@ -141,16 +147,18 @@ impl Work<'_> {
                 continue;
             }
             let bytes = &self.clean[..body.end];
-            let word = scan::word_end(bytes, i);
+            let word = tex_scanner::word_end(bytes, i);
             let star = usize::from(bytes.get(word) == Some(&b'*'));
-            let argument = scan::skip_space(bytes, word + star);
+            let argument = tex_scanner::skip_space(bytes, word + star);
             let mut end = (word).max(i + 2);
             let command = &self.source[i + 1..word];
             match command {
                 "tag" | "label" | "eqno" | "leqno" | "intertext" | "shortintertext" => {
-                    let group = scan::short_group(bytes, argument);
+                    let group = tex_scanner::short_group(bytes, argument);
                     let bare = || {
-                        scan::number(self.source, argument).map(|(_, end)| end).filter(|_| command.ends_with("eqno"))
+                        tex_scanner::number(self.source, argument)
+                            .map(|(_, end)| end)
+                            .filter(|_| command.ends_with("eqno"))
                     };
                     if let Some(close) = group.or_else(bare) {
                         let inside = self.source[argument + 1..close - 1].trim();
@@ -173,7 +181,13 @@ impl Work<'_> {
         (tags, labels)
     }
 
-    fn piece(&mut self, raw: Raw, next: usize, tags: Vec<Numbered>, labels: Vec<Numbered>) -> Result<Piece, Fault> {
+    fn piece(
+        &mut self,
+        raw: RawDisplay,
+        next: usize,
+        tags: Vec<Numbered>,
+        labels: Vec<Numbered>,
+    ) -> Result<Piece, Fault> {
         let mut tags = tags.into_iter();
         let mut piece = Piece {
             raw,
@@ -203,8 +217,8 @@ impl Work<'_> {
 
     /// A display that is only `(2.2)` is a number that lost its equation.
     fn bare_number(&mut self, piece: &mut Piece) {
-        let start = scan::skip_space(&self.clean[..piece.body.end], piece.body.start);
-        let Some((id, end)) = scan::number(self.source, start).filter(|(_, end)| *end <= piece.body.end) else {
+        let start = tex_scanner::skip_space(&self.clean[..piece.body.end], piece.body.start);
+        let Some((id, end)) = tex_scanner::number(self.source, start).filter(|(_, end)| *end <= piece.body.end) else {
             return;
         };
         if piece.number.is_none() && self.clean[end..piece.body.end].iter().all(u8::is_ascii_whitespace) {
@@ -218,7 +232,7 @@ impl Work<'_> {
     /// A number printed after the display, with the inline tail that leads to it.
     fn number_after(&mut self, piece: &mut Piece, next: usize) {
         let after = piece.raw.span.end;
-        let direct = scan::skip_space(&self.clean[..next], after);
+        let direct = tex_scanner::skip_space(&self.clean[..next], after);
         if let Some(number) = self.number_ending_line(direct, next) {
             piece.end = number.span.end;
             piece.number = Some(number);
@@ -240,8 +254,8 @@ impl Work<'_> {
 
     /// The number at `at`, when its line ends with it.
     fn number_ending_line(&self, at: usize, next: usize) -> Option<Numbered> {
-        let (id, end) = scan::number(self.source, at)?;
-        let alone = end <= next && scan::ends_line(&self.clean, end);
+        let (id, end) = tex_scanner::number(self.source, at)?;
+        let alone = end <= next && tex_scanner::ends_line(&self.clean, end);
         alone.then(|| Numbered { id: id.to_owned(), span: Span::new(at, end) })
     }
 
@@ -258,7 +272,7 @@ impl Work<'_> {
                 b' ' | b'\t' | b'\r' => {}
                 b',' | b';' | b'.' => apart = true,
                 b'$' => {
-                    let close = scan::inline(bytes, i, false)?;
+                    let close = tex_scanner::inline(bytes, i, false)?;
                     signs.push(Sign { at: i, comma: !apart });
                     signs.push(Sign { at: close, comma: false });
                     (apart, i) = (false, close);
@@ -296,7 +310,7 @@ impl Work<'_> {
     fn number_inside(&self, body: Span) -> Option<(Numbered, Span)> {
         let (text, trimmed) = (&self.clean[body.range()], self.clean[body.range()].trim_ascii_end());
         let open = trimmed.iter().rposition(|&b| b == b'(')?;
-        let (id, end) = scan::number(self.source, body.start + open)?;
+        let (id, end) = tex_scanner::number(self.source, body.start + open)?;
         let dotted =
             id.split_once('.').is_some_and(|(a, b)| is_digits(a) && is_digits(b.trim_end_matches(char::is_alphabetic)));
         let before = &text[..open];

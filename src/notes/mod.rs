@@ -16,11 +16,11 @@ mod file;
 pub mod json;
 mod macros;
 mod markdown;
+pub mod normalize;
 pub mod references;
 mod rows;
-mod scan;
-pub mod spelling;
 mod tex;
+mod tex_scanner;
 
 pub use address::{Address, Item, Place, Point, Target};
 pub use claims::{Claim, Claims, Sentence, Spanned, claims_beside};

@@ -5,7 +5,7 @@
 
 use std::collections::HashSet;
 
-use super::scan;
+use super::tex_scanner;
 use crate::source::{Source, Span};
 
 /// The prose cites an equation: `(6.73)`, `eq. (6.73)`.
@@ -25,7 +25,7 @@ const INLINE: usize = 1024;
 /// The references in `prose`: the file, with all that is no prose overwritten by spaces. `numbers` are those that the
 /// document gives to its equations.
 pub(super) fn all<'a>(prose: &[u8], source: &Source, numbers: impl Iterator<Item = &'a str>) -> Vec<Reference> {
-    let styles: HashSet<String> = numbers.filter(|number| scan::is_number(number)).map(style).collect();
+    let styles: HashSet<String> = numbers.filter(|number| tex_scanner::is_number(number)).map(style).collect();
     let mut references = Vec::new();
     if styles.is_empty() {
         return references;
@@ -38,7 +38,7 @@ pub(super) fn all<'a>(prose: &[u8], source: &Source, numbers: impl Iterator<Item
                 i += ahead.windows(2).position(|pair| pair == b"\\)").unwrap_or(0) + 2;
             }
             b'(' => {
-                let found = scan::number(&source.text, i).filter(|(number, _)| {
+                let found = tex_scanner::number(&source.text, i).filter(|(number, _)| {
                     styles.contains(&style(number)) && (number.contains('.') || follows_word(&prose[..i]))
                 });
                 if let Some((number, end)) = found {

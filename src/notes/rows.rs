@@ -1,6 +1,6 @@
 //! The rows of a display: where `\\` or a blank line breaks them, and which of them one number holds together.
 
-use super::scan;
+use super::tex_scanner;
 use crate::source::Span;
 
 /// The rows of `body` in `text`, without the `\\` between them.
@@ -88,7 +88,7 @@ pub(super) fn mark_blank_lines(clean: &mut [u8], source: &str, body: Span) {
             b'{' => depth += 1,
             b'}' => depth = depth.saturating_sub(1),
             b'\\' => {
-                let word = scan::word_end(&clean[..body.end], i);
+                let word = tex_scanner::word_end(&clean[..body.end], i);
                 match &clean[i + 1..word] {
                     b"begin" | b"left" => depth += 1,
                     b"end" | b"right" => depth = depth.saturating_sub(1),
@@ -146,5 +146,5 @@ pub(super) fn starts_with_relation(text: &str) -> bool {
         "\\lesssim",
         "\\gtrsim",
     ];
-    text.starts_with('\\') && RELATIONS.contains(&&text[..scan::word_end(text.as_bytes(), 0)])
+    text.starts_with('\\') && RELATIONS.contains(&&text[..tex_scanner::word_end(text.as_bytes(), 0)])
 }

@@ -14,7 +14,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::formula::evaluate::constant_exponent;
-use crate::formula::tree::LeftOut;
+use crate::formula::tree::Excluded;
 use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
 
 use crate::check::certificate::solved::Sums;
@@ -405,7 +405,7 @@ impl Named<'_> {
             Node::SumOver { index, except, .. } if is_counted(index) => {
                 for left_out in except {
                     match (left_out, left_out.index()) {
-                        (LeftOut::Last(last), _) => self.last = self.last.max(*last),
+                        (Excluded::Last(last), _) => self.last = self.last.max(*last),
                         (_, Some(Index::Fixed(value))) => self.first = self.first.max(value),
                         _ => {}
                     }

@@ -5,7 +5,7 @@
 //! So it is within a chain that says what a name is, and then what that comes to.
 
 use crate::formula::SymbolId;
-use crate::latex::Introduced;
+use crate::latex::DefinedSymbol;
 use crate::latex::slips::Slip;
 
 use crate::check::document::checker::Checker;
@@ -112,7 +112,7 @@ impl Checker<'_> {
     fn defines_in_a_chain(&self, at: usize) -> bool {
         let reading = &self.readings[at];
         let statement =
-            |new: &Introduced| reading.statements.get(new.statement).and_then(|statement| statement.as_ref().ok());
+            |new: &DefinedSymbol| reading.statements.get(new.statement).and_then(|statement| statement.as_ref().ok());
         reading.introduced.iter().any(|new| statement(new).is_some_and(|statement| statement.members.len() > 2))
     }
 

@@ -4,7 +4,7 @@
 //! index: it may start further up, `i=2`, end before the last, `n-1`, and leave out what another index bounds, `j \neq i`,
 //! `j < i`. Of two letters below one Σ, that no other Σ has, `i < j` is a sum over both; `j \neq i` is one over the first.
 
-use crate::formula::tree::{Expr, Index, IndexId, LeftOut, Node};
+use crate::formula::tree::{Excluded, Expr, Index, IndexId, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Item, Layout};
@@ -15,7 +15,7 @@ use super::state::{Read, Reader};
 /// One index below a Σ, and what it leaves out or stays within.
 struct Over {
     index: IndexId,
-    except: Vec<LeftOut>,
+    except: Vec<Excluded>,
     within: Option<crate::formula::SymbolId>,
     /// Where this letter and the next stand as a pair, `i < j`, that nothing else says to be one.
     pair: Option<Span>,
@@ -34,7 +34,7 @@ impl Reader<'_> {
             for over in &mut overs {
                 self.fits(less.map_or(upper, |(upper, _)| upper), over.index)
                     .map_err(|fault| Fault { span: upper.span, ..fault })?;
-                over.except.extend(less.map(|(_, less)| LeftOut::Last(less)));
+                over.except.extend(less.map(|(_, less)| Excluded::Last(less)));
             }
         }
         for (at, over) in overs.iter().enumerate() {
@@ -90,7 +90,7 @@ impl Reader<'_> {
                     let low = low.ok_or_else(|| {
                         Fault::index(one.span, "a sum must start at a value of its index").help("as in \\sum_{i=1}^{n}")
                     })?;
-                    let except = (low > 1).then_some(LeftOut::UpTo(Index::Fixed(low - 1)));
+                    let except = (low > 1).then_some(Excluded::UpTo(Index::Fixed(low - 1)));
                     match overs.iter_mut().find(|over| over.index == index && over.within.is_some()) {
                         Some(over) => over.except.extend(except),
                         None => {
@@ -211,11 +211,11 @@ fn wanted(span: Span) -> Fault {
 }
 
 /// What an index leaves out that stands in this relation to another.
-type Bound = fn(Index) -> LeftOut;
+type Bound = fn(Index) -> Excluded;
 
 /// What a relation below a Σ leaves out of its left letter, the same for its right letter, and whether it is an order.
 fn bound(item: &Item) -> Option<(Bound, Bound, bool)> {
-    let (unequal, below, above): (Bound, Bound, Bound) = (LeftOut::Value, LeftOut::From, LeftOut::UpTo);
+    let (unequal, below, above): (Bound, Bound, Bound) = (Excluded::Value, Excluded::From, Excluded::UpTo);
     match &item.layout {
         Layout::Other('≠') => Some((unequal, unequal, false)),
         Layout::Other('<') => Some((below, above, true)),

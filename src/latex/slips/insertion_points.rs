@@ -12,7 +12,7 @@ use super::parts::{formulas, insides};
 
 /// A place where a term or a factor may have been left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Hole {
+pub struct InsertionPoint {
     /// Where it would stand.
     pub at: usize,
     /// [`Slip::Term`] or [`Slip::Factor`].
@@ -23,7 +23,7 @@ pub struct Hole {
     pub whole: Span,
 }
 
-impl Hole {
+impl InsertionPoint {
     /// The edit that puts in a term with this sign, or a factor, which has none.
     pub fn filled(&self, sign: char, formula: &str) -> Edit {
         let replacement = match self.slip {
@@ -35,7 +35,7 @@ impl Hole {
 }
 
 /// The places in a text where something may have been left out. Nothing is missing beside a zero.
-pub fn holes(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Hole> {
+pub fn insertion_points(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<InsertionPoint> {
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
     let finder = Finder::new(text, symbols, None);
     let mut holes = Vec::new();
@@ -44,9 +44,9 @@ pub fn holes(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Hole> {
 }
 
 impl Finder<'_> {
-    fn holes(&self, items: &[Item], holes: &mut Vec<Hole>) {
+    fn holes(&self, items: &[Item], holes: &mut Vec<InsertionPoint>) {
         let mut add = |whole: Span, slip, beside| {
-            let hole = Hole { at: whole.end, slip, beside, whole };
+            let hole = InsertionPoint { at: whole.end, slip, beside, whole };
             if !holes.iter().any(|known| known.at == hole.at && known.slip == slip) {
                 holes.push(hole);
             }

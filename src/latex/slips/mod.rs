@@ -34,7 +34,7 @@ use finder::Finder;
 use unmatched_parentheses::balanced;
 
 pub use edit::{Edit, Slip};
-pub use insertion_points::{Hole, holes};
+pub use insertion_points::{InsertionPoint, insertion_points};
 pub use pool::Pool;
 
 /// So many terms that are like those that stand there are tried.

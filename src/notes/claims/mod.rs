@@ -23,7 +23,7 @@ pub use vectors::{Axes, Components};
 use super::address::Address;
 use super::file::read_text;
 use super::json::{self, Json, Value};
-use super::spelling::plain;
+use super::normalize::normalized;
 use crate::source::{Fault, Source, Span};
 use crate::{Error, Result};
 use fields::{Fields, Text};
@@ -288,7 +288,7 @@ fn sentences(fields: &Fields<'_>, source: &Source) -> Result<Vec<Sentence>, Faul
 fn once<'a>(names: impl Iterator<Item = &'a Text>, source: &Source) -> Result<(), Fault> {
     let mut seen: std::collections::HashMap<String, Span> = std::collections::HashMap::new();
     for name in names {
-        if let Some(first) = seen.insert(plain(head(&name.value)), name.span) {
+        if let Some(first) = seen.insert(normalized(head(&name.value)), name.span) {
             let (line, column) = source.line_column(first.start);
             let message = format!("{} is declared twice; first at {line}:{column}", name.value);
             return Err(Fault::claims(name.span, message).help("remove one of the two declarations"));

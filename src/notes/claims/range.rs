@@ -1,7 +1,7 @@
 //! Ranges: from where a symbol's values are drawn.
 
 use crate::notes::json::Spanned;
-use crate::notes::spelling::plain;
+use crate::notes::normalize::normalized;
 use crate::source::Fault;
 use crate::suggest::nearest;
 
@@ -173,7 +173,7 @@ fn interval(written: &Spanned<String>) -> Result<Range, Fault> {
 
 /// A number, or a multiple of π: `-\pi`, `2\pi`, `\pi/2`, `\frac{3\pi}{2}`.
 fn endpoint(text: &str) -> Result<f64, String> {
-    let plain = plain(text);
+    let plain = normalized(text);
     let mut tokens = plain.split_terminator('\u{1f}').peekable();
     let mut sign = 1.0;
     while let Some(token) = tokens.next_if(|&token| token == "-" || token == "+") {

@@ -41,12 +41,12 @@ const LOOKS: &[&str] = &[
 /// One spelling contains another where its text does.
 ///
 /// ```
-/// use onshell::notes::spelling::plain;
-/// assert_eq!(plain(r"p_{\psi}"), plain(r"p_ \psi"));
-/// assert!(plain(r"a = \dot{z}\,(2c)").contains(&plain(r"\dot z \left(2 c\right)")));
-/// assert!(!plain(r"\dot\theta_1").contains(&plain(r"\dot\theta_2")));
+/// use onshell::notes::normalize::normalized;
+/// assert_eq!(normalized(r"p_{\psi}"), normalized(r"p_ \psi"));
+/// assert!(normalized(r"a = \dot{z}\,(2c)").contains(&normalized(r"\dot z \left(2 c\right)")));
+/// assert!(!normalized(r"\dot\theta_1").contains(&normalized(r"\dot\theta_2")));
 /// ```
-pub fn plain(latex: &str) -> String {
+pub fn normalized(latex: &str) -> String {
     let mut tokens: Vec<&str> = Vec::new();
     let mut open: Vec<usize> = Vec::new();
     let mut at = 0;

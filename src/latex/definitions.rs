@@ -15,7 +15,7 @@ use super::reader::Reader;
 
 /// A symbol that a statement of a display introduces.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Introduced {
+pub struct DefinedSymbol {
     /// The symbol.
     pub symbol: SymbolId,
     /// The place of the statement among those of the display.

@@ -11,9 +11,9 @@ const BODY: usize = 8192;
 
 /// What a scanner found in a file.
 #[derive(Default)]
-pub(super) struct Scan {
+pub(super) struct ScannedText {
     /// The displays, in order.
-    pub raws: Vec<Raw>,
+    pub raws: Vec<RawDisplay>,
     /// The names given by `onshell:` comments, in order.
     pub names: Vec<Name>,
     /// Code, comments and the like, wherever they stand: no LaTeX.
@@ -24,7 +24,7 @@ pub(super) struct Scan {
     pub markers: Vec<Span>,
 }
 
-impl Scan {
+impl ScannedText {
     /// Takes note of the inline mathematics that the `$` at `at` opens, if it does; the position after it.
     pub fn inline(&mut self, bytes: &[u8], at: usize, strict: bool) -> usize {
         let end = inline(bytes, at, strict).map_or(at, |close| close) + 1;
@@ -43,7 +43,7 @@ impl Scan {
 
 /// A display as found, before numbers and neighbours are looked at.
 #[derive(Clone, Copy)]
-pub(super) struct Raw {
+pub(super) struct RawDisplay {
     pub span: Span,
     pub body: Span,
     pub delimiter: Delimiter,
@@ -199,7 +199,7 @@ pub(super) fn environment_display(
     inside: usize,
     name: &str,
     delimiter: Delimiter,
-    found: &mut Scan,
+    found: &mut ScannedText,
 ) -> Result<usize, Fault> {
     let bytes = text.as_bytes();
     let mut start = inside;
@@ -212,7 +212,7 @@ pub(super) fn environment_display(
         match bytes[i] {
             b'\\' if bytes[i..].starts_with(closing.as_bytes()) => {
                 let span = Span::new(at, i + closing.len());
-                found.raws.push(Raw { span, body: Span::new(start, i), delimiter });
+                found.raws.push(RawDisplay { span, body: Span::new(start, i), delimiter });
                 return Ok(span.end);
             }
             b'\\' => i += 2,

@@ -88,7 +88,7 @@ pub struct Conflict {
     pub first: Affine,
     /// The second.
     pub second: Affine,
-    /// Where what is known of them was inferred: the [`Ledger::origin`] of every demand used.
+    /// Where what is known of them was inferred: the [`Inference::origin`] of every demand used.
     pub origins: BTreeSet<usize>,
 }
 
@@ -108,17 +108,17 @@ struct Row {
 
 /// All that is known, in reduced form: no solved symbol occurs in the value of another.
 #[derive(Clone, Debug, Default)]
-pub struct Ledger {
+pub struct Inference {
     solved: BTreeMap<SymbolId, Row>,
     /// What the next demands are to be known by, in a [`Conflict`]; `None` for what was declared.
     pub origin: Option<usize>,
 }
 
-impl Ledger {
+impl Inference {
     /// Demands that two dimensions are one.
     ///
     /// # Errors
-    /// When what is known contradicts it; the ledger then stays as it was.
+    /// When what is known contradicts it; the inference then stays as it was.
     pub fn require_equal(&mut self, a: &Affine, b: &Affine) -> Result<(), Box<Conflict>> {
         let (first, mut origins) = self.reduce(a);
         let (second, others) = self.reduce(b);
@@ -183,7 +183,7 @@ fn substituted(row: &Row, pivot: SymbolId, by: &Row) -> Row {
 
 #[cfg(test)]
 mod tests {
-    use super::{Affine, Dimension, Ledger, Ratio};
+    use super::{Affine, Dimension, Inference, Ratio};
     use crate::formula::SymbolId;
 
     const METRE: Dimension = Dimension::LENGTH;
@@ -194,26 +194,28 @@ mod tests {
 
     #[test]
     fn two_equations_settle_two_unknowns() {
-        let mut ledger = Ledger::default();
-        ledger.require_equal(&x(0).times(&x(1)), &Affine::known(METRE)).unwrap();
-        ledger.require_equal(&x(0).over(&x(1)), &Affine::known(METRE.power(Ratio::whole(2)))).unwrap();
-        assert_eq!(ledger.reduce(&x(0)).0.as_known(), Some(METRE.power(Ratio::new(3, 2))));
-        assert_eq!(ledger.reduce(&x(1)).0.as_known(), Some(METRE.power(Ratio::new(-1, 2))));
+        let mut inference = Inference::default();
+        inference.require_equal(&x(0).times(&x(1)), &Affine::known(METRE)).unwrap();
+        inference.require_equal(&x(0).over(&x(1)), &Affine::known(METRE.power(Ratio::whole(2)))).unwrap();
+        assert_eq!(inference.reduce(&x(0)).0.as_known(), Some(METRE.power(Ratio::new(3, 2))));
+        assert_eq!(inference.reduce(&x(1)).0.as_known(), Some(METRE.power(Ratio::new(-1, 2))));
     }
 
     #[test]
     fn a_contradiction_names_the_demands_it_stands_on_and_changes_nothing() {
-        let mut ledger = Ledger::default();
+        let mut inference = Inference::default();
         for (origin, (a, b)) in [(x(0), Affine::known(METRE)), (x(1), x(0)), (x(2), x(3))].iter().enumerate() {
-            ledger.origin = Some(origin);
-            ledger.require_equal(a, b).unwrap();
+            inference.origin = Some(origin);
+            inference.require_equal(a, b).unwrap();
         }
-        let conflict = ledger.require_equal(&x(1), &Affine::known(Dimension::TIME)).unwrap_err();
+        let conflict = inference.require_equal(&x(1), &Affine::known(Dimension::TIME)).unwrap_err();
         assert_eq!(conflict.origins.into_iter().collect::<Vec<_>>(), [0, 1]);
         assert_eq!(conflict.first.as_known(), Some(METRE));
-        assert!(ledger.may_be_equal(&x(1), &x(0)) && !ledger.may_be_equal(&x(1), &Affine::known(Dimension::TIME)));
+        assert!(
+            inference.may_be_equal(&x(1), &x(0)) && !inference.may_be_equal(&x(1), &Affine::known(Dimension::TIME))
+        );
         // What does not follow from the others stays free.
-        assert!(ledger.require_equal(&x(3), &Affine::known(Dimension::TIME)).is_ok());
-        assert_eq!(ledger.reduce(&x(2)).0.as_known(), Some(Dimension::TIME));
+        assert!(inference.require_equal(&x(3), &Affine::known(Dimension::TIME)).is_ok());
+        assert_eq!(inference.reduce(&x(2)).0.as_known(), Some(Dimension::TIME));
     }
 }
