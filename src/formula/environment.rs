@@ -17,7 +17,7 @@ use super::value::Value;
 /// Why a formula has no value at a state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unavailable {
-    /// Nothing gives this symbol a value.
+    /// This symbol has no value.
     Symbol(SymbolId),
     /// A derivative of this order is not known.
     Derivative(u8),
@@ -31,7 +31,7 @@ pub trait Differentiable: Number {
     fn rate(&self) -> Option<Self> {
         None
     }
-    /// Forgets all but so many terms: the value and its derivatives.
+    /// Keeps the first `terms` terms: the value and `terms - 1` derivatives.
     fn truncate(&mut self, _terms: usize) {}
 }
 
@@ -49,23 +49,24 @@ impl Differentiable for f64 {}
 impl Differentiable for Measured {}
 impl<B: Number> Differentiable for Dual<B> {}
 
-/// Where symbols get their values.
+/// The values of symbols, and the operations on continua that a formula may need.
 pub trait Environment<D: Differentiable> {
-    /// The table that the formula was read with.
+    /// The symbol table that the formula was read with.
     fn symbols(&self) -> &Symbols;
-    /// The value of a symbol, for given values of its indices.
+    /// The value of a symbol for these values of its indices.
     fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<D>, Unavailable>;
-    /// The same where no more than so many terms of it are used; there may be more.
+    /// As [`Environment::symbol`], where at most `terms` terms of the value are used; the result may have more.
     fn symbol_to(&self, id: SymbolId, indices: &[u8], _terms: usize) -> Result<Value<D>, Unavailable> {
         self.symbol(id, indices)
     }
-    /// The derivative of a symbol, of an order above 0, of which no more than so many terms are used.
+    /// The derivative of a symbol, of an order above 0, where at most `terms` terms of it are used.
     fn rate_to(&self, id: SymbolId, indices: &[u8], order: u8, terms: usize) -> Result<Value<D>, Unavailable> {
         let mut value = self.symbol_to(id, indices, terms.saturating_add(order.into()))?;
         differentiate(&mut value, order)?;
         Ok(value)
     }
-    /// The derivative of a formula, where numbers know none of their own and this knows how to get it.
+    /// The derivative of a formula, from an environment that computes it itself; `None` if the numbers carry
+    /// derivatives.
     fn derivative(
         &self,
         _order: u8,
@@ -74,13 +75,14 @@ pub trait Environment<D: Differentiable> {
     ) -> Option<Result<Value<D>, Unavailable>> {
         None
     }
-    /// How many values an index takes here.
+    /// The number of values of an index.
     fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
         let entry = &self.symbols().indices[index.0];
         entry.count.map_or(Ok(entry.upper), |count| Err(Unavailable::Symbol(count)))
     }
-    /// The integral over a continuum of what `body` gives at the point at hand. The integrand itself comes with it where it
-    /// has no letter that stands for an index.
+    /// The integral of `body` over a continuum; `body` evaluates the integrand at the current point. `integrand` is
+    /// the
+    /// integrand as a formula, if it has no free index.
     fn integral(
         &self,
         region: SymbolId,
@@ -89,24 +91,27 @@ pub trait Environment<D: Differentiable> {
     ) -> Result<Value<D>, Unavailable> {
         Err(Unavailable::Symbol(region))
     }
-    /// What `body` tends to as the part of a continuum at hand shrinks to its point.
+    /// The limit of `body` as the current part of a continuum shrinks to a point.
     fn shrinking(&self, region: SymbolId, _body: Body<'_, D>) -> Result<Value<D>, Unavailable> {
         Err(Unavailable::Symbol(region))
     }
-    /// How many particles lie in the part of a continuum at hand.
+    /// The number of particles in the current part of a continuum.
     fn count_within(&self, region: SymbolId) -> Result<u8, Unavailable> {
         Err(Unavailable::Symbol(region))
     }
-    /// The matrix that an elementary rotation's symbol stands for, at an angle.
+    /// The matrix of an elementary rotation by `angle`, in radians.
     fn rotation(&self, id: SymbolId, _angle: D) -> Result<Matrix3<D>, Unavailable> {
         Err(Unavailable::Symbol(id))
     }
 }
 
-/// A formula to be evaluated at one place after another.
+/// A formula that is evaluated repeatedly, at one point after another.
 pub type Body<'b, D> = &'b mut dyn FnMut() -> Result<Value<D>, Unavailable>;
 
-/// Takes the time derivative so many times.
+/// Replaces a value by its `order`-th time derivative.
+///
+/// # Errors
+/// [`Unavailable::Derivative`] if a number does not know that derivative.
 pub fn differentiate<D: Differentiable>(value: &mut Value<D>, order: u8) -> Result<(), Unavailable> {
     for _ in 0..order {
         let mut known = true;

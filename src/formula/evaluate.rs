@@ -67,7 +67,7 @@ pub fn constant_exponent(expr: &Expr) -> Option<f64> {
 struct Evaluator<'a, D, E> {
     environment: &'a E,
     indices: Vec<(IndexId, u8)>,
-    /// How many terms are used of what is evaluated.
+    /// The number of terms of the result that are used.
     terms: usize,
     number: std::marker::PhantomData<D>,
 }
@@ -252,7 +252,7 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    /// The values that a Σ keeps: from the first to the last, without those of the list.
+    /// The range of a Σ: its first value, its last value, and the values in between that are excluded.
     fn kept(&self, except: &[Excluded], upper: u8) -> Evaluated<(u8, u8, Vec<u8>)> {
         let (mut first, mut last, mut out) = (1, upper, Vec::new());
         for left_out in except {
@@ -328,7 +328,7 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    /// A symbol for given values of its indices; of a family that was put together, the member of that name.
+    /// A symbol for these values of its indices. For an assembled family it is the member of that name.
     fn member(&self, id: SymbolId, indices: &[u8], dots: u8) -> Evaluated<Value<D>> {
         let symbols = self.environment.symbols();
         let entry = symbols.entry(id);
@@ -351,7 +351,8 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    /// The norm of a vector; of a number its absolute value, or where its sign does not matter the number itself.
+    /// The norm of a vector, or the absolute value of a number. Where the sign does not matter, it is the number
+    /// itself.
     fn norm(&mut self, inner: &Expr, sign_matters: bool) -> Evaluated<D> {
         match self.value(inner)? {
             Value::Scalar(x) => Ok(if sign_matters { x.abs() } else { x }),

@@ -1,22 +1,23 @@
-//! One type for every formula, or a refusal: scalar, vector or matrix, and which indices are free.
+//! The type check of formulas: scalar, vector or matrix, and the free indices.
 //!
-//! [`bind`] is the check: it makes every implied sum explicit (an index that a product repeats is summed over), and
-//! refuses a vector added to a scalar, two terms with different free indices, a product of two vectors side by side.
-//! It runs before any number is computed.
+//! [`bind`] makes every implied sum explicit: an index that a product repeats is summed over. It rejects a vector
+//! added
+//! to a scalar, terms with different free indices, and two vectors side by side. It runs before any number is
+//! computed.
 
 use crate::source::{Fault, Span};
 
 use super::symbols::{Kind, Symbols};
 use super::tree::{Expr, Index, IndexId, Node};
 
-/// What kind of value a formula has, for each value of its free indices.
+/// The shape of a formula's value, for each value of its free indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A number.
     Scalar,
     /// A vector in three dimensions.
     Vector,
-    /// Rows and columns.
+    /// A matrix: its number of rows and of columns.
     Matrix(usize, usize),
 }
 
@@ -39,20 +40,32 @@ pub struct Type {
     pub free: Vec<IndexId>,
 }
 
-/// Types a formula and makes its implied sums explicit.
+/// Determines the type of a formula and makes its implied sums explicit.
+///
+/// # Errors
+/// Shapes that cannot be combined ([`Code::ShapeMismatch`](crate::code::Code::ShapeMismatch)) and indices that do not
+/// match ([`Code::IndexMismatch`](crate::code::Code::IndexMismatch)), each at its term.
 pub fn bind(expr: Expr, symbols: &Symbols) -> Result<(Expr, Type), Fault> {
     let mut expr = expr;
     let found = Binder { symbols, summed: Vec::new() }.bind(&mut expr)?;
     Ok((expr, found))
 }
 
-/// The shape of a formula that may still hold implied sums; faults as [`bind`] does, indices aside.
+/// The shape of a formula that may contain implied sums.
+///
+/// # Errors
+/// As [`bind`], except for free indices that differ.
 pub fn shape_of(expr: &Expr, symbols: &Symbols) -> Result<Shape, Fault> {
     let mut copy = expr.clone();
     Binder { symbols, summed: Vec::new() }.shape(&mut copy)
 }
 
-/// Whether two members of an equation can be compared: the same type, but that 0 is any zero and 1 any unit matrix.
+/// Checks that two members of an equation have the same type. The literal 0 is a zero of any shape, and the literal 1
+/// is
+/// any unit matrix.
+///
+/// # Errors
+/// Different shapes, or different free indices.
 pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Result<(), Fault> {
     for ((literal, _), (_, found)) in [(a, b), (b, a)] {
         let unit = matches!(&literal.node, Node::Number(text) if text == "1");
@@ -73,8 +86,8 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
     Ok(())
 }
 
-/// A matrix set against something with two free component indices, `R_{ab} = (…)`, means its entries: it is given the
-/// indices in the order in which the other side prints them.
+/// The entries of a matrix that is compared with a formula of two free component indices, as in `R_{ab} = (…)`. The
+/// indices are in the order in which the other side prints them.
 pub fn entries_of(matrix: (&Expr, &Type), other: (&Expr, &Type), symbols: &Symbols) -> Option<(Expr, Type)> {
     let free = components(&other.1.free, symbols);
     let (Shape::Matrix(3, 3), Shape::Scalar, [_, _]) = (matrix.1.shape, other.1.shape, free.as_slice()) else {
@@ -111,7 +124,7 @@ pub fn entries_of(matrix: (&Expr, &Type), other: (&Expr, &Type), symbols: &Symbo
 
 struct Binder<'a> {
     symbols: &'a Symbols,
-    /// Indices that an enclosing Σ sums over.
+    /// The indices of the enclosing Σ.
     summed: Vec<IndexId>,
 }
 
@@ -120,7 +133,7 @@ impl Binder<'_> {
         self.bind(expr).map(|found| found.shape)
     }
 
-    /// The labels that are free in a scalar; it may have no other free indices.
+    /// The free labels of a scalar, which may have no other free index.
     fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
         let found = self.bind(expr)?;
         if found.shape != Shape::Scalar {
@@ -337,12 +350,12 @@ impl Binder<'_> {
         }
     }
 
-    /// Whether a letter labels things, and so is never summed over by repetition.
+    /// Whether a letter is a label of particles, which is never summed over by repetition.
     fn is_label(&self, letter: IndexId) -> bool {
         self.symbols.indices[letter.0].labels
     }
 
-    /// Wraps `expr` in a sum for every component index that occurs twice; returns the free ones, in order.
+    /// Wraps `expr` in a sum for every component index that occurs twice. Returns the free indices, in order.
     fn contract(&self, mut letters: Vec<IndexId>, expr: &mut Expr) -> Result<Vec<IndexId>, Fault> {
         letters.sort();
         let mut free = Vec::new();
@@ -369,12 +382,12 @@ impl Binder<'_> {
     }
 }
 
-/// The indices among these that count components, not things.
+/// The component indices among these, without labels.
 fn components(free: &[IndexId], symbols: &Symbols) -> Vec<IndexId> {
     free.iter().copied().filter(|letter| !symbols.indices[letter.0].labels).collect()
 }
 
-/// All indices of both, in order.
+/// The union of two lists of indices, in order.
 pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     let mut all: Vec<IndexId> = a.iter().chain(b).copied().collect();
     all.sort();
@@ -382,7 +395,7 @@ pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     all
 }
 
-/// The shape of two things side by side.
+/// The shape of a product of two factors; `None` if it is not defined.
 fn product(a: Shape, b: Shape) -> Option<Shape> {
     match (a, b) {
         (Shape::Scalar, other) | (other, Shape::Scalar) => Some(other),

@@ -1,7 +1,8 @@
-//! A formula back to LaTeX, so that it reads back as the same formula.
+//! The writer of formulas as LaTeX that is read back as the same formula.
 //!
-//! Arguments of functions are enclosed, but for a lone angle; factors are set apart by a thin space where they could run
-//! together, and a product within a product keeps its parentheses: the text is unambiguous before it is pretty.
+//! The text is unambiguous first, and short second. The argument of a function is in parentheses unless it is one
+//! angle.
+//! A thin space separates factors, and a product within a product keeps its parentheses.
 
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Excluded, Expr, Index, Node, Sign};
@@ -160,7 +161,7 @@ impl Typesetter<'_> {
         }
     }
 
-    /// The argument of a function: enclosed, unless it is a symbol known to be an angle, which ends it anyway.
+    /// The argument of a function: in parentheses, unless it is a symbol declared as an angle.
     fn argument(&self, argument: &Expr) -> String {
         let text = self.bare(argument);
         let entry = argument.as_plain_symbol().map(|id| self.symbols.entry(id));
@@ -171,7 +172,7 @@ impl Typesetter<'_> {
         }
     }
 
-    /// What an operator acts on to the end of the term.
+    /// The operand of an operator that acts to the end of the term.
     fn body(&self, body: &Expr) -> String {
         match &body.node {
             Node::Sum(_) => format!("\\left({}\\right)", self.bare(body)),

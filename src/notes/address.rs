@@ -1,4 +1,4 @@
-//! Addresses: how a claims file names an equation of the notes.
+//! Addresses: the ways in which a claims file names an equation of the notes.
 //!
 //! A printed number (`6.72`), a label, a snippet in backticks, `` every `…` ``, a name (`#veff`); with `row 2`,
 //! `part 1`, `step 3` after it; ranges `A .. B` and lists `A, B`.
@@ -15,7 +15,7 @@ use crate::source::{Fault, Source, Span};
 use crate::suggest;
 use crate::{Error, Result};
 
-/// An address as written, and what it names.
+/// An address as it is written, and the equations that it names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Address {
     /// As written.
@@ -50,7 +50,7 @@ pub struct Point {
     pub span: Span,
 }
 
-/// What a point names in the notes.
+/// The place in the notes that a point names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The display, as its position in `notes.equations`.
@@ -63,7 +63,7 @@ pub struct Place {
     pub step: Option<usize>,
 }
 
-/// How a display is named.
+/// The ways to name a display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
     /// By its printed number: `6.72`.
@@ -103,7 +103,7 @@ impl Address {
         Ok(Address { text: text.clone(), span: written.span, items })
     }
 
-    /// The one point it names, when it is neither list nor range.
+    /// The point, if the address is neither a list nor a range.
     pub fn single(&self) -> Option<&Point> {
         match self.items.as_slice() {
             [Item::One(point)] => Some(point),
@@ -111,7 +111,7 @@ impl Address {
         }
     }
 
-    /// The displays it names, as positions in `notes.equations`, in the order of the address.
+    /// The displays that the address names, as positions in `notes.equations`, in the order of the address.
     ///
     /// `source` is the claims file, for the place of an error.
     pub fn resolve(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<usize>> {
@@ -122,7 +122,10 @@ impl Address {
         Ok(found)
     }
 
-    /// What it names, row, part and step with it, in the order of the address. A range is one of whole equations.
+    /// The places that the address names, with row, part and step, in the order of the address.
+    ///
+    /// # Errors
+    /// A range with a row, a part or a step, and a point that names no equation or several.
     pub fn lookup(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<Place>> {
         let partial = |point: &&Point| point.row.or(point.part).or(point.step).is_some();
         let mut places = Vec::new();
@@ -168,7 +171,10 @@ impl Point {
         }
     }
 
-    /// The displays it names: one, or several for `every`.
+    /// The displays that the point names: one, or several for `every`.
+    ///
+    /// # Errors
+    /// No such display, or several without `every`.
     pub fn resolve(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<usize>> {
         let (found, every) = match &self.target {
             Target::Number(id) | Target::Label(id) | Target::Name(id) => (notes.find(id), false),

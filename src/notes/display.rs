@@ -2,7 +2,7 @@
 
 use crate::source::Span;
 
-/// One display equation: all that one number holds, or one display without a number.
+/// One display equation: everything under one number, or one display without a number.
 ///
 /// Several `$$…$$` that follow each other and share a number are one `Display`. Its `body` then reaches from the
 /// first to the last, and in `text` the `$$` between them are a row break, `\\`.
@@ -14,10 +14,12 @@ pub struct Display {
     pub body: Span,
     /// The bodies that `body` was joined from; one, mostly.
     pub parts: Vec<Span>,
-    /// The body to be read as a formula: as many bytes as `body`, so that a place in it is a place in the file.
+    /// The body as it is read as a formula, with as many bytes as `body`, so that a place in it is a place in the
+    /// file.
     ///
-    /// What is no formula (comments, `\tag`, `\label`, numbers, block-quote markers, definitions of macros) is
-    /// overwritten by spaces, and a blank line between two rows by a row break, `\\`.
+    /// Spaces replace comments, `\tag`, `\label`, numbers, block-quote markers and macro definitions. A row break,
+    /// `\\`,
+    /// replaces a blank line between two rows.
     pub text: String,
     /// The printed number, without its parentheses.
     pub number: Option<Numbered>,

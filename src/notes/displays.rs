@@ -1,8 +1,9 @@
-//! From displays as found to displays as numbered: tags, labels, numbers printed beside, and neighbours that belong
-//! together.
+//! The numbering of displays: tags, labels, numbers printed beside a display, and neighbouring displays with one
+//! number.
 //!
-//! Two copies of the file are at hand: the text as it is, and `clean`, the same bytes with everything that is no
-//! formula overwritten by spaces. A display's text is cut from the second, so that every place in it stays true.
+//! There are two copies of the file: the text as it is, and `clean`, in which spaces replace everything that is no
+//! formula.
+//! The text of a display comes from `clean`, so that a place in it is also a place in the file.
 
 use super::display::{Display, Numbered};
 
@@ -21,7 +22,7 @@ pub(super) fn blank<'a>(clean: &mut [u8], spans: impl IntoIterator<Item = &'a Sp
     }
 }
 
-/// A display with what is printed in and beside it, before neighbours are joined.
+/// A display with its number and labels, before neighbours are joined.
 struct Piece {
     raw: RawDisplay,
     /// With an inline tail, as in `$$x = 1$$ , $y = 2$ (2.7)`.
@@ -34,11 +35,14 @@ struct Piece {
     continues: bool,
     /// Whether it holds nothing but its number.
     bare: bool,
-    /// Where the next display may begin to be a neighbour.
+    /// The byte after which the next display may begin as a neighbour.
     end: usize,
 }
 
-/// Joins, numbers and cuts out the displays.
+/// Joins and numbers the displays, and extracts their texts.
+///
+/// # Errors
+/// A display with two numbers, and a name without a display.
 pub(super) fn assemble(
     source: &str,
     clean: Vec<u8>,
@@ -215,7 +219,7 @@ impl Work<'_> {
         Ok(piece)
     }
 
-    /// A display that is only `(2.2)` is a number that lost its equation.
+    /// Records the number of a display that is only `(2.2)`.
     fn bare_number(&mut self, piece: &mut Piece) {
         let start = tex_scanner::skip_space(&self.clean[..piece.body.end], piece.body.start);
         let Some((id, end)) = tex_scanner::number(self.source, start).filter(|(_, end)| *end <= piece.body.end) else {
@@ -323,7 +327,7 @@ impl Work<'_> {
         })
     }
 
-    /// Joins neighbours, and cuts out the texts.
+    /// Joins neighbouring displays, and extracts the texts.
     fn join(mut self, pieces: Vec<Piece>) -> Vec<Display> {
         let mut lines = Lines::default();
         let mut displays = Vec::new();
@@ -338,7 +342,7 @@ impl Work<'_> {
         displays
     }
 
-    /// Whether nothing but space stands between, and the second may belong to the first.
+    /// Whether only white space is between two displays, and the second may belong to the first.
     fn neighbours(&self, a: &Piece, b: &Piece) -> bool {
         let gap = a.end..b.raw.span.start;
         a.number.is_none()
@@ -349,7 +353,7 @@ impl Work<'_> {
             && self.source.as_bytes()[gap].iter().all(|b| b.is_ascii_whitespace() || *b == b'>')
     }
 
-    /// Makes displays of a run of neighbours: one, if a number printed after it closes it.
+    /// Makes displays of a run of neighbours: one display, if a number is printed after the run.
     fn close(&mut self, run: &mut Vec<Piece>, lines: &mut Lines, displays: &mut Vec<Display>) {
         let all = run.last().is_some_and(|last| last.closes);
         let mut group: Vec<Piece> = Vec::new();
@@ -397,7 +401,7 @@ fn is_digits(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Counts lines on the way through a file: so many newlines before `at`.
+/// A counter of lines: the number of newlines before `at`.
 #[derive(Default)]
 struct Lines {
     at: usize,
@@ -405,7 +409,7 @@ struct Lines {
 }
 
 impl Lines {
-    /// The line of `at`, which is not before the place asked for last.
+    /// The line of `at`, which must not be before the place of the last call.
     fn line(&mut self, text: &str, at: usize) -> usize {
         self.newlines += text.as_bytes()[self.at..at].iter().filter(|&&b| b == b'\n').count();
         self.at = at;

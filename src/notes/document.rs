@@ -1,4 +1,4 @@
-//! The notes: a file with its display equations, in order, each with its place and its number.
+//! A document: a file with its display equations in order, each with its place and its number.
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -24,13 +24,13 @@ pub struct Notes {
     pub macros: Vec<MacroDefinition>,
     /// Where the prose cites equations by their numbers, in order.
     pub references: Vec<Reference>,
-    /// Mathematics in the sentences, with its dollar signs.
+    /// Inline mathematics, with its dollar signs.
     pub inline: Vec<Span>,
-    /// Block-quote markers, which are no part of a sentence.
+    /// Block-quote markers, which are not part of a sentence.
     markers: Vec<Span>,
 }
 
-/// How a document is written.
+/// The format of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Markdown, or plain text with `$$…$$`.
@@ -40,7 +40,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// By the extension of a file.
+    /// The format by the extension of a file.
     pub fn of(path: &Path) -> Option<Kind> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "md" | "markdown" | "txt" => Some(Kind::Markdown),
@@ -102,7 +102,7 @@ impl Notes {
         (0..self.equations.len()).filter(|&i| carries(&self.equations[i])).collect()
     }
 
-    /// Where the prose says `quote`: word for word, but for white space, dollar signs and block-quote markers.
+    /// The places of `quote` in the prose, without regard to white space, dollar signs and block-quote markers.
     pub fn find_quote(&self, quote: &str) -> Vec<Span> {
         let counts = |c: char| !c.is_whitespace() && c != '$';
         let needle: String = quote.chars().filter(|&c| counts(c)).collect();

@@ -1,8 +1,8 @@
-//! JSON that knows where every value stands.
+//! JSON values with their places in the text.
 //!
-//! serde_json reads; its raw values borrow from the text, so the place of each follows from its address. What
-//! serde_json lets pass and a claims file cannot afford is refused here: a key given twice, a `"\theta"` that JSON
-//! reads as a tab and "heta", values nested without end.
+//! serde_json reads the text. Its raw values borrow from the text, so their places follow from their addresses. Some
+//! valid
+//! JSON is rejected here: a key given twice, a `"\theta"`, which JSON reads as a tab and "heta", and deep nesting.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -13,16 +13,16 @@ use serde_json::value::RawValue;
 use crate::code::Code;
 use crate::source::{Fault, Span};
 
-/// How deep values may nest.
+/// The most levels of nesting.
 const DEEPEST: usize = 64;
 
-/// No key and no address is longer.
+/// The most bytes of a key and of an address.
 pub(super) const LONGEST: usize = 4096;
 
-/// A thing and where it stands.
+/// A value and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spanned<T> {
-    /// The thing.
+    /// The value.
     pub value: T,
     /// Its place in the file; for a JSON string, with the quotes.
     pub span: Span,
@@ -34,13 +34,13 @@ impl<T> Spanned<T> {
         Spanned { value, span }
     }
 
-    /// Another thing at the same place.
+    /// Another value at the same place.
     pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Spanned<U> {
         Spanned { value: f(self.value), span: self.span }
     }
 }
 
-/// A JSON value and where it stands.
+/// A JSON value and its place.
 pub type Json = Spanned<Value>;
 
 /// A JSON value.
@@ -61,7 +61,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// What it is, for messages.
+    /// The name of its kind in messages.
     pub fn kind(&self) -> &'static str {
         match self {
             Value::Null => "null",
@@ -74,7 +74,10 @@ impl Value {
     }
 }
 
-/// Reads one JSON value, the whole of `text`. A byte-order mark before it is passed over.
+/// Reads one JSON value, which must be the whole of `text`. A byte-order mark before it is ignored.
+///
+/// # Errors
+/// Faults of the class [`Code::Json`] at their places.
 pub fn read(text: &str) -> Result<Json, Fault> {
     let start = text.len() - text.trim_start_matches('\u{feff}').len();
     if text[start..].trim().is_empty() {
@@ -85,7 +88,7 @@ pub fn read(text: &str) -> Result<Json, Fault> {
     value(text, raw, 0)
 }
 
-/// The place in the file of the bytes `part` of a string whose token, or whose part, stands at `token`.
+/// The place in the file of the bytes `part` of a string whose token, or a part of it, is at `token`.
 ///
 /// An escape such as `\\` is two bytes in the file and one in the string.
 pub fn place_in_string(text: &str, token: Span, part: Span) -> Span {
@@ -128,7 +131,7 @@ fn invalid(span: Span, message: impl Into<String>) -> Fault {
     Fault::new(span, message).code(Code::Json)
 }
 
-/// Escapes that LaTeX in JSON falls prey to.
+/// Rejects escapes that LaTeX in JSON is often misread by.
 fn escapes(text: &str) -> Result<(), Fault> {
     let bytes = text.as_bytes();
     let (mut i, mut within) = (0, false);
@@ -177,7 +180,7 @@ fn no_escape(span: Span, word: &str) -> Fault {
     invalid(span, format!("\"\\{word}\" is not an escape of JSON")).help(format!("write \"\\\\{word}\""))
 }
 
-/// serde_json's complaint at its place, in our words.
+/// The fault for an error of serde_json, at its place.
 fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
     let offset = offset(&text[start..], error.line(), error.column()) + start;
     let full = error.to_string();
@@ -272,7 +275,7 @@ fn object(
     Ok(object)
 }
 
-/// Where a raw value stands: it borrows from `text`.
+/// The place of a raw value, which borrows from `text`.
 fn place(text: &str, raw: &RawValue) -> Span {
     let start = raw.get().as_ptr() as usize - text.as_ptr() as usize;
     Span::new(start, start + raw.get().len())

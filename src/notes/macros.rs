@@ -1,4 +1,4 @@
-//! The author's own commands: `\newcommand`, `\def` and their kin, found where the notes define them.
+//! Macro definitions in the notes: `\newcommand`, `\def` and similar commands.
 
 use super::tex_scanner;
 use crate::source::Span;
@@ -10,9 +10,9 @@ pub struct MacroDefinition {
     pub name: String,
     /// How many arguments it takes.
     pub arguments: usize,
-    /// What the first argument is when it is left out.
+    /// The default of the first argument, if it is optional.
     pub default: Option<String>,
-    /// What it stands for.
+    /// The body.
     pub body: String,
     /// The whole definition.
     pub span: Span,

@@ -1,14 +1,15 @@
 //! Displays in Markdown: `$$…$$`, math fences, bare `\[…\]` and bare environments.
 //!
-//! pulldown-cmark says where code, fences and block quotes are. The displays themselves are found by an own scan,
-//! because notes have blank lines, `_` and `*` in them that CommonMark would not let stand.
+//! pulldown-cmark finds code, fences and block quotes. The displays themselves are found by a separate scan, because
+//! they
+//! contain blank lines, `_` and `*`, which have another meaning in CommonMark.
 
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
 
 use super::tex_scanner::{self, Delimiter, RawDisplay, ScannedText};
 use crate::source::{Fault, Span};
 
-/// What CommonMark says about the file.
+/// The structure of the file by CommonMark.
 #[derive(Default)]
 struct Structure {
     /// Code, and math fences, in order.
@@ -138,14 +139,14 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
     Ok(())
 }
 
-/// Takes note of the display between two-byte delimiters at `open` and `close`; the position after it.
+/// Records the display between two-byte delimiters at `open` and `close`. Returns the position after it.
 fn pair(text: &str, open: usize, close: usize, found: &mut ScannedText) -> Result<usize, Fault> {
     let (span, body) = (Span::new(open, close + 2), Span::new(open + 2, close));
     display(text, RawDisplay { span, body, delimiter: Delimiter::Pair }, found)?;
     Ok(span.end)
 }
 
-/// Takes note of a display, and of the TeX comments in it.
+/// Records a display, and the TeX comments in it.
 fn display(text: &str, raw: RawDisplay, found: &mut ScannedText) -> Result<(), Fault> {
     // The renderers look for the closing delimiter first, so that it ends a comment, too.
     let text = &text[..raw.body.end];
@@ -161,7 +162,7 @@ fn display(text: &str, raw: RawDisplay, found: &mut ScannedText) -> Result<(), F
     Ok(())
 }
 
-/// Whether the two bytes at `at` are all that their line holds.
+/// Whether the two bytes at `at` are alone on their line.
 fn alone(bytes: &[u8], at: usize) -> bool {
     let mut before = bytes[..at].iter().rev().take_while(|&&b| b != b'\n');
     before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && tex_scanner::ends_line(bytes, at + 2)

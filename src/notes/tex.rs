@@ -1,10 +1,10 @@
-//! Displays in a TeX file: a small scan that knows comments, verbatim text and mathematics, and nothing else.
+//! Displays in a TeX file. The scan knows only comments, verbatim text and mathematics.
 
 use super::macros;
 use super::tex_scanner::{self, Delimiter, RawDisplay, ScannedText};
 use crate::source::{Fault, Span};
 
-/// Environments whose text is no TeX.
+/// Environments with verbatim text.
 const VERBATIM: &[&str] = &["verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment", "filecontents"];
 
 /// Finds the displays of a TeX file.
@@ -30,7 +30,7 @@ pub(super) fn scan(text: &str) -> Result<ScannedText, Fault> {
     Ok(found)
 }
 
-/// What starts with the backslash at `at`; the position after it, or `None` where the document ends.
+/// Reads the command at `at`. Returns the position after it, or `None` at the end of the document.
 fn command(text: &str, at: usize, found: &mut ScannedText) -> Result<Option<usize>, Fault> {
     let bytes = text.as_bytes();
     if bytes[at..].starts_with(b"\\[") {

@@ -1,10 +1,12 @@
-//! The walk of a formula that finds its dimension, or the term that does not fit.
+//! The dimensional analysis of a formula: its dimension, or the term whose dimension does not fit.
 //!
-//! What must agree: the terms of a sum, the members of a chain, the entries of a matrix. What must be dimensionless:
-//! the argument of a function, an angle of a rotation, an exponent, and the base of a power whose exponent is not a
-//! literal. A dot divides by the dimension of the independent variable. A family has one dimension for all its
-//! members, and a vector or a matrix one for all its components. The literal 0 is of any dimension, every other number
-//! of none. An integral multiplies by the dimension of its region: a length, an area, a volume.
+//! Equal dimensions are required of the terms of a sum, the members of a chain, and the entries of a matrix.
+//! Dimensionless are the argument of a function, the angle of a rotation, an exponent, and the base of a power whose
+//! exponent is no literal. A dot divides by the dimension of the independent variable. All members of a family have
+//! one
+//! dimension, and so have all components of a vector or a matrix. The literal 0 has any dimension; every other number
+//! is
+//! dimensionless. An integral multiplies by the dimension of its region: a length, an area or a volume.
 
 use std::collections::BTreeSet;
 
@@ -16,20 +18,20 @@ use super::{Affine, Dimension, Inference, Ratio};
 /// A term that does not fit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mismatch {
-    /// The term, as a place in the text that the formula was read from.
+    /// The place of the term in the text of the formula.
     pub span: Span,
     /// What is wrong, naming the term.
     pub message: String,
-    /// The [`Inference::origin`] of every demand that the dimensions in the message were inferred from.
+    /// The [`Inference::origin`] of every requirement that the dimensions in the message were inferred from.
     pub origins: BTreeSet<usize>,
 }
 
-/// The walk, with what is known so far.
+/// The analysis of a document, with the dimensions known so far.
 #[derive(Clone, Debug)]
 pub struct UnitCheck<'a> {
     symbols: &'a Symbols,
     time: Affine,
-    /// What is known.
+    /// The known dimensions.
     pub inference: Inference,
 }
 
@@ -58,7 +60,7 @@ enum Pool<'r> {
 const VOTERS: usize = 64;
 
 impl<'a> UnitCheck<'a> {
-    /// A walk with nothing known.
+    /// An analysis without known dimensions.
     pub fn new(symbols: &'a Symbols) -> Self {
         let time = symbols.time.as_ref().and_then(|name| symbols.find(name));
         let time = time.map_or(Affine::known(Dimension::TIME), |(id, _)| Affine::of(id));
@@ -70,12 +72,14 @@ impl<'a> UnitCheck<'a> {
         self.time.unknowns().next().map(|(symbol, _)| symbol)
     }
 
-    /// A dimension in words, with all that is known put in.
+    /// A dimension as text, with all known dimensions inserted.
     pub fn words(&self, found: &Affine) -> String {
         self.show(&self.inference, found)
     }
 
-    /// Holds a statement against all that is known and learns from it; the terms that do not fit teach nothing.
+    /// Checks a statement against the known dimensions, and infers further ones from the terms that fit. Returns the
+    /// terms
+    /// that do not fit.
     pub fn statement(&mut self, statement: &Statement) -> Vec<Mismatch> {
         let mut mismatches = Vec::new();
         let mut pool: Vec<Pooled<'_>> = Vec::new();

@@ -1,4 +1,4 @@
-//! Units: whether the terms of a formula can be added at all.
+//! Units and dimensional analysis: whether the terms of a formula can be added.
 //!
 //! A [`Dimension`] is the exponents of the seven base units. [`parse`](fn@parse) reads one from SI text, the
 //! [`inference`] infers those that nobody declared, and [`check`] walks a formula and names the term that does not

@@ -1,8 +1,8 @@
-//! SI text to a dimension: `kg m^2/s^2`, `N m`, `J s`, `m s^-1`, `1`.
+//! The parser of SI units: `kg m^2/s^2`, `N m`, `J s`, `m s^-1`, `1`.
 //!
-//! Factors are set apart by a space, `·` or `*`; a power is written `^2`, `^{-1}`, `^(1/2)` or as a superscript; one
-//! factor, or a product in parentheses, may stand behind a slash. What people read in two ways, as `W/m^2 K` and
-//! `m/s/s`, is refused.
+//! Factors are separated by a space, `·` or `*`. A power is written `^2`, `^{-1}`, `^(1/2)` or as a superscript. One
+//! factor, or a product in parentheses, may follow a slash. Ambiguous units such as `W/m^2 K` and `m/s/s` are
+//! rejected.
 
 use crate::code::Code;
 use crate::source::{Fault, Span};
@@ -56,7 +56,7 @@ const UNITS: [Unit; 40] = [
     Unit("t", "tonne", Dimension::base(0), false),
 ];
 
-/// The prefixes; they change the scale alone, and are read to be left out.
+/// The prefixes. They change the scale only, and are ignored.
 const PREFIXES: [&str; 23] = [
     "da", "Y", "Z", "E", "P", "T", "G", "M", "k", "h", "d", "c", "m", "µ", "μ", "u", "n", "p", "f", "a", "z", "y", "Q",
 ];
@@ -71,7 +71,9 @@ const PREFIXES: [&str; 23] = [
 /// ```
 ///
 /// # Errors
-/// At the bytes that are no unit, with the unit that was probably meant.
+/// [`Code::InvalidUnit`] at the bytes that are no unit, with the unit that was probably meant; [`Code::Ambiguous`]
+/// for
+/// several units after a slash.
 pub fn parse(text: &str) -> Result<Dimension, Fault> {
     let mut parser = Parser { text, at: 0 };
     let found = parser.product()?;

@@ -1,6 +1,6 @@
 //! The typeset structure of a formula: groups, fences, fractions, scripts, accents, rows. Nothing has a meaning yet.
 //!
-//! [`item`] has the layout tree, [`parser`] builds it from tokens, and [`delimiters`] pairs what opens and closes.
+//! `item` has the layout tree, `parser` builds it from tokens, and `delimiters` pairs what opens and closes.
 //! [`layout`] cannot fail; what it does not understand becomes a [`Layout::Fault`] at its place.
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].

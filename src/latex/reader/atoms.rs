@@ -1,4 +1,4 @@
-//! A single item as a formula: a number, a group, a fraction, a root, a matrix, and what is raised above it.
+//! One item as a formula: a number, a group, a fraction, a root, a matrix, and its superscript.
 
 use crate::code::Code;
 use crate::formula::shape::Shape;
@@ -135,8 +135,19 @@ impl Reader<'_> {
 
     /// `(\vec\omega \times \vec r)_a`, `(R^T)_{ab}`: a component along the fixed axes, an entry.
     fn part(&mut self, fence: &Item, sub: &Item, span: Span) -> Read<Expr> {
-        let refused =
-            || Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only");
+        let is_partial = |item: &Item| match &item.layout {
+            Layout::Fraction(above, _) => {
+                matches!(contents(above), [Item { layout: Layout::Command(name), .. }, ..] if name == "\\partial")
+            }
+            _ => false,
+        };
+        let refused = || match &fence.layout {
+            Layout::Fence(_, inside) if inside.iter().any(is_partial) => {
+                Fault::unsupported(span, "partial derivatives are not supported")
+                    .help("leave the equation out with \"skip\" in the claims file")
+            }
+            _ => Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only"),
+        };
         let index = |item: &Item| match &item.layout {
             Layout::Number(digits) => digits.parse().ok().filter(|n| (1..=3).contains(n)).map(Index::Fixed),
             _ => {
@@ -199,7 +210,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A base with something above the line: a power, a transpose, an inverse.
+    /// A base with a superscript: a power, a transpose, an inverse.
     pub(super) fn raised(&mut self, base: Expr, sup: &Item, span: Span) -> Read<Expr> {
         let shape = self.shape_of(&base)?;
         let boxed = Box::new(base);

@@ -1,4 +1,4 @@
-//! Time derivatives, which act on what follows.
+//! Time derivatives `\frac{d}{dt}` and `dx/dt`. Overdots are in [`crate::latex`], file `overdots.rs`.
 
 use crate::formula::symbols::Name;
 use crate::formula::tree::Expr;
@@ -11,7 +11,7 @@ use super::items::{Joint, contents, differential, is_big_sum, is_integral, joint
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// What `\frac{d}{dt}` acts on.
+    /// The operand of `\frac{d}{dt}`.
     pub(super) fn operand(&mut self, items: &[Item], cursor: &mut usize, operator: Span) -> Read<Expr> {
         while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
             *cursor += 1;
@@ -39,8 +39,9 @@ impl Reader<'_> {
         self.sum(rest, operator)
     }
 
-    /// Whether a derivative before these factors can only be meant of their product: nobody differentiates a constant
-    /// factor alone, and constants after what varies change nothing.
+    /// Whether a derivative before these factors must act on their product: a constant first factor is not
+    /// differentiated
+    /// alone, and constants after the factor that varies change nothing.
     fn reaches_to_the_end<'i>(&self, factors: impl Iterator<Item = &'i Item>) -> bool {
         let factors: Vec<&Item> =
             factors.filter(|item| !matches!(joint(item), Some(Joint::CDot | Joint::Times))).collect();
@@ -54,7 +55,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether an item is a number, or made of numbers and symbols that are known not to vary.
+    /// Whether an item consists of numbers and declared constants.
     fn is_constant(&self, item: &Item) -> bool {
         if let Some(printed) = names::printed(item, self.branch) {
             let known = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));
@@ -71,7 +72,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `\frac{d^n …}{dt^n}`: the order and what stands beside the upper d.
+    /// The order n of `\frac{d^n …}{dt^n}`, and the items after the upper d.
     pub(super) fn derivative<'i>(&self, numerator: &'i Item, denominator: &Item) -> Read<Option<(u8, &'i [Item])>> {
         let upper = contents(numerator);
         let lower = contents(denominator);
@@ -102,7 +103,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `d\theta/dt` typed on one line: d, θ, slash, d, t.
+    /// The order of `d\theta/dt` typed on one line: d, θ, slash, d, t.
     pub(super) fn derivative_slash(&self, items: &[Item], at: usize) -> Option<u8> {
         let [d, inner, slash, below, time, ..] = items.get(at..)? else { return None };
         let is_time = names::printed(time, None).is_some_and(|p| Some(&p.name) == self.symbols.time.as_ref());
@@ -116,7 +117,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether an item is a derivative with nothing beside its upper d: `\frac{d}{dt}`.
+/// Whether an item is `\frac{d}{dt}`, with no operand in its numerator.
 fn is_operator(item: &Item) -> bool {
     match &item.layout {
         Layout::Fraction(above, below) => {

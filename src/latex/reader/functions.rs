@@ -1,4 +1,4 @@
-//! Functions and where their arguments end.
+//! Functions such as `\sin`, and the end of an argument without parentheses.
 
 use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Function, Node};
@@ -16,7 +16,7 @@ struct Run {
     end: usize,
     /// The symbols among them, and whether each is an angle.
     symbols: Vec<(bool, Name)>,
-    /// Whether it is one fraction or root.
+    /// Whether it is a single fraction or root.
     stands_alone: bool,
     /// Whether it ends with a rate.
     is_rate: bool,
@@ -69,7 +69,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The argument of a function that nothing encloses: as many of the following items as can only be meant.
+    /// The argument of a function without parentheses: the following items that can only belong to it.
     fn run_on(&mut self, function: Function, head: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let start = *cursor;
         let run = self.gather(function, head, items, start)?;
@@ -97,7 +97,7 @@ impl Reader<'_> {
         self.term(&items[start..run.end])
     }
 
-    /// Numbers, then symbols, up to the first that is an angle or dotted; a fraction or a root stands alone.
+    /// Numbers, then symbols up to the first angle or dotted symbol; or a single fraction or root.
     fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
         let mut run = Run { end: start, symbols: Vec::new(), stands_alone: false, is_rate: false };
         let mut numbers = 0;
@@ -155,7 +155,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether nothing else can be meant than this run of items.
+    /// Whether this run of items is the only possible argument.
     fn is_settled(&self, run: &Run, items: &[Item]) -> Read<bool> {
         let sure = match run.symbols.as_slice() {
             [] | [_] | [.., (true, _)] => true,
@@ -178,13 +178,13 @@ impl Reader<'_> {
         Ok(sure && !could_go_on)
     }
 
-    /// Whether a symbol stands beside a rate, which is no angle: `\cos\dot\phi t`.
+    /// Whether a symbol follows a dotted symbol, as in `\cos\dot\phi t`.
     fn rate_goes_on(&self, run: &Run, items: &[Item]) -> bool {
         let next = items.get(run.end).and_then(|item| names::printed(item, self.branch));
         run.is_rate && next.is_some_and(|printed| printed.dots == 0)
     }
 
-    /// Whether a symbol without a dot, or a number, stands beside what was read.
+    /// Whether a symbol without a dot, or a number, follows.
     fn goes_on(&self, items: &[Item], at: usize) -> bool {
         items.get(at).is_some_and(|item| {
             is_number(item)
@@ -193,14 +193,14 @@ impl Reader<'_> {
         })
     }
 
-    /// Whether `\,t` follows an argument that is not an angle yet: `\cos\omega\,t`.
+    /// Whether `\,t` follows, as in `\cos\omega\,t`.
     fn time_follows(&self, items: &[Item], at: usize) -> bool {
         let space = items.get(at).is_some_and(|item| matches!(item.layout, Layout::Space(Space::Thin)));
         let time = items.get(at + 1).and_then(|item| names::printed(item, self.branch)).map(|printed| printed.name);
         space && time.is_some() && time == self.symbols.time
     }
 
-    /// `(t)` after something that varies is only a way of writing it.
+    /// Whether an item is the time in parentheses, `(t)`, which may follow a symbol that varies.
     pub(super) fn is_time_in_parentheses(&self, item: &Item) -> bool {
         let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
         let [only] = inside.as_slice() else { return false };

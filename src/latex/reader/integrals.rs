@@ -1,9 +1,11 @@
-//! Integrals over a declared continuum, `\int_V \rho(\vec r)\,\vec r\,d^3r`, and limits as a part of one shrinks,
+//! Integrals over a declared continuum, `\int_V \rho(\vec r)\,\vec r\,d^3r`, and limits of a shrinking part of it,
 //! `\lim_{V(\vec r) \to 0}`.
 //!
-//! The differential ends an integral, or stands first and leaves it the rest of the term. It is that of the place in the
-//! continuum, without its arrow, and its power is the dimension of the continuum: `d^3r`, `d^2r`, `dr`. A volume has `dV`
-//! as well, an area `dA` and `dS`. `dm` is the declared density times any of them.
+//! The differential ends an integral, or is first and is followed by the integrand. It has the letter of the
+//! position,
+//! without its arrow, and the dimension of the continuum as its power: `d^3r`, `d^2r`, `dr`. A volume also has `dV`,
+//! an
+//! area `dA` and `dS`. `dm` is the declared density times the differential.
 
 use crate::code::Code;
 use crate::formula::SymbolId;
@@ -17,7 +19,7 @@ use super::items::{beside, contents, differential, extent, is_integral, is_lone,
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// A continuum by its name, with its argument in parentheses or without: `V(\vec r)`, `V`.
+    /// The continuum with this name, with or without its argument: `V(\vec r)`, `V`.
     pub(super) fn region(&mut self, items: &[Item], place: Span) -> Read<SymbolId> {
         let place = extent(items).unwrap_or(place);
         let refused = || {
@@ -42,7 +44,7 @@ impl Reader<'_> {
         }
     }
 
-    /// An integral up to its differential; the cursor stands behind the sign of it.
+    /// An integral up to its differential; the cursor is after the integral sign.
     pub(super) fn integral(&mut self, sign: &Item, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let Layout::Scripts { sub: Some(below), sup: None, .. } = &sign.layout else {
             return Err(Fault::unsupported(sign.span, "only integrals over a declared continuum are supported")
@@ -115,7 +117,7 @@ impl Reader<'_> {
         Ok(Expr::new(Node::Integral(region, Box::new(body)), span))
     }
 
-    /// A limit as a continuum shrinks around a point, of the rest of the term.
+    /// The limit of the rest of the term as a part of a continuum shrinks to a point.
     pub(super) fn shrinking(&mut self, limit: &Item, rest: &[Item]) -> Read<Expr> {
         let refused = || {
             Fault::unsupported(limit.span, "only limits of a shrinking part of a continuum are supported")

@@ -7,13 +7,13 @@
 //! | `symbols` | a name, its superscript, and a parenthesis after it |
 //! | `vector_names` | the norm, the unit vector and the components of a declared vector |
 //! | `functions` | `\sin` and the like, and where an argument ends |
-//! | `derivatives` | `\frac{d}{dt}`, `dx/dt`; overdots such as `\dot x` are in [`super::overdots`] |
+//! | `derivatives` | `\frac{d}{dt}`, `dx/dt`; overdots such as `\dot x` are in `latex::overdots` |
 //! | `sums` | `\sum` |
 //! | `integrals` | `\int` over a declared continuum, and `\lim` |
 //! | `state` | the reader itself: symbol table, branch of ±, open sums |
 //! | `items` | predicates on layout items |
 //!
-//! The grammar is recursive, hence all of them are methods of one [`Reader`]; each file imports only `state` and `items`.
+//! The grammar is recursive, hence all of them are methods of one `Reader`; each file imports only `state` and `items`.
 //!
 //! # The rules
 //!

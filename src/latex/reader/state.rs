@@ -10,10 +10,10 @@ use crate::source::{Fault, Span};
 /// The result of reading a part of a formula.
 pub(super) type Read<T> = Result<T, Fault>;
 
-/// Gives items a meaning, with the symbols of a document.
+/// The reader of layout items, with the symbols of a document.
 pub(in super::super) struct Reader<'a> {
     pub symbols: &'a mut Symbols,
-    /// The sign that `\pm` stands for.
+    /// The sign that `\pm` stands for, if it is allowed.
     pub branch: Option<Sign>,
     /// The indices of the sums that are being read, outermost first.
     pub(super) summed: Vec<IndexId>,
@@ -27,7 +27,7 @@ impl<'a> Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// The shape of something inside of the sums that are being read.
+    /// The shape of a formula inside the sums that are being read.
     pub(super) fn shape_of(&self, expr: &Expr) -> Read<Shape> {
         let within = |body: Expr, index: &IndexId| {
             let span = body.span;
@@ -46,7 +46,8 @@ pub(super) fn unknown_command(name: &str, span: Span) -> Fault {
         "\\log" => Fault::ambiguous(span, "\\log may be the natural or the decimal logarithm")
             .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}"),
         "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
-        "\\partial" | "\\nabla" => Fault::unsupported(span, format!("{name} is not supported")),
+        "\\partial" | "\\nabla" => Fault::unsupported(span, format!("{name} is not supported"))
+            .help("leave the equation out with \"skip\" in the claims file"),
         "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::unsupported(span, format!("{name} is not supported")),
         "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
             .help("say under \"where\" what the name of the family means in this equation"),

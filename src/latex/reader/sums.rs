@@ -1,8 +1,10 @@
 //! Sums over an index: `\sum_{i=1}^{n}`, `\sum_{j \neq i}`, `\sum_{\vec r_i \in V(\vec r)}`.
 //!
-//! A sum reaches to the end of the term that it stands in. Its index is declared, and its limits are those of the
-//! index: it may start further up, `i=2`, end before the last, `n-1`, and leave out what another index bounds, `j \neq i`,
-//! `j < i`. Of two letters below one Σ, that no other Σ has, `i < j` is a sum over both; `j \neq i` is one over the first.
+//! A sum extends to the end of its term. Its index is declared, and its limits are those of the index. It may start
+//! later,
+//! `i=2`, end earlier, `n-1`, and exclude values by another index, `j \neq i`, `j < i`. If two letters under one Σ
+//! belong
+//! to no other Σ, `i < j` is a sum over both, and `j \neq i` is a sum over the first.
 
 use crate::formula::tree::{Excluded, Expr, Index, IndexId, Node};
 use crate::source::{Fault, Span};
@@ -12,12 +14,12 @@ use super::super::names;
 use super::items::{contents, extent, whole_number};
 use super::state::{Read, Reader};
 
-/// One index below a Σ, and what it leaves out or stays within.
+/// One index under a Σ, with its excluded values and its continuum.
 struct Over {
     index: IndexId,
     except: Vec<Excluded>,
     within: Option<crate::formula::SymbolId>,
-    /// Where this letter and the next stand as a pair, `i < j`, that nothing else says to be one.
+    /// The place of a pair of letters, `i < j`, that only this Σ shows to be a pair.
     pair: Option<Span>,
 }
 
@@ -64,7 +66,7 @@ impl Reader<'_> {
         Ok(body)
     }
 
-    /// What stands below a Σ: `a, b = 1`, `j \neq i`, `j = 1, j \neq i`, `\vec r_i \in V(\vec r)`.
+    /// The indices under a Σ: `a, b = 1`, `j \neq i`, `j = 1, j \neq i`, `\vec r_i \in V(\vec r)`.
     fn below(&mut self, sub: &Item) -> Read<Vec<Over>> {
         let mut overs: Vec<Over> = Vec::new();
         let items: Vec<Item> =
@@ -138,7 +140,7 @@ impl Reader<'_> {
         if overs.is_empty() { Err(wanted(sub.span)) } else { Ok(overs) }
     }
 
-    /// `n - 1` above a Σ: the limit itself, and how many are left out before it.
+    /// The upper limit n of `n - 1`, and the number of last values that are excluded.
     fn all_but<'i>(&self, upper: &'i Item) -> Read<Option<(&'i Item, u8)>> {
         match contents(upper) {
             [limit, minus, less] if minus.layout == Layout::Other('-') => match whole_number(less) {
@@ -157,7 +159,7 @@ impl Reader<'_> {
         self.symbols.index(&printed.name.to_string())
     }
 
-    /// The value that an index leaves out: another index with the same values, or one of them.
+    /// The excluded value of an index: another index with the same range, or a number.
     fn left_out(&self, item: &Item, index: IndexId) -> Read<Index> {
         if let Some(other) = self.letter(item) {
             return match other != index && self.symbols.same_range(index, other) {
@@ -188,7 +190,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether an upper limit is the declared one.
+    /// Checks that an upper limit is the declared one.
     fn fits(&self, upper: &Item, index: IndexId) -> Read<()> {
         let entry = &self.symbols.indices[index.0];
         let declared = match entry.count {
@@ -210,10 +212,11 @@ fn wanted(span: Span) -> Fault {
     Fault::new(span, "a sum needs a declared index under the Σ, as in \\sum_{a=1}^{3}")
 }
 
-/// What an index leaves out that stands in this relation to another.
+/// The excluded values of an index that is in some relation to another.
 type Bound = fn(Index) -> Excluded;
 
-/// What a relation below a Σ leaves out of its left letter, the same for its right letter, and whether it is an order.
+/// The excluded values of the left letter of a relation under a Σ, those of the right letter, and whether it is < or
+/// >.
 fn bound(item: &Item) -> Option<(Bound, Bound, bool)> {
     let (unequal, below, above): (Bound, Bound, Bound) = (Excluded::Value, Excluded::From, Excluded::UpTo);
     match &item.layout {

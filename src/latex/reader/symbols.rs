@@ -1,4 +1,4 @@
-//! A printed name as a symbol of the table, with what a superscript and a following parenthesis make of it.
+//! A printed name as a symbol of the symbol table, with its superscript and a following parenthesis.
 
 use crate::formula::symbols::{Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Index, Node};
@@ -10,7 +10,7 @@ use super::items::{is_lone, is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// A printed name as a symbol of the table, with what its superscript and a following parenthesis make of it.
+    /// A printed name as a symbol of the symbol table, with its superscript and a following parenthesis.
     pub(super) fn symbol(
         &mut self,
         span: Span,
@@ -85,7 +85,8 @@ impl Reader<'_> {
         })
     }
 
-    /// A name with dots that is declared with them, as `\dot{\vec v}` for the rate in turning axes, is that symbol.
+    /// A name with dots that is declared with its dots, as `\dot{\vec v}` for the rate in turning axes, is that
+    /// symbol.
     fn decorated<'i>(&self, printed: Printed<'i>, span: Span) -> Read<Printed<'i>> {
         let declared = |dots: u8| {
             let name = names::with_dots(&printed.name, dots)?;
@@ -108,7 +109,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A symbol that is introduced by its square stands for that; by itself it is the root.
+    /// A symbol that is defined by its square; without the square it is the root.
     fn introduced_by_square(
         &mut self,
         id: SymbolId,
@@ -126,7 +127,7 @@ impl Reader<'_> {
         self.applied(differentiated(root, printed.dots), id, printed.sup, items, cursor)
     }
 
-    /// Whether a printed name means something already.
+    /// Whether a printed name already has a meaning.
     pub(in super::super) fn is_known(&mut self, printed: &Printed<'_>, span: Span) -> bool {
         let name = &printed.name;
         self.symbols.find_or_assemble(name).is_some()
@@ -135,7 +136,7 @@ impl Reader<'_> {
             || name.subscript.is_empty() && self.symbols.find_whole(&name.base).is_some()
     }
 
-    /// In a formula without a file, an unknown letter is a real number.
+    /// An unknown letter in a formula without a claims file, which is a real number.
     fn undeclared(&mut self, printed: Printed<'_>, span: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let name = &printed.name;
         let next = items.get(*cursor).filter(|item| names::printed(item, self.branch).is_some());
@@ -187,7 +188,7 @@ impl Reader<'_> {
         Ok(node.map(|node| Expr::new(node, span)))
     }
 
-    /// A symbol with its power; a parenthesis after it is a factor of its own, unless that could be a call.
+    /// A symbol with its power. A parenthesis after it is a separate factor, unless it may be a function's argument.
     fn applied(
         &mut self,
         expr: Expr,
@@ -235,7 +236,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a parenthesis says what a symbol depends on, and is no factor: the time, or what it was declared with.
+    /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.
     fn is_argument(&self, item: &Item, id: SymbolId) -> bool {
         let entry = self.symbols.entry(id);
         self.is_time_in_parentheses(item) && entry.varies
@@ -297,7 +298,7 @@ impl Reader<'_> {
     }
 }
 
-/// `dots` times differentiated by time.
+/// The `dots`-th time derivative.
 fn differentiated(expr: Expr, dots: u8) -> Expr {
     let span = expr.span;
     if dots == 0 { expr } else { Expr::new(Node::TimeDerivative(dots, Box::new(expr)), span) }

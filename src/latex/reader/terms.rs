@@ -13,7 +13,7 @@ use super::items::{
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// Terms with their signs; all of `items`. `end` is where a fault of absence is put.
+    /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
     pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
         let whole = extent(items).unwrap_or(end);
         let mut terms: Vec<Term> = Vec::new();
@@ -65,7 +65,7 @@ impl Reader<'_> {
         })
     }
 
-    /// How many items belong to the term that starts here: up to a sign that does not follow an operator.
+    /// The number of items of the term that starts here: up to a sign that follows no operator.
     fn term_length(&self, items: &[Item]) -> Read<usize> {
         let mut after_operator = false;
         for (at, item) in items.iter().enumerate() {
@@ -83,7 +83,7 @@ impl Reader<'_> {
         Ok(items.len())
     }
 
-    /// Factors and what joins them; all of `items`.
+    /// A term: factors and the operators between them; all of `items`.
     pub(super) fn term(&mut self, items: &[Item]) -> Read<Expr> {
         let whole = extent(items).unwrap_or_default();
         // Factors between one `\cdot` or `\times` and the next stand side by side.
@@ -159,7 +159,7 @@ impl Reader<'_> {
         self.join(runs, whole)
     }
 
-    /// Refuses factors side by side that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
+    /// Rejects neighbouring factors that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
     fn run_together(&self, items: &[Item], at: usize) -> Read<()> {
         let before = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
         let Some(before) = before else { return Ok(()) };
@@ -177,7 +177,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Joins runs of factors by `\times` (first) and `\cdot`; of numbers both are plain products.
+    /// Joins runs of factors by `\times` (first) and `\cdot`. Between numbers, both are plain products.
     fn join(&self, runs: Vec<(Joint, Vec<Expr>)>, whole: Span) -> Read<Expr> {
         if runs.len() == 1 {
             let mut expr = beside(runs.into_iter().flat_map(|(_, run)| run).collect());
@@ -236,7 +236,7 @@ impl Reader<'_> {
         Ok(expr)
     }
 
-    /// Where a number with the letter of a vector is a factor of a number: the B of `\vec B`.
+    /// The place of a factor with the letter of a vector but without its arrow: the B of `\vec B`.
     fn names_a_vector(&self, number: &Expr) -> Option<Span> {
         match &number.node {
             Node::Product(factors) => factors.iter().find_map(|factor| self.names_a_vector(factor)),
@@ -252,7 +252,7 @@ impl Reader<'_> {
         }
     }
 
-    /// One factor; the flag is false when it is a function whose argument nothing encloses.
+    /// One factor. The flag is false for a function whose argument has no parentheses.
     fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
         let item = &items[*cursor];
         if let Some((function, power)) = function_head(item)? {
@@ -302,7 +302,7 @@ impl Reader<'_> {
     }
 }
 
-/// Where the length of a vector, or a rate of it, is a factor of a number.
+/// The place of a factor that is the norm of a vector, or a derivative of one.
 fn length(number: &Expr) -> Option<Span> {
     match &number.node {
         Node::Product(factors) => factors.iter().find_map(length),

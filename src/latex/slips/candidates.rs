@@ -12,10 +12,10 @@ use super::finder::Finder;
 use super::parts::{formulas, insides, is_big, is_function, is_integral, is_sum};
 use super::pool::Pool;
 
-/// Longer factors are not put in.
+/// The most bytes of a factor that is inserted.
 const LONGEST: usize = 120;
 
-/// The factors, terms and functions of texts, and how often each stands there.
+/// The factors, terms and functions of texts, with the number of their occurrences.
 #[derive(Default)]
 struct Counts {
     factors: HashMap<String, usize>,
@@ -26,7 +26,7 @@ struct Counts {
 }
 
 impl Pool {
-    /// The factors of some texts, the commonest first, and the terms of them; at most so many of each.
+    /// The factors, terms, functions and operators of these texts, the most frequent first; at most `most` of each.
     pub fn of<'t>(texts: impl Iterator<Item = &'t str>, symbols: &Symbols, macros: &Macros, most: usize) -> Pool {
         let mut counts = Counts::default();
         for text in texts {
@@ -49,7 +49,7 @@ impl Pool {
         Pool { factors, terms, functions: sorted(counts.functions), sums: sorted(counts.sums), names: counts.names }
     }
 
-    /// With the members of families that have the index letters of a text.
+    /// The pool with the members of families that have the index letters of a text.
     pub fn with_members(mut self, text: &str, symbols: &Symbols, macros: &Macros) -> Pool {
         if let Ok(items) = typeset_items(text, macros) {
             let members = Finder::new(text, symbols, None).members(&items);

@@ -2,12 +2,12 @@
 
 use crate::source::Span;
 
-/// A change to a text: some bytes of it, and what stands there instead.
+/// A change to a text: a range of bytes and its replacement.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// The bytes that go.
+    /// The bytes that are replaced.
     pub span: Span,
-    /// What comes in their place.
+    /// The replacement.
     pub replacement: String,
     /// The kind of slip.
     pub slip: Slip,
@@ -24,7 +24,7 @@ impl Edit {
     }
 }
 
-/// The kinds of slip, the likeliest first.
+/// The kinds of slip, the most likely first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Slip {
     /// A term or a factor typed twice.
@@ -43,7 +43,7 @@ pub enum Slip {
     Exponent,
     /// One function for another, as sine for cosine.
     Function,
-    /// A bar, hat or vector arrow lost or put on.
+    /// A bar, hat or vector arrow lost or added.
     Accent,
     /// Factors in another order.
     Order,
@@ -55,14 +55,14 @@ pub enum Slip {
     Relation,
     /// One symbol for another of its kind that is not like it.
     Name,
-    /// A factor left out or put in.
+    /// A factor lost or added.
     Factor,
-    /// A term left out or put in.
+    /// A term lost or added.
     Term,
 }
 
 impl Slip {
-    /// What it is about, in a word or two.
+    /// The name of the kind in messages.
     pub fn word(self) -> &'static str {
         match self {
             Slip::Doubled => "doubled",
@@ -84,7 +84,7 @@ impl Slip {
     }
 }
 
-/// `\boldsymbol` where the bold letter is a Greek one: of those TeX has no `\mathbf`.
+/// The formula with `\boldsymbol` for each bold Greek letter, since `\mathbf` has no Greek letters in TeX.
 pub(super) fn bold(formula: String) -> String {
     const UPRIGHT: &str = "\\mathbf{\\";
     match formula.contains(UPRIGHT) {

@@ -7,11 +7,11 @@ use super::super::layout::{Item, Layout};
 use super::edit::{Edit, Slip, bold};
 use super::pool::Pool;
 
-/// Walks what is typeset and gathers edits.
+/// The walker over the layout that collects edits.
 pub(super) struct Finder<'a> {
     pub text: &'a str,
     pub symbols: &'a Symbols,
-    /// What may be put in; none where slips are made and not undone.
+    /// The factors and terms to insert; `None` where slips are made, not corrected.
     pub pool: Option<&'a Pool>,
     pub edits: Vec<Edit>,
 }
@@ -24,13 +24,13 @@ impl<'a> Finder<'a> {
 }
 
 impl Finder<'_> {
-    /// What is typed there; nothing for what a macro's body and its arguments have put in another order.
+    /// The text at a span; empty where a macro changed the order of its bytes.
     pub(super) fn slice(&self, span: Span) -> &str {
         self.text.get(span.range()).unwrap_or_default()
     }
 
-    /// Adds an edit, but for one after which TeX would see two scripts in one place; a command and a letter that would run
-    /// together are set apart.
+    /// Adds an edit, unless it would give a base two equal scripts. A space separates a command from a letter after
+    /// it.
     pub(super) fn edit(&mut self, slip: Slip, span: Span, replacement: impl Into<String>) {
         let mut replacement = bold(replacement.into());
         if self.text.get(span.range()).is_none() {
@@ -52,12 +52,12 @@ impl Finder<'_> {
         self.edits.push(Edit { span, replacement, slip });
     }
 
-    /// What is inside of an item, but for what comes from a macro.
+    /// The inner item, unless it comes from the same macro call as the outer one.
     pub(super) fn inside<'i>(&self, item: &Item, inner: &'i Item) -> Option<&'i Item> {
         (inner.span != item.span && item.span.contains(inner.span)).then_some(inner)
     }
 
-    /// An argument of a command: the list in its braces, or the one thing that it is.
+    /// Collects the edits of a command's argument: a list in braces, or one item.
     pub(super) fn argument(&mut self, item: &Item, argument: &Item) {
         let Some(argument) = self.inside(item, argument) else { return };
         match &argument.layout {

@@ -1,4 +1,4 @@
-//! Insertions: factors and terms that stand elsewhere in the document, put in where one may have been left out.
+//! Insertions: factors and terms of the pool, inserted where one may be missing.
 
 use crate::source::Span;
 
@@ -8,8 +8,9 @@ use super::finder::Finder;
 use super::parts::{Factor, Term, is_big, is_function, is_integral, is_number, is_times};
 
 impl Finder<'_> {
-    /// Each factor of the pool put into a term: before it, after it if it is no number, and after what acts on all that follows; a
-    /// vector before and after a vector, too.
+    /// Inserts each factor of the pool into a term: before it, after it if it is no number, and after Σ, ∫ or lim. A
+    /// vector is
+    /// also inserted before and after each vector, with × and ·.
     pub(super) fn insert_factors(&mut self, factors: &[Factor<'_>]) {
         let Some(pool) = self.pool else { return };
         let (Some(first), Some(last)) = (factors.first(), factors.last()) else { return };
@@ -55,7 +56,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Where a vector stands after another with nothing between them.
+    /// The places where two vectors follow each other without an operator.
     fn between_vectors(&self, factors: &[Factor<'_>]) -> Vec<usize> {
         let is = |factor: &Factor<'_>| is_vector(self.slice(factor.span()));
         let pairs = factors.iter().zip(factors.iter().skip(1));
@@ -63,7 +64,7 @@ impl Finder<'_> {
         bare.map(|(_, second)| second.span().start).collect()
     }
 
-    /// The product of two vectors, where it is not said which.
+    /// Inserts × or · between two vectors without an operator.
     pub(super) fn multiply(&mut self, factors: &[Factor<'_>]) {
         for at in self.between_vectors(factors) {
             for operator in ["\\times ", "\\cdot "] {
@@ -72,7 +73,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Parentheses around a product of two vectors that is a factor of another.
+    /// Puts a product of two vectors in parentheses where another product follows.
     pub(super) fn associate(&mut self, factors: &[Factor<'_>]) {
         if factors.iter().filter(|factor| factor.operator.is_some_and(is_times)).count() < 2 {
             return;
@@ -83,7 +84,7 @@ impl Finder<'_> {
         }
     }
 
-    /// What an integral is taken over: the d or its power lost, or what stands after it.
+    /// Completes a differential: its d, its power, or its variable.
     pub(super) fn elements(&mut self, factors: &[Factor<'_>]) {
         let Some(pool) = self.pool.filter(|_| factors.iter().any(|factor| is_integral(&factor.items[0]))) else {
             return;
@@ -103,7 +104,7 @@ impl Finder<'_> {
         }
     }
 
-    /// A sign between two factors of a term, which was two.
+    /// Inserts a sign between two factors, which makes two terms.
     pub(super) fn split(&mut self, factors: &[Factor<'_>]) {
         // What acts on all that follows is no term by itself.
         let acts = |factor: &Factor<'_>| is_big(&factor.items[0]) || self.slice(factor.span()).contains("{dt");
@@ -115,7 +116,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Each Σ of the pool put before a factor.
+    /// Inserts each Σ of the pool before each factor.
     pub(super) fn insert_sums(&mut self, factors: &[Factor<'_>]) {
         let Some(pool) = self.pool else { return };
         for sum in &pool.sums {
@@ -125,7 +126,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Each term of the pool added to a formula, and taken from it.
+    /// Adds each term of the pool to a formula, and subtracts it.
     pub(super) fn insert_terms(&mut self, terms: &[Term<'_>]) {
         let (Some(pool), Some(last)) = (self.pool, terms.last()) else { return };
         for term in &pool.terms {

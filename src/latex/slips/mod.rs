@@ -1,12 +1,16 @@
-//! The slips of authors, as edits of what they typed; and the edits that undo such slips.
+//! Slips, the small mistakes of authors, as edits of a display; and the edits that may correct them.
 //!
-//! [`slips`] gives every single slip in the text of a display: a sign, a factor, a dot, an index, a parenthesis.
-//! [`corrections`] gives what mends one: the same edits, since most slips are undone by one of their own kind, and what
-//! undoes the others, a factor or a term put in. They are found in what is typeset ([`super::layout`]) and in the names
-//! of the document; what a formula means is not looked at, so a display that cannot be read has them too.
+//! [`slips`] gives every single slip in the text of a display, for mutation testing: another sign, factor, dot, index
+//! or
+//! parenthesis. [`corrections`] gives the candidate corrections: the same edits, and insertions of a factor or a
+//! term.
+//! Both use the layout ([`super::layout`]) and the names of the document, but not the meaning of a formula. A display
+//! that
+//! cannot be read has them too.
 //!
-//! An [`Edit`] is one run of bytes and what stands there instead. Nothing else of the author's text is touched. What a
-//! macro of the author's expands to has no bytes of its own, and is left alone but as a whole.
+//! An [`Edit`] replaces one range of bytes. The rest of the author's text stays as it is. The expansion of a macro
+//! has no
+//! bytes of its own; only the whole call is edited.
 
 mod atoms;
 mod candidates;
@@ -37,7 +41,7 @@ pub use edit::{Edit, Slip};
 pub use insertion_points::{InsertionPoint, insertion_points};
 pub use pool::Pool;
 
-/// So many terms that are like those that stand there are tried.
+/// The most terms with a slip that are tried.
 const LIKE: usize = 400;
 
 /// Every single slip in the text of a display.
@@ -45,7 +49,7 @@ pub fn slips(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Edit> {
     found(text, symbols, macros, None)
 }
 
-/// The edits that undo a single slip; what may be put in is taken from `pool`.
+/// The edits that may correct a single slip. Factors and terms to insert are taken from `pool`.
 pub fn corrections(text: &str, symbols: &Symbols, macros: &Macros, pool: &Pool) -> Vec<Edit> {
     found(text, symbols, macros, Some(pool))
 }
@@ -64,7 +68,7 @@ fn found(text: &str, symbols: &Symbols, macros: &Macros, pool: Option<&Pool>) ->
 }
 
 impl Pool {
-    /// The terms alone, each with every single slip in it: what was lost is like what stands there.
+    /// The terms of the pool, each with every single slip in it. A lost term is often like a term that is there.
     pub fn of_like_terms(&self, symbols: &Symbols, macros: &Macros) -> Pool {
         let like = |term: &String| {
             let slips = slips(term, symbols, macros).into_iter().filter(|edit| edit.slip != Slip::Doubled);

@@ -39,7 +39,7 @@ impl Factor<'_> {
     }
 }
 
-/// What sets formulas apart: a relation, the end of a row or a cell, a comma, a wide space, a word.
+/// Whether an item separates formulas: a relation, the end of a row or a cell, a comma, a wide space, a word.
 fn separates(item: &Item) -> bool {
     match &item.layout {
         Layout::Other('=' | '<' | '>' | ',' | ';' | '≈' | '≡' | '≤' | '≥' | '≠' | ':') => true,
@@ -119,7 +119,7 @@ pub(super) fn is_function(item: &Item) -> bool {
     command(item).and_then(|name| name.strip_prefix('\\')).is_some_and(|name| Function::named(name).is_some())
 }
 
-/// The formulas of a list, each as its terms.
+/// The formulas of a list, each as a list of terms.
 pub(super) fn formulas(items: &[Item]) -> Vec<Vec<Term<'_>>> {
     items.split(separates).map(terms).filter(|terms| !terms.is_empty()).collect()
 }
@@ -160,7 +160,7 @@ fn trimmed(mut items: &[Item]) -> &[Item] {
 }
 
 impl Finder<'_> {
-    /// The factors of a term: a function with its argument is one, and so is a rotation with its angle.
+    /// The factors of a term. A function with its argument is one factor, and so is a rotation with its angle.
     pub(super) fn factors<'i>(&self, items: &'i [Item]) -> Vec<Factor<'i>> {
         let mut factors: Vec<Factor<'i>> = Vec::new();
         let mut operator = None;

@@ -2,21 +2,21 @@
 
 use crate::formula::SymbolId;
 
-/// Factors and terms that may be put in, as their authors typed them.
+/// Factors and terms that may be inserted, as their authors typed them.
 #[derive(Clone, Debug, Default)]
 pub struct Pool {
     pub(super) factors: Vec<String>,
     pub(super) terms: Vec<String>,
-    /// `\sin`, `\cos^2`: what may stand before a name.
+    /// Functions that may precede a name: `\sin`, `\cos^2`.
     pub(super) functions: Vec<String>,
-    /// `\sum_{i=1}^{n}`, `\int_V`: what may stand before factors.
+    /// Operators that may precede factors: `\sum_{i=1}^{n}`, `\int_V`.
     pub(super) sums: Vec<String>,
-    /// The symbols that stand there.
+    /// The symbols of the texts.
     pub(super) names: Vec<SymbolId>,
 }
 
 impl Pool {
-    /// Nothing: what was lost is not looked for.
+    /// An empty pool.
     pub fn empty() -> Pool {
         Pool::default()
     }

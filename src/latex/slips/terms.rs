@@ -9,7 +9,7 @@ use super::finder::Finder;
 use super::parts::{Factor, Term, formulas, is_big, is_function, is_number, is_space, is_times};
 
 impl Finder<'_> {
-    /// Slips in a display; an environment of rows that is all of it is no formula.
+    /// Collects the edits of a display. An environment of rows that is the whole display is divided into its cells.
     pub(super) fn display(&mut self, items: &[Item]) {
         let mut significant = items.iter().filter(|item| !is_space(item) && item.layout != Layout::Other(','));
         match (significant.next(), significant.next()) {
@@ -20,7 +20,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Slips in a list, and in all that it is made of.
+    /// Collects the edits of a list and of all its parts.
     pub(super) fn list(&mut self, items: &[Item]) {
         for terms in formulas(items) {
             for (at, term) in terms.iter().enumerate() {
@@ -71,7 +71,7 @@ impl Finder<'_> {
         })
     }
 
-    /// Slips in the sign of a term; one that stands first needs no plus.
+    /// Collects the edits of a term's sign. The first term needs no plus.
     fn sign(&mut self, term: &Term<'_>, is_first: bool) {
         let Some(sign) = term.sign else {
             self.edit(Slip::Sign, Span::at(term.span().start), "-");
@@ -120,7 +120,7 @@ impl Finder<'_> {
         self.edit(Slip::Doubled, Span::at(term.span().end), twice);
     }
 
-    /// The slip that typing something a second time is; where slips are undone, a second one is rarely what is wanting.
+    /// The kind of slip of a repeated factor. In a correction a repetition is rarely what is missing.
     fn doubling(&self, loss: Slip) -> Slip {
         if self.pool.is_some() { loss } else { Slip::Doubled }
     }
@@ -142,7 +142,7 @@ impl Finder<'_> {
         self.edit(Slip::Relation, item.span, other);
     }
 
-    /// Slips among the factors of a term.
+    /// Collects the edits of the factors of a term.
     fn term(&mut self, term: &Term<'_>) {
         let factors = self.factors(term.items);
         for (at, factor) in factors.iter().enumerate() {
@@ -219,7 +219,8 @@ impl Finder<'_> {
         }
     }
 
-    /// Where a power is put on a factor that has none: after a name or a parenthesis, or after a function before its argument.
+    /// The place for a power on a factor without one: after a name or a parenthesis, or between a function and its
+    /// argument.
     fn place_of_a_power(&self, factor: &Factor<'_>) -> Option<usize> {
         let first = &factor.items[0];
         let bare = match &first.layout {

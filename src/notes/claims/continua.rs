@@ -1,10 +1,10 @@
-//! Continua: bodies whose mass is spread over a line, an area or a volume.
+//! Continua: bodies with a mass per length, per area or per volume.
 
 use super::fields::{self, Fields, Text};
 use crate::notes::json::{Json, Spanned, Value};
 use crate::source::{Fault, Source};
 
-/// A body whose mass is spread out; its name is the region of the integrals over it.
+/// A body with a density. Its name is the region of the integrals over it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Continuum {
     /// The region: the `V` of `\int_V`.
@@ -13,13 +13,13 @@ pub struct Continuum {
     pub dimension: u8,
     /// The symbol of the density: the `\rho` of `\rho(\vec r)`.
     pub density: Spanned<String>,
-    /// Where it is taken: the `\vec r` of `\rho(\vec r)`.
+    /// The point of the density: the `\vec r` of `\rho(\vec r)`.
     pub point: Spanned<String>,
-    /// `particles`: the mass and the position of its pieces, where it is cut into some.
+    /// `particles`: the mass and the position of the pieces, if the body is divided into particles.
     pub particles: Option<(Spanned<String>, Spanned<String>)>,
     /// `uniform`: the density is the same everywhere.
     pub uniform: bool,
-    /// `made of`: its shape. Empty where it may be any.
+    /// `made of`: the shape of the body; empty for any shape.
     pub made_of: Vec<Solid>,
 }
 
@@ -30,9 +30,9 @@ pub struct Solid {
     pub kind: Spanned<SolidKind>,
     /// Its size, in LaTeX: a length, or lengths with commas between them.
     pub size: Spanned<String>,
-    /// `at`: where its centre is; at the origin, if nothing is said.
+    /// `at`: the position of the centre; the origin by default.
     pub at: Option<Spanned<String>>,
-    /// `hollow`: it is cut out of the others.
+    /// `hollow`: the body is removed from the others.
     pub hollow: bool,
 }
 
@@ -54,7 +54,7 @@ pub enum SolidKind {
 }
 
 impl SolidKind {
-    /// Over how many dimensions its mass is spread.
+    /// The dimension of the body: 1 for a line, 2 for an area, 3 for a volume.
     pub fn dimension(self) -> u8 {
         match self {
             SolidKind::Ball | SolidKind::Box => 3,
@@ -63,7 +63,7 @@ impl SolidKind {
         }
     }
 
-    /// How many lengths its size is.
+    /// The number of lengths in the size.
     fn lengths(self) -> usize {
         match self {
             SolidKind::Box => 3,
@@ -116,7 +116,7 @@ fn continuum(name: &Text, json: &Json, source: &Source) -> Result<Continuum, Fau
     Ok(Continuum { name, dimension, density, point, particles, uniform, made_of })
 }
 
-/// `\rho(\vec r)`: the symbol, and where it is taken.
+/// `\rho(\vec r)`: the symbol and the point.
 fn density(written: &Text, source: &Source) -> Result<(Text, Text), Fault> {
     let text = written.value.trim_end();
     let parts = text.strip_suffix(')').and_then(|inside| Some((text.find('(')?, inside.len())));

@@ -1,4 +1,4 @@
-//! Typed access to a JSON object: unknown keys and wrong types are refused at their place.
+//! Typed access to a JSON object. Unknown keys and wrong types are faults at their places.
 
 use crate::notes::json::{Json, Spanned, Value, place_in_string};
 use crate::source::{Fault, Source, Span};
@@ -15,8 +15,10 @@ pub(super) struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// The object `json`, called `what` in messages. Its keys must be in `known`; those in `later` are refused as
-    /// not supported yet.
+    /// The object `json`, called `what` in messages.
+    ///
+    /// # Errors
+    /// A key that is not in `known`; a key in `later` is reported as not supported yet.
     pub fn new(json: &'a Json, what: &str, known: &[&[&str]], later: &[&str]) -> Result<Self, Fault> {
         let entries = object(json, what)?;
         let known = || known.iter().flat_map(|list| list.iter().copied());
@@ -76,7 +78,7 @@ impl<'a> Fields<'a> {
         self.get(name).map(|json| count(json, name)).transpose()
     }
 
-    /// A key that can only be switched on.
+    /// The place of a key whose only value is `true`.
     pub fn on(&self, name: &str) -> Result<Option<Span>, Fault> {
         match self.get(name) {
             None => Ok(None),
@@ -88,7 +90,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Refuses one of two keys that need each other when the other is missing.
+    /// Checks that two keys that need each other are both given or both absent.
     pub fn together(&self, one: &str, other: &str, why: &str) -> Result<(), Fault> {
         let (a, b) = (self.entry(one), self.entry(other));
         let (present, missing) = match (a, b) {
@@ -163,7 +165,7 @@ pub(super) fn piece(text: &Text, part: std::ops::Range<usize>, source: &Source) 
     Text::new(inside.to_owned(), span)
 }
 
-/// The names in a text such as `M, g, R`: parted at the commas outside of brackets, each with its own place.
+/// The names in a text such as `M, g, R`, separated at commas outside of brackets, each with its own place.
 pub(super) fn names(list: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
     let text = &list.value;
     let mut depth = 0usize;

@@ -1,11 +1,11 @@
-//! Ranges: from where a symbol's values are drawn.
+//! Ranges: the values that are sampled for a symbol.
 
 use crate::notes::json::Spanned;
 use crate::notes::normalize::normalized;
 use crate::source::Fault;
 use crate::suggest::nearest;
 
-/// What values a symbol takes.
+/// The values of a symbol.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Range {
     /// `> 0`
@@ -22,9 +22,9 @@ pub enum Range {
         low: f64,
         /// The upper end.
         high: f64,
-        /// Whether the lower end is left out.
+        /// Whether the lower end is excluded.
         low_open: bool,
-        /// Whether the upper end is left out.
+        /// Whether the upper end is excluded.
         high_open: bool,
     },
     /// `integer 2..5`; for indices also `1..3` and `1..n`.
@@ -34,20 +34,21 @@ pub enum Range {
         /// The last.
         high: Count,
     },
-    /// `labels 1..4`, `labels 1..n`: a label from 1 on, which no repetition sums over. Of indices only.
+    /// `labels 1..4`, `labels 1..n`: a label, which is not summed over by repetition. For indices only.
     Labels {
         /// The last.
         high: Count,
     },
-    /// `rigid, turning with \vec\omega`: a vector of fixed length that varies at the rate ω × itself; `about \vec c`:
-    /// a position whose distance from **c** does. Of what varies with time only.
+    /// `rigid, turning with \vec\omega`: a vector of fixed length whose rate is ω × the vector; `about \vec c`: a
+    /// position
+    /// that turns about **c**. Under `varies with time` only.
     Rigid {
         /// ω, in LaTeX.
         turning_with: String,
-        /// The point that stays in the body, in LaTeX; the origin, if nothing is said.
+        /// The fixed point of the rotation, in LaTeX; the origin by default.
         about: Option<String>,
     },
-    /// `fixed direction`: a vector whose length alone varies. Of what varies with time only.
+    /// `fixed direction`: a vector of which only the length varies. Under `varies with time` only.
     FixedDirection,
 }
 
@@ -93,7 +94,7 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
     Ok(Spanned::new(range, written.span))
 }
 
-/// Reads how something varies freely with time: a range, or the motion of a vector.
+/// Reads the range of a symbol that varies with time: values, or the motion of a vector.
 pub(super) fn motion(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
     let text = written.value.trim();
     if text == "fixed direction" {
@@ -194,7 +195,7 @@ fn endpoint(text: &str) -> Result<f64, String> {
     if value.is_finite() { Ok(sign * value) } else { Err(format!("\"{}\" is not a finite number", text.trim())) }
 }
 
-/// The argument of a `\frac`: a token, or what stands in braces.
+/// The argument of a `\frac`: a token, or the tokens in braces.
 fn argument<'a>(tokens: &mut impl Iterator<Item = &'a str>) -> String {
     match tokens.next() {
         Some("{") => tokens.take_while(|&token| token != "}").collect(),

@@ -1,4 +1,4 @@
-//! A sentence of the prose turned into a test.
+//! The claim about a sentence of the prose.
 
 use super::claim::{self, Claim};
 use super::fields::{self, Fields, Text};
@@ -6,24 +6,24 @@ use crate::notes::address::Address;
 use crate::notes::json::{Json, Spanned};
 use crate::source::{Fault, Source};
 
-/// A sentence of the notes, and what it claims.
+/// A sentence of the notes with its claim.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sentence {
-    /// `name`: what it is called in a report.
+    /// `name`: its name in a report.
     pub name: Option<Spanned<String>>,
-    /// `quote`: word for word.
+    /// `quote`: the sentence, word for word.
     pub quote: Spanned<String>,
-    /// `in`: the equation whose scope it borrows.
+    /// `in`: the equation whose declarations and hypotheses it uses.
     pub scope: Option<Address>,
-    /// What is tested.
+    /// The test.
     pub test: Test,
-    /// `against`: along which variable.
+    /// `against`: the variable of a limit, a minimum or a slope.
     pub against: Option<Spanned<String>>,
-    /// The keys of an equation's claim; without `solves`.
+    /// The keys that it shares with the claim about an equation.
     pub claim: Claim,
 }
 
-/// What a sentence says.
+/// The test that a sentence states.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Test {
     /// The quoted formula itself.
@@ -38,18 +38,18 @@ pub enum Test {
     Of(Spanned<String>, Property),
     /// `solutions` n `of` an equation `for` an unknown.
     Solutions {
-        /// How many.
+        /// Their number.
         count: Spanned<usize>,
-        /// Of which equation.
+        /// The equation.
         of: Address,
-        /// For which unknown.
+        /// The unknown.
         unknown: Spanned<String>,
     },
-    /// `refers to`: the sentence cites an equation, and means one with this formula in it.
+    /// `refers to`: the sentence cites an equation that must contain this formula.
     RefersTo {
         /// The number that it cites.
         number: Spanned<String>,
-        /// `containing`: LaTeX that must stand in that equation.
+        /// `containing`: the LaTeX that the equation must contain.
         containing: Spanned<String>,
     },
 }
@@ -61,11 +61,11 @@ pub enum Property {
     IndependentOf(Vec<Spanned<String>>),
     /// `sign`
     Sign(Spanned<Sign>),
-    /// `minima`: how many, in the interior.
+    /// `minima`: their number in the interior of the range.
     Minima(Spanned<usize>),
-    /// `maxima`: how many, in the interior.
+    /// `maxima`: their number in the interior of the range.
     Maxima(Spanned<usize>),
-    /// `tends to`: limits, and the values there.
+    /// `tends to`: limits and the values there.
     TendsTo(Vec<(Spanned<String>, Spanned<String>)>),
     /// `rises with`
     RisesWith(Spanned<String>),
@@ -76,11 +76,11 @@ pub enum Property {
 /// The sign of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// Everywhere above 0.
+    /// Positive everywhere.
     Positive,
-    /// Everywhere below 0.
+    /// Negative everywhere.
     Negative,
-    /// Both occur.
+    /// Both signs occur.
     Changes,
 }
 

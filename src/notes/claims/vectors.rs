@@ -1,24 +1,24 @@
-//! Unit vectors and components: what the claims file says of the frames that vectors are written in.
+//! Unit vectors and the components of vectors along them.
 
 use super::fields::{self, Fields, Text};
 use crate::notes::json::Spanned;
 use crate::source::{Fault, Source};
 
-/// How a triad of unit vectors moves.
+/// The motion of three unit vectors.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Axes {
-    /// `fixed`: not at all.
+    /// `fixed`: no motion.
     Fixed,
-    /// `turning with \vec\omega`: at the rate ω × ê, with this ω.
+    /// `turning with \vec\omega`: the rate of each ê is ω × ê.
     TurningWith(String),
 }
 
-/// How the components of a vector are called.
+/// The names of the components of a vector.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Components {
     /// `x_i, y_i, z_i`: along the fixed axes, in their order.
     Names([Spanned<String>; 3]),
-    /// `along \hat e_a`: the vector's letter, with the index of these axes.
+    /// `along \hat e_a`: the letter of the vector, with the index of these axes.
     Along(Spanned<String>),
 }
 
