@@ -1,9 +1,9 @@
 //! From the normal form to a formula as physicists print it.
 //!
-//! A sum is collected by its parameters, since each of them stands for a part of the physics: λ₁(θ̇² + φ̇² sin²θ). Within
-//! a collection the terms over one denominator are put together, what they share is taken out, and a square is written as
-//! one. Highest derivatives come first, then velocities and momenta, then what depends on the place alone; in a term the
-//! number, parameters, coordinates, momenta, accelerations, velocities, functions.
+//! A sum is collected by its parameters, since each of them stands for a part of the physics: λ₁(θ̇² + φ̇² sin²θ).
+//! Within a collection the terms over one denominator are put together, what they share is taken out, and a square is
+//! written as one. Highest derivatives come first, then velocities and momenta, then what depends on the place alone;
+//! in a term the number, parameters, coordinates, momenta, accelerations, velocities, functions.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -285,7 +285,10 @@ impl Printer<'_> {
     }
 
     fn letter(&self, n: u32) -> Result<&Letter> {
-        self.letters.get(n as usize).ok_or_else(|| Error::new(format!("input {n} has no name")))
+        self.letters.get(n as usize).ok_or_else(|| {
+            Error::new(format!("input {n} of the recorded function has no letter"))
+                .help("give one letter for each input")
+        })
     }
 
     fn class(&self, atom: u32) -> Option<Class> {
@@ -367,7 +370,12 @@ fn named(function: Function) -> Result<formula::Function> {
         Function::Asin => formula::Function::Arcsin,
         Function::Acos => formula::Function::Arccos,
         Function::Atan => formula::Function::Arctan,
-        other => return Err(Error::new(format!("{other:?} has no name in print"))),
+        other => {
+            return Err(Error::new(format!(
+                "the function {other:?} cannot be typeset, because it has no usual symbol"
+            ))
+            .help("write the Lagrangian with sin, cos, sinh, cosh, exp, ln or their inverses"));
+        }
     })
 }
 

@@ -7,7 +7,7 @@
 use nalgebra::Matrix3;
 use num_dual::Dual;
 
-use crate::scalar::{Instant, Measured, Number, Series};
+use crate::scalar::{Number, Primal, RunningError, Series};
 
 use super::ids::{IndexId, SymbolId};
 use super::symbols::Symbols;
@@ -44,9 +44,9 @@ impl<B: Number> Differentiable for Series<B> {
     }
 }
 
-impl<B: Number> Differentiable for Instant<B> {}
+impl<B: Number> Differentiable for Primal<B> {}
 impl Differentiable for f64 {}
-impl Differentiable for Measured {}
+impl Differentiable for RunningError {}
 impl<B: Number> Differentiable for Dual<B> {}
 
 /// The values of symbols, and the operations on continua that a formula may need.

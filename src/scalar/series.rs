@@ -3,6 +3,13 @@
 //! Feed the coordinates of a motion in as series and any quantity comes out as a series: dots on a symbol, d/dt of a
 //! bracket and chains of either are then read off. A series also says how many of its coefficients are known, so that
 //! a derivative that the motion does not determine is absent, not wrong.
+//!
+//! # Why everything is a Taylor series in time
+//!
+//! A dot, two dots, d/dt of a bracket and "constant" are then one operation, a shift of coefficients. A series
+//! knows how many of its coefficients are known; a derivative that nobody supplied is `Unavailable`, never zero. On
+//! shell, the accelerations are run over series, and each run gives one more order. Six coefficients are kept, so
+//! the fifth derivative is the highest. Only what is used is computed.
 
 use std::fmt;
 
@@ -153,7 +160,8 @@ impl<B: Number> Series<B> {
         if length >= known {
             return;
         }
-        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from itself.
+        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from
+        // itself.
         let nothing = self.coefficients[0] * B::zero();
         #[allow(clippy::eq_op)]
         if nothing != nothing {
@@ -387,7 +395,7 @@ dual_number!(Series<B: Number>);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Measured;
+    use crate::scalar::RunningError;
     use num_dual::DualNum;
 
     #[test]
@@ -437,8 +445,8 @@ mod tests {
 
     #[test]
     fn a_rate_is_the_value_of_a_derivative() {
-        let t = Series::time(Measured::new(0.7));
-        for x in [t, t * t - t * 2.0, t.sin() * t.truncated(4), Series::constant(Measured::new(1.3))] {
+        let t = Series::time(RunningError::new(0.7));
+        for x in [t, t * t - t * 2.0, t.sin() * t.truncated(4), Series::constant(RunningError::new(1.3))] {
             let mut derivative = x;
             for k in 0..x.known() {
                 let (rate, expected) = (x.rate(k).unwrap(), derivative.value());

@@ -1,12 +1,12 @@
 //! The heavy symmetric top: a body with λ₁ = λ₂, turning about a fixed point in a uniform gravitational field.
 //!
-//! From first principles: the orientation is a product of three elementary rotations (notes 5.63), the angular velocity
+//! The orientation is a product of three elementary rotations (notes 5.63), the angular velocity
 //! comes from the turning axes by differentiation, T = ½ Σ λₐ ωₐ², and the height of the centre of mass is read off the
 //! third axis.
 
 use nalgebra::Matrix3;
 
-use crate::mechanics::rotations::{Turning, euler_angles};
+use crate::mechanics::rotations::{RotationalState, euler_angles};
 use crate::mechanics::{Lagrangian, State};
 use crate::scalar::Number;
 
@@ -26,7 +26,7 @@ impl Lagrangian<3, 5> for HeavyTop {
     }
     fn lagrangian<D: Number>(&self, at: &State<D, 3, 5>) -> D {
         let [lambda_1, lambda_3, mass, g, distance] = at.parameters;
-        let turning = Turning::from_moving(&orientation(&at.moving()));
+        let turning = RotationalState::from_moving(&orientation(&at.moving()));
         let height = turning.orientation[(2, 2)] * distance;
         turning.kinetic_energy([lambda_1, lambda_1, lambda_3]) - mass * g * height
     }
