@@ -51,6 +51,11 @@ codes! {
     ///
     /// For example, `\frac{a}{b` lacks a closing brace. Complete the formula at the place that is shown.
     Syntax = "syntax",
+    /// A LaTeX command is unknown, or a macro cannot be expanded.
+    ///
+    /// For example, `\half m v^2` where nothing defines `\half`, or a macro that calls itself.
+    /// Define the command in the notes with `\newcommand`, or under `macros` in the claims file.
+    UnknownCommand = "unknown-command",
     /// The notation is well-formed, and onshell does not support it.
     ///
     /// For example, `\begin{cases}`. State the equation in another way, or leave it out with `skip`.
@@ -59,19 +64,42 @@ codes! {
     ///
     /// For example, `\vec v = 3`. Write the missing arrow, index or norm.
     ShapeMismatch = "shape-mismatch",
+    /// The indices of two sides or terms differ, or an index occurs too often.
+    ///
+    /// For example, `L_a = I_{ab} \omega_c` leaves a on the left and a, b and c on the right.
+    /// An index that a term repeats is summed over. Correct the index that differs.
+    IndexMismatch = "index-mismatch",
     /// Two sides or terms have different units.
     ///
     /// For example, `E = m v` with E declared as an energy. Correct the term, or the declaration under `units`.
     UnitMismatch = "unit-mismatch",
+    /// The text is not a unit of the SI.
+    ///
+    /// For example, `Nm` for `N m`, or `m/s/s`, which is ambiguous.
+    /// Write factors with a space between them and one slash at most: `kg m^2/s^2`.
+    InvalidUnit = "invalid-unit",
     /// The claims file says something that cannot be used.
     ///
     /// For example, an unknown key, or the number of an equation that is not in the notes.
     /// The message names the place in the claims file.
     ClaimsFile = "claims-file",
+    /// The claims file is not valid JSON.
+    ///
+    /// For example, `"\theta"`, which JSON reads as a tab and "heta". Write each backslash twice: `"\\theta"`.
+    Json = "json",
+    /// The claims file names an equation that is not in the notes, or a name that fits several.
+    ///
+    /// For example, `"6.74"` where the notes number their equations up to (6.73).
+    /// Use a printed number, a label, or a piece of the equation's LaTeX in backticks.
+    EquationAddress = "equation-address",
     /// The notes cannot be read as a document.
     ///
     /// For example, a display that is never closed, or a number that is used twice.
     NotesFile = "notes-file",
+    /// A text exceeds a fixed limit of size or of nesting.
+    ///
+    /// For example, a formula with more than 64 groups inside one another. Divide the formula or the file.
+    TooLarge = "too-large",
     /// A file, an argument or an option cannot be used.
     Input = "input",
     /// The claim holds at every sampled state that can decide it.

@@ -1,6 +1,6 @@
 //! The members of families that formulas name: `m_1`, and the ends that a Σ leaves out.
 
-use crate::formula::tree::LeftOut;
+use crate::formula::tree::Excluded;
 use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
 
 use crate::check::hypotheses::rule::{Action, Rule};
@@ -42,7 +42,7 @@ impl<'a> NamedMembers<'a> {
             Node::SumOver { index, except, .. } if is_counted(index) => {
                 for left_out in except {
                     match (left_out, left_out.index()) {
-                        (LeftOut::Last(last), _) => self.last = self.last.max(*last),
+                        (Excluded::Last(last), _) => self.last = self.last.max(*last),
                         (_, Some(Index::Fixed(value))) => self.first = self.first.max(value),
                         _ => {}
                     }

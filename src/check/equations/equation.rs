@@ -2,7 +2,7 @@
 
 use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
-use crate::latex::{Introduced, Macros, Reading, read_display};
+use crate::latex::{DefinedSymbol, Macros, Reading, read_display};
 use crate::notes::Display;
 use crate::notes::claims::{Claim, Holds};
 use crate::source::{Fault, Span};
@@ -213,7 +213,7 @@ impl Checker<'_> {
                 parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
                 continue;
             }
-            let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == at).collect();
+            let introduced: Vec<&DefinedSymbol> = reading.introduced.iter().filter(|i| i.statement == at).collect();
             parts.extend(self.statement(statement, &introduced, claim, &context)?);
         }
         if units_agree {
@@ -241,7 +241,7 @@ impl Checker<'_> {
     fn statement(
         &self,
         statement: &Statement,
-        introduced: &[&Introduced],
+        introduced: &[&DefinedSymbol],
         claim: &Claim,
         context: &Context<'_>,
     ) -> Result<Vec<Part>> {
@@ -264,7 +264,7 @@ impl Checker<'_> {
                 }
                 continue;
             }
-            let here: Vec<&&Introduced> = introduced.iter().filter(|i| i.member == at + 1).collect();
+            let here: Vec<&&DefinedSymbol> = introduced.iter().filter(|i| i.member == at + 1).collect();
             if !here.is_empty() {
                 for introduced in here.into_iter().filter(|_| last && !says_more) {
                     findings.push(self.definition(introduced, context)?);
@@ -347,7 +347,7 @@ impl Checker<'_> {
     }
 
     /// Whether a link says of a formula what the display says by naming it, or the same in another order.
-    pub(crate) fn only_repeats(&self, link: &Link, introduced: &[Introduced]) -> bool {
+    pub(crate) fn only_repeats(&self, link: &Link, introduced: &[DefinedSymbol]) -> bool {
         let names: Vec<SymbolId> = introduced.iter().map(|new| new.symbol).collect();
         let is_made_of_them = |formula: &Expr| self.model.depends_on(formula, &names);
         if !is_made_of_them(&link.lhs) {

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::Result;
 use crate::formula::{Expr, SymbolId};
-use crate::latex::Introduced;
+use crate::latex::DefinedSymbol;
 use crate::scalar::RunningError;
 use crate::source::Span;
 
@@ -64,7 +64,7 @@ impl<'d, 'a> Pins<'d, 'a> {
     ///
     /// # Errors
     /// When the system's mass matrix is singular, or for a claim that does not fit the notes.
-    pub fn of(checker: &'d Checker<'a>, introduced: &Introduced, failing: bool) -> Result<Self> {
+    pub fn of(checker: &'d Checker<'a>, introduced: &DefinedSymbol, failing: bool) -> Result<Self> {
         let symbol = introduced.symbol;
         let (uses, _) = checker.uses(introduced)?;
         let assumed = |hypotheses: &[Hypothesis]| {

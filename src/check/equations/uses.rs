@@ -2,7 +2,7 @@
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, text};
-use crate::latex::Introduced;
+use crate::latex::DefinedSymbol;
 use crate::notes::claims::Claim;
 use crate::{Error, Result};
 
@@ -30,7 +30,7 @@ impl Use {
 
 impl Checker<'_> {
     /// The verdict on a statement that introduces a symbol.
-    pub(crate) fn definition(&self, introduced: &Introduced, context: &Context<'_>) -> Result<Finding> {
+    pub(crate) fn definition(&self, introduced: &DefinedSymbol, context: &Context<'_>) -> Result<Finding> {
         let symbol = introduced.symbol;
         let (uses, restated) = self.uses(introduced)?;
         if uses.is_empty() && !restated.is_empty() {
@@ -50,7 +50,7 @@ impl Checker<'_> {
     /// Says of a name that a statement introduces, and of which nothing is known but that it is constant, what that leaves open.
     pub(crate) fn only_constant(
         &self,
-        introduced: &[&Introduced],
+        introduced: &[&DefinedSymbol],
         statement: &Statement,
         found: &mut Finding,
     ) -> Result<()> {
@@ -71,7 +71,7 @@ impl Checker<'_> {
     }
 
     /// What holds only because a law does that stands on a defined name: it would notice another definition.
-    fn uses_by_law(&self, introduced: &Introduced) -> Result<Vec<Use>> {
+    fn uses_by_law(&self, introduced: &DefinedSymbol) -> Result<Vec<Use>> {
         let model = self.model;
         let depends = |expr: &Expr| model.depends_on(expr, &[introduced.symbol]);
         let is_of_it = |c: &Hypothesis| depends(&c.lhs) || depends(&c.rhs);
@@ -100,7 +100,7 @@ impl Checker<'_> {
 
     /// The equations and sentences that use a defined name; and those that only say the definition in other words, which
     /// hold whatever the definition says.
-    pub(crate) fn uses(&self, introduced: &Introduced) -> Result<(Vec<Use>, Vec<String>)> {
+    pub(crate) fn uses(&self, introduced: &DefinedSymbol) -> Result<(Vec<Use>, Vec<String>)> {
         let symbol = introduced.symbol;
         let depends = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
         let (mut uses, mut restated, mut constant) = (Vec::new(), Vec::new(), Vec::new());
@@ -145,7 +145,7 @@ impl Checker<'_> {
                 let Ok(statement) = statement else { continue };
                 for k in 0..statement.relations.len() {
                     let defines =
-                        |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
+                        |i: &DefinedSymbol| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
                     if !reading.introduced.iter().any(defines) {
                         add(format!("({})", shown(&self.notes.equations[at])), (statement, k), claim)?;
                     }

@@ -12,7 +12,7 @@ use crate::check::verdict::report::Part;
 use crate::code::Code;
 use crate::formula::tree::Sign;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
-use crate::latex::{Introduced, Reading};
+use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::{Claim, Conserved, Holds, Solved, Spanned};
 use crate::{Error, Result};
 
@@ -102,7 +102,7 @@ impl Checker<'_> {
             for (what, at) in all {
                 let mut finding = conserved::conserved(&what, &context)?;
                 if let Some(at) = at {
-                    let introduced: Vec<&Introduced> =
+                    let introduced: Vec<&DefinedSymbol> =
                         reading.introduced.iter().filter(|i| i.statement == at).collect();
                     self.only_constant(&introduced, statements[at], &mut finding)?;
                 }

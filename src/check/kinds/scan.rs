@@ -7,7 +7,7 @@
 
 use num_dual::Dual;
 
-use crate::formula::{Environment, Expr, Moving, SymbolId, Symbols, Unavailable, Value, evaluate};
+use crate::formula::{Differentiable, Environment, Expr, SymbolId, Symbols, Unavailable, Value, evaluate};
 use crate::latex::typeset;
 use crate::notes::claims::Range;
 use crate::scalar::RunningError;
@@ -41,7 +41,7 @@ pub(crate) struct Still<'a, D> {
     values: Vec<(SymbolId, D)>,
 }
 
-impl<D: Moving> Environment<D> for Still<'_, D> {
+impl<D: Differentiable> Environment<D> for Still<'_, D> {
     fn symbols(&self) -> &Symbols {
         self.symbols
     }
@@ -53,7 +53,7 @@ impl<D: Moving> Environment<D> for Still<'_, D> {
 }
 
 /// The sides of a hypothesis at a state, the one minus the other.
-pub(crate) fn difference<D: Moving>(
+pub(crate) fn difference<D: Differentiable>(
     state: &Atoms,
     hypothesis: &Hypothesis,
     model: &Model,
@@ -64,7 +64,7 @@ pub(crate) fn difference<D: Moving>(
     Some(value_of(&hypothesis.lhs, &still)? - value_of(&hypothesis.rhs, &still)?)
 }
 
-fn value_of<D: Moving>(expr: &Expr, environment: &impl Environment<D>) -> Option<D> {
+fn value_of<D: Differentiable>(expr: &Expr, environment: &impl Environment<D>) -> Option<D> {
     match evaluate(expr, environment, &[]) {
         Ok(Value::Scalar(value)) => Some(value),
         _ => None,

@@ -7,7 +7,7 @@
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement};
-use crate::latex::{Introduced, Reading};
+use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::Claim;
 use crate::scalar::RunningError;
 
@@ -269,8 +269,9 @@ fn pieces(reading: &Reading) -> Vec<Reading> {
     for (at, statement) in reading.statements.iter().enumerate() {
         let Ok(statement) = statement else { continue };
         let introduced = reading.introduced.iter().filter(|introduced| introduced.statement == at);
-        let introduced: Vec<Introduced> = introduced.map(|new| Introduced { statement: 0, ..new.clone() }).collect();
-        let mut add = |statement: Statement, introduced: Vec<Introduced>| {
+        let introduced: Vec<DefinedSymbol> =
+            introduced.map(|new| DefinedSymbol { statement: 0, ..new.clone() }).collect();
+        let mut add = |statement: Statement, introduced: Vec<DefinedSymbol>| {
             pieces.push(Reading { statements: vec![Ok(statement)], introduced });
         };
         if !introduced.is_empty() {

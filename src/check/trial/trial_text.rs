@@ -8,7 +8,7 @@
 
 use crate::Result;
 use crate::formula::{Expr, Index, Node, Relation, Statement, SymbolId};
-use crate::latex::{Introduced, Reading};
+use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::TERMS;
 use crate::source::Span;
@@ -387,7 +387,7 @@ fn links<'r>(
     claim: &'r Claim,
     wanted: impl Fn(Relation) -> bool + 'r,
 ) -> impl Iterator<Item = Link> + 'r {
-    let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|new| new.statement == n).collect();
+    let introduced: Vec<&DefinedSymbol> = reading.introduced.iter().filter(|new| new.statement == n).collect();
     let defines = move |at: usize| introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0);
     reading.statements[n].iter().flat_map(move |statement| {
         let count = statement.relations.len();
