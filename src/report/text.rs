@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::check::kinds::definitions::SIGN_ASIDE;
-use crate::check::{Document, Equation, Finding, Part, Report, Verdict};
+use crate::check::{Document, Equation, Finding, Report, Verdict};
+use crate::code::Code;
 
 use super::code;
 use super::diagnostic;
@@ -150,8 +150,8 @@ fn line(item: &Equation, width: usize, style: Style) -> String {
     if item.parts.len() > 1 {
         text.push_str(&format!(" ({}\u{a0}parts)", item.parts.len()));
         // What one part leaves open is said of the whole.
-        let leaves_open = |part: &Part| part.finding.message.contains(SIGN_ASIDE);
-        if item.ok && !finding.message.contains(SIGN_ASIDE) && item.parts.iter().any(leaves_open) {
+        let leaves_open = |finding: &Finding| finding.code == Code::DefinitionUpToSign;
+        if item.ok && !leaves_open(finding) && item.parts.iter().any(|part| leaves_open(&part.finding)) {
             text.push_str(" · nothing checks the sign of a definition in it");
         }
     }

@@ -219,7 +219,9 @@ fn what_is_expected_not_to_pass_is_left_out_and_so_is_what_does_not() {
     let wrong = "$$\n(x + a)^2 = x^2 + a^2\n\\tag{3}\n$$\n";
     let notes = format!("{SQUARE}\n{wrong}");
     let expected = json!({ "3": { "expect": "refuted", "because": "the mixed term is lost" } });
-    for (equations, why) in [(expected, "it is expected not to pass"), (json!({}), "it does not pass")] {
+    for (equations, why) in
+        [(expected, "the claims file expects the equation not to pass"), (json!({}), "the equation does not pass")]
+    {
         let desk = desk("mutate-left-out", &notes, equations);
         let run = mutate(&desk, &["-v"]);
         assert_eq!(run.code, 0, "{}{}", run.out, run.err);

@@ -37,8 +37,8 @@ fn one_slip_is_one_error_and_the_others_say_where_it_is() {
     assert_eq!(run.code, 1, "{}{}", run.out, run.err);
     for wanted in [
         "error[sides-differ]: (1) is refuted",
-        "✗ 2  refuted     it follows from (1), which is refuted: mend that",
-        "✗ 3  refuted     it follows from (2), and so from (1), which is refuted: mend that",
+        "✗ 2  refuted     this step is correct, but it builds on the mistake in (1); fix (1)",
+        "✗ 3  refuted     this step is correct, but it builds on (2), and so on the mistake in (1); fix (1)",
         "3 are not as expected, 2 because they follow from another",
     ] {
         assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
@@ -65,9 +65,9 @@ fn machines_are_told_from_which_equation() {
 #[test]
 fn a_derivation_that_is_none_is_refused_at_its_place() {
     for (steps, wanted) in [
-        (json!("1"), "one display is no derivation"),
-        (json!("1, 2, 1"), "(1) is a step of this derivation twice"),
-        (json!("1, 2 part 1"), "a step of a derivation is a whole display"),
+        (json!("1"), "a derivation needs at least two displays"),
+        (json!("1, 2, 1"), "(1) occurs twice in this derivation"),
+        (json!("1, 2 part 1"), "a step of a derivation must be a whole display"),
         (json!("1..7"), "no equation (7)"),
         (json!([["1", "2"]]), "\"steps\" is a string"),
         (json!([]), "\"steps\" is an empty list"),
@@ -87,7 +87,7 @@ fn a_step_of_a_chain_is_offered_and_left_to_the_author() {
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
     assert_eq!((run.code, desk.read("notes.md")), (1, chain.to_owned()));
     for wanted in [
-        "the rest of the chain follows from it",
+        "the rest of the chain follows from this mistake",
         "This step would be certified; the rest of the chain needs an edit as well",
     ] {
         assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);

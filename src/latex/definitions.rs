@@ -1,8 +1,9 @@
-//! Names that a statement introduces: what of a chain is an unknown name alone, and what defines it.
+//! Symbols that a statement defines: an unknown name that is a whole member of a chain, and the formula beside it.
 //!
-//! An unknown name may stand alone on the left, `\vec L = …`, be squared there, `\omega_{eff}^2 = …`, or stand alone
-//! further on in a chain of = and ≡, `… = M\vec v_{cm} = \vec P_{cm}`. After ≡ it may also be one of several that name
-//! the terms of the sum before, one by one: `… \equiv \vec L_{orb} + \vec L_{spin}`.
+//! An unknown name may be the left side, `\vec L = …`, or its square may be, `\omega_{eff}^2 = …`. It may be a later
+//! member of a chain of = and ≡, `… = M\vec v_{cm} = \vec P_{cm}`. After ≡ a sum of names may name the terms of the
+//! sum
+//! before it, one by one: `… \equiv \vec L_{orb} + \vec L_{spin}`.
 
 use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
@@ -13,31 +14,32 @@ use super::layout::{Delimiter, Item, Layout};
 use super::names;
 use super::reader::Reader;
 
-/// A symbol that a statement of a display introduces.
+/// A symbol that a statement of a display defines.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Introduced {
+pub struct DefinedSymbol {
     /// The symbol.
     pub symbol: SymbolId,
-    /// The place of the statement among those of the display.
+    /// The position of the statement in the display.
     pub statement: usize,
-    /// Which member of the statement is the name, or holds it among others.
+    /// The position of the member that is the name, or that contains it among others.
     pub member: usize,
-    /// What defines it: of a family the formula holds the letters that the name was printed with; of a symbol
-    /// introduced by its square it is the square.
+    /// The defining formula. For a family it contains the index letters of the printed name; for a symbol defined by
+    /// its
+    /// square it is the square.
     pub formula: Expr,
 }
 
-/// A member of a chain that introduces something.
+/// A member of a chain that defines a symbol.
 pub(super) enum Unknown {
     /// A name alone.
     Name(Name, Span),
     /// A name alone, squared.
     Square(Name, Span),
-    /// A sum of names, each of which names a term.
+    /// A sum of names, each for one term.
     Terms(Vec<(Name, Span)>),
 }
 
-/// Where in a chain a member stands.
+/// The position of a member in a chain.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Place {
     /// On the left of the first relation.
@@ -75,7 +77,7 @@ fn is_time(item: &Item, time: Option<&Name>) -> bool {
 }
 
 impl Unknown {
-    /// What these items introduce, if anything.
+    /// The definition that these items are, if they are one.
     pub(super) fn of(items: &[Item], place: Place, symbols: &mut Symbols, branch: Option<Sign>) -> Option<Unknown> {
         if symbols.open {
             return None;
@@ -125,7 +127,7 @@ impl Unknown {
         }
     }
 
-    /// The fault where nothing can define it.
+    /// The fault if nothing defines the name.
     pub(super) fn undeclared(&self, symbols: &Symbols) -> Fault {
         let (name, span) = match self {
             Unknown::Name(name, span) | Unknown::Square(name, span) => (name, *span),
@@ -134,7 +136,11 @@ impl Unknown {
         undeclared(name, span, symbols)
     }
 
-    /// The member that it becomes beside `source`, which defines it, with the symbols to add; the next is `next`.
+    /// The member that is defined by `source`, its type, and the symbols to add; `next` is the id of the first of
+    /// them.
+    ///
+    /// # Errors
+    /// A name whose indices or arrow do not fit its definition.
     pub(super) fn introduce(
         &self,
         source: (&Expr, &Type),
@@ -158,8 +164,10 @@ impl Unknown {
                 let Node::Sum(terms) = &source.0.node else { return Err(self.undeclared(symbols)) };
                 if terms.len() != names.len() {
                     let span = names[0].1.to(names[names.len() - 1].1);
-                    let message = format!("{} names for {} terms", names.len(), terms.len());
-                    return Err(Fault::new(span, message).help("each term of the sum before gets its name, in order"));
+                    let message = format!("this defines {} names for {} terms", names.len(), terms.len());
+                    return Err(
+                        Fault::new(span, message).help("give each term of the sum before it one name, in order")
+                    );
                 }
                 let (mut members, mut news) = (Vec::new(), Vec::new());
                 let mut of_sum: Option<Type> = None;
@@ -188,13 +196,14 @@ impl Unknown {
 fn undeclared(name: &Name, span: Span, symbols: &Symbols) -> Fault {
     let fault = Fault::undeclared(span, name);
     match symbols.nearest(name) {
-        Some(near) => fault.help(format!("did you mean {near}? Else declare {name} in the claims file")),
+        Some(near) => fault.help(format!("did you mean {near}? If not, declare {name} in the claims file")),
         None => fault.help(format!("declare {name} in the claims file")),
     }
 }
 
-/// One name and what it stands for. The letters of its subscript are those that are free in its definition: the
-/// components exactly, and of the labels no fewer.
+/// One name and its definition. Its component indices must be the free component indices of the definition; its
+/// labels
+/// must include the free labels.
 fn one(
     name: &Name,
     span: Span,
@@ -215,12 +224,18 @@ fn one(
     let mut free = letters.clone();
     free.sort();
     if free.windows(2).any(|pair| pair[0] == pair[1]) {
-        return Err(Fault::new(span, format!("{name} is not declared, and its indices repeat")));
+        return Err(Fault::index(
+            span,
+            format!("{name} is not declared, and a name with repeated indices cannot be defined"),
+        ));
     }
     if let Some(extra) = of_source.free.iter().find(|letter| is_label(letter) && !free.contains(letter)) {
         let letter = &symbols.indices[extra.0].letter;
-        return Err(Fault::new(span, format!("{name} is not declared, and what it is set to differs with {letter}"))
-            .help(format!("give it the index {letter} too, or declare {name} in the claims file")));
+        return Err(Fault::index(
+            span,
+            format!("{name} is not declared, and its definition depends on the index {letter}"),
+        )
+        .help(format!("give it the index {letter} too, or declare {name} in the claims file")));
     }
     let components = |free: &[IndexId]| -> Vec<IndexId> { free.iter().copied().filter(|l| !is_label(l)).collect() };
     let (left, right) = (components(&free), components(&of_source.free));
@@ -237,8 +252,8 @@ fn one(
     }
     let Some((kind, shape)) = kind else {
         return Err(match left == right {
-            true => undeclared(&name, span, symbols),
-            false => Fault::new(span, format!("{name} is not declared, and its indices are not those it is set to")),
+            true => undeclared(&name, span, symbols).help(only_three_by_three(&name, of_source.shape)),
+            false => Fault::index(span, format!("{name} is not declared, and its definition has other indices")),
         });
     };
     let formula = match of_source.shape {
@@ -256,18 +271,28 @@ fn one(
     Ok((member, Type { shape, free }, New { name, kind, slots, squared: false, formula }))
 }
 
-/// Refuses a vector under the name of a number, and a number under that of a vector: an arrow is lost, or too many.
+/// The advice for a name that stands for a matrix of another size than 3×3.
+fn only_three_by_three(name: &Name, shape: Shape) -> String {
+    match shape {
+        Shape::Matrix(rows, columns) => format!(
+            "{name} would be a {rows}×{columns} matrix, and only 3×3 matrices can be defined; write an equation for each entry"
+        ),
+        _ => format!("declare {name} in the claims file"),
+    }
+}
+
+/// Rejects a vector with the name of a number, and a number with the name of a vector.
 fn as_printed(name: &Name, span: Span, kind: Kind) -> Result<(), Fault> {
     let has = |marks: &[&str]| marks.iter().any(|mark| name.base.contains(mark));
     let plain = !name.base.replace("\\bar{", "").replace("\\tilde{", "").replace("\\mathrm{", "").contains('{');
     match kind {
         Kind::Vector if plain => {
-            let message = format!("{name} is printed as a number, and what it is set to is a vector");
-            Err(Fault::new(span, message).help("put an arrow on the name, or the bars of a norm around the vector"))
+            let message = format!("{name} is printed as a number, but the other side is a vector");
+            Err(Fault::shape(span, message).help("put an arrow on the name, or the bars of a norm around the vector"))
         }
         Kind::Scalar if has(&["\\vec{", "\\mathbf{"]) && !name.base.contains("\\hat") => {
-            let message = format!("{name} is printed as a vector, and what it is set to is a number");
-            Err(Fault::new(span, message).help("take the arrow from the name, or make the other side a vector"))
+            let message = format!("{name} is printed as a vector, but the other side is a number");
+            Err(Fault::shape(span, message).help("remove the arrow from the name, or make the other side a vector"))
         }
         _ => Ok(()),
     }

@@ -1,9 +1,10 @@
-//! When two pieces of LaTeX are the same spelling: spaces, sizing and braces round one token do not count.
+//! The normal form of LaTeX text: without spaces, sizing commands, and braces around one token.
 //!
-//! `p_{\psi}` is `p_\psi`, and `\left( x \right)` is `(x)`. This is a comparison of texts, to find an equation by a
-//! snippet or a symbol declared twice; it reads no mathematics.
+//! `p_{\psi}` is `p_\psi`, and `\left( x \right)` is `(x)`. The normal form is used to find an equation by a snippet,
+//! and a
+//! symbol that is declared twice. No mathematics is read.
 
-/// Commands that change only how a formula looks.
+/// Commands that change only the look of a formula.
 const LOOKS: &[&str] = &[
     "\\left",
     "\\right",
@@ -36,17 +37,17 @@ const LOOKS: &[&str] = &[
     "~",
 ];
 
-/// `latex` with all that does not count taken out: its tokens, each ended by a separator.
+/// The normal form of `latex`: its significant tokens, each followed by a separator.
 ///
-/// One spelling contains another where its text does.
+/// If a formula contains a snippet, its normal form contains the normal form of the snippet.
 ///
 /// ```
-/// use onshell::notes::spelling::plain;
-/// assert_eq!(plain(r"p_{\psi}"), plain(r"p_ \psi"));
-/// assert!(plain(r"a = \dot{z}\,(2c)").contains(&plain(r"\dot z \left(2 c\right)")));
-/// assert!(!plain(r"\dot\theta_1").contains(&plain(r"\dot\theta_2")));
+/// use onshell::notes::normalize::normalized;
+/// assert_eq!(normalized(r"p_{\psi}"), normalized(r"p_ \psi"));
+/// assert!(normalized(r"a = \dot{z}\,(2c)").contains(&normalized(r"\dot z \left(2 c\right)")));
+/// assert!(!normalized(r"\dot\theta_1").contains(&normalized(r"\dot\theta_2")));
 /// ```
-pub fn plain(latex: &str) -> String {
+pub fn normalized(latex: &str) -> String {
     let mut tokens: Vec<&str> = Vec::new();
     let mut open: Vec<usize> = Vec::new();
     let mut at = 0;

@@ -1,22 +1,22 @@
-//! What the scanners share: walking over TeX text byte by byte without reading it.
+//! Functions and types that the Markdown scan and the TeX scan share: walking over TeX byte by byte.
 //!
-//! Every function looks ahead only as far as it says, so that no input makes a scanner quadratic.
+//! The look-ahead of each function is bounded, so that no input takes quadratic time.
 
 use crate::source::{Fault, Span};
 
-/// How far the closing brace of a short argument (`\tag{…}`, `\label{…}`) may be.
+/// The most bytes of a short argument (`\tag{…}`, `\label{…}`).
 const SHORT: usize = 1024;
-/// How far the closing brace of a macro's body may be.
+/// The most bytes of a macro's body.
 const BODY: usize = 8192;
 
-/// What a scanner found in a file.
+/// The displays, names, comments and inline formulas of a file.
 #[derive(Default)]
-pub(super) struct Scan {
+pub(super) struct ScannedText {
     /// The displays, in order.
-    pub raws: Vec<Raw>,
+    pub raws: Vec<RawDisplay>,
     /// The names given by `onshell:` comments, in order.
     pub names: Vec<Name>,
-    /// Code, comments and the like, wherever they stand: no LaTeX.
+    /// Code, comments and other text that is no LaTeX.
     pub blank: Vec<Span>,
     /// Inline mathematics, with its dollar signs.
     pub inline: Vec<Span>,
@@ -24,15 +24,15 @@ pub(super) struct Scan {
     pub markers: Vec<Span>,
 }
 
-impl Scan {
-    /// Takes note of the inline mathematics that the `$` at `at` opens, if it does; the position after it.
+impl ScannedText {
+    /// Records the inline mathematics that the `$` at `at` opens, if it opens any. Returns the position after it.
     pub fn inline(&mut self, bytes: &[u8], at: usize, strict: bool) -> usize {
         let end = inline(bytes, at, strict).map_or(at, |close| close) + 1;
         self.inline.push(Span::new(at, end));
         end
     }
 
-    /// Takes note of the TeX comment at `at`; the end of its line.
+    /// Records the TeX comment at `at`. Returns the end of its line.
     pub fn comment(&mut self, text: &str, at: usize) -> Result<usize, Fault> {
         let end = line_end(text.as_bytes(), at);
         self.names.extend(name_in(text, Span::new(at + 1, end))?);
@@ -41,9 +41,9 @@ impl Scan {
     }
 }
 
-/// A display as found, before numbers and neighbours are looked at.
+/// A display before it is numbered and joined with its neighbours.
 #[derive(Clone, Copy)]
-pub(super) struct Raw {
+pub(super) struct RawDisplay {
     pub span: Span,
     pub body: Span,
     pub delimiter: Delimiter,
@@ -97,7 +97,7 @@ pub(super) fn line_end(bytes: &[u8], at: usize) -> usize {
     bytes[at..].iter().position(|&b| b == b'\n').map_or(bytes.len(), |i| at + i)
 }
 
-/// Whether nothing but space follows in the line of `at`. Looks no further than the first thing that does.
+/// Whether only white space follows in the line of `at`.
 pub(super) fn ends_line(bytes: &[u8], at: usize) -> bool {
     bytes[at..].iter().take_while(|&&b| b != b'\n').all(u8::is_ascii_whitespace)
 }
@@ -133,7 +133,7 @@ fn group(bytes: &[u8], at: usize) -> Option<usize> {
     None
 }
 
-/// As [`group`], for arguments that are short or else no arguments.
+/// As [`group`], for short arguments.
 pub(super) fn short_group(bytes: &[u8], at: usize) -> Option<usize> {
     group(&bytes[..bytes.len().min(at.saturating_add(SHORT))], at)
 }
@@ -158,7 +158,8 @@ pub(super) fn begin(text: &str, at: usize) -> Option<(&str, usize)> {
 
 /// The closing `$` of inline mathematics that opens at `at`, when it closes before the paragraph ends.
 ///
-/// `strict` asks, as Markdown does, that no space stands inside of either sign: a price is no formula.
+/// `strict` requires, as Markdown does, that no space follows the first sign or precedes the second; a price is no
+/// formula.
 pub(super) fn inline(bytes: &[u8], at: usize, strict: bool) -> Option<usize> {
     if strict && bytes.get(at + 1).is_none_or(u8::is_ascii_whitespace) {
         return None;
@@ -192,14 +193,14 @@ pub(super) fn is_number(id: &str) -> bool {
         && id.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'-' | b'\''))
 }
 
-/// Takes note of the environment whose `\begin{name}` stands at `at` and ends at `inside`; the position after it.
+/// Records the environment whose `\begin{name}` is at `at` and ends at `inside`. Returns the position after it.
 pub(super) fn environment_display(
     text: &str,
     at: usize,
     inside: usize,
     name: &str,
     delimiter: Delimiter,
-    found: &mut Scan,
+    found: &mut ScannedText,
 ) -> Result<usize, Fault> {
     let bytes = text.as_bytes();
     let mut start = inside;
@@ -212,7 +213,7 @@ pub(super) fn environment_display(
         match bytes[i] {
             b'\\' if bytes[i..].starts_with(closing.as_bytes()) => {
                 let span = Span::new(at, i + closing.len());
-                found.raws.push(Raw { span, body: Span::new(start, i), delimiter });
+                found.raws.push(RawDisplay { span, body: Span::new(start, i), delimiter });
                 return Ok(span.end);
             }
             b'\\' => i += 2,
@@ -220,7 +221,7 @@ pub(super) fn environment_display(
             _ => i += 1,
         }
     }
-    Err(Fault::new(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
+    Err(Fault::notes(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
         .help(format!("add \\end{{{name}}} after the equation")))
 }
 
@@ -230,7 +231,7 @@ pub(super) fn name_in(text: &str, comment: Span) -> Result<Option<Name>, Fault> 
     let Some(id) = inside.trim().strip_prefix("onshell:") else { return Ok(None) };
     let id = id.trim();
     if id.is_empty() || !id.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b'.')) {
-        return Err(Fault::new(comment, format!("`{id}` is no name for an equation"))
+        return Err(Fault::notes(comment, format!("`{id}` cannot be the name of an equation"))
             .help("a name is one word of letters, digits, `-`, `_` and `.`, as in `onshell: veff`"));
     }
     Ok(Some(Name { id: format!("#{id}"), span: comment }))

@@ -1,29 +1,31 @@
-//! Integrals over a declared continuum, `\int_V \rho(\vec r)\,\vec r\,d^3r`, and limits as a part of one shrinks,
+//! Integrals over a declared continuum, `\int_V \rho(\vec r)\,\vec r\,d^3r`, and limits of a shrinking part of it,
 //! `\lim_{V(\vec r) \to 0}`.
 //!
-//! The differential ends an integral, or stands first and leaves it the rest of the term. It is that of the place in the
-//! continuum, without its arrow, and its power is the dimension of the continuum: `d^3r`, `d^2r`, `dr`. A volume has `dV`
-//! as well, an area `dA` and `dS`. `dm` is the declared density times any of them.
+//! The differential ends an integral, or is first and is followed by the integrand. It has the letter of the
+//! position,
+//! without its arrow, and the dimension of the continuum as its power: `d^3r`, `d^2r`, `dr`. A volume also has `dV`,
+//! an
+//! area `dA` and `dS`. `dm` is the declared density times the differential.
 
+use crate::code::Code;
 use crate::formula::SymbolId;
 use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Item, Layout};
-use super::super::names;
-use super::items::{contents, extent, whole_number};
-use super::operators::differential;
-use super::symbols::is_lone;
-use super::{Read, Reader, beside, two_ways};
+use super::super::names::{self, unaccented};
+use super::items::{beside, contents, differential, extent, is_integral, is_lone, whole_number};
+use super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// A continuum by its name, with its argument in parentheses or without: `V(\vec r)`, `V`.
+    /// The continuum with this name, with or without its argument: `V(\vec r)`, `V`.
     pub(super) fn region(&mut self, items: &[Item], place: Span) -> Read<SymbolId> {
         let place = extent(items).unwrap_or(place);
         let refused = || {
-            Fault::new(place, "this is no declared continuum")
-                .help("declare it under \"continua\" in the claims file, with what fills it")
+            Fault::new(place, "this is not a declared continuum")
+                .code(Code::UndeclaredName)
+                .help("declare it under \"continua\" in the claims file, with its density")
         };
         let mut items = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         let printed = items.next().and_then(|item| names::printed(item, self.branch)).ok_or_else(refused)?;
@@ -42,17 +44,18 @@ impl Reader<'_> {
         }
     }
 
-    /// An integral up to its differential; the cursor stands behind the sign of it.
+    /// An integral up to its differential; the cursor is after the integral sign.
     pub(super) fn integral(&mut self, sign: &Item, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let Layout::Scripts { sub: Some(below), sup: None, .. } = &sign.layout else {
-            return Err(Fault::new(sign.span, "only integrals over a declared continuum are read")
+            return Err(Fault::unsupported(sign.span, "only integrals over a declared continuum are supported")
                 .help("write \\int_V … d^3r, with V under \"continua\" in the claims file"));
         };
         let region = self.region(contents(below), below.span)?;
         let entry = self.symbols.entry(region);
         let (Some(measure), Some(argument)) = (entry.measure, entry.argument.clone()) else {
-            return Err(Fault::new(below.span, format!("nothing says what {} is a part of", entry.name))
-                .help("declare it under \"continua\" in the claims file, with what fills it"));
+            return Err(Fault::new(below.span, format!("{} is not declared as a part of a continuum", entry.name))
+                .code(Code::UndeclaredName)
+                .help("declare it under \"continua\" in the claims file, with its density"));
         };
         let (name, density) = (entry.name.clone(), entry.density);
         let wanted = match measure {
@@ -71,14 +74,13 @@ impl Reader<'_> {
         };
         let Some(at) = rest.iter().position(ends) else {
             return Err(Fault::new(sign.span, "this integral has no differential")
-                .help(format!("end it with {wanted}; a sum under it belongs in parentheses")));
+                .help(format!("end it with {wanted}; put a sum in parentheses")));
         };
         let variable = rest.get(at + 1);
         let place = variable.map_or(rest[at].span, |variable| rest[at].span.to(variable.span));
         if self.symbols.find(&Name::plain("d")).is_some() && !matches!(rest[at].layout, Layout::Style(..)) {
-            return Err(
-                two_ways(place, "d, which is declared as a symbol").help("write \\mathrm{d} for the differential")
-            );
+            return Err(Fault::ambiguous(place, "d may be a differential or the declared symbol")
+                .help("write \\mathrm{d} for the differential"));
         }
         let printed = variable.and_then(|item| names::printed(item, None));
         let printed = printed.filter(|printed| printed.dots == 0 && printed.sup.is_none()).map(|printed| printed.name);
@@ -94,7 +96,7 @@ impl Reader<'_> {
         let of_mass = density.filter(|_| is_one_of(&["m"]) && order == Some(1));
         let fits = is_place && order == Some(measure.into()) || is_element && order == Some(1) || of_mass.is_some();
         if !fits {
-            return Err(Fault::new(place, format!("the differential of an integral over {name} is {wanted}")));
+            return Err(Fault::new(place, format!("an integral over {name} needs the differential {wanted}")));
         }
         let blank = |items: &[Item]| items.iter().all(|item| matches!(item.layout, Layout::Space(_)));
         let (before, after) = (&rest[..at], &rest[(at + 2).min(rest.len())..]);
@@ -103,11 +105,8 @@ impl Reader<'_> {
         let density = of_mass.map(|id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, place));
         let body = match (blank(body), density) {
             (true, None) => {
-                return Err(Fault::new(
-                    sign.span.to(place),
-                    "nothing stands between this integral and its differential",
-                )
-                .help(format!("write what is integrated before {wanted}")));
+                return Err(Fault::new(sign.span.to(place), "this integral has no integrand")
+                    .help(format!("write the integrand before {wanted}")));
             }
             (true, Some(density)) => density,
             (false, None) => self.term(body)?,
@@ -118,10 +117,10 @@ impl Reader<'_> {
         Ok(Expr::new(Node::Integral(region, Box::new(body)), span))
     }
 
-    /// A limit as a continuum shrinks around a point, of the rest of the term.
+    /// The limit of the rest of the term as a part of a continuum shrinks to a point.
     pub(super) fn shrinking(&mut self, limit: &Item, rest: &[Item]) -> Read<Expr> {
         let refused = || {
-            Fault::new(limit.span, "only the limit of a shrinking part of a continuum is read")
+            Fault::unsupported(limit.span, "only limits of a shrinking part of a continuum are supported")
                 .help("write \\lim_{V(\\vec r) \\to 0}, with V under \"continua\" in the claims file")
         };
         let Layout::Scripts { sub: Some(below), sup: None, .. } = &limit.layout else { return Err(refused()) };
@@ -134,37 +133,10 @@ impl Reader<'_> {
         }
         let region = self.region(&below[..arrow], limit.span)?;
         if rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
-            return Err(Fault::new(limit.span, "nothing follows this limit"));
+            return Err(Fault::new(limit.span, "no formula follows this limit"));
         }
         let span = extent(rest).map_or(limit.span, |rest| limit.span.to(rest));
         let body = self.term(rest)?;
         Ok(Expr::new(Node::Shrinking(region, Box::new(body)), span))
-    }
-}
-
-/// A name without its accents: `r_1` for `\vec{r}_1`.
-pub(in super::super) fn unaccented(name: &Name) -> Name {
-    let mut base = name.base.as_str();
-    while let Some((_, inner)) = base.strip_suffix('}').and_then(|base| base.split_once('{')) {
-        base = inner;
-    }
-    Name { base: base.to_owned(), ..name.clone() }
-}
-
-/// `\int`, with or without limits.
-pub(super) fn is_integral(item: &Item) -> bool {
-    is_big(item, "\\int")
-}
-
-/// `\lim`, with or without what tends to what.
-pub(super) fn is_limit(item: &Item) -> bool {
-    is_big(item, "\\lim")
-}
-
-fn is_big(item: &Item, command: &str) -> bool {
-    match &item.layout {
-        Layout::Command(name) => name == command,
-        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == command),
-        _ => false,
     }
 }

@@ -11,14 +11,14 @@ use crate::check::sample::setting::Setting;
 use crate::check::state::sampled_state::SampledState;
 
 /// States that differ from others in the values of some quantities and in nothing else that is free.
-pub struct Family<'m> {
+pub struct PrescribedValues<'m> {
     projection: Projection<'m>,
     /// Where each quantity stands in a base that is a number of it; the values of the others are hypotheses, the last of
     /// the claim's.
     places: Vec<Option<usize>>,
 }
 
-impl<'m> Family<'m> {
+impl<'m> PrescribedValues<'m> {
     /// Of these quantities, under a setting.
     pub fn new(model: &'m Model, setting: &Setting<'_>, quantities: &[Expr]) -> Self {
         let value = |quantity: &Expr| Hypothesis {
@@ -36,7 +36,7 @@ impl<'m> Family<'m> {
         let values = solved.map(|(quantity, _)| value(quantity));
         let hypotheses: Vec<Hypothesis> = setting.hypotheses.iter().cloned().chain(values).collect();
         let projection = Projection::new(model, &Setting { hypotheses: &hypotheses, ..setting.clone() });
-        Family { projection, places }
+        PrescribedValues { projection, places }
     }
 
     /// The state near a base at which the quantities have these values, if there is one.

@@ -1,24 +1,24 @@
-//! Old and ornamental forms made the plain ones that are read.
+//! The normalizer: rewrites legacy TeX and decoration into the forms that the layout parser reads.
 //!
-//! Notes have TeX in them from before LaTeX, `{a \over b}` and `{\bf v}`, and ornaments that say nothing about what holds: a
-//! box around a result, colour, words under a brace or above a relation. They are rewritten as tokens, each of which keeps
-//! its bytes, so that what is said of a formula points at what the author wrote. An ornament that is mathematics itself,
-//! `\underbrace{x}_{=0}`, is left as it is, and refused where it is read.
+//! Legacy TeX is `{a \over b}` and `{\bf v}`. Decoration is a box around a result, colour, or words under a brace or
+//! above
+//! a relation. Each rewritten token keeps its place, so that a fault is shown where the author wrote it. A decoration
+//! with mathematics in it, `\underbrace{x}_{=0}`, is not changed, and the reader rejects it.
 
 use crate::source::Span;
 
 use super::lexer::{Token, TokenKind};
 
-/// The same tokens in the forms that are read.
-pub fn renewed(tokens: Vec<Token>) -> Vec<Token> {
+/// The same tokens in normal form.
+pub fn normalized(tokens: Vec<Token>) -> Vec<Token> {
     if !tokens.iter().any(is_old) {
         return tokens;
     }
-    let (mut renewed, mut at) = (Vec::with_capacity(tokens.len()), 0);
+    let (mut normalized, mut at) = (Vec::with_capacity(tokens.len()), 0);
     while at < tokens.len() {
-        at = one(&tokens, at, &mut renewed);
+        at = one(&tokens, at, &mut normalized);
     }
-    renewed
+    normalized
 }
 
 fn is_old(token: &Token) -> bool {
@@ -39,7 +39,7 @@ fn is_old(token: &Token) -> bool {
     forms.contains(&name.as_str()) || switch(name).is_some()
 }
 
-/// What an old style does to the rest of its group: the command for it, or nothing.
+/// The modern command for a legacy style switch. The inner value is `None` for a style without effect.
 fn switch(name: &str) -> Option<Option<&'static str>> {
     match name {
         "\\bf" => Some(Some("\\mathbf")),
@@ -50,7 +50,7 @@ fn switch(name: &str) -> Option<Option<&'static str>> {
     }
 }
 
-/// Rewrites what begins at `at`; where the next begins.
+/// Rewrites the token or group at `at`. Returns the position of the next one.
 fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
     let token = &tokens[at];
     let TokenKind::Command(name) = &token.kind else {
@@ -124,7 +124,7 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
     }
 }
 
-/// A group: as it is, a fraction if there is an `\over` in it, or all in one style if it begins with a switch.
+/// Rewrites a group: a fraction if it contains `\over`, one style if it begins with a style switch, else unchanged.
 fn group(tokens: &[Token], open: usize, end: usize, into: &mut Vec<Token>) {
     let brace = |kind: TokenKind, span: Span| Token { kind, span };
     let command = |name: &str, span: Span| Token { kind: TokenKind::Command(name.to_owned()), span };
@@ -161,7 +161,7 @@ fn group(tokens: &[Token], open: usize, end: usize, into: &mut Vec<Token>) {
     into.push(tokens[end].clone());
 }
 
-/// What stands in braces, without them where a relation does: a box may hold a whole equation.
+/// Rewrites a boxed formula. A box around a whole equation loses its braces.
 fn unwrapped(tokens: &[Token], open: usize, end: usize, into: &mut Vec<Token>) {
     let inner = &tokens[open + 1..end];
     let relation = (0..inner.len()).any(|at| is_relation(&inner[at..=at]) && depth(&inner[..at]) == 0);
@@ -176,7 +176,7 @@ fn unwrapped(tokens: &[Token], open: usize, end: usize, into: &mut Vec<Token>) {
     }
 }
 
-/// How many tokens at the beginning are a script of words alone, `_{\text{spin}}`.
+/// The number of tokens of a leading script that is only text, `_{\text{spin}}`.
 fn words(tokens: &[Token]) -> usize {
     let is = |at: usize, kind: &TokenKind| tokens.get(at).is_some_and(|token| token.kind == *kind);
     let text = matches!(tokens.get(2).map(|token| &token.kind), Some(TokenKind::Command(name)) if name == "\\text");
@@ -201,7 +201,7 @@ fn is_relation(tokens: &[Token]) -> bool {
     }
 }
 
-/// Where the group that opens at `open` closes.
+/// The position where the group that opens at `open` closes.
 fn closed(tokens: &[Token], open: usize) -> Option<usize> {
     let mut depth = 0usize;
     for (at, token) in tokens.iter().enumerate().skip(open) {
@@ -217,7 +217,7 @@ fn closed(tokens: &[Token], open: usize) -> Option<usize> {
     None
 }
 
-/// How many groups are open after these tokens.
+/// The number of groups that are open after these tokens.
 fn depth(tokens: &[Token]) -> usize {
     let count = |kind: &TokenKind| tokens.iter().filter(|token| token.kind == *kind).count();
     count(&TokenKind::Open).saturating_sub(count(&TokenKind::Close))
@@ -231,7 +231,7 @@ mod tests {
 
     /// How a text is laid out, its places aside.
     fn shape(text: &str) -> String {
-        let kinds: Vec<TokenKind> = renewed(tokens(text)).into_iter().map(|token| token.kind).collect();
+        let kinds: Vec<TokenKind> = normalized(tokens(text)).into_iter().map(|token| token.kind).collect();
         let nowhere = |kind: &TokenKind| Token { kind: kind.clone(), span: Span::at(0) };
         format!("{:?}", layout(&kinds.iter().map(nowhere).collect::<Vec<_>>(), 0))
     }
@@ -264,7 +264,7 @@ mod tests {
         let text = "\\boxed{{\\bf q} = {w \\over z}}";
         let place = |letter: char| {
             let kind = TokenKind::Letter(letter);
-            renewed(tokens(text)).iter().find(|token| token.kind == kind).map(|token| token.span.start)
+            normalized(tokens(text)).iter().find(|token| token.kind == kind).map(|token| token.span.start)
         };
         for letter in ['q', 'w', 'z'] {
             assert_eq!(place(letter), text.find(letter), "{letter}");
@@ -272,7 +272,7 @@ mod tests {
         for broken in
             ["{a \\over b", "\\boxed", "\\boxed{", "\\stackrel{!}", "\\underbrace{x}_", "\\textcolor{red}", "\\bf"]
         {
-            assert!(renewed(tokens(broken)).len() <= tokens(broken).len() + 3, "{broken}");
+            assert!(normalized(tokens(broken)).len() <= tokens(broken).len() + 3, "{broken}");
         }
     }
 }

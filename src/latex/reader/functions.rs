@@ -1,4 +1,4 @@
-//! Functions and where their arguments end.
+//! Functions such as `\sin`, and the end of an argument without parentheses.
 
 use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Function, Node};
@@ -7,8 +7,8 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{contents, is_number, is_numeric, is_numeric_item};
-use super::{Read, Reader, two_ways};
+use super::items::{function_head, is_number, is_numeric, is_numeric_item};
+use super::state::{Read, Reader};
 
 /// The items that could be the argument of a function.
 struct Run {
@@ -16,7 +16,7 @@ struct Run {
     end: usize,
     /// The symbols among them, and whether each is an angle.
     symbols: Vec<(bool, Name)>,
-    /// Whether it is one fraction or root.
+    /// Whether it is a single fraction or root.
     stands_alone: bool,
     /// Whether it ends with a rate.
     is_rate: bool,
@@ -42,7 +42,7 @@ impl Reader<'_> {
             *cursor += 1;
         }
         let Some(first) = items.get(*cursor) else {
-            return Err(Fault::new(head, format!("\\{} wants an argument", function.name())));
+            return Err(Fault::new(head, format!("\\{} needs an argument", function.name())));
         };
         let (argument, enclosed) = match &first.layout {
             Layout::Fence(..) | Layout::Group(_) => {
@@ -50,8 +50,11 @@ impl Reader<'_> {
                 (self.item(first)?, true)
             }
             Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(..) | Layout::Group(_)) => {
-                return Err(two_ways(head.to(first.span), "a power after the argument of a function")
-                    .help(format!("write \\{}^2(…) for the power of the function", function.name())));
+                return Err(Fault::ambiguous(
+                    head.to(first.span),
+                    "a power after an argument may belong to the function or to the argument",
+                )
+                .help(format!("write \\{}^2(…) for the power of the function", function.name())));
             }
             _ => (self.run_on(function, head, items, cursor)?, false),
         };
@@ -66,7 +69,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The argument of a function that nothing encloses: as many of the following items as can only be meant.
+    /// The argument of a function without parentheses: the following items that can only belong to it.
     fn run_on(&mut self, function: Function, head: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let start = *cursor;
         let run = self.gather(function, head, items, start)?;
@@ -83,16 +86,18 @@ impl Reader<'_> {
             let span = head.to(items[run.end.min(items.len() - 1)].span);
             let shown = function.name();
             let help = match !run.has_angle() && self.time_follows(items, run.end) || self.rate_goes_on(&run, items) {
-                true => format!("enclose it, \\{shown}(…), with what follows or without it"),
-                false => format!("enclose it, \\{shown}(…), or end it with a thin space \\,"),
+                true => format!("put the argument in parentheses, \\{shown}(…)"),
+                false => format!("put the argument in parentheses, \\{shown}(…), or end it with a thin space \\,"),
             };
-            return Err(two_ways(span, &format!("where the argument of \\{shown} ends")).help(help));
+            return Err(
+                Fault::ambiguous(span, format!("the argument of \\{shown} may end in more than one place")).help(help)
+            );
         }
         *cursor = run.end;
         self.term(&items[start..run.end])
     }
 
-    /// Numbers, then symbols, up to the first that is an angle or dotted; a fraction or a root stands alone.
+    /// Numbers, then symbols up to the first angle or dotted symbol; or a single fraction or root.
     fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
         let mut run = Run { end: start, symbols: Vec::new(), stands_alone: false, is_rate: false };
         let mut numbers = 0;
@@ -116,8 +121,11 @@ impl Reader<'_> {
             if printed.sup.is_some() {
                 // After an angle the argument is over; before that, the power could be of the symbol or the function.
                 if run.end == start || run.symbols.is_empty() && numbers > 0 || !run.has_angle() {
-                    return Err(two_ways(head.to(item.span), "a power at the end of an argument")
-                        .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
+                    return Err(Fault::ambiguous(
+                        head.to(item.span),
+                        "a power at the end of an argument may belong to the function or to the argument",
+                    )
+                    .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
                 }
                 break;
             }
@@ -147,7 +155,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether nothing else can be meant than this run of items.
+    /// Whether this run of items is the only possible argument.
     fn is_settled(&self, run: &Run, items: &[Item]) -> Read<bool> {
         let sure = match run.symbols.as_slice() {
             [] | [_] | [.., (true, _)] => true,
@@ -170,13 +178,13 @@ impl Reader<'_> {
         Ok(sure && !could_go_on)
     }
 
-    /// Whether a symbol stands beside a rate, which is no angle: `\cos\dot\phi t`.
+    /// Whether a symbol follows a dotted symbol, as in `\cos\dot\phi t`.
     fn rate_goes_on(&self, run: &Run, items: &[Item]) -> bool {
         let next = items.get(run.end).and_then(|item| names::printed(item, self.branch));
         run.is_rate && next.is_some_and(|printed| printed.dots == 0)
     }
 
-    /// Whether a symbol without a dot, or a number, stands beside what was read.
+    /// Whether a symbol without a dot, or a number, follows.
     fn goes_on(&self, items: &[Item], at: usize) -> bool {
         items.get(at).is_some_and(|item| {
             is_number(item)
@@ -185,49 +193,18 @@ impl Reader<'_> {
         })
     }
 
-    /// Whether `\,t` follows an argument that is not an angle yet: `\cos\omega\,t`.
+    /// Whether `\,t` follows, as in `\cos\omega\,t`.
     fn time_follows(&self, items: &[Item], at: usize) -> bool {
         let space = items.get(at).is_some_and(|item| matches!(item.layout, Layout::Space(Space::Thin)));
         let time = items.get(at + 1).and_then(|item| names::printed(item, self.branch)).map(|printed| printed.name);
         space && time.is_some() && time == self.symbols.time
     }
 
-    /// `(t)` after something that varies is only a way of writing it.
+    /// Whether an item is the time in parentheses, `(t)`, which may follow a symbol that varies.
     pub(super) fn is_time_in_parentheses(&self, item: &Item) -> bool {
         let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
         let [only] = inside.as_slice() else { return false };
         let printed = names::printed(only, None).filter(|printed| printed.dots == 0 && printed.sup.is_none());
         printed.map(|printed| printed.name) == self.symbols.time
-    }
-}
-
-/// A function's command with the power on it.
-pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>)>> {
-    let named = |item: &Item| match &item.layout {
-        Layout::Command(name) => name.strip_prefix('\\').and_then(Function::named),
-        Layout::Style(style, inner) if style == "\\mathrm" => {
-            let word: String =
-                contents(inner).iter().map(|item| if let Layout::Letter(c) = item.layout { c } else { ' ' }).collect();
-            Function::named(&word)
-        }
-        _ => None,
-    };
-    if let Some(function) = named(item) {
-        return Ok(Some((function, None)));
-    }
-    let Layout::Scripts { nucleus, sub, sup, primes } = &item.layout else {
-        return Ok(None);
-    };
-    let Some(function) = named(nucleus) else {
-        return Ok(None);
-    };
-    if sub.is_some() || *primes > 0 {
-        return Err(Fault::new(item.span, "a subscript or prime on a function is not read"));
-    }
-    match sup.as_deref() {
-        Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
-            Err(two_ways(item.span, "a negative power of a function").help("write \\arcsin or \\frac{1}{\\sin x}"))
-        }
-        sup => Ok(Some((function, sup))),
     }
 }

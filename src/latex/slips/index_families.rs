@@ -1,28 +1,29 @@
-//! The members of families with the index letters that a text has: what was lost may stand nowhere else with these.
+//! Candidates for insertion with index letters: the members of families with the letters of a text.
 
 use std::collections::BTreeSet;
 
 use crate::formula::{Index, IndexId, Kind, SymbolId};
 
 use super::super::layout::{Item, Layout};
-use super::super::names;
-use super::super::reader::unaccented;
-use super::Finder;
+use super::super::names::{self, unaccented};
 use super::atoms::spelled;
-use super::insertions::insides;
+use super::finder::Finder;
+use super::parts::insides;
 
-/// So many members are put in.
+/// The most members that are inserted.
 const MOST: usize = 60;
 
-/// What may be put in.
+/// A candidate for insertion.
 struct Member {
     latex: String,
     letters: Vec<IndexId>,
 }
 
 impl Finder<'_> {
-    /// Each family with each choice of the letters of these items, the components of vectors, δ and ε, and the matrices
-    /// that have no indices. First come those with the letters that stand alone: with these what was lost was summed over.
+    /// Each family with each choice of the letters of these items; the components of vectors, δ, ε, and matrices
+    /// without
+    /// indices. Members with exactly the letters that occur once come first, since the lost factor was summed with
+    /// them.
     pub(super) fn members(&self, items: &[Item]) -> Vec<String> {
         let mut letters = Vec::new();
         self.letters(items, &mut letters);
@@ -70,13 +71,13 @@ impl Finder<'_> {
         members.into_iter().map(|member| member.latex).collect()
     }
 
-    /// The statements that stand beside one another.
+    /// The statements of a list, which are side by side.
     fn pieces<'i>(&self, items: &'i [Item]) -> impl Iterator<Item = &'i [Item]> {
         let between = [",", ";", "\\quad", "\\qquad", "\\Rightarrow", "\\implies", "\\\\"];
         items.split(move |item| between.contains(&self.slice(item.span).trim()))
     }
 
-    /// The letters of a statement that stand there an odd number of times: summed over or free, a letter stands there twice.
+    /// The index letters that occur in a statement an odd number of times. A summed or free letter occurs twice.
     fn alone(&self, items: &[Item]) -> Vec<IndexId> {
         let mut letters = Vec::new();
         self.letters(items, &mut letters);
@@ -99,7 +100,7 @@ impl Finder<'_> {
         !index.labels && index.count.is_none() && index.upper == 3
     }
 
-    /// The index letters in the subscripts of some items, as often as they stand there.
+    /// The index letters in the subscripts of items, once for each occurrence.
     fn letters(&self, items: &[Item], letters: &mut Vec<usize>) {
         for item in items {
             let name = names::printed(item, None).map(|printed| printed.name.subscript).unwrap_or_default();
@@ -118,7 +119,7 @@ impl Finder<'_> {
     }
 }
 
-/// One of each list, in every way.
+/// Every choice of one element from each list.
 fn choices(lists: &[Vec<IndexId>]) -> Vec<Vec<IndexId>> {
     lists.iter().fold(vec![Vec::new()], |made, list| {
         let longer = |choice: &Vec<IndexId>| {

@@ -1,223 +1,15 @@
-//! Slips in a list of what is typeset side by side: its terms and signs, its factors and their order.
+//! Edits of the terms of a sum and of the factors of a product: their signs, their order, one lost or typed twice.
 
-use crate::formula::Kind;
 use crate::source::Span;
 
 use super::super::layout::{Delimiter, Item, Layout};
-use super::super::lexer::Space;
 use super::super::names;
-use super::{Finder, Slip, insertions};
-
-/// A term of a list: its sign, where one is printed, and its items.
-pub(super) struct Term<'i> {
-    pub sign: Option<&'i Item>,
-    pub items: &'i [Item],
-}
-
-impl Term<'_> {
-    /// The bytes of the term without its sign.
-    pub fn span(&self) -> Span {
-        self.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default()
-    }
-
-    pub(super) fn whole(&self) -> Span {
-        self.sign.map_or(self.span(), |sign| sign.span.to(self.span()))
-    }
-}
-
-/// A factor of a term, and the operator before it, if there is one.
-#[derive(Clone, Copy)]
-pub(super) struct Factor<'i> {
-    pub operator: Option<&'i Item>,
-    pub items: &'i [Item],
-}
-
-impl Factor<'_> {
-    pub fn span(&self) -> Span {
-        self.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default()
-    }
-}
-
-/// What sets formulas apart: a relation, the end of a row or a cell, a comma, a wide space, a word.
-fn separates(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Other('=' | '<' | '>' | ',' | ';' | '≈' | '≡' | '≤' | '≥' | '≠' | ':') => true,
-        Layout::Row | Layout::Align | Layout::Space(Space::Wide) | Layout::Text(_) | Layout::Fault(_) => true,
-        Layout::Command(name) => matches!(
-            name.as_str(),
-            "\\equiv"
-                | "\\coloneqq"
-                | "\\lt"
-                | "\\gt"
-                | "\\leq"
-                | "\\geq"
-                | "\\neq"
-                | "\\approx"
-                | "\\propto"
-                | "\\to"
-                | "\\in"
-                | "\\Rightarrow"
-                | "\\Leftrightarrow"
-                | "\\therefore"
-        ),
-        _ => false,
-    }
-}
-
-fn is_sign(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Other('+' | '-') => true,
-        Layout::Command(name) => name == "\\pm" || name == "\\mp",
-        _ => false,
-    }
-}
-
-fn is_space(item: &Item) -> bool {
-    matches!(item.layout, Layout::Space(_) | Layout::Other('.'))
-}
-
-/// `\cdot`, `\times`, `/`.
-fn is_operator(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Other('/' | '*' | '·' | '⋅' | '×') => true,
-        Layout::Command(name) => name == "\\cdot" || name == "\\times",
-        _ => false,
-    }
-}
-
-pub(super) fn is_times(item: &Item) -> bool {
-    matches!(&item.layout, Layout::Command(name) if name == "\\times") || item.layout == Layout::Other('×')
-}
-
-/// What a command is, with scripts or without.
-fn command(item: &Item) -> Option<&str> {
-    match &item.layout {
-        Layout::Command(name) => Some(name),
-        Layout::Scripts { nucleus, .. } => command(nucleus),
-        _ => None,
-    }
-}
-
-/// Σ, ∫ and lim, which act on all that follows.
-pub(super) fn is_big(item: &Item) -> bool {
-    matches!(command(item), Some("\\sum" | "\\int" | "\\lim"))
-}
-
-/// Σ alone.
-pub(super) fn is_sum(item: &Item) -> bool {
-    command(item) == Some("\\sum")
-}
-
-/// ∫ alone.
-pub(super) fn is_integral(item: &Item) -> bool {
-    command(item) == Some("\\int")
-}
-
-/// `\sin` and the like, with a power perhaps.
-pub(super) fn is_function(item: &Item) -> bool {
-    command(item)
-        .and_then(|name| name.strip_prefix('\\'))
-        .is_some_and(|name| crate::formula::tree::Function::named(name).is_some())
-}
-
-/// The formulas of a list, each as its terms.
-pub(super) fn formulas(items: &[Item]) -> Vec<Vec<Term<'_>>> {
-    items.split(separates).map(terms).filter(|terms| !terms.is_empty()).collect()
-}
-
-fn terms(items: &[Item]) -> Vec<Term<'_>> {
-    let mut terms: Vec<Term<'_>> = Vec::new();
-    let mut start = 0;
-    let mut sign = None;
-    for at in 0..=items.len() {
-        let ends = at == items.len() || is_sign(&items[at]);
-        if !ends {
-            continue;
-        }
-        let inner = trimmed(&items[start..at]);
-        // What comes from one macro has one place, and is one thing.
-        let real = sign.is_none_or(|sign: &Item| !inner.iter().any(|item| item.span == sign.span));
-        if !inner.is_empty() && real {
-            terms.push(Term { sign, items: inner });
-        }
-        sign = items.get(at);
-        start = at + 1;
-    }
-    terms
-}
-
-fn trimmed(mut items: &[Item]) -> &[Item] {
-    while let [first, rest @ ..] = items
-        && is_space(first)
-    {
-        items = rest;
-    }
-    while let [rest @ .., last] = items
-        && is_space(last)
-    {
-        items = rest;
-    }
-    items
-}
+use super::edit::Slip;
+use super::finder::Finder;
+use super::parts::{Factor, Term, formulas, is_big, is_function, is_number, is_space, is_times};
 
 impl Finder<'_> {
-    /// The factors of a term: a function with its argument is one, and so is a rotation with its angle.
-    pub(super) fn factors<'i>(&self, items: &'i [Item]) -> Vec<Factor<'i>> {
-        let mut factors: Vec<Factor<'i>> = Vec::new();
-        let mut operator = None;
-        let mut at = 0;
-        while at < items.len() {
-            let item = &items[at];
-            if is_space(item) {
-                at += 1;
-                continue;
-            }
-            if is_operator(item) {
-                operator = Some(item);
-                at += 1;
-                continue;
-            }
-            let start = at;
-            at += 1;
-            let takes = is_function(item)
-                || self.is_rotation(item) && matches!(items.get(at), Some(Item { layout: Layout::Fence(..), .. }));
-            if takes {
-                at += items[at..].iter().take_while(|next| is_space(next)).count();
-                at = (at + 1).min(items.len());
-            }
-            // A macro is one factor, whatever it expands to.
-            while items.get(at).is_some_and(|next| next.span == items[at - 1].span) {
-                at += 1;
-            }
-            factors.push(Factor { operator: operator.take(), items: &items[start..at] });
-        }
-        factors
-    }
-
-    pub(super) fn kind(&self, item: &Item) -> Option<Kind> {
-        let printed = names::printed(item, None)?;
-        let found = self.symbols.find(&printed.name).map(|(id, _)| id);
-        found.or_else(|| self.symbols.find_whole(&printed.name.base)).map(|id| self.symbols.entry(id).kind)
-    }
-
-    fn is_rotation(&self, item: &Item) -> bool {
-        self.kind(item) == Some(Kind::Rotation)
-    }
-
-    pub(super) fn is_matrix(&self, factor: &Factor<'_>) -> bool {
-        let item = &factor.items[0];
-        matches!(item.layout, Layout::Environment(..)) || matches!(self.kind(item), Some(Kind::Matrix | Kind::Rotation))
-    }
-
-    /// `R_{ab}`: a matrix by its entries. Of `R_{12}` nobody prints an inverse.
-    fn is_entry(&self, factor: &Factor<'_>) -> bool {
-        let Some(printed) = names::printed(&factor.items[0], None) else { return false };
-        let found = self.symbols.find(&printed.name);
-        found.is_some_and(|(id, _)| self.symbols.entry(id).slots.len() == 2)
-            && !printed.name.subscript.concat().contains(char::is_numeric)
-    }
-
-    /// Slips in a display; an environment of rows that is all of it is no formula.
+    /// Collects the edits of a display. An environment of rows that is the whole display is divided into its cells.
     pub(super) fn display(&mut self, items: &[Item]) {
         let mut significant = items.iter().filter(|item| !is_space(item) && item.layout != Layout::Other(','));
         match (significant.next(), significant.next()) {
@@ -228,7 +20,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Slips in a list, and in all that it is made of.
+    /// Collects the edits of a list and of all its parts.
     pub(super) fn list(&mut self, items: &[Item]) {
         for terms in formulas(items) {
             for (at, term) in terms.iter().enumerate() {
@@ -279,7 +71,7 @@ impl Finder<'_> {
         })
     }
 
-    /// Slips in the sign of a term; one that stands first needs no plus.
+    /// Collects the edits of a term's sign. The first term needs no plus.
     fn sign(&mut self, term: &Term<'_>, is_first: bool) {
         let Some(sign) = term.sign else {
             self.edit(Slip::Sign, Span::at(term.span().start), "-");
@@ -328,7 +120,7 @@ impl Finder<'_> {
         self.edit(Slip::Doubled, Span::at(term.span().end), twice);
     }
 
-    /// The slip that typing something a second time is; where slips are undone, a second one is rarely what is wanting.
+    /// The kind of slip of a repeated factor. In a correction a repetition is rarely what is missing.
     fn doubling(&self, loss: Slip) -> Slip {
         if self.pool.is_some() { loss } else { Slip::Doubled }
     }
@@ -350,7 +142,7 @@ impl Finder<'_> {
         self.edit(Slip::Relation, item.span, other);
     }
 
-    /// Slips among the factors of a term.
+    /// Collects the edits of the factors of a term.
     fn term(&mut self, term: &Term<'_>) {
         let factors = self.factors(term.items);
         for (at, factor) in factors.iter().enumerate() {
@@ -427,7 +219,8 @@ impl Finder<'_> {
         }
     }
 
-    /// Where a power is put on a factor that has none: after a name or a parenthesis, or after a function before its argument.
+    /// The place for a power on a factor without one: after a name or a parenthesis, or between a function and its
+    /// argument.
     fn place_of_a_power(&self, factor: &Factor<'_>) -> Option<usize> {
         let first = &factor.items[0];
         let bare = match &first.layout {
@@ -458,8 +251,7 @@ impl Finder<'_> {
             other.is_some_and(|other| self.slice(other.span()) == self.slice(factor.span()))
         };
         let twice = same(at + 1) || at > 0 && same(at - 1);
-        let is_number = insertions::is_number(self.slice(factor.span()));
-        let slip = match (twice, is_number) {
+        let slip = match (twice, is_number(self.slice(factor.span()))) {
             (true, _) => Slip::Doubled,
             (false, true) => Slip::Number,
             (false, false) => Slip::Factor,

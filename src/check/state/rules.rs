@@ -12,7 +12,7 @@ use crate::scalar::{Number, Series};
 
 use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::state::sampled_state::SampledState;
-use crate::check::state::values::{Members, Valued};
+use crate::check::state::values::{MemberValues, Valued};
 
 impl<B: Number> SampledState<'_, B> {
     /// A symbol after the first `upto` rules, of which so many terms are used.
@@ -23,7 +23,7 @@ impl<B: Number> SampledState<'_, B> {
         let rule = &self.rules[at];
         let before = || self.ruled(id, indices, at, terms);
         let letters: Vec<(IndexId, u8)> = rule.letters.iter().copied().zip(indices.iter().copied()).collect();
-        let wrong = Unavailable::Operation("a sum of different shapes");
+        let wrong = Unavailable::Operation("a sum of terms of different shapes");
         let target = match &rule.action {
             Action::Equals(formula) => {
                 let value = self.formula_to(terms, formula, &letters)?;
@@ -48,12 +48,12 @@ impl<B: Number> SampledState<'_, B> {
                 }
                 _ => return Err(wrong),
             },
-            Action::Follows { order, formula } => {
+            Action::EquationOfMotion { order, formula } => {
                 let place = self.place_of(id, indices);
                 let member = self.follow(rule, usize::from(*order), formula, (at, place))?;
                 return member.ok_or(Unavailable::Symbol(id));
             }
-            Action::Together(laws) => return self.together(laws, id),
+            Action::Coupled(laws) => return self.together(laws, id),
             // What joins families acts through the crowd that stands in for them.
             Action::Union(..) => return before(),
         };
@@ -82,22 +82,22 @@ impl<B: Number> SampledState<'_, B> {
             return Ok(known.get(place).cloned());
         }
         let members = self.every_member(rule.symbol)?;
-        let mut known: Members<B> = Vec::new();
+        let mut known: MemberValues<B> = Vec::new();
         let mut terms = 0;
         for member in &members {
             let free = self.ruled(rule.symbol, member, at, ALL)?;
             terms = terms.max(free.entries().first().map_or(0, Series::known));
             known.push(free.map(|x| x.truncated(order)));
         }
-        let wrong = || Unavailable::Operation("a sum of different shapes");
-        let mut values: Members<B> = Vec::new();
+        let wrong = || Unavailable::Operation("a sum of terms of different shapes");
+        let mut values: MemberValues<B> = Vec::new();
         for next in order..terms {
             // What was found with fewer derivatives may reach further.
             let enough = |value: &Value<Series<B>>| value.entries().iter().all(|x| x.known() > next - order);
             if values.is_empty() || !values.iter().all(enough) {
                 self.memo.following.borrow_mut().push((rule.symbol, known.clone()));
                 self.memo.forget_values();
-                let found: Result<Members<B>, Unavailable> = members
+                let found: Result<MemberValues<B>, Unavailable> = members
                     .iter()
                     .map(|member| {
                         let letters: Vec<(IndexId, u8)> =

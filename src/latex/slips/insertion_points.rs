@@ -1,31 +1,31 @@
-//! The places of a text where something may have been left out: after the last term of a sum, after the last factor of a
-//! product. What stood there is not known here.
+//! The places in a text where a term or a factor may be missing: after the last term of a sum, and after the last
+//! factor
+//! of a product.
 
 use crate::formula::Symbols;
 use crate::source::Span;
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, typeset_items};
 use super::super::macros::Macros;
-use super::super::reader::typeset_items;
-use super::insertions::insides;
-use super::lists::formulas;
-use super::{Edit, Finder, Slip, bold};
+use super::edit::{Edit, Slip, bold};
+use super::finder::Finder;
+use super::parts::{formulas, insides};
 
-/// A place where a term or a factor may have been left out.
+/// A place where a term or a factor may be missing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Hole {
-    /// Where it would stand.
+pub struct InsertionPoint {
+    /// The byte of the place.
     pub at: usize,
     /// [`Slip::Term`] or [`Slip::Factor`].
     pub slip: Slip,
-    /// How many terms or factors stand there.
+    /// The number of terms or factors beside the place.
     pub beside: usize,
-    /// All of these.
+    /// The span of those terms or factors.
     pub whole: Span,
 }
 
-impl Hole {
-    /// The edit that puts in a term with this sign, or a factor, which has none.
+impl InsertionPoint {
+    /// The edit that inserts a term with this sign, or a factor, for which the sign is not used.
     pub fn filled(&self, sign: char, formula: &str) -> Edit {
         let replacement = match self.slip {
             Slip::Term => format!(" {sign} {formula}"),
@@ -35,19 +35,19 @@ impl Hole {
     }
 }
 
-/// The places in a text where something may have been left out. Nothing is missing beside a zero.
-pub fn holes(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Hole> {
+/// The places in a text where a term or a factor may be missing. There are none beside a zero.
+pub fn insertion_points(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<InsertionPoint> {
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
-    let finder = Finder { text, symbols, pool: None, edits: Vec::new() };
+    let finder = Finder::new(text, symbols, None);
     let mut holes = Vec::new();
     finder.holes(&items, &mut holes);
     holes
 }
 
 impl Finder<'_> {
-    fn holes(&self, items: &[Item], holes: &mut Vec<Hole>) {
+    fn holes(&self, items: &[Item], holes: &mut Vec<InsertionPoint>) {
         let mut add = |whole: Span, slip, beside| {
-            let hole = Hole { at: whole.end, slip, beside, whole };
+            let hole = InsertionPoint { at: whole.end, slip, beside, whole };
             if !holes.iter().any(|known| known.at == hole.at && known.slip == slip) {
                 holes.push(hole);
             }

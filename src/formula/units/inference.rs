@@ -1,8 +1,9 @@
-//! What is known of the dimensions of symbols, and what follows from it.
+//! The inference of dimensions: those that are declared, and those that follow from the equations.
 //!
-//! Every demand ("the terms of this sum agree") is one linear equation between exponents, with the same rational
-//! coefficients for each base unit. So the dimensions nobody declared are found by elimination, and a demand that
-//! contradicts the earlier ones is found at once.
+//! Every requirement ("the terms of this sum have one dimension") is a linear equation between exponents, with the
+//! same
+//! rational coefficients for each base unit. Undeclared dimensions are found by elimination. A requirement that
+//! contradicts earlier ones is found at once.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -11,12 +12,12 @@ use crate::formula::SymbolId;
 
 use super::{Dimension, Ratio, raised};
 
-/// A known dimension times powers of the unknown dimensions of symbols.
+/// A known dimension times powers of unknown dimensions of symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Affine {
-    /// What is known.
+    /// The known factor.
     pub known: Dimension,
-    /// The unknown factors; no exponent is 0.
+    /// The exponents of the unknown dimensions; none is 0.
     unknown: BTreeMap<SymbolId, Ratio>,
 }
 
@@ -31,7 +32,7 @@ impl Affine {
         Affine { known: Dimension::NONE, unknown: BTreeMap::from([(symbol, Ratio::ONE)]) }
     }
 
-    /// That of a product.
+    /// The dimension of a product.
     pub fn times(mut self, other: &Affine) -> Affine {
         self.known = self.known.times(other.known);
         for (&symbol, &exponent) in &other.unknown {
@@ -42,7 +43,7 @@ impl Affine {
         self
     }
 
-    /// That of a power.
+    /// The dimension of a power.
     pub fn power(mut self, exponent: Ratio) -> Affine {
         self.known = self.known.power(exponent);
         self.unknown.values_mut().for_each(|own| *own = *own * exponent);
@@ -50,12 +51,12 @@ impl Affine {
         self
     }
 
-    /// That of a quotient.
+    /// The dimension of a quotient.
     pub fn over(self, other: &Affine) -> Affine {
         self.times(&other.clone().power(Ratio::whole(-1)))
     }
 
-    /// The dimension, if all of it is known.
+    /// The dimension, if it has no unknown factor.
     pub fn as_known(&self) -> Option<Dimension> {
         self.unknown.is_empty().then_some(self.known)
     }
@@ -65,12 +66,12 @@ impl Affine {
         self.unknown.iter().map(|(symbol, exponent)| (*symbol, *exponent))
     }
 
-    /// Whether an exponent of it left the numbers that are computed with.
+    /// Whether an exponent overflowed ([`Ratio::LOST`]).
     fn is_lost(&self) -> bool {
         self.known.0.iter().chain(self.unknown.values()).any(|exponent| exponent.is_lost())
     }
 
-    /// In words: `kg m²`, `m [x]²` with the dimension of x unknown, `dimensionless`.
+    /// The dimension as text: `kg m²`; `m [x]²` with the unknown dimension of x; `dimensionless`.
     pub fn show(&self, name: impl Fn(SymbolId) -> String) -> String {
         let unknown = self.unknown.iter().map(|(symbol, exponent)| format!("[{}]{}", name(*symbol), raised(*exponent)));
         let mut factors: Vec<String> = unknown.collect();
@@ -81,14 +82,14 @@ impl Affine {
     }
 }
 
-/// Two dimensions that were demanded to be equal and are not.
+/// Two dimensions that are required to be equal and differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Conflict {
-    /// The first, as far as it is known.
+    /// The first dimension, with all known dimensions inserted.
     pub first: Affine,
-    /// The second.
+    /// The second dimension.
     pub second: Affine,
-    /// Where what is known of them was inferred: the [`Ledger::origin`] of every demand used.
+    /// The [`Inference::origin`] of every requirement that the two dimensions were inferred from.
     pub origins: BTreeSet<usize>,
 }
 
@@ -99,26 +100,26 @@ impl fmt::Display for Conflict {
     }
 }
 
-/// A symbol's dimension in terms of those still unknown, and the demands that it follows from.
+/// The dimension of a symbol in terms of unknown ones, and the origins of the requirements that it follows from.
 #[derive(Clone, Debug)]
 struct Row {
     value: Affine,
     origins: BTreeSet<usize>,
 }
 
-/// All that is known, in reduced form: no solved symbol occurs in the value of another.
+/// The solved dimensions in reduced form: no solved symbol occurs in the value of another.
 #[derive(Clone, Debug, Default)]
-pub struct Ledger {
+pub struct Inference {
     solved: BTreeMap<SymbolId, Row>,
-    /// What the next demands are to be known by, in a [`Conflict`]; `None` for what was declared.
+    /// The origin of the next requirements, which a [`Conflict`] reports; `None` for declarations.
     pub origin: Option<usize>,
 }
 
-impl Ledger {
-    /// Demands that two dimensions are one.
+impl Inference {
+    /// Requires that two dimensions are equal.
     ///
     /// # Errors
-    /// When what is known contradicts it; the ledger then stays as it was.
+    /// A conflict with earlier requirements; nothing is then changed.
     pub fn require_equal(&mut self, a: &Affine, b: &Affine) -> Result<(), Box<Conflict>> {
         let (first, mut origins) = self.reduce(a);
         let (second, others) = self.reduce(b);
@@ -151,7 +152,7 @@ impl Ledger {
         Ok(())
     }
 
-    /// A dimension with all that is known put in, and the origins of what was.
+    /// A dimension with all known dimensions inserted, and the origins of those.
     pub fn reduce(&self, a: &Affine) -> (Affine, BTreeSet<usize>) {
         let mut value = Affine::known(a.known);
         let mut origins = BTreeSet::new();
@@ -167,7 +168,7 @@ impl Ledger {
         (value, origins)
     }
 
-    /// Whether two dimensions may be one, for all that is known.
+    /// Whether two dimensions may be equal, given the known dimensions.
     pub fn may_be_equal(&self, a: &Affine, b: &Affine) -> bool {
         let difference = self.reduce(a).0.over(&self.reduce(b).0);
         difference.is_lost() || difference.as_known().is_none_or(|known| known.is_none())
@@ -183,7 +184,7 @@ fn substituted(row: &Row, pivot: SymbolId, by: &Row) -> Row {
 
 #[cfg(test)]
 mod tests {
-    use super::{Affine, Dimension, Ledger, Ratio};
+    use super::{Affine, Dimension, Inference, Ratio};
     use crate::formula::SymbolId;
 
     const METRE: Dimension = Dimension::LENGTH;
@@ -194,26 +195,28 @@ mod tests {
 
     #[test]
     fn two_equations_settle_two_unknowns() {
-        let mut ledger = Ledger::default();
-        ledger.require_equal(&x(0).times(&x(1)), &Affine::known(METRE)).unwrap();
-        ledger.require_equal(&x(0).over(&x(1)), &Affine::known(METRE.power(Ratio::whole(2)))).unwrap();
-        assert_eq!(ledger.reduce(&x(0)).0.as_known(), Some(METRE.power(Ratio::new(3, 2))));
-        assert_eq!(ledger.reduce(&x(1)).0.as_known(), Some(METRE.power(Ratio::new(-1, 2))));
+        let mut inference = Inference::default();
+        inference.require_equal(&x(0).times(&x(1)), &Affine::known(METRE)).unwrap();
+        inference.require_equal(&x(0).over(&x(1)), &Affine::known(METRE.power(Ratio::whole(2)))).unwrap();
+        assert_eq!(inference.reduce(&x(0)).0.as_known(), Some(METRE.power(Ratio::new(3, 2))));
+        assert_eq!(inference.reduce(&x(1)).0.as_known(), Some(METRE.power(Ratio::new(-1, 2))));
     }
 
     #[test]
     fn a_contradiction_names_the_demands_it_stands_on_and_changes_nothing() {
-        let mut ledger = Ledger::default();
+        let mut inference = Inference::default();
         for (origin, (a, b)) in [(x(0), Affine::known(METRE)), (x(1), x(0)), (x(2), x(3))].iter().enumerate() {
-            ledger.origin = Some(origin);
-            ledger.require_equal(a, b).unwrap();
+            inference.origin = Some(origin);
+            inference.require_equal(a, b).unwrap();
         }
-        let conflict = ledger.require_equal(&x(1), &Affine::known(Dimension::TIME)).unwrap_err();
+        let conflict = inference.require_equal(&x(1), &Affine::known(Dimension::TIME)).unwrap_err();
         assert_eq!(conflict.origins.into_iter().collect::<Vec<_>>(), [0, 1]);
         assert_eq!(conflict.first.as_known(), Some(METRE));
-        assert!(ledger.may_be_equal(&x(1), &x(0)) && !ledger.may_be_equal(&x(1), &Affine::known(Dimension::TIME)));
+        assert!(
+            inference.may_be_equal(&x(1), &x(0)) && !inference.may_be_equal(&x(1), &Affine::known(Dimension::TIME))
+        );
         // What does not follow from the others stays free.
-        assert!(ledger.require_equal(&x(3), &Affine::known(Dimension::TIME)).is_ok());
-        assert_eq!(ledger.reduce(&x(2)).0.as_known(), Some(Dimension::TIME));
+        assert!(inference.require_equal(&x(3), &Affine::known(Dimension::TIME)).is_ok());
+        assert_eq!(inference.reduce(&x(2)).0.as_known(), Some(Dimension::TIME));
     }
 }

@@ -10,7 +10,7 @@ use crate::check::state::sampled_state::SampledState;
 
 /// A term of a claim that cannot be seen at any state: it is there, and so small beside the others that leaving it out
 /// would change nothing that can be told from rounding.
-pub fn unseen(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<String> {
+pub fn of_claim(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<String> {
     fn terms(side: &Expr) -> Vec<&Expr> {
         match &side.node {
             Node::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
@@ -24,8 +24,13 @@ pub fn unseen(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<
     hidden(&all, states)
 }
 
+/// What is said of a claim with such a term.
+pub(crate) fn message(term: &str) -> String {
+    format!("“{term}” is too small beside the other terms to be tested; choose ranges in which it matters")
+}
+
 /// The same of a term of a sum inside of a claim: below a root, in a sine, in an exponent.
-pub fn unseen_inside(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<String> {
+pub fn inside(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<String> {
     let mut sums: Vec<Vec<&Expr>> = Vec::new();
     for side in [&link.lhs, &link.rhs] {
         side.walk(&mut |expr| match &expr.node {

@@ -1,21 +1,25 @@
-//! Names that need no declaration, since a declared vector says what they are.
+//! Names that follow from a declared vector: its norm, its unit vector and its components.
 //!
-//! Beside a declared `\vec r_i`, `r_i` is its norm, `\hat r_i` the unit vector along it, and `r_{ia}` its components:
-//! along the fixed axes, or along the unit vectors that the vector's components were declared along. A component by
-//! number, `r_{i1}`, is only read where its components were declared. A declared name always comes first, and what is
-//! found is noted in [`Symbols::derived`](crate::formula::Symbols::derived).
+//! If `\vec r_i` is declared, `r_i` is its norm, `\hat r_i` is the unit vector along it, and `r_{ia}` are its
+//! components
+//! along the fixed axes or along the declared unit vectors. A component by number, `r_{i1}`, needs declared
+//! components. A
+//! declared name always has priority. The meanings are recorded in
+//! [`Symbols::derived`](crate::formula::Symbols::derived).
 
 use crate::formula::SymbolId;
 use crate::formula::symbols::{Components, Kind, Name};
 use crate::formula::text;
 use crate::formula::tree::{Expr, Index, Node};
-use crate::source::Span;
+use crate::source::{Fault, Span};
 
-use super::{Read, Reader, two_ways};
+use super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// What a name means beside a declared vector, which is returned as well. Where it could be a norm and a component,
-    /// `v_1` beside a `\vec v` with components and a `\vec v_i`, it is refused.
+    /// The meaning of a name that follows from a declared vector, and that vector.
+    ///
+    /// # Errors
+    /// A name that may be a norm or a component: `v_1`, where `\vec v` with components and `\vec v_i` are declared.
     pub(super) fn derived(&mut self, name: &Name, span: Span) -> Read<Option<(Expr, SymbolId)>> {
         if self.symbols.open {
             return Ok(None);
@@ -25,7 +29,7 @@ impl Reader<'_> {
         match (norm, component) {
             (Some((norm, _)), Some((component, _))) => {
                 let (norm, component) = (text::formula(&norm, self.symbols), text::formula(&component, self.symbols));
-                Err(two_ways(span, &format!("{norm} or {component}"))
+                Err(Fault::ambiguous(span, format!("{name} may be {norm} or {component}"))
                     .help(format!("declare {name} in the claims file")))
             }
             (norm, component) => Ok(norm.or(component)),
@@ -71,7 +75,7 @@ impl Reader<'_> {
         Some((new(node), id))
     }
 
-    /// Writes down what a name was taken for.
+    /// Records the meaning of a name.
     pub(super) fn note_derived(&mut self, name: &Name, meaning: &Expr) {
         let words = text::formula(meaning, self.symbols);
         self.symbols.derived.insert(name.to_string(), words);

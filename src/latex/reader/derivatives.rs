@@ -1,4 +1,4 @@
-//! Time derivatives, which act on what follows.
+//! Time derivatives `\frac{d}{dt}` and `dx/dt`. Overdots are in [`crate::latex`], file `overdots.rs`.
 
 use crate::formula::symbols::Name;
 use crate::formula::tree::Expr;
@@ -7,18 +7,16 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{contents, joint, whole_number};
-use super::regions::is_integral;
-use super::sums::is_big_sum;
-use super::{Joint, Read, Reader, two_ways};
+use super::items::{Joint, contents, differential, is_big_sum, is_integral, joint, starts_differential, whole_number};
+use super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// What `\frac{d}{dt}` acts on.
+    /// The operand of `\frac{d}{dt}`.
     pub(super) fn operand(&mut self, items: &[Item], cursor: &mut usize, operator: Span) -> Read<Expr> {
         while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
             *cursor += 1;
         }
-        let missing = || Fault::new(operator, "nothing follows this derivative");
+        let missing = || Fault::new(operator, "no formula follows this derivative");
         let first = items.get(*cursor).ok_or_else(missing)?;
         if matches!(first.layout, Layout::Fence(..)) {
             *cursor += 1;
@@ -27,19 +25,23 @@ impl Reader<'_> {
         let rest = &items[*cursor..];
         let significant = || rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         if significant().filter(|item| is_operator(item)).count() > 5 {
-            return Err(Fault::new(operator, "derivatives are read up to the fifth"));
+            return Err(Fault::unsupported(operator, "derivatives above the fifth order are not supported"));
         }
         let one = significant().count() == 1;
         if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
-            return Err(two_ways(operator.to(first.span), "how far this derivative reaches")
-                .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
+            return Err(Fault::ambiguous(
+                operator.to(first.span),
+                "this derivative may act on the next factor or on all that follow",
+            )
+            .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
         }
         *cursor = items.len();
         self.sum(rest, operator)
     }
 
-    /// Whether a derivative before these factors can only be meant of their product: nobody differentiates a constant
-    /// factor alone, and constants after what varies change nothing.
+    /// Whether a derivative before these factors must act on their product: a constant first factor is not
+    /// differentiated
+    /// alone, and constants after the factor that varies change nothing.
     fn reaches_to_the_end<'i>(&self, factors: impl Iterator<Item = &'i Item>) -> bool {
         let factors: Vec<&Item> =
             factors.filter(|item| !matches!(joint(item), Some(Joint::CDot | Joint::Times))).collect();
@@ -53,7 +55,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether an item is a number, or made of numbers and symbols that are known not to vary.
+    /// Whether an item consists of numbers and declared constants.
     fn is_constant(&self, item: &Item) -> bool {
         if let Some(printed) = names::printed(item, self.branch) {
             let known = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));
@@ -70,7 +72,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `\frac{d^n …}{dt^n}`: the order and what stands beside the upper d.
+    /// The order n of `\frac{d^n …}{dt^n}`, and the items after the upper d.
     pub(super) fn derivative<'i>(&self, numerator: &'i Item, denominator: &Item) -> Read<Option<(u8, &'i [Item])>> {
         let upper = contents(numerator);
         let lower = contents(denominator);
@@ -89,18 +91,19 @@ impl Reader<'_> {
         }
         let span = numerator.span.to(denominator.span);
         if self.symbols.find(&Name::plain("d")).is_some() {
-            return Err(two_ways(span, "d, which is declared as a symbol").help("write \\mathrm{d} for the derivative"));
+            return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol")
+                .help("write \\mathrm{d} for the derivative"));
         }
         if below != Some(order) {
-            return Err(Fault::new(span, "the orders above and below in this derivative differ"));
+            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders"));
         }
         match u8::try_from(order) {
             Ok(order @ 1..=5) => Ok(Some((order, &upper[1..]))),
-            _ => Err(Fault::new(span, "derivatives are read up to the fifth")),
+            _ => Err(Fault::unsupported(span, "derivatives above the fifth order are not supported")),
         }
     }
 
-    /// `d\theta/dt` typed on one line: d, θ, slash, d, t.
+    /// The order of `d\theta/dt` typed on one line: d, θ, slash, d, t.
     pub(super) fn derivative_slash(&self, items: &[Item], at: usize) -> Option<u8> {
         let [d, inner, slash, below, time, ..] = items.get(at..)? else { return None };
         let is_time = names::printed(time, None).is_some_and(|p| Some(&p.name) == self.symbols.time.as_ref());
@@ -114,36 +117,11 @@ impl Reader<'_> {
     }
 }
 
-/// Whether an item is a derivative with nothing beside its upper d: `\frac{d}{dt}`.
+/// Whether an item is `\frac{d}{dt}`, with no operand in its numerator.
 fn is_operator(item: &Item) -> bool {
     match &item.layout {
         Layout::Fraction(above, below) => {
             starts_differential(below) && matches!(contents(above), [only] if differential(only).is_some())
-        }
-        _ => false,
-    }
-}
-
-/// The order of a differential d, `d^2`, `\mathrm{d}`.
-pub(super) fn differential(item: &Item) -> Option<u32> {
-    let is_d = |item: &Item| {
-        item.layout == Layout::Letter('d')
-            || matches!(&item.layout, Layout::Style(style, inner) if style == "\\mathrm"
-                && matches!(contents(inner), [Item { layout: Layout::Letter('d'), .. }]))
-    };
-    match &item.layout {
-        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } if is_d(nucleus) => whole_number(sup),
-        _ if is_d(item) => Some(1),
-        _ => None,
-    }
-}
-
-/// Whether a numerator or denominator begins with a d and goes on: `dx`, `\partial L`.
-pub(super) fn starts_differential(item: &Item) -> bool {
-    match contents(item) {
-        [first, second, ..] => {
-            let partial = matches!(&first.layout, Layout::Command(name) if name == "\\partial");
-            partial || differential(first).is_some() && names::printed(second, None).is_some()
         }
         _ => false,
     }

@@ -1,17 +1,17 @@
-//! Parentheses that have no partner: such a display has no parts that could be walked, so they are looked for in its bytes.
+//! Edits of unmatched parentheses. A display with one has no layout, so its tokens are searched.
 
 use crate::source::Span;
 
 use super::super::lexer::{Token, TokenKind, tokens};
-use super::{Edit, Slip};
+use super::edit::{Edit, Slip};
 
-/// A partner is tried at so many places at most, the nearest first.
+/// The most places where a partner is tried, the nearest first.
 const PLACES: usize = 48;
 
-/// With more parentheses without a partner than this, one edit does not help.
+/// The most unmatched parentheses that one edit may correct.
 const ALONE: usize = 2;
 
-/// The edits that take away a parenthesis without a partner, or give it one.
+/// The edits that remove an unmatched parenthesis, or add its partner.
 pub(super) fn balanced(text: &str) -> Vec<Edit> {
     let tokens = tokens(text);
     let mut edits = Vec::new();
@@ -59,7 +59,7 @@ pub(super) fn balanced(text: &str) -> Vec<Edit> {
     edits
 }
 
-/// The token with which a parenthesis begins, of which a `\left` or `\right` is a part.
+/// The first token of a parenthesis, which may be a `\left` or `\right`.
 fn whole_start(at: usize, sized: bool) -> usize {
     at - usize::from(sized)
 }

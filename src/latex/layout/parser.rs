@@ -1,90 +1,17 @@
-//! Tokens to what is typeset: groups, fences, fractions, scripts, accents, environments.
+//! The layout parser: tokens to the layout tree.
 //!
-//! This step gives nothing a meaning, and it cannot fail: a fence without its partner, a fraction without a
-//! denominator, a group nested too deeply becomes a [`Layout::Fault`] where it stands.
+//! It cannot fail: a fence without its partner, a fraction without a denominator, a group nested too deeply becomes a
+//! [`Layout::Fault`] at its place.
 
+use crate::code::Code;
 use crate::source::{Fault, Span};
 
-use super::lexer::{Space, Token, TokenKind};
+use super::super::lexer::{Space, Token, TokenKind};
+use super::delimiters::{closing, is_plain_bar, opening};
+use super::item::{Delimiter, Item, Layout};
 
-/// Groups inside groups are read this deep; nobody's equation comes near.
+/// The most levels of groups inside groups; equations in notes have far fewer.
 const DEEPEST: usize = 64;
-
-/// One typeset thing and its bytes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Item {
-    /// What it is.
-    pub layout: Layout,
-    /// Where it stands.
-    pub span: Span,
-}
-
-/// What is typeset.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Layout {
-    /// A single letter.
-    Letter(char),
-    /// Digits, with a decimal point perhaps.
-    Number(String),
-    /// A command without arguments: `\theta`, `\sin`, `\cdot`, `\{`.
-    Command(String),
-    /// A single other character: `+`, `=`, `,`.
-    Other(char),
-    /// A typeset space.
-    Space(Space),
-    /// `{ … }`
-    Group(Vec<Item>),
-    /// `( … )`, `[ … ]`, `\{ … \}`, `| … |`, with or without `\left`, `\right`.
-    Fence(Delimiter, Vec<Item>),
-    /// A nucleus with scripts; at least one of them is there.
-    Scripts {
-        /// What carries the scripts.
-        nucleus: Box<Item>,
-        /// `_ …`
-        sub: Option<Box<Item>>,
-        /// `^ …`
-        sup: Option<Box<Item>>,
-        /// The number of primes.
-        primes: u8,
-    },
-    /// `\frac`
-    Fraction(Box<Item>, Box<Item>),
-    /// `\sqrt`, with its index.
-    Root(Option<Box<Item>>, Box<Item>),
-    /// `\dot`, `\vec`, `\hat`, …: the command and what is under the accent.
-    Accent(String, Box<Item>),
-    /// `\mathbf`, `\mathrm`, …: the command and what is set in that style.
-    Style(String, Box<Item>),
-    /// `\text{…}`: its letters, without spaces.
-    Text(String),
-    /// `\begin{name} … \end{name}`: rows of cells.
-    Environment(String, Vec<Vec<Vec<Item>>>),
-    /// `\\`
-    Row,
-    /// `&`
-    Align,
-    /// Something that was not understood.
-    Fault(Fault),
-}
-
-/// A pair of delimiters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Delimiter {
-    /// `( )`
-    Round,
-    /// `[ ]`
-    Square,
-    /// `\{ \}`
-    Curly,
-    /// `\left| \right|`, `\lvert \rvert`
-    Bar,
-    /// `| |` without sizing, which does not say whether it opens or closes
-    PlainBar,
-    /// `\| \|`
-    DoubleBar,
-    /// `\langle \rangle`
-    Angle,
-}
 
 /// What ends the list that is being read.
 #[derive(Clone, Copy, PartialEq)]
@@ -102,14 +29,25 @@ pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
     let mut parser = Parser { tokens, at: 0, depth: 0, length };
     let mut items = parser.list(Until::End);
     while let Some(token) = parser.next() {
-        items.push(fault(token.span, "this closes something that was never opened"));
+        items.push(fault(token.span, "this closes a group that was never opened"));
         items.extend(parser.list(Until::End));
     }
     items
 }
 
 fn fault(span: Span, message: impl Into<String>) -> Item {
-    Item { layout: Layout::Fault(Fault::new(span, message)), span }
+    of_fault(Fault::new(span, message))
+}
+
+fn of_fault(fault: Fault) -> Item {
+    let span = fault.span;
+    Item { layout: Layout::Fault(fault), span }
+}
+
+/// The fault where `what` exceeds the limit of nesting.
+fn too_deep(span: Span, what: &str) -> Item {
+    let message = format!("{what} are nested more than {DEEPEST} levels deep");
+    of_fault(Fault::new(span, message).code(Code::TooLarge).help("split the formula into several equations"))
 }
 
 struct Parser<'a> {
@@ -144,8 +82,7 @@ impl<'a> Parser<'a> {
         if self.depth >= DEEPEST {
             let start = self.end().start;
             self.at = self.tokens.len();
-            let message = format!("groups are nested more than {DEEPEST} deep");
-            return vec![fault(Span::new(start, self.length.max(start)), message)];
+            return vec![too_deep(Span::new(start, self.length.max(start)), "groups")];
         }
         self.depth += 1;
         while let Some(token) = self.peek() {
@@ -182,7 +119,7 @@ impl<'a> Parser<'a> {
     fn scripted(&mut self, single_digit: bool) -> Item {
         let nucleus = match self.peek() {
             Some(token) if matches!(token.kind, TokenKind::Sub | TokenKind::Super | TokenKind::Prime) => {
-                fault(Span::at(token.span.start), "this script has nothing to stand on")
+                fault(Span::at(token.span.start), "this subscript or superscript has no base")
             }
             _ => self.item(single_digit),
         };
@@ -200,7 +137,7 @@ impl<'a> Parser<'a> {
                 _ => break,
             };
             if slot.is_some() && problem.is_none() {
-                problem = Some(fault(token.span, "a second script in the same place: put braces where it belongs"));
+                problem = Some(fault(token.span, "this base has two subscripts or two superscripts; add braces"));
             }
             self.next();
             let sign = self.peek().filter(|next| matches!(next.kind, TokenKind::Other('+' | '-')));
@@ -228,7 +165,7 @@ impl<'a> Parser<'a> {
     fn argument(&mut self, command: Span) -> Item {
         if self.depth >= DEEPEST {
             self.at = self.tokens.len();
-            return fault(command, format!("commands are nested more than {DEEPEST} deep"));
+            return too_deep(command, "commands");
         }
         self.depth += 1;
         let item = self.bare_argument(command);
@@ -258,7 +195,7 @@ impl<'a> Parser<'a> {
 
     fn item(&mut self, single_digit: bool) -> Item {
         let Some(token) = self.next() else {
-            return fault(self.end(), "something is missing here");
+            return fault(self.end(), "a formula is missing here");
         };
         let span = token.span;
         let layout = match &token.kind {
@@ -273,9 +210,9 @@ impl<'a> Parser<'a> {
             TokenKind::Other('[') => return self.fence(Delimiter::Square, span),
             TokenKind::Other('|') => return self.fence(Delimiter::PlainBar, span),
             TokenKind::Other(c) => Layout::Other(*c),
-            TokenKind::Parameter(n) => return fault(span, format!("#{n} belongs in a macro")),
+            TokenKind::Parameter(n) => return fault(span, format!("#{n} is allowed in a macro only")),
             TokenKind::Close | TokenKind::Sub | TokenKind::Super | TokenKind::Prime => {
-                return fault(span, "this stands in the wrong place");
+                return fault(span, "this is not allowed here");
             }
         };
         Item { layout, span }
@@ -386,7 +323,7 @@ impl<'a> Parser<'a> {
 
     fn left(&mut self, span: Span) -> Item {
         let Some(token) = self.next() else {
-            return fault(span, "\\left wants a delimiter");
+            return fault(span, "\\left needs a delimiter");
         };
         let opening = opening(token);
         let items = self.list(Until::Right);
@@ -395,12 +332,12 @@ impl<'a> Parser<'a> {
             _ => return self.unclosed(span, "\\left", items),
         };
         let Some(close) = self.next() else {
-            return fault(span, "the \\right of this \\left wants a delimiter");
+            return fault(span, "the \\right of this \\left needs a delimiter");
         };
         let whole = span.to(close.span);
         match (opening, closing(close)) {
             (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
-            _ => fault(whole, "the delimiters of this \\left and \\right do not make a pair that has a meaning here"),
+            _ => of_fault(Fault::unsupported(whole, "this pair of delimiters of \\left and \\right is not supported")),
         }
     }
 
@@ -430,49 +367,13 @@ impl<'a> Parser<'a> {
                     }
                     break;
                 }
-                _ => return fault(token.span, format!("this stands in the wrong place inside {name}")),
+                _ => return fault(token.span, format!("this is not allowed inside {name}")),
             }
         }
         if rows.len() > 1 && rows.last().is_some_and(|row| row.iter().all(Vec::is_empty)) {
             rows.pop();
         }
         Item { layout: Layout::Environment(name, rows), span: span.to(Span::at(self.previous_end())) }
-    }
-}
-
-fn is_plain_bar(token: &Token, delimiter: Delimiter) -> bool {
-    delimiter == Delimiter::PlainBar && token.kind == TokenKind::Other('|')
-}
-
-fn opening(token: &Token) -> Option<Delimiter> {
-    match &token.kind {
-        TokenKind::Other('(') => Some(Delimiter::Round),
-        TokenKind::Other('[') => Some(Delimiter::Square),
-        TokenKind::Other('|') => Some(Delimiter::Bar),
-        TokenKind::Command(name) => match name.as_str() {
-            "\\{" => Some(Delimiter::Curly),
-            "\\lvert" | "\\vert" => Some(Delimiter::Bar),
-            "\\|" | "\\lVert" | "\\Vert" => Some(Delimiter::DoubleBar),
-            "\\langle" => Some(Delimiter::Angle),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-fn closing(token: &Token) -> Option<Delimiter> {
-    match &token.kind {
-        TokenKind::Other(')') => Some(Delimiter::Round),
-        TokenKind::Other(']') => Some(Delimiter::Square),
-        TokenKind::Other('|') => Some(Delimiter::Bar),
-        TokenKind::Command(name) => match name.as_str() {
-            "\\}" => Some(Delimiter::Curly),
-            "\\rvert" | "\\vert" => Some(Delimiter::Bar),
-            "\\|" | "\\rVert" | "\\Vert" => Some(Delimiter::DoubleBar),
-            "\\rangle" => Some(Delimiter::Angle),
-            _ => None,
-        },
-        _ => None,
     }
 }
 
@@ -491,7 +392,7 @@ fn letters(item: &Item) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::lexer::tokens;
+    use super::super::super::lexer::tokens;
     use super::*;
 
     fn faults(text: &str) -> usize {

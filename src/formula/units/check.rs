@@ -1,36 +1,38 @@
-//! The walk of a formula that finds its dimension, or the term that does not fit.
+//! The dimensional analysis of a formula: its dimension, or the term whose dimension does not fit.
 //!
-//! What must agree: the terms of a sum, the members of a chain, the entries of a matrix. What must be dimensionless:
-//! the argument of a function, an angle of a rotation, an exponent, and the base of a power whose exponent is not a
-//! literal. A dot divides by the dimension of the independent variable. A family has one dimension for all its
-//! members, and a vector or a matrix one for all its components. The literal 0 is of any dimension, every other number
-//! of none. An integral multiplies by the dimension of its region: a length, an area, a volume.
+//! Equal dimensions are required of the terms of a sum, the members of a chain, and the entries of a matrix.
+//! Dimensionless are the argument of a function, the angle of a rotation, an exponent, and the base of a power whose
+//! exponent is no literal. A dot divides by the dimension of the independent variable. All members of a family have
+//! one
+//! dimension, and so have all components of a vector or a matrix. The literal 0 has any dimension; every other number
+//! is
+//! dimensionless. An integral multiplies by the dimension of its region: a length, an area or a volume.
 
 use std::collections::BTreeSet;
 
 use crate::formula::{Expr, Kind, Node, Relation, Sign, Statement, SymbolId, Symbols, text};
 use crate::source::Span;
 
-use super::{Affine, Dimension, Ledger, Ratio};
+use super::{Affine, Dimension, Inference, Ratio};
 
 /// A term that does not fit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mismatch {
-    /// The term, as a place in the text that the formula was read from.
+    /// The place of the term in the text of the formula.
     pub span: Span,
     /// What is wrong, naming the term.
     pub message: String,
-    /// The [`Ledger::origin`] of every demand that the dimensions in the message were inferred from.
+    /// The [`Inference::origin`] of every requirement that the dimensions in the message were inferred from.
     pub origins: BTreeSet<usize>,
 }
 
-/// The walk, with what is known so far.
+/// The analysis of a document, with the dimensions known so far.
 #[derive(Clone, Debug)]
-pub struct Survey<'a> {
+pub struct UnitCheck<'a> {
     symbols: &'a Symbols,
     time: Affine,
-    /// What is known.
-    pub ledger: Ledger,
+    /// The known dimensions.
+    pub inference: Inference,
 }
 
 /// The dimension of a formula; `None` for a zero, which has any.
@@ -57,12 +59,12 @@ enum Pool<'r> {
 /// Votes are counted among so many terms; a longer sum blames the first term that does not fit.
 const VOTERS: usize = 64;
 
-impl<'a> Survey<'a> {
-    /// A walk with nothing known.
+impl<'a> UnitCheck<'a> {
+    /// An analysis without known dimensions.
     pub fn new(symbols: &'a Symbols) -> Self {
         let time = symbols.time.as_ref().and_then(|name| symbols.find(name));
         let time = time.map_or(Affine::known(Dimension::TIME), |(id, _)| Affine::of(id));
-        Survey { symbols, time, ledger: Ledger::default() }
+        UnitCheck { symbols, time, inference: Inference::default() }
     }
 
     /// The independent variable, if it is a symbol of the table.
@@ -70,12 +72,14 @@ impl<'a> Survey<'a> {
         self.time.unknowns().next().map(|(symbol, _)| symbol)
     }
 
-    /// A dimension in words, with all that is known put in.
+    /// A dimension as text, with all known dimensions inserted.
     pub fn words(&self, found: &Affine) -> String {
-        self.show(&self.ledger, found)
+        self.show(&self.inference, found)
     }
 
-    /// Holds a statement against all that is known and learns from it; the terms that do not fit teach nothing.
+    /// Checks a statement against the known dimensions, and infers further ones from the terms that fit. Returns the
+    /// terms
+    /// that do not fit.
     pub fn statement(&mut self, statement: &Statement) -> Vec<Mismatch> {
         let mut mismatches = Vec::new();
         let mut pool: Vec<Pooled<'_>> = Vec::new();
@@ -186,8 +190,8 @@ impl<'a> Survey<'a> {
 
     fn dimensionless(&mut self, expr: &Expr, what: &str) -> Result<(), Mismatch> {
         let Some(found) = self.dimension(expr)? else { return Ok(()) };
-        self.ledger.require_equal(&found, &Affine::known(Dimension::NONE)).map_err(|conflict| {
-            let message = format!("{}, and {what} must be dimensionless", self.says(&self.ledger, expr, &found));
+        self.inference.require_equal(&found, &Affine::known(Dimension::NONE)).map_err(|conflict| {
+            let message = format!("{}, but {what} must be dimensionless", self.says(&self.inference, expr, &found));
             Mismatch { span: expr.span, message, origins: conflict.origins }
         })
     }
@@ -198,26 +202,35 @@ impl<'a> Survey<'a> {
         if rest.is_empty() {
             return Ok(Some(first.found.clone()));
         }
-        let before = self.ledger.clone();
-        let fault =
-            rest.iter().position(|other| self.ledger.require_equal(&first.found, &other.found).is_err()).map(|k| k + 1);
+        let before = self.inference.clone();
+        let fault = rest
+            .iter()
+            .position(|other| self.inference.require_equal(&first.found, &other.found).is_err())
+            .map(|k| k + 1);
         let Some(late) = fault else { return Ok(Some(first.found.clone())) };
-        let (culprit, partner, ledger) = match odd_one(pool, &before) {
+        let (culprit, partner, inference) = match odd_one(pool, &before) {
             Some((culprit, partner)) => (culprit, partner, &before),
             // Each pair could be one, and all together cannot.
-            None => (late, 0, &self.ledger),
+            None => (late, 0, &self.inference),
         };
-        let mismatch = self.mismatch(pool, culprit, partner, why, ledger);
-        self.ledger = before;
+        let mismatch = self.mismatch(pool, culprit, partner, why, inference);
+        self.inference = before;
         let mut others = pool.iter().enumerate().filter(|(at, _)| *at != culprit).map(|(_, pooled)| &pooled.found);
         if let Some(one) = others.next() {
             // The rest may hold a second mismatch; one to a sum is told.
-            others.for_each(|other| drop(self.ledger.require_equal(one, other)));
+            others.for_each(|other| drop(self.inference.require_equal(one, other)));
         }
         Err(mismatch)
     }
 
-    fn mismatch(&self, pool: &[Pooled<'_>], culprit: usize, partner: usize, why: Pool<'_>, known: &Ledger) -> Mismatch {
+    fn mismatch(
+        &self,
+        pool: &[Pooled<'_>],
+        culprit: usize,
+        partner: usize,
+        why: Pool<'_>,
+        known: &Inference,
+    ) -> Mismatch {
         let (a, b) = (&pool[culprit.min(partner)], &pool[culprit.max(partner)]);
         let verb = match why {
             Pool::Entries => "be entries of one matrix",
@@ -235,7 +248,7 @@ impl<'a> Survey<'a> {
     }
 
     /// `“M·g” is kg m s⁻²`.
-    fn says(&self, known: &Ledger, expr: &Expr, found: &Affine) -> String {
+    fn says(&self, known: &Inference, expr: &Expr, found: &Affine) -> String {
         const LONGEST: usize = 60;
         let mut quote = text::formula(expr, self.symbols);
         if let Some((end, _)) = quote.char_indices().nth(LONGEST) {
@@ -245,14 +258,14 @@ impl<'a> Survey<'a> {
         format!("“{quote}” is {}", self.show(known, found))
     }
 
-    fn show(&self, known: &Ledger, found: &Affine) -> String {
+    fn show(&self, known: &Inference, found: &Affine) -> String {
         known.reduce(found).0.show(|symbol| text::plain(&self.symbols.entry(symbol).name.to_string()))
     }
 }
 
 /// The term that agrees with the fewest others, the last of several, and the nearest that it disagrees with: one of
 /// its own sum, if there is one.
-fn odd_one(pool: &[Pooled<'_>], known: &Ledger) -> Option<(usize, usize)> {
+fn odd_one(pool: &[Pooled<'_>], known: &Inference) -> Option<(usize, usize)> {
     let voters = &pool[..pool.len().min(VOTERS)];
     let against = |at: usize| -> Vec<usize> {
         let differs = |other: &usize| !known.may_be_equal(&voters[at].found, &voters[*other].found);

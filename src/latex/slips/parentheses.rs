@@ -1,15 +1,16 @@
-//! Slips of enclosure: a parenthesis lost, closed too early or too late, and a power that stands on too much or too little.
+//! Edits of parentheses: one lost, or closed too early or too late; and of powers on too much or too little.
 
 use crate::source::Span;
 
 use super::super::layout::{Delimiter, Item, Layout};
-use super::lists::{Factor, Term, formulas, is_function};
-use super::{Finder, Slip};
+use super::edit::Slip;
+use super::finder::Finder;
+use super::parts::{Factor, Term, formulas, is_function};
 
-/// A fence takes in, or gives up, so many terms or factors at most.
+/// The most terms or factors that a parenthesis gains or loses.
 const FARTHEST: usize = 4;
 
-/// Enclosing what no parenthesis encloses is tried in so many ways at most.
+/// The most ways in which new parentheses are tried.
 const MOST: usize = 400;
 
 /// The parts of a parenthesis: what opens it, what is in it, what closes it with its scripts.
@@ -92,8 +93,8 @@ impl Finder<'_> {
         ends.into_iter().chain(last).collect()
     }
 
-    /// A parenthesis that closes too early among the terms of a formula takes in what follows; and where a slip is
-    /// undone, one that was lost is put back.
+    /// Extends a parenthesis that may close too early over the terms after it. For corrections it also adds lost
+    /// parentheses.
     pub(super) fn enclose(&mut self, terms: &[Term<'_>]) {
         for (at, term) in terms.iter().enumerate() {
             for factor in self.factors(term.items) {
@@ -141,7 +142,7 @@ impl Finder<'_> {
         }
     }
 
-    /// A parenthesis that closes after any factor of the terms behind it.
+    /// Moves the end of a parenthesis behind any factor of the terms after it.
     fn take_in(&mut self, fence: &Fence<'_>, behind: &[Term<'_>]) {
         let open = self.slice(Span::new(fence.whole.start, fence.inner.start)).to_owned();
         let close = self.slice(Span::new(fence.inner.end, fence.whole.end)).to_owned();
@@ -155,7 +156,7 @@ impl Finder<'_> {
         }
     }
 
-    /// A power moved from a parenthesis onto the last factor in it, and back.
+    /// Moves a power from a parenthesis to its last factor, and back.
     pub(super) fn exponents(&mut self, factors: &[Factor<'_>]) {
         for (at, factor) in factors.iter().enumerate() {
             for item in factor.items {
@@ -186,7 +187,7 @@ impl Finder<'_> {
         }
     }
 
-    /// The power of an item put on all from an earlier factor on, or on the function that the item is the argument of.
+    /// Moves the power of an item to a product that ends with it, or to the function whose argument it is.
     fn gather_power(&mut self, factors: &[Factor<'_>], item: &Item, power: &str) {
         let Layout::Scripts { nucleus, sub, .. } = &item.layout else { return };
         let base = sub.as_ref().map_or(nucleus.span, |sub| nucleus.span.to(sub.span));
