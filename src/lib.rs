@@ -110,7 +110,9 @@
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "notes")]
 pub mod check;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod code;
 pub mod derive;
@@ -119,12 +121,15 @@ pub mod formula;
 pub mod guide;
 pub mod latex;
 pub mod mechanics;
+#[cfg(feature = "notes")]
 pub mod notes;
+#[cfg(feature = "cli")]
 pub mod report;
 pub mod scalar;
 pub mod source;
 pub mod suggest;
 pub mod systems;
+#[cfg(feature = "notes")]
 pub mod testing;
 
 pub use error::{Error, Result};
