@@ -8,6 +8,9 @@ const USUAL_WIDTH: usize = 80;
 /// The narrowest that text is wrapped to, in columns: below this a report cannot be read.
 const NARROWEST: usize = 40;
 
+/// The least room for text inside of other text, in columns.
+const LEAST: usize = 10;
+
 /// How text is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Style {
@@ -28,7 +31,7 @@ impl Style {
 
     /// A style of so many columns fewer, for text that stands inside of other text.
     pub(super) fn inside(self, columns: usize) -> Style {
-        Style::new(self.width.saturating_sub(columns), self.colour)
+        Style { width: self.width.saturating_sub(columns).max(LEAST), ..self }
     }
 
     /// A text in a colour.
@@ -89,6 +92,6 @@ mod tests {
     fn a_width_that_cannot_be_read_is_not_used() {
         assert_eq!(Style::new(3, false).width, NARROWEST);
         assert_eq!(Style::new(120, false).width, 120);
-        assert_eq!(Style::PLAIN.inside(10).width, 70);
+        assert_eq!((Style::PLAIN.inside(10).width, Style::PLAIN.inside(79).width), (70, LEAST));
     }
 }
