@@ -10,7 +10,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, hessian};
-use onshell::mechanics::{Lagrangian, State, World, euler_lagrange};
+use onshell::mechanics::{Lagrangian, State, System, euler_lagrange};
 use onshell::systems::HeavyTop;
 
 /// A batch.
@@ -73,7 +73,7 @@ fn closed_form(states: &States, out: &mut [Accelerations]) {
     }
 }
 
-/// What `World::rust_source` writes; the tests hold the file against it.
+/// What `System::rust_source` writes; the tests hold the file against it.
 mod emitted {
     include!("emitted/heavy_top.rs");
 }
@@ -112,8 +112,8 @@ fn pairs(states: &States, out: &mut [Accelerations]) {
     }
 }
 
-fn tape_one_by_one(world: &World, states: &States, out: &mut [Accelerations]) {
-    let mut accelerator = world.accelerator(&PARAMETERS);
+fn tape_one_by_one(system: &System, states: &States, out: &mut [Accelerations]) {
+    let mut accelerator = system.acceleration_evaluator(&PARAMETERS);
     let [phi, theta, psi, phi_rate, theta_rate, psi_rate] = &states.0;
     for (i, out) in out.iter_mut().enumerate() {
         let (q, v) = ([phi[i], theta[i], psi[i]], [phi_rate[i], theta_rate[i], psi_rate[i]]);
@@ -126,9 +126,9 @@ fn columns(states: &States) -> Vec<&[f64]> {
     std::iter::once(&[0.0][..]).chain(state).chain(PARAMETERS.chunks(1)).collect()
 }
 
-fn tape_in_blocks(world: &World, states: &States, out: &mut [Vec<f64>]) {
+fn tape_in_blocks(system: &System, states: &States, out: &mut [Vec<f64>]) {
     let mut out: Vec<&mut [f64]> = out.iter_mut().map(Vec::as_mut_slice).collect();
-    world.write_accelerations_of_many(&columns(states), &mut out).unwrap();
+    system.write_accelerations_of_many(&columns(states), &mut out).unwrap();
 }
 
 /// The best time of a state in ns; the best, because everything else is other programs' noise.
@@ -144,24 +144,24 @@ fn best(states: usize, mut round: impl FnMut()) -> f64 {
 }
 
 fn main() {
-    let (states, world) = (States::new(STATES), World::new(&HeavyTop).unwrap());
+    let (states, system) = (States::new(STATES), System::new(&HeavyTop).unwrap());
     let mut out = vec![[0.0; 3]; STATES];
     closed_form(&states, &mut out);
     let mut in_columns = vec![vec![0.0; STATES]; 3];
-    tape_in_blocks(&world, &states, &mut in_columns);
+    tape_in_blocks(&system, &states, &mut in_columns);
     for (column, derived) in in_columns.iter().enumerate() {
         for (by_hand, derived) in out.iter().zip(derived) {
             assert!((by_hand[column] - derived).abs() < 1e-10 * (1.0 + derived.abs()), "they compute different things");
         }
     }
     let closed = best(STATES, || closed_form(black_box(&states), &mut out));
-    println!("heavy top, accelerations: {} operations on the tape, {} steps", world.operations(), world.steps());
+    println!("heavy top, accelerations: {} operations on the tape, {} steps", system.operations(), system.steps());
     println!("{:<24}{closed:>9.1} ns a state", "closed form by hand");
     let line = |name: &str, time: f64| println!("{name:<24}{time:>9.1} ns a state, {:>6.2} times", time / closed);
-    line("tape in blocks", best(STATES, || tape_in_blocks(&world, black_box(&states), &mut in_columns)));
+    line("tape in blocks", best(STATES, || tape_in_blocks(&system, black_box(&states), &mut in_columns)));
     line("emitted as Rust", best(STATES, || emitted_source(black_box(&states), &mut out)));
     let few = States::new(FEW);
-    line("tape, state by state", best(FEW, || tape_one_by_one(&world, black_box(&few), &mut out[..FEW])));
+    line("tape, state by state", best(FEW, || tape_one_by_one(&system, black_box(&few), &mut out[..FEW])));
     line("pairs of hyper-duals", best(FEW, || pairs(black_box(&few), &mut out[..FEW])));
     line("plain Hessian", best(FEW, || plain_hessian(black_box(&few), &mut out[..FEW])));
     divan::main();
@@ -182,9 +182,9 @@ fn divan_closed_form(bencher: Bencher) {
 
 #[divan::bench(name = "tape in blocks")]
 fn divan_tape_in_blocks(bencher: Bencher) {
-    let (states, world) = (States::new(STATES), World::new(&HeavyTop).unwrap());
+    let (states, system) = (States::new(STATES), System::new(&HeavyTop).unwrap());
     let mut out = vec![vec![0.0; STATES]; 3];
-    bencher.counter(ItemsCount::new(STATES)).bench_local(|| tape_in_blocks(&world, black_box(&states), &mut out));
+    bencher.counter(ItemsCount::new(STATES)).bench_local(|| tape_in_blocks(&system, black_box(&states), &mut out));
 }
 
 #[divan::bench(name = "emitted as Rust")]
@@ -194,8 +194,8 @@ fn divan_emitted_source(bencher: Bencher) {
 
 #[divan::bench(name = "tape, state by state")]
 fn divan_tape_one_by_one(bencher: Bencher) {
-    let world = World::new(&HeavyTop).unwrap();
-    bench(bencher, FEW, |states, out| tape_one_by_one(&world, states, out));
+    let system = System::new(&HeavyTop).unwrap();
+    bench(bencher, FEW, |states, out| tape_one_by_one(&system, states, out));
 }
 
 #[divan::bench(name = "pairs of hyper-duals")]
@@ -209,6 +209,6 @@ fn divan_plain_hessian(bencher: Bencher) {
 }
 
 #[divan::bench(name = "tracing the top")]
-fn divan_tracing() -> World {
-    World::new(&HeavyTop).unwrap()
+fn divan_tracing() -> System {
+    System::new(&HeavyTop).unwrap()
 }

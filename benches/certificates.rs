@@ -7,45 +7,45 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use onshell::mechanics::{Elimination, World};
-use onshell::scalar::field::{Large, Modular, at_a_point, false_accept_log2};
-use onshell::scalar::{Measured, Number, Series};
+use onshell::mechanics::{LinearSolver, System};
+use onshell::scalar::prime_field::{FirstPrime, Modular, evaluate_at_point, false_accept_log2};
+use onshell::scalar::{Number, RunningError, Series};
 use onshell::systems::HeavyTop;
 
 /// A formula that vanishes on shell, of θ and the parameters λ₁, λ₃, M, g, R, of velocities and accelerations.
 struct Equation {
     name: &'static str,
-    sides: fn(&World, [Modular; 11]) -> Modular,
-    in_numbers: fn(&World, [Measured; 11]) -> Measured,
+    sides: fn(&System, [Modular; 11]) -> Modular,
+    in_numbers: fn(&System, [RunningError; 11]) -> RunningError,
 }
 
-/// The state, and its accelerations by the world.
-fn split<D: Number>(world: &World, x: [D; 11]) -> ([D; 3], [D; 3], [D; 5], Vec<D>) {
+/// The state, and its accelerations by the system.
+fn split<D: Number>(system: &System, x: [D; 11]) -> ([D; 3], [D; 3], [D; 5], Vec<D>) {
     let [phi, theta, psi, u, v, w, a, b, c, d, e] = x;
     let (q, v, parameters) = ([phi, theta, psi], [u, v, w], [a, b, c, d, e]);
-    let motion = world.motion_by(Elimination::Cramer, D::from(0.0), &q, &v, &parameters, 2);
+    let motion = system.motion_with(LinearSolver::CramersRule, D::from(0.0), &q, &v, &parameters, 2);
     let motion = motion.expect("the mass matrix is regular");
     let second = |series: &Series<D>| series.nth_derivative_value(2).expect("two derivatives were asked for");
     (q, v, parameters, motion.iter().map(second).collect())
 }
 
 /// d/dt λ₃ (ψ̇ + φ̇ cos θ) = 0.
-fn spin<D: Number>(world: &World, x: [D; 11]) -> D {
-    let (q, v, [_, lambda_3, ..], a) = split(world, x);
+fn spin<D: Number>(system: &System, x: [D; 11]) -> D {
+    let (q, v, [_, lambda_3, ..], a) = split(system, x);
     lambda_3 * (a[2] + a[0] * q[1].cos() - v[0] * v[1] * q[1].sin())
 }
 
 /// λ₁ θ̈ = λ₁ φ̇² sin θ cos θ − λ₃ (ψ̇ + φ̇ cos θ) φ̇ sin θ + M g R sin θ.
-fn nutation<D: Number>(world: &World, x: [D; 11]) -> D {
-    let (q, v, [lambda_1, lambda_3, mass, g, distance], a) = split(world, x);
+fn nutation<D: Number>(system: &System, x: [D; 11]) -> D {
+    let (q, v, [lambda_1, lambda_3, mass, g, distance], a) = split(system, x);
     let (sine, cosine) = (q[1].sin(), q[1].cos());
     let spin = lambda_3 * (v[2] + v[0] * cosine);
     lambda_1 * a[1] - lambda_1 * v[0] * v[0] * sine * cosine + spin * v[0] * sine - mass * g * distance * sine
 }
 
 /// d/dt (λ₁ φ̇ sin²θ + λ₃ (ψ̇ + φ̇ cos θ) cos θ) = 0.
-fn precession<D: Number>(world: &World, x: [D; 11]) -> D {
-    let (q, v, [lambda_1, lambda_3, ..], a) = split(world, x);
+fn precession<D: Number>(system: &System, x: [D; 11]) -> D {
+    let (q, v, [lambda_1, lambda_3, ..], a) = split(system, x);
     let (sine, cosine) = (q[1].sin(), q[1].cos());
     let spin = v[2] + v[0] * cosine;
     let rate = a[2] + a[0] * cosine - v[0] * v[1] * sine;
@@ -60,16 +60,18 @@ const EQUATIONS: [Equation; 3] = [
 ];
 
 /// A certificate: how many points it took, and its bound.
-fn certify(world: &World, equation: &Equation, seed: u64) -> (u32, f64) {
+fn certify(system: &System, equation: &Equation, seed: u64) -> (u32, f64) {
     let (mut bound, mut points) = (0.0, 0);
     while bound > -90.0 || points < 2 {
         let point = seed + u64::from(points);
-        let draw = || std::array::from_fn(|_| Modular::<Large>::drawn());
+        let draw = || std::array::from_fn(|_| Modular::<FirstPrime>::random());
         // a second time, with the least common denominator of the angles that the first found
-        let (_, account) = at_a_point::<Large, _>(point, 0, 1, || (equation.sides)(world, draw()));
-        let (value, account) = at_a_point::<Large, _>(point, 0, account.finest, || (equation.sides)(world, draw()));
-        assert!(value.vanishes() && account.fault.is_none(), "{}: {account:?}", equation.name);
-        bound += false_accept_log2(&[value], &account, 64, Modular::<Large>::most_bits()).expect("it is small enough");
+        let (_, record) = evaluate_at_point::<FirstPrime, _>(point, 0, 1, || (equation.sides)(system, draw()));
+        let (value, record) =
+            evaluate_at_point::<FirstPrime, _>(point, 0, record.finest, || (equation.sides)(system, draw()));
+        assert!(value.vanishes() && record.unsupported.is_none(), "{}: {record:?}", equation.name);
+        bound +=
+            false_accept_log2(&[value], &record, 64, Modular::<FirstPrime>::most_bits()).expect("it is small enough");
         points += 1;
     }
     (points, bound)
@@ -86,15 +88,15 @@ fn best(mut round: impl FnMut(u64)) -> Duration {
 }
 
 fn main() {
-    let world = World::new(&HeavyTop).expect("it can be traced");
+    let system = System::new(&HeavyTop).expect("it can be traced");
     for equation in &EQUATIONS {
-        let (points, bound) = certify(&world, equation, 1);
+        let (points, bound) = certify(&system, equation, 1);
         let certificate = best(|seed| {
-            black_box(certify(&world, equation, seed));
+            black_box(certify(&system, equation, seed));
         });
         let state = best(|seed| {
-            let numbers = std::array::from_fn(|k| Measured::new(0.3 + (0.618 * (k as f64 + seed as f64)).fract()));
-            black_box((equation.in_numbers)(&world, numbers));
+            let numbers = std::array::from_fn(|k| RunningError::new(0.3 + (0.618 * (k as f64 + seed as f64)).fract()));
+            black_box((equation.in_numbers)(&system, numbers));
         });
         println!(
             "{}: certified below 2^{bound:.0} at {points} points in {certificate:?}; one state in doubles {state:?}",

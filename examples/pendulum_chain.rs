@@ -7,7 +7,7 @@
 use std::time::Instant;
 
 use num_dual::HyperDual;
-use onshell::mechanics::{Lagrangian, State, World};
+use onshell::mechanics::{Lagrangian, State, System};
 use onshell::scalar::{Graph, Symbol};
 use onshell::systems::Pendulum;
 
@@ -32,9 +32,9 @@ fn line<const N: usize>() -> onshell::Result<()> {
     let chain = Pendulum::<N>::new();
     let pairs = (N * (N + 1) / 2 + N) * one_pair(&chain);
     let start = Instant::now();
-    let world = World::new(&chain)?;
-    let (tape, seconds) = (world.operations_before_solving(), start.elapsed().as_secs_f64());
-    let solved = world.operations();
+    let system = System::new(&chain)?;
+    let (tape, seconds) = (system.operations_before_solving(), start.elapsed().as_secs_f64());
+    let solved = system.operations();
     println!("{N:>4}{pairs:>12}{tape:>10}{:>10.2}{solved:>12}{seconds:>14.3}", tape as f64 / (N * N) as f64);
     Ok(())
 }

@@ -80,7 +80,7 @@
 //!
 //! A *system* ([`mechanics::Lagrangian`], [`systems`]) is a Lagrangian as a Rust function, generic in the number. From
 //! it follow the equations of motion, momenta, the energy, the Hamiltonian and the effective potential
-//! ([`mechanics::World`]). No system contains a closed form that is checked. Without a system, *laws* say how things move:
+//! ([`mechanics::System`]). No system contains a closed form that is checked. Without a system, *laws* say how things move:
 //! each is solved for the highest derivative in it.
 //!
 //! A *formula* ([`formula::Expr`]) is what LaTeX says, apart from how it was typeset. [`latex`] reads it in two steps,
@@ -95,7 +95,7 @@
 //! that were tried, the largest relative residual, or the counterexample. An equality that passes is also held against
 //! its *twins* ([`check::twins`]): the same claim with one slip in it. A pass whose states cannot tell it from a twin
 //! that is false elsewhere becomes `undecided`, and so does a claim that only restates its hypotheses
-//! ([`check::evidence`]). What is left of it is decided over a prime field ([`scalar::field`]), where an identity is not near
+//! ([`check::evidence`]). What is left of it is decided over a prime field ([`scalar::prime_field`]), where an identity is not near
 //! but exact: it is *certified*, with the probability that this is an accident, or says why a field cannot tell. A
 //! *definition* passes if each slip in it breaks another equation ([`check::definitions`]).
 //!
@@ -125,6 +125,7 @@ pub mod code;
 pub mod derive;
 pub mod error;
 pub mod formula;
+pub mod guide;
 pub mod latex;
 pub mod mechanics;
 pub mod notes;
@@ -136,3 +137,8 @@ pub mod systems;
 pub mod testing;
 
 pub use error::{Error, Result};
+
+/// The Rust code of the README, so that it is tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,11 +1,16 @@
-//! Whether a document would notice the slips of its author: each equation with every single slip in it, judged.
+//! Mutation testing of a document: each equation with every single slip in it, checked.
 //!
-//! A mutant is an equation with one slip ([`crate::latex::slips`]). The document ought to refute it, or refuse it as
-//! unreadable or ill-typed. One that says what the equation says, or is proved over a field to be as true, is equivalent,
-//! and no check could tell. What is left has survived: a slip that the claims, or the checker, would let pass.
+//! A mutant is an equation with one slip ([`crate::latex::slips`]). The document should refute it, or refuse it
+//! because it cannot be read or its shapes do not fit. A mutant that says the same, or is proved to be as true, is
+//! equivalent. The others have survived. A definition or a law cannot be wrong by itself: a slip in it is noticed
+//! if anything else in the document fails.
 //!
-//! What defines a name, or is a law, cannot be wrong by itself. A slip in it counts as noticed when something else in the
-//! document is no longer as it should be: the whole document is checked with it.
+//! # When a mutant is equivalent
+//!
+//! When it is proved: it reads the same, or is certified; or its members are those of the equation over a field,
+//! whatever the symbols mean or as they are meant or where the hypotheses hold; or, beside a zero, it is a multiple
+//! or the rate of the equation's side. That no state tells it apart is not enough. A slip that leaves the equation
+//! true cannot be found by a check of truth.
 
 use rayon::prelude::*;
 use std::sync::Arc;

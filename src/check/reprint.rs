@@ -1,11 +1,16 @@
-//! A second print of equations: claims about one file, applied to the same equations as another file has them.
+//! A second print of equations: claims about one file, applied to the same equations in another file.
 //!
-//! The claims file and its own notes, the *reference*, say what the names mean, what is defined, assumed and corrected.
-//! Each display of the print that bears the number of an equation of the reference is read with those names, as it
-//! stands, and judged by the claim of that number. What reads as the reference does says what the reference says: a
-//! definition there is a definition here. What reads otherwise must hold by the names of the reference, whatever it
-//! defines, and must say as much: a link of a chain or a row that is lost leaves what is true, and is missed. Sentences
-//! are quoted from the reference and stay with it.
+//! The claims file and its notes are the *reference*. Each display of the print with the number of an equation of
+//! the reference is read with the names of the reference, and tested by the claim of that number. It must also say
+//! as much: a link of a chain or a row that is lost leaves something true, and is reported. Sentences belong to the
+//! reference.
+//!
+//! # How a converted copy is checked
+//!
+//! A lost bar may leave a formula that reads well and means something else. So the print is read with the names of
+//! a reference, and the readings are compared as trees without places. If they are the same, the reference's
+//! verdict is right by construction; if they differ, the print's own formula is tested. Definitions are never taken
+//! from a print, so damage in one display cannot spread, and cannot make a damaged definition true by definition.
 
 use rayon::prelude::*;
 

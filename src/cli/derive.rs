@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 
 use crate::derive::{Derivation, Equation, Quantity};
-use crate::mechanics::World;
+use crate::mechanics::System;
 use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
@@ -74,26 +74,26 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
 }
 
 /// The system of a name.
-fn world(name: &str, registry: &Registry) -> Result<World> {
-    let system = registry.get(name).ok_or_else(|| {
+fn traced(name: &str, registry: &Registry) -> Result<System> {
+    let lagrangian = registry.get(name).ok_or_else(|| {
         let unknown = Error::new(format!("there is no system \"{name}\""));
         match suggest::nearest(name, registry.names()) {
             Some(near) => unknown.help(format!("did you mean {near}?")),
             None => unknown.help(format!("there are {}", registry.names().collect::<Vec<_>>().join(", "))),
         }
     })?;
-    system.world()
+    lagrangian.trace()
 }
 
 fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
-    let world = world(&arguments.system, registry)?;
+    let system = traced(&arguments.system, registry)?;
     if arguments.format == Form::Rust {
         return match arguments.quantity {
-            None | Some(Wanted::Accelerations) => Ok(world.rust_source()),
+            None | Some(Wanted::Accelerations) => Ok(system.rust_source()),
             Some(_) => Err(Error::new("as Rust there are the accelerations only").help("leave out --as")),
         };
     }
-    let derivation = Derivation::new(&world)?;
+    let derivation = Derivation::new(&system)?;
     let usual = [Quantity::Lagrangian, Quantity::Momenta, Quantity::EulerLagrange];
     let wanted = arguments.quantity.map_or(usual.to_vec(), |wanted| vec![wanted.quantity()]);
     let mut equations = Vec::new();
@@ -115,13 +115,13 @@ fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
                 })
             };
             let output = serde_json::json!({
-                "system": world.name(),
-                "coordinates": world.coordinates(),
-                "parameters": world.parameters(),
+                "system": system.name(),
+                "coordinates": system.coordinates(),
+                "parameters": system.parameters(),
                 "equations": equations.iter().map(each).collect::<Vec<_>>(),
             });
             format!("{output:#}\n")
         }
-        Form::Rust => world.rust_source(),
+        Form::Rust => system.rust_source(),
     })
 }

@@ -243,7 +243,7 @@ impl Algebra {
     pub fn reciprocal(&mut self, a: &Fraction) -> Result<Fraction> {
         let below = self.shortened(&self.canonical(&a.top)?)?;
         if below.is_zero() {
-            return Err(Error::new("a denominator vanishes identically"));
+            return Err(Error::new("a denominator is identically 0").help("check the Lagrangian for a division by 0"));
         }
         let (monomial, number) = below.content();
         let mut top = Polynomial::term(monomial.power(-1), number.recip());
@@ -329,7 +329,7 @@ impl Algebra {
 }
 
 fn too_high() -> Error {
-    Error::new("this power is too high to be typeset")
+    Error::new("an exponent is too large to be typeset").help("use exponents of at most 64")
 }
 
 /// Replaces the power of an atom that is known, as often as it is contained; no exponent of the atom is negative.

@@ -60,7 +60,8 @@ fn named(graph: &Graph, outputs: &[Symbol], letters: &[Letter]) -> Result<()> {
         }
         match nodes[place as usize] {
             Node::Input(n) if n as usize >= letters.len() => {
-                return Err(Error::new(format!("input {n} has no name")));
+                return Err(Error::new(format!("input {n} of the recorded function has no letter"))
+                    .help("give one letter for each input"));
             }
             node => waiting.extend(node.operands()),
         }

@@ -23,17 +23,20 @@ impl Algebra {
         for block in blocks(matrix) {
             if block.len() > ROWS {
                 return Err(Error::new(format!(
-                    "{} coupled coordinates are too many to solve for in print",
+                    "the equations couple {} coordinates; a solution is typeset for at most {ROWS}",
                     block.len()
-                )));
+                ))
+                .help("ask for the equations of motion or the mass matrix, which are not solved"));
             }
             let inner: Vec<Vec<Fraction>> =
                 block.iter().map(|&i| block.iter().map(|&j| matrix[i][j].clone()).collect()).collect();
             let determinant = self.determinant(&inner)?;
             let determinant = self.presented(&determinant)?;
             if determinant.top.is_zero() {
-                return Err(Error::new("the mass matrix is singular")
-                    .help("the velocities do not follow from the momenta, nor the accelerations from the forces"));
+                return Err(Error::new(
+                    "the mass matrix is singular, so accelerations and velocities cannot be solved for",
+                )
+                .help("check that L depends on every velocity"));
             }
             let inverse = self.reciprocal(&determinant)?;
             for (column, &unknown) in block.iter().enumerate() {

@@ -3,7 +3,7 @@
 use crate::formula::symbols::Kind;
 use crate::formula::{Expr, Node, SymbolId, Symbols, text};
 use crate::latex::names;
-use crate::mechanics::World;
+use crate::mechanics::System;
 use crate::source::Span;
 use crate::{Error, Result};
 
@@ -50,28 +50,35 @@ impl Inputs {
 }
 
 impl Names {
-    pub fn new(world: &World) -> Result<Self> {
+    pub fn new(system: &System) -> Result<Self> {
         let mut symbols = Symbols::new();
         let mut add = |latex: &str| {
             let name = names::parse(latex).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
-            let name = name.ok_or_else(|| Error::new(format!("“{latex}” of \"{}\" is no name", world.name())))?;
+            let name = name.ok_or_else(|| {
+                Error::new(format!(
+                    "the system \"{}\" uses {latex} as a name, which is not a LaTeX symbol",
+                    system.name()
+                ))
+                .help("use a letter, with a subscript if needed: \\theta, \\lambda_1")
+            })?;
             symbols.add(name, Kind::Scalar).ok_or_else(|| {
-                Error::new(format!("\"{}\" has two things of the name {latex}", world.name()))
-                    .help("the time is t, and p_q the momentum of a coordinate q: call nothing else by these names")
+                Error::new(format!("the system \"{}\" uses the name {latex} twice", system.name())).help(
+                    "rename a coordinate or a parameter; t is the time, and p_q is the momentum of a coordinate q",
+                )
             })
         };
-        let coordinates: Vec<SymbolId> = world.coordinates().iter().map(|name| add(name)).collect::<Result<_>>()?;
-        let parameters: Vec<SymbolId> = world.parameters().iter().map(|name| add(name)).collect::<Result<_>>()?;
+        let coordinates: Vec<SymbolId> = system.coordinates().iter().map(|name| add(name)).collect::<Result<_>>()?;
+        let parameters: Vec<SymbolId> = system.parameters().iter().map(|name| add(name)).collect::<Result<_>>()?;
         let time = add("t")?;
         let momenta: Vec<SymbolId> =
-            world.coordinates().iter().map(|name| add(&format!("p_{{{name}}}"))).collect::<Result<_>>()?;
+            system.coordinates().iter().map(|name| add(&format!("p_{{{name}}}"))).collect::<Result<_>>()?;
         let mut either = |usual: &str, other: &str| add(usual).or_else(|_| add(other));
         let lagrangian = either("L", "\\mathcal{L}")?;
         let energy = either("E", "\\mathcal{E}")?;
         let hamiltonian = either("H", "\\mathcal{H}")?;
         let mut masses = Vec::new();
-        for (i, first) in world.coordinates().iter().enumerate() {
-            for second in &world.coordinates()[i..] {
+        for (i, first) in system.coordinates().iter().enumerate() {
+            for second in &system.coordinates()[i..] {
                 masses.push(add(&format!("M_{{{first} {second}}}"))?);
             }
         }

@@ -37,7 +37,8 @@ impl Algebra {
             // what is multiplied and cancelled next costs a product of lengths
             done += known[place].len().pow(2);
             if self.work.is_some_and(|most| done > most) {
-                return Err(Error::new("this is too long to be typeset"));
+                return Err(Error::new("the expression has too many terms to be typeset")
+                    .help("ask for a simpler quantity, such as the energy or the mass matrix"));
             }
         }
         Ok(outputs.iter().map(|output| known[output.place() as usize].clone()).collect())
@@ -67,11 +68,16 @@ impl Algebra {
                         let root = self.root(root.unsigned_abs(), at(a).clone()).into();
                         self.power(&root, times)
                     }
-                    _ => Err(Error::new(format!("the exponent {} cannot be typeset", f64::from_bits(bits)))),
+                    _ => Err(Error::new(format!(
+                        "the exponent {} cannot be typeset, because it is not a simple fraction",
+                        f64::from_bits(bits)
+                    ))
+                    .help("use a rational exponent")),
                 }
             }
             Node::Apply(function, a) => self.function(function, at(a).clone()),
-            Node::Atan2(..) => Err(Error::new("atan2 has no name in print")),
+            Node::Atan2(..) => Err(Error::new("atan2 cannot be typeset, because it has no usual symbol")
+                .help("write the Lagrangian without atan2")),
         }
     }
 
@@ -156,7 +162,8 @@ impl Algebra {
             Ok(times) if times.abs() < 1 << 16 => {
                 Ok((times, Polynomial::term(monomial.clone(), Ratio::new(1, *coefficient.denom()))))
             }
-            _ => Err(Error::new("an argument has a factor that is too large to be typeset")),
+            _ => Err(Error::new("a factor in the argument of an exponential is too large to be typeset")
+                .help("use factors below 65536")),
         }
     }
 

@@ -189,7 +189,8 @@ impl Polynomial {
 
     pub fn times(&self, other: &Self) -> Result<Self> {
         if self.len() * other.len() > BUDGET {
-            return Err(Error::new("this is too long to be typeset"));
+            return Err(Error::new("the expression has too many terms to be typeset")
+                .help("ask for a simpler quantity, such as the energy or the mass matrix"));
         }
         let mut product = Polynomial::default();
         for (monomial, coefficient) in other.terms() {

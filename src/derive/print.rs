@@ -285,7 +285,10 @@ impl Printer<'_> {
     }
 
     fn letter(&self, n: u32) -> Result<&Letter> {
-        self.letters.get(n as usize).ok_or_else(|| Error::new(format!("input {n} has no name")))
+        self.letters.get(n as usize).ok_or_else(|| {
+            Error::new(format!("input {n} of the recorded function has no letter"))
+                .help("give one letter for each input")
+        })
     }
 
     fn class(&self, atom: u32) -> Option<Class> {
@@ -367,7 +370,12 @@ fn named(function: Function) -> Result<formula::Function> {
         Function::Asin => formula::Function::Arcsin,
         Function::Acos => formula::Function::Arccos,
         Function::Atan => formula::Function::Arctan,
-        other => return Err(Error::new(format!("{other:?} has no name in print"))),
+        other => {
+            return Err(Error::new(format!(
+                "the function {other:?} cannot be typeset, because it has no usual symbol"
+            ))
+            .help("write the Lagrangian with sin, cos, sinh, cosh, exp, ln or their inverses"));
+        }
     })
 }
 

@@ -1,6 +1,6 @@
 //! What can be derived of a system and typeset: the Lagrangian, momenta, energy, equations of motion, H.
 //!
-//! The [`World`] is run over symbols; what it computes is what it computes for numbers. Of the solving there is no
+//! The [`System`] is run over symbols; what it computes is what it computes for numbers. Of the solving there is no
 //! recording: accelerations and the velocities that belong to momenta come from the mass matrix in normal form.
 
 use std::collections::BTreeMap;
@@ -14,7 +14,7 @@ use super::print::Printer;
 use super::rational::Exact;
 use crate::formula::{Expr, Relation, Statement, Symbols, text};
 use crate::latex::typeset;
-use crate::mechanics::World;
+use crate::mechanics::System;
 use crate::scalar::{Graph, Symbol};
 use crate::source::Span;
 use crate::{Error, Result};
@@ -72,7 +72,7 @@ pub struct Derivation {
     recorded: Recorded,
 }
 
-/// What the world computes, as symbols.
+/// What the system computes, as symbols.
 struct Recorded {
     lagrangian: Symbol,
     momenta: Vec<Symbol>,
@@ -96,10 +96,10 @@ impl Derivation {
     ///
     /// # Errors
     /// When two of its names are one, or a name cannot be read.
-    pub fn new(world: &World) -> Result<Self> {
-        let names = Names::new(world)?;
-        let inputs = Inputs { n: world.coordinates().len(), parameters: world.parameters().len() };
-        let (graph, recorded) = Graph::record(|| record(world, &inputs))?;
+    pub fn new(system: &System) -> Result<Self> {
+        let names = Names::new(system)?;
+        let inputs = Inputs { n: system.coordinates().len(), parameters: system.parameters().len() };
+        let (graph, recorded) = Graph::record(|| record(system, &inputs))?;
         let mut derivation = Derivation { names, graph, recorded };
         derivation.find_angles()?;
         Ok(derivation)
@@ -194,26 +194,26 @@ impl Derivation {
     }
 }
 
-fn record(world: &World, inputs: &Inputs) -> Recorded {
+fn record(system: &System, inputs: &Inputs) -> Recorded {
     let symbols = |block: Vec<usize>| block.into_iter().map(Symbol::input).collect::<Vec<_>>();
     let (q, v, parameters) =
         (symbols(inputs.coordinates()), symbols(inputs.velocities()), symbols(inputs.parameters()));
     let (time, a, still) = (Symbol::input(0), symbols(inputs.accelerations()), vec![Symbol::zero(); inputs.n]);
-    let moving = world.quantities(time, &q, &v, &parameters);
-    let resting = world.quantities(time, &q, &still, &parameters);
-    let mass = world.mass_matrix(time, &q, &v, &parameters);
+    let moving = system.quantities(time, &q, &v, &parameters);
+    let resting = system.quantities(time, &q, &still, &parameters);
+    let mass = system.mass_matrix(time, &q, &v, &parameters);
     Recorded {
         lagrangian: moving.lagrangian,
         momenta: moving.momenta,
         energy: moving.energy,
         forces: moving.forces,
-        residuals: world.euler_lagrange(time, &q, &v, &parameters, &a),
+        residuals: system.euler_lagrange(time, &q, &v, &parameters, &a),
         mass: mass.row_iter().map(|row| row.iter().copied().collect()).collect(),
         at_rest: AtRest {
             lagrangian: resting.lagrangian,
             momenta: resting.momenta,
             forces: resting.forces,
-            residuals: world.euler_lagrange(time, &q, &v, &parameters, &still),
+            residuals: system.euler_lagrange(time, &q, &v, &parameters, &still),
         },
     }
 }
@@ -264,8 +264,10 @@ impl<'a> Work<'a> {
         let mass = self.mass()?;
         let velocities = self.places(&self.of.names.inputs().velocities());
         if mass.iter().flatten().any(|entry| self.algebra.reads(entry, &velocities)) {
-            return Err(Error::new("this Lagrangian is not quadratic in the velocities")
-                .help("H is typeset where p = M q̇ + b with M and b free of velocities; ask for the energy instead"));
+            return Err(Error::new(
+                "the Lagrangian is not quadratic in the velocities, so its Hamiltonian cannot be typeset",
+            )
+            .help("ask for the energy; H is typeset where p = M q̇ + b, with M and b independent of the velocities"));
         }
         let at_rest = self.normal(&self.of.recorded.at_rest.momenta)?;
         let mut momenta = Vec::new();

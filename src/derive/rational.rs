@@ -5,7 +5,7 @@
 use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedMul, One, Signed};
 
-use crate::scalar::rational::{self, Meant};
+use crate::scalar::rational::{self, ExactConstant};
 use crate::{Error, Result};
 
 /// A rational number in lowest terms.
@@ -15,7 +15,8 @@ pub(super) type Exact = Ratio<i128>;
 const SIMPLE: i128 = 1_000_000;
 
 fn too_large() -> Error {
-    Error::new("the coefficients are too large for exact arithmetic").help("write constants with fewer digits")
+    Error::new("a coefficient is too large for exact arithmetic with 128 bits")
+        .help("write constants with fewer digits")
 }
 
 /// a + b.
@@ -59,10 +60,11 @@ pub(super) fn is_simple(a: Exact) -> bool {
 /// by π.
 pub(super) fn read(x: f64) -> Result<(Exact, bool)> {
     let exact = |ratio: rational::Ratio| Ratio::new(ratio.numerator.into(), ratio.denominator.into());
-    match rational::meant(x) {
-        Some(Meant::Ratio(ratio)) => Ok((exact(ratio), false)),
-        Some(Meant::OfPi(ratio)) => Ok((exact(ratio), true)),
-        None => Err(Error::new(format!("the constant {x} is no number that can be typeset exactly"))),
+    match rational::exact_constant(x) {
+        Some(ExactConstant::Ratio(ratio)) => Ok((exact(ratio), false)),
+        Some(ExactConstant::MultipleOfPi(ratio)) => Ok((exact(ratio), true)),
+        None => Err(Error::new(format!("the constant {x} has no exact form and cannot be typeset"))
+            .help("use an integer, a fraction, a decimal or a multiple of π")),
     }
 }
 

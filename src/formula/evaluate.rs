@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use num_dual::Dual;
 
-use crate::scalar::{Instant, Measured, Number, Series};
+use crate::scalar::{Number, Primal, RunningError, Series};
 
 use super::symbols::{Kind, SymbolId, Symbols};
 use super::tree::{Expr, Function, Index, IndexId, LeftOut, Node, Sign, Term};
@@ -43,9 +43,9 @@ impl<B: Number> Moving for Series<B> {
     }
 }
 
-impl<B: Number> Moving for Instant<B> {}
+impl<B: Number> Moving for Primal<B> {}
 impl Moving for f64 {}
-impl Moving for Measured {}
+impl Moving for RunningError {}
 impl<B: Number> Moving for Dual<B> {}
 
 /// Where symbols get their values.

@@ -6,7 +6,7 @@
 use nalgebra::DMatrix;
 use num_dual::{Dual, HyperDual};
 
-use super::linear;
+use super::linear_solver;
 use super::{Lagrangian, State};
 use crate::Result;
 use crate::scalar::Number;
@@ -70,6 +70,6 @@ where
     D: Number,
 {
     let right = residuals(l, at, &[D::zero(); N]).map(|h| -h).to_vec();
-    let solution = linear::solve("mass matrix", mass_matrix(l, at), right)?;
+    let solution = linear_solver::solve("mass matrix", mass_matrix(l, at), right)?;
     Ok(std::array::from_fn(|i| solution[i]))
 }

@@ -8,13 +8,14 @@ use num_dual::{Dual, HyperDual};
 
 use super::euler_lagrange::mass_matrix;
 use super::momenta::momenta;
-use super::{Lagrangian, State, linear};
+use super::newton::invert;
+use super::{Lagrangian, State};
+use crate::Result;
 use crate::scalar::Number;
-use crate::{Error, Result};
 
 /// A point of phase space: time, coordinates q, momenta p, parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phase<D, const N: usize, const P: usize> {
+pub struct PhasePoint<D, const N: usize, const P: usize> {
     /// The time t.
     pub time: D,
     /// The coordinates q.
@@ -25,10 +26,10 @@ pub struct Phase<D, const N: usize, const P: usize> {
     pub parameters: [D; P],
 }
 
-impl<D: Number, const N: usize, const P: usize> Phase<D, N, P> {
+impl<D: Number, const N: usize, const P: usize> PhasePoint<D, N, P> {
     /// The same point over another number.
-    pub fn map<E: Number>(&self, lift: impl Fn(D) -> E) -> Phase<E, N, P> {
-        Phase {
+    pub fn map<E: Number>(&self, lift: impl Fn(D) -> E) -> PhasePoint<E, N, P> {
+        PhasePoint {
             time: lift(self.time),
             q: self.q.map(&lift),
             p: self.p.map(&lift),
@@ -45,7 +46,7 @@ impl<D: Number, const N: usize, const P: usize> Phase<D, N, P> {
 ///
 /// # Errors
 /// When the mass matrix is singular, or no velocities are found.
-pub fn velocities<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<[D; N]>
+pub fn velocities<L, D, const N: usize, const P: usize>(l: &L, at: &PhasePoint<D, N, P>) -> Result<[D; N]>
 where
     L: Lagrangian<N, P>,
     D: Number,
@@ -61,7 +62,7 @@ where
 ///
 /// # Errors
 /// As [`velocities`].
-pub fn hamiltonian<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<D>
+pub fn hamiltonian<L, D, const N: usize, const P: usize>(l: &L, at: &PhasePoint<D, N, P>) -> Result<D>
 where
     L: Lagrangian<N, P>,
     D: Number,
@@ -75,7 +76,10 @@ where
 ///
 /// # Errors
 /// As [`velocities`].
-pub fn hamilton<L, D, const N: usize, const P: usize>(l: &L, at: &Phase<D, N, P>) -> Result<([D; N], [D; N])>
+pub fn hamilton_equations<L, D, const N: usize, const P: usize>(
+    l: &L,
+    at: &PhasePoint<D, N, P>,
+) -> Result<([D; N], [D; N])>
 where
     L: Lagrangian<N, P>,
     D: Number,
@@ -97,12 +101,12 @@ where
 ///
 /// # Errors
 /// As [`velocities`].
-pub fn lagrangian_again<L, D, const N: usize, const P: usize>(l: &L, at: &State<D, N, P>) -> Result<D>
+pub fn lagrangian_from_hamiltonian<L, D, const N: usize, const P: usize>(l: &L, at: &State<D, N, P>) -> Result<D>
 where
     L: Lagrangian<N, P>,
     D: Number,
 {
-    let phase = |p: &[D]| Phase {
+    let phase = |p: &[D]| PhasePoint {
         time: at.time,
         q: at.q,
         p: std::array::from_fn::<D, N, _>(|i| p[i]),
@@ -124,54 +128,4 @@ where
     })?;
     let pv: D = p.iter().zip(&at.v).map(|(&p, &v)| p * v).sum();
     Ok(pv - hamiltonian(l, &phase(&p))?)
-}
-
-/// Solves gradient(x) = target by Newton's method with the exact Hessian, damped while the residual does not shrink.
-pub(super) fn invert<D: Number>(
-    what: &str,
-    start: Vec<D>,
-    target: &[D],
-    gradient: impl Fn(&[D]) -> Result<(Vec<D>, DMatrix<D>)>,
-) -> Result<Vec<D>> {
-    const STEPS: usize = 60;
-    let nothing = || Error::new("no velocities belong to these momenta: Newton's method finds none");
-    let residual = |g: &[D]| g.iter().zip(target).map(|(&g, &t)| t - g).collect::<Vec<D>>();
-    let size = |r: &[D]| r.iter().map(|r| r.re() * r.re()).sum::<f64>();
-    let mut x = start;
-    let (mut slope, mut hessian) = gradient(&x)?;
-    // once the value has converged, every step doubles the order to which its derivatives are right
-    let mut polish = usize::BITS - D::NDERIV.leading_zeros();
-    for _ in 0..STEPS {
-        let left = residual(&slope);
-        let step = linear::solve(what, hessian.clone(), left.clone())?;
-        let mut share = 1.0;
-        let before = size(&left);
-        let moved = loop {
-            let trial: Vec<D> = x.iter().zip(&step).map(|(&x, &s)| x + s * share).collect();
-            let (g, h) = gradient(&trial)?;
-            let after = size(&residual(&g));
-            let (scale, tiny) = (size(&g) + size(target), f64::EPSILON * 16.0);
-            if after <= scale * tiny * tiny {
-                (x, slope, hessian) = (trial, g, h);
-                if polish == 0 {
-                    return Ok(x);
-                }
-                polish -= 1;
-                break true;
-            }
-            if after < before {
-                (x, slope, hessian) = (trial, g, h);
-                break true;
-            }
-            share *= 0.5;
-            if share < 1e-12 {
-                break false;
-            }
-        };
-        if !moved {
-            // the last digits may never settle: what is left is rounding, or it is no solution
-            return if before.sqrt() <= 1e-11 * (size(&slope) + size(target)).sqrt() { Ok(x) } else { Err(nothing()) };
-        }
-    }
-    Err(nothing())
 }

@@ -7,15 +7,14 @@ use super::{Lagrangian, State};
 use crate::scalar::{Number, Series, TERMS};
 use crate::{Error, Result};
 
-/// A function of the state over any number; every [`Lagrangian`] can be seen as one with a closure's help, e.g. a
-/// momentum, an energy, a conserved quantity that is to be tested.
+/// A function of the state over any number: a momentum, an energy, a quantity whose conservation is to be tested.
 pub trait Observable<const N: usize, const P: usize> {
     /// Its value.
     fn value<D: Number>(&self, at: &State<D, N, P>) -> D;
 }
 
 /// d/dt of `f` at `at` with the given accelerations: off shell they are arbitrary.
-pub fn rate<F, D, const N: usize, const P: usize>(f: &F, at: &State<D, N, P>, accelerations: &[D; N]) -> D
+pub fn time_derivative<F, D, const N: usize, const P: usize>(f: &F, at: &State<D, N, P>, accelerations: &[D; N]) -> D
 where
     F: Observable<N, P>,
     D: Number,
@@ -32,13 +31,13 @@ where
 ///
 /// # Errors
 /// When the mass matrix is singular.
-pub fn rate_on_shell<L, F, D, const N: usize, const P: usize>(l: &L, f: &F, at: &State<D, N, P>) -> Result<D>
+pub fn time_derivative_on_shell<L, F, D, const N: usize, const P: usize>(l: &L, f: &F, at: &State<D, N, P>) -> Result<D>
 where
     L: Lagrangian<N, P>,
     F: Observable<N, P>,
     D: Number,
 {
-    Ok(rate(f, at, &accelerations(l, at)?))
+    Ok(time_derivative(f, at, &accelerations(l, at)?))
 }
 
 /// The motion through `at` on shell: each coordinate with its time derivatives up to `order`.
@@ -72,7 +71,8 @@ pub(super) fn complete<D: Number>(
 ) -> Result<Vec<Series<D>>> {
     if order >= TERMS {
         let most = TERMS - 1;
-        return Err(Error::new(format!("a time derivative of order {order} is out of reach: at most {most}")));
+        return Err(Error::new(format!("time derivatives of order {order} are not supported"))
+            .help(format!("ask for an order of at most {most}")));
     }
     let mut derivatives: Vec<Vec<D>> = q.iter().zip(v).map(|(&q, &v)| vec![q, v]).collect();
     let series = |derivatives: &[Vec<D>]| derivatives.iter().map(|d| Series::from_derivatives(d)).collect::<Vec<_>>();

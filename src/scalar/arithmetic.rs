@@ -122,7 +122,7 @@ pub(crate) fn power_by_squaring<D: Arithmetic>(base: D, n: i32) -> D {
     }
 }
 
-/// Makes a type with [`Arithmetic`] a [`num_dual::DualNum`]: `dual_number!(Measured)`, `dual_number!(Series<B: Number>)`.
+/// Makes a type with [`Arithmetic`] a [`num_dual::DualNum`]: `dual_number!(RunningError)`, `dual_number!(Series<B: Number>)`.
 macro_rules! dual_number {
     ($name:ident $(<$b:ident: $bound:path>)?) => {
         const _: () = {

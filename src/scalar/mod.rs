@@ -1,6 +1,6 @@
 //! Numbers to evaluate on. Each is a [`num_dual::DualNum`], so that one Rust function of mechanics, or one formula read
 //! from the notes, runs over all of them: `f64` and num-dual's own dual numbers, a Taylor series in time ([`Series`]),
-//! one value of it ([`Instant`]), a value that remembers its rounding ([`Measured`]), a node of a graph ([`Symbol`]).
+//! one value of it ([`Primal`]), a value that remembers its rounding ([`RunningError`]), a node of a graph ([`Symbol`]).
 //!
 //! A new number implements the dozen functions of [`Arithmetic`] and calls the macro `dual_number!`; nothing else.
 //! This floor knows nothing of mechanics, formulas or files.
@@ -8,21 +8,21 @@
 pub use num_dual::DualNum;
 
 mod arithmetic;
-pub mod field;
-mod instant;
-mod measured;
-mod polynomial;
+mod primal;
+pub mod prime_field;
 pub mod rational;
+mod running_error;
 mod series;
+mod simplify;
 mod symbol;
 
 pub use arithmetic::{Arithmetic, Function};
-pub use field::Modular;
-pub use instant::Instant;
-pub use measured::Measured;
-pub use polynomial::{shortened, simplify_all};
+pub use primal::Primal;
+pub use prime_field::Modular;
 pub use rational::Ratio;
+pub use running_error::RunningError;
 pub use series::{Series, TERMS};
+pub use simplify::{simplify_all, try_simplify};
 pub use symbol::{Graph, Node, Symbol};
 
 /// A number that mechanics and formulas are evaluated on: any `Copy` dual number over `f64` that may cross threads.
@@ -80,8 +80,8 @@ mod tests {
 
         #[test]
         fn an_instant_is_the_first_coefficient_of_a_series(t in 0.2..1.2_f64, which in 0..14_usize) {
-            let t = Measured::new(t);
-            let (series, instant) = (function(which, Series::constant(t)), function(which, Instant(t)));
+            let t = RunningError::new(t);
+            let (series, instant) = (function(which, Series::constant(t)), function(which, Primal(t)));
             let (a, b) = (series.value(), instant.0);
             prop_assert_eq!((a.value, a.magnitude), (b.value, b.magnitude), "function {}", which);
             // the twin: a plain number finds a power, and how large its rounding is, in another way
@@ -91,7 +91,7 @@ mod tests {
 
         #[test]
         fn a_measured_number_has_the_value_of_the_plain_one(t in 0.2..1.2_f64, which in 0..14_usize) {
-            let (plain, measured) = (function(which, t), function(which, Measured::new(t)));
+            let (plain, measured) = (function(which, t), function(which, RunningError::new(t)));
             prop_assert!((plain - measured.value).abs() <= 8.0 * f64::EPSILON * measured.magnitude);
             prop_assert!(measured.magnitude >= measured.value.abs());
             // and it does not cry wolf

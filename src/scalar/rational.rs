@@ -1,4 +1,4 @@
-//! What exact number is meant by an `f64`: a short decimal, the simplest fraction that rounds to it, or a simple part
+//! What exact number is meant by an `f64`: a short decimal, the simplest_rational fraction that rounds to it, or a simple part
 //! of π.
 //!
 //! A third cannot be written as an `f64`, and a formula that says 1/3 means a third. Where numbers are exact (the prime
@@ -17,11 +17,11 @@ pub struct Ratio {
 
 /// The exact number that an `f64` stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Meant {
+pub enum ExactConstant {
     /// A fraction.
     Ratio(Ratio),
     /// A fraction of π.
-    OfPi(Ratio),
+    MultipleOfPi(Ratio),
 }
 
 /// The largest denominator of a part of π: three hundred and sixty parts of a turn, and a margin.
@@ -83,11 +83,11 @@ fn gcd(mut a: u128, mut b: u128) -> u128 {
 }
 
 /// What an `f64` stands for; `None` for what is not finite, or so large or small that it means no simple number.
-pub fn meant(x: f64) -> Option<Meant> {
-    let part = simplest(x / PI).filter(|part| part.denominator <= PARTS_OF_PI && part.numerator != 0);
+pub fn exact_constant(x: f64) -> Option<ExactConstant> {
+    let part = simplest_rational(x / PI).filter(|part| part.denominator <= PARTS_OF_PI && part.numerator != 0);
     // π times a fraction may be off by a rounding
     let of_pi = part.or_else(|| near(x / PI)).filter(|part| (part.value() * PI - x).abs() <= x.abs() * f64::EPSILON);
-    of_pi.map(Meant::OfPi).or_else(|| simplest(x).map(Meant::Ratio))
+    of_pi.map(ExactConstant::MultipleOfPi).or_else(|| simplest_rational(x).map(ExactConstant::Ratio))
 }
 
 /// The fraction with a denominator that a part of π may have, if one lies within a rounding.
@@ -95,12 +95,12 @@ fn near(x: f64) -> Option<Ratio> {
     let next = |x: f64, by: i64| f64::from_bits(x.to_bits().wrapping_add_signed(by));
     [-1, 1]
         .into_iter()
-        .filter_map(|by| simplest(next(x, by)))
+        .filter_map(|by| simplest_rational(next(x, by)))
         .find(|part| part.denominator <= PARTS_OF_PI && part.numerator != 0)
 }
 
 /// Decimals of so many digits are what they say. Longer ones may be what is left of a fraction.
-pub const DIGITS: usize = 12;
+pub const SHORT_DECIMAL_DIGITS: usize = 12;
 
 /// The decimal that is the shortest to round to `x`, if it is short.
 fn decimal(x: f64) -> Option<Ratio> {
@@ -108,7 +108,7 @@ fn decimal(x: f64) -> Option<Ratio> {
     let (mantissa, exponent) = text.split_once('e')?;
     let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
     let places = exponent.parse::<i32>().ok()? - (digits.len() as i32 - 1);
-    if digits.len() > DIGITS || places.abs() > 18 {
+    if digits.len() > SHORT_DECIMAL_DIGITS || places.abs() > 18 {
         return None;
     }
     let (size, power) = (digits.parse::<i128>().ok()?, 10_i128.pow(places.unsigned_abs()));
@@ -118,7 +118,7 @@ fn decimal(x: f64) -> Option<Ratio> {
 
 /// The decimal that an `f64` was written as, where that is short; else the fraction with the smallest denominator among
 /// those that round to it.
-pub fn simplest(x: f64) -> Option<Ratio> {
+pub fn simplest_rational(x: f64) -> Option<Ratio> {
     if x == 0.0 {
         return Some(Ratio::whole(0));
     }
@@ -163,7 +163,7 @@ mod tests {
 
     #[test]
     fn a_number_means_the_simplest_fraction_that_rounds_to_it() {
-        let ratio = |x: f64| simplest(x).map(|r| (r.numerator, r.denominator));
+        let ratio = |x: f64| simplest_rational(x).map(|r| (r.numerator, r.denominator));
         for n in -40..=40_i64 {
             for d in 1..=40_u64 {
                 let divisor = gcd(n.unsigned_abs().into(), d.into()) as i64;
@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(ratio(9.81), Some((981, 100)));
         assert_eq!(ratio(1e15), Some((1_000_000_000_000_000, 1)));
         for none in [f64::NAN, f64::INFINITY, 1e300, 1e-300] {
-            assert_eq!(simplest(none), None);
+            assert_eq!(simplest_rational(none), None);
         }
         // the twin: the next number is another one
         assert_ne!(ratio(0.1_f64.next_up()), Some((1, 10)));
@@ -185,16 +185,16 @@ mod tests {
     #[test]
     fn parts_of_a_turn_are_parts_of_pi() {
         use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, TAU};
-        let of_pi = |n, d| Some(Meant::OfPi(Ratio { numerator: n, denominator: d }));
-        assert_eq!(meant(PI), of_pi(1, 1));
-        assert_eq!(meant(-FRAC_PI_2), of_pi(-1, 2));
-        assert_eq!(meant(FRAC_PI_3), of_pi(1, 3));
-        assert_eq!(meant(FRAC_PI_6), of_pi(1, 6));
-        assert_eq!(meant(TAU), of_pi(2, 1));
-        assert_eq!(meant(3.0 * PI / 4.0), of_pi(3, 4));
+        let of_pi = |n, d| Some(ExactConstant::MultipleOfPi(Ratio { numerator: n, denominator: d }));
+        assert_eq!(exact_constant(PI), of_pi(1, 1));
+        assert_eq!(exact_constant(-FRAC_PI_2), of_pi(-1, 2));
+        assert_eq!(exact_constant(FRAC_PI_3), of_pi(1, 3));
+        assert_eq!(exact_constant(FRAC_PI_6), of_pi(1, 6));
+        assert_eq!(exact_constant(TAU), of_pi(2, 1));
+        assert_eq!(exact_constant(3.0 * PI / 4.0), of_pi(3, 4));
         // the twins
-        assert_eq!(meant(22.0 / 7.0), Some(Meant::Ratio(Ratio { numerator: 22, denominator: 7 })));
-        assert_eq!(meant(12.5664), Some(Meant::Ratio(Ratio { numerator: 7854, denominator: 625 })));
-        assert_eq!(meant(0.5), Some(Meant::Ratio(Ratio { numerator: 1, denominator: 2 })));
+        assert_eq!(exact_constant(22.0 / 7.0), Some(ExactConstant::Ratio(Ratio { numerator: 22, denominator: 7 })));
+        assert_eq!(exact_constant(12.5664), Some(ExactConstant::Ratio(Ratio { numerator: 7854, denominator: 625 })));
+        assert_eq!(exact_constant(0.5), Some(ExactConstant::Ratio(Ratio { numerator: 1, denominator: 2 })));
     }
 }

@@ -387,7 +387,7 @@ dual_number!(Series<B: Number>);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Measured;
+    use crate::scalar::RunningError;
     use num_dual::DualNum;
 
     #[test]
@@ -437,8 +437,8 @@ mod tests {
 
     #[test]
     fn a_rate_is_the_value_of_a_derivative() {
-        let t = Series::time(Measured::new(0.7));
-        for x in [t, t * t - t * 2.0, t.sin() * t.truncated(4), Series::constant(Measured::new(1.3))] {
+        let t = Series::time(RunningError::new(0.7));
+        for x in [t, t * t - t * 2.0, t.sin() * t.truncated(4), Series::constant(RunningError::new(1.3))] {
             let mut derivative = x;
             for k in 0..x.known() {
                 let (rate, expected) = (x.rate(k).unwrap(), derivative.value());

@@ -94,8 +94,8 @@ impl Graph {
         std::mem::forget(interrupted);
         match graph.fault {
             None => Ok((graph, result)),
-            Some(fault) => Err(Error::new(format!("this function cannot be traced: it {fault} a symbolic value")).help(
-                "write it without a branch on coordinates, velocities, parameters or time (no if, abs, min, max, signum)",
+            Some(fault) => Err(Error::new(format!("the function cannot be traced, because it {fault} a symbolic value")).help(
+                "write it without branches on coordinates, velocities, parameters or time: no if, abs, min, max or signum",
             )),
         }
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-use crate::mechanics::rotations::{Turning, euler_angles};
+use crate::mechanics::rotations::{RotationalState, euler_angles};
 use crate::mechanics::{Lagrangian, State};
 use crate::scalar::Number;
 
@@ -20,7 +20,7 @@ impl Lagrangian<3, 3> for FreeRigidBody {
         ["\\lambda_1", "\\lambda_2", "\\lambda_3"]
     }
     fn lagrangian<D: Number>(&self, at: &State<D, 3, 3>) -> D {
-        Turning::of(self, at).map_or(D::zero(), |turning| turning.kinetic_energy(at.parameters))
+        RotationalState::of(self, at).map_or(D::zero(), |turning| turning.kinetic_energy(at.parameters))
     }
     fn potential_energy<D: Number>(&self, _: &State<D, 3, 3>) -> Option<D> {
         Some(D::zero())

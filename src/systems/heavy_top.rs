@@ -6,7 +6,7 @@
 
 use nalgebra::Matrix3;
 
-use crate::mechanics::rotations::{Turning, euler_angles};
+use crate::mechanics::rotations::{RotationalState, euler_angles};
 use crate::mechanics::{Lagrangian, State};
 use crate::scalar::Number;
 
@@ -26,7 +26,7 @@ impl Lagrangian<3, 5> for HeavyTop {
     }
     fn lagrangian<D: Number>(&self, at: &State<D, 3, 5>) -> D {
         let [lambda_1, lambda_3, mass, g, distance] = at.parameters;
-        let turning = Turning::from_moving(&orientation(&at.moving()));
+        let turning = RotationalState::from_moving(&orientation(&at.moving()));
         let height = turning.orientation[(2, 2)] * distance;
         turning.kinetic_energy([lambda_1, lambda_1, lambda_3]) - mass * g * height
     }

@@ -2,7 +2,7 @@
 //!
 //! Nothing here contains a closed form that is checked somewhere: a rigid body starts from its rotation matrix.
 
-use crate::mechanics::{Lagrangian, System, of};
+use crate::mechanics::{AnyLagrangian, Lagrangian, erased};
 
 mod damped_oscillator;
 mod free_rigid_body;
@@ -20,7 +20,7 @@ pub use relativistic_particle::RelativisticParticle;
 
 /// The systems that claims may name. Start from [`Registry::standard`] and add your own.
 pub struct Registry {
-    systems: Vec<Box<dyn System>>,
+    systems: Vec<Box<dyn AnyLagrangian>>,
 }
 
 impl Registry {
@@ -40,12 +40,12 @@ impl Registry {
     /// Adds a Lagrangian; it takes the place of one that has the same name.
     pub fn add<L: Lagrangian<N, P>, const N: usize, const P: usize>(&mut self, lagrangian: L) -> &mut Self {
         self.systems.retain(|system| system.name() != lagrangian.name());
-        self.systems.push(Box::new(of(lagrangian)));
+        self.systems.push(Box::new(erased(lagrangian)));
         self
     }
 
     /// The system of that name.
-    pub fn get(&self, name: &str) -> Option<&dyn System> {
+    pub fn get(&self, name: &str) -> Option<&dyn AnyLagrangian> {
         self.systems.iter().find(|system| system.name() == name).map(Box::as_ref)
     }
 
@@ -70,8 +70,8 @@ mod tests {
         let registry = Registry::standard();
         assert_eq!(registry.names().count(), 7);
         for name in registry.names() {
-            let world = registry.get(name).map(System::world).unwrap().unwrap();
-            assert_eq!(world.name(), name);
+            let system = registry.get(name).map(AnyLagrangian::trace).unwrap().unwrap();
+            assert_eq!(system.name(), name);
         }
         assert!(registry.get("heavy_tpo").is_none());
     }

@@ -60,7 +60,7 @@ fn as_rust_it_is_the_source_of_the_accelerations_and_of_nothing_else() {
     assert_eq!(source.code, 0, "{}", source.err);
     // `tests/mechanics/source.rs` compiles this source and runs it
     let system = onshell::systems::Registry::standard();
-    assert_eq!(source.out, system.get("heavy_top").unwrap().world().unwrap().rust_source());
+    assert_eq!(source.out, system.get("heavy_top").unwrap().trace().unwrap().rust_source());
     let same = desk.onshell(&["derive", "heavy_top", "--as", "accelerations", "--format", "rust"]);
     assert_eq!(same.out, source.out);
     let refused = desk.onshell(&["derive", "heavy_top", "--as", "momenta", "--format", "rust"]);

@@ -11,7 +11,7 @@ use crate::support::{Subject, registry, subjects};
 fn displays(subject: &Subject) -> Vec<String> {
     let mut displays: Vec<String> =
         Quantity::ALL.iter().filter_map(|&quantity| subject.latex(quantity)).flatten().collect();
-    let names = subject.world.coordinates();
+    let names = subject.system.coordinates();
     for (i, name) in names.iter().enumerate() {
         let term = |(j, other): (usize, &String)| {
             let (first, second) = (&names[i.min(j)], &names[i.max(j)]);
@@ -33,21 +33,21 @@ fn checked(subject: &Subject, displays: &[String]) -> Document {
         _ => "angle",
     };
     let coordinates: serde_json::Map<String, serde_json::Value> =
-        subject.world.coordinates().iter().map(|name| (name.clone(), range(name).into())).collect();
+        subject.system.coordinates().iter().map(|name| (name.clone(), range(name).into())).collect();
     let claims = json!({
         "notes": "notes.md",
-        "system": subject.world.name(),
+        "system": subject.system.name(),
         "coordinates": coordinates,
-        "constants": { subject.world.parameters().join(", "): "> 0" },
+        "constants": { subject.system.parameters().join(", "): "> 0" },
         "means": { "L": "Lagrangian", "E": "energy", "H": "Hamiltonian" },
     });
     let document = check_text(&notes, &claims.to_string(), &registry());
-    document.unwrap_or_else(|error| panic!("{}: {error}", subject.world.name()))
+    document.unwrap_or_else(|error| panic!("{}: {error}", subject.system.name()))
 }
 
 /// L = T − U with T = ½ Σ M q̇ q̇, so that momenta are p = M q̇.
 fn has_no_linear_term(subject: &Subject) -> bool {
-    !["charge", "shaken", "relativistic_particle"].contains(&subject.world.name())
+    !["charge", "shaken", "relativistic_particle"].contains(&subject.system.name())
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn notes_made_of_what_was_derived_pass() {
         assert_eq!(document.equations.len(), displays.len());
         for (equation, latex) in document.equations.iter().zip(&displays) {
             let finding = &equation.finding;
-            assert!(finding.verdict.passes(), "{}: {latex}: {}", subject.world.name(), finding.message);
+            assert!(finding.verdict.passes(), "{}: {latex}: {}", subject.system.name(), finding.message);
         }
     }
 }
@@ -70,7 +70,7 @@ fn where_the_momenta_are_no_multiples_of_velocities_all_but_the_masses_pass() {
         let displays: Vec<String> = quantities.filter_map(|&quantity| subject.latex(quantity)).flatten().collect();
         for (equation, latex) in checked(subject, &displays).equations.iter().zip(&displays) {
             let finding = &equation.finding;
-            assert!(finding.verdict.passes(), "{}: {latex}: {}", subject.world.name(), finding.message);
+            assert!(finding.verdict.passes(), "{}: {latex}: {}", subject.system.name(), finding.message);
         }
     }
 }
@@ -97,7 +97,7 @@ fn what_is_derived_is_certified() {
             let expected = if is_mass(latex) { Verdict::Definition } else { Verdict::Certified };
             if finding.verdict != expected {
                 let reason = finding.not_certified_because.as_ref().unwrap_or(&finding.message);
-                open.push(format!("{}: {latex}: {} {reason}", subject.world.name(), finding.verdict.word()));
+                open.push(format!("{}: {latex}: {} {reason}", subject.system.name(), finding.verdict.word()));
             }
         }
     }
@@ -114,6 +114,6 @@ fn a_flipped_sign_in_them_is_refuted() {
             _ => format!("{left} = -\\left({right}\\right)"),
         };
         let document = checked(&subject, &[wrong]);
-        assert_eq!(document.equations[0].finding.verdict, Verdict::Refuted, "{}", subject.world.name());
+        assert_eq!(document.equations[0].finding.verdict, Verdict::Refuted, "{}", subject.system.name());
     }
 }

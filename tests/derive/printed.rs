@@ -19,7 +19,7 @@ fn as_in_the_book(subject: &Subject, quantity: Quantity, n: usize, book: &str) {
     let derived = subject.right(quantity, n);
     let printed = subject.latex(quantity).expect("it is derived")[n].clone();
     for k in 0..5 {
-        let at = numbers(&subject.world, k);
+        let at = numbers(&subject.system, k);
         let [left, right] =
             [subject.value(printed.split_once(" = ").expect("an equation").1, &at), subject.value(book, &at)];
         assert!(agree(left, right, left.abs() + right.abs()), "{printed} is not {book}");

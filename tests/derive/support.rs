@@ -3,7 +3,7 @@
 use onshell::derive::{Derivation, Quantity};
 use onshell::formula::{Assignment, Expr, SymbolId, Value, evaluate};
 use onshell::latex::{Macros, names, read_formula};
-use onshell::mechanics::{Lagrangian, State, World};
+use onshell::mechanics::{Lagrangian, State, System};
 use onshell::scalar::{Number, Series};
 use onshell::systems::Registry;
 
@@ -76,7 +76,7 @@ pub fn registry() -> Registry {
 
 /// A system and what is derived of it.
 pub struct Subject {
-    pub world: World,
+    pub system: System,
     pub derivation: Derivation,
 }
 
@@ -92,9 +92,9 @@ pub fn subject(name: &str) -> Subject {
 }
 
 fn subject_of(registry: &Registry, name: &str) -> Subject {
-    let world = registry.get(name).expect("it is registered").world().expect("it can be traced");
-    let derivation = Derivation::new(&world).unwrap_or_else(|error| panic!("{name}: {error}"));
-    Subject { world, derivation }
+    let system = registry.get(name).expect("it is registered").trace().expect("it can be traced");
+    let derivation = Derivation::new(&system).unwrap_or_else(|error| panic!("{name}: {error}"));
+    Subject { system, derivation }
 }
 
 /// A state, with accelerations that no motion has.
@@ -107,18 +107,18 @@ pub struct Numbers {
 }
 
 /// The n-th state: velocities below all velocities of light, everything else of order one.
-pub fn numbers(world: &World, n: usize) -> Numbers {
+pub fn numbers(system: &System, n: usize) -> Numbers {
     let mut step = 17.0 * n as f64;
     let mut next = |low: f64, high: f64| {
         step += 1.0;
         low + (high - low) * (step * 0.618_033_988_749_895 + (step * step * 0.414_213_562).sin()).rem_euclid(1.0)
     };
-    let count = world.coordinates().len();
+    let count = system.coordinates().len();
     Numbers {
         time: next(0.1, 0.9),
         q: (0..count).map(|_| next(0.3, 1.3)).collect(),
         v: (0..count).map(|_| next(-0.7, 0.7)).collect(),
-        parameters: world.parameters().iter().map(|_| next(0.8, 2.0)).collect(),
+        parameters: system.parameters().iter().map(|_| next(0.8, 2.0)).collect(),
         a: (0..count).map(|_| next(-1.0, 1.0)).collect(),
     }
 }
@@ -155,22 +155,22 @@ impl Subject {
         self.derivation.symbols().find(&name).expect("a name of the system").0
     }
 
-    /// The value of LaTeX, momenta and what is defined here being what the world says.
+    /// The value of LaTeX, momenta and what is defined here being what the system says.
     pub fn value(&self, latex: &str, at: &Numbers) -> f64 {
-        let quantities = self.world.quantities(at.time, &at.q, &at.v, &at.parameters);
-        let mass = self.world.mass_matrix(at.time, &at.q, &at.v, &at.parameters);
+        let quantities = self.system.quantities(at.time, &at.q, &at.v, &at.parameters);
+        let mass = self.system.mass_matrix(at.time, &at.q, &at.v, &at.parameters);
         let mut known: Assignment<'_, f64> = Assignment::new(self.derivation.symbols());
         known.set(self.id("t"), 0, at.time);
-        for (i, name) in self.world.coordinates().iter().enumerate() {
+        for (i, name) in self.system.coordinates().iter().enumerate() {
             let (coordinate, momentum) = (self.id(name), self.id(&format!("p_{{{name}}}")));
             [at.q[i], at.v[i], at.a[i]].iter().zip(0..).for_each(|(value, order)| known.set(coordinate, order, *value));
             known.set(momentum, 0, quantities.momenta[i]);
             known.set(momentum, 1, quantities.forces[i]);
-            for (j, other) in self.world.coordinates().iter().enumerate().skip(i) {
+            for (j, other) in self.system.coordinates().iter().enumerate().skip(i) {
                 known.set(self.id(&format!("M_{{{name} {other}}}")), 0, mass[(i, j)]);
             }
         }
-        for (name, value) in self.world.parameters().iter().zip(&at.parameters) {
+        for (name, value) in self.system.parameters().iter().zip(&at.parameters) {
             known.set(self.id(name), 0, *value);
         }
         known.set(self.id("L"), 0, quantities.lagrangian);

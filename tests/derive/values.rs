@@ -1,4 +1,4 @@
-//! Printed, read and evaluated at random states: the numbers of the world.
+//! Printed, read and evaluated at random states: the numbers of the system.
 
 use onshell::derive::Quantity;
 
@@ -7,23 +7,23 @@ use crate::support::{Numbers, Subject, agree, numbers, subject, subjects};
 const STATES: usize = 6;
 
 /// Whether an equation as it is printed holds at a state. Accelerations are those on shell, unless it is the equation of
-/// motion: that is compared with the residual of the world at any.
+/// motion: that is compared with the residual of the system at any.
 fn holds(subject: &Subject, quantity: Quantity, n: usize, latex: &str, at: &Numbers) -> bool {
-    let world = &subject.world;
+    let system = &subject.system;
     if quantity != Quantity::EulerLagrange {
-        let a = world.accelerations(at.time, &at.q, &at.v, &at.parameters).expect("a regular mass matrix");
+        let a = system.accelerations(at.time, &at.q, &at.v, &at.parameters).expect("a regular mass matrix");
         let at = Numbers { q: at.q.clone(), v: at.v.clone(), parameters: at.parameters.clone(), a, ..*at };
         let [left, right] = subject.sides(latex, &at);
         return agree(left, right, left.abs().max(right.abs()));
     }
-    let residual = |a: &[f64]| world.euler_lagrange(at.time, &at.q, &at.v, &at.parameters, a)[n];
+    let residual = |a: &[f64]| system.euler_lagrange(at.time, &at.q, &at.v, &at.parameters, a)[n];
     let printed = |a: &[f64]| {
         let at = Numbers { q: at.q.clone(), v: at.v.clone(), parameters: at.parameters.clone(), a: a.to_vec(), ..*at };
         let [left, right] = subject.sides(latex, &at);
         (left - right, left.abs() + right.abs())
     };
     // what is divided out is an exponential of the time, the same at all accelerations
-    let factor = match world.name() {
+    let factor = match system.name() {
         "damped_oscillator" => (at.parameters[2] * at.time).exp(),
         _ => 1.0,
     };
@@ -58,9 +58,9 @@ fn what_is_printed_has_the_values_of_the_world_and_no_slip_in_it_has() {
         for quantity in Quantity::ALL {
             let Some(printed) = subject.latex(quantity) else { continue };
             for (n, latex) in printed.iter().enumerate() {
-                let states: Vec<Numbers> = (0..STATES).map(|k| numbers(&subject.world, k)).collect();
+                let states: Vec<Numbers> = (0..STATES).map(|k| numbers(&subject.system, k)).collect();
                 for (k, at) in states.iter().enumerate() {
-                    let name = subject.world.name();
+                    let name = subject.system.name();
                     assert!(holds(&subject, quantity, n, latex, at), "{name}, {quantity:?}, state {k}: {latex}");
                 }
                 for slip in slips(latex) {
@@ -79,9 +79,9 @@ fn all_but_one_system_have_everything() {
     for subject in subjects() {
         for quantity in Quantity::ALL {
             let wants_momenta = matches!(quantity, Quantity::Hamiltonian | Quantity::Hamilton);
-            let expected = !(wants_momenta && subject.world.name() == "relativistic_particle");
+            let expected = !(wants_momenta && subject.system.name() == "relativistic_particle");
             let found = subject.derivation.equations(quantity);
-            assert_eq!(found.is_ok(), expected, "{}, {quantity:?}: {:?}", subject.world.name(), found.err());
+            assert_eq!(found.is_ok(), expected, "{}, {quantity:?}: {:?}", subject.system.name(), found.err());
         }
     }
 }

@@ -1,13 +1,13 @@
 //! A chain of n pendulums: what its equations of motion cost, counted.
 
-use onshell::mechanics::World;
+use onshell::mechanics::System;
 use onshell::systems::Pendulum;
 use proptest::prelude::*;
 
 use crate::support::{agree, by_hessian, config, state};
 
-fn chain<const N: usize>() -> World {
-    World::new(&Pendulum::<N>::new()).unwrap()
+fn chain<const N: usize>() -> System {
+    System::new(&Pendulum::<N>::new()).unwrap()
 }
 
 #[test]
@@ -26,8 +26,8 @@ proptest! {
     #[test]
     fn a_chain_moves_as_the_plain_hessian_says(at in state::<6, 3>()) {
         let plain = by_hessian::<_, 6, 3, 13>(&Pendulum::<6>::new(), &at);
-        let world = chain::<6>();
-        let mut accelerator = world.accelerator(&at.parameters);
+        let system = chain::<6>();
+        let mut accelerator = system.acceleration_evaluator(&at.parameters);
         let fast = accelerator.accelerations(at.time, &at.q, &at.v).unwrap();
         prop_assert!(agree(&plain, fast, 1e-11), "{plain:?} {fast:?}");
         // the twin: the last two links exchanged

@@ -1,7 +1,7 @@
 //! Euler–Lagrange: gauge freedom, the tape against a plain Hessian, many states at once.
 
 use approx::assert_abs_diff_eq;
-use onshell::mechanics::{Lagrangian, State, World, euler_lagrange, momenta};
+use onshell::mechanics::{Lagrangian, State, System, euler_lagrange, momenta};
 use onshell::scalar::{DualNum, Number};
 use onshell::systems::{DampedOscillator, FreeRigidBody, HeavyTop, Kepler, Pendulum, RelativisticParticle};
 use proptest::prelude::*;
@@ -43,8 +43,8 @@ proptest! {
         let scale = (at.q[0] + at.q[1]).exp().powi(2) * 100.0;
         prop_assert!(plain.iter().zip(gauged).all(|(a, b)| (a - b).abs() < 1e-13 * scale), "{plain:?} {gauged:?}");
         // traced, the equations are the same ones
-        let world = World::new(&gauge(true)).unwrap();
-        let traced = world.euler_lagrange(at.time, &at.q, &at.v, &at.parameters, &a);
+        let system = System::new(&gauge(true)).unwrap();
+        let traced = system.euler_lagrange(at.time, &at.q, &at.v, &at.parameters, &a);
         prop_assert!(plain.iter().zip(&traced).all(|(a, b)| (a - b).abs() < 1e-13 * scale), "{plain:?} {traced:?}");
         // the twin: F itself does change them
         let wrong = euler_lagrange::residuals(&gauge(false), &at, &a);
@@ -60,13 +60,13 @@ proptest! {
             l: &L, at: &State<f64, N, P>,
         ) -> Result<(), TestCaseError> {
             let plain = by_hessian::<L, N, P, X>(l, at);
-            let world = World::new(l).unwrap();
-            let tape = world.accelerations(at.time, &at.q, &at.v, &at.parameters).unwrap();
+            let system = System::new(l).unwrap();
+            let tape = system.accelerations(at.time, &at.q, &at.v, &at.parameters).unwrap();
             let pairs = euler_lagrange::accelerations(l, at).unwrap();
             let columns = [&[at.time][..], &at.q, &at.v, &at.parameters].concat();
             let columns: Vec<&[f64]> = columns.chunks(1).collect();
-            let block: Vec<f64> = world.accelerations_of_many(&columns).unwrap().concat();
-            let mut accelerator = world.accelerator(&at.parameters);
+            let block: Vec<f64> = system.accelerations_of_many(&columns).unwrap().concat();
+            let mut accelerator = system.acceleration_evaluator(&at.parameters);
             let alone = accelerator.accelerations(at.time, &at.q, &at.v).unwrap();
             for other in [&tape[..], &pairs, &block, alone] {
                 prop_assert!(agree(&plain, other, 1e-12), "{}: {plain:?} {other:?}", l.name());
@@ -91,7 +91,7 @@ proptest! {
         fn check<L: Lagrangian<N, P>, const N: usize, const P: usize>(
             l: &L, at: &State<f64, N, P>,
         ) -> Result<(), TestCaseError> {
-            let traced = World::new(l).unwrap().quantities(at.time, &at.q, &at.v, &at.parameters);
+            let traced = System::new(l).unwrap().quantities(at.time, &at.q, &at.v, &at.parameters);
             let (t, u) = (traced.kinetic.unwrap(), traced.potential.unwrap());
             // T and U stand on both sides for the scale: what is left of them where they cancel is rounding
             let same = |a: &[f64], b: &[f64]| agree(&[&[t, u], a].concat(), &[&[t, u], b].concat(), 1e-12);
@@ -114,7 +114,7 @@ proptest! {
 fn a_damped_oscillator_obeys_its_law() {
     let at = some_state::<1, 3>();
     let ([x], [v], [mass, k, gamma]) = (at.q, at.v, at.parameters);
-    let a = World::new(&DampedOscillator).unwrap().accelerations(at.time, &[x], &[v], &at.parameters).unwrap()[0];
+    let a = System::new(&DampedOscillator).unwrap().accelerations(at.time, &[x], &[v], &at.parameters).unwrap()[0];
     assert_abs_diff_eq!(mass * a + mass * gamma * v + k * x, 0.0, epsilon = 1e-13);
     // the twin: without the explicit time dependence there is no damping
     assert!((mass * a + k * x).abs() > 0.1);
@@ -122,39 +122,39 @@ fn a_damped_oscillator_obeys_its_law() {
 
 #[test]
 fn many_states_at_once_are_each_as_alone() {
-    let world = World::new(&HeavyTop).unwrap();
+    let system = System::new(&HeavyTop).unwrap();
     for states in [1_usize, 31, 32, 33, 100] {
         let column = |k: f64| (0..states).map(|i| 0.4 + (k * i as f64).sin().abs()).collect::<Vec<_>>();
         let moving: Vec<Vec<f64>> = (1..=6).map(|k| column(k as f64)).collect();
         let parameters = [1.2, 0.7, 0.9, 9.8, 0.4];
         let columns = std::iter::once(&[0.0][..]).chain(moving.iter().map(Vec::as_slice)).chain(parameters.chunks(1));
-        let all = world.accelerations_of_many(&columns.collect::<Vec<_>>()).unwrap();
+        let all = system.accelerations_of_many(&columns.collect::<Vec<_>>()).unwrap();
         for i in 0..states {
             let (q, v): (Vec<f64>, Vec<f64>) =
                 ((0..3).map(|k| moving[k][i]).collect(), (3..6).map(|k| moving[k][i]).collect());
-            let one = world.accelerations(0.0, &q, &v, &parameters).unwrap();
+            let one = system.accelerations(0.0, &q, &v, &parameters).unwrap();
             let many: Vec<f64> = all.iter().map(|column| column[i]).collect();
             assert!(agree(&one, &many, 1e-12), "{one:?} {many:?}");
         }
     }
-    assert!(world.accelerations_of_many(&[&[0.0]]).is_err(), "columns are missing");
+    assert!(system.accelerations_of_many(&[&[0.0]]).is_err(), "columns are missing");
 }
 
 #[test]
 fn what_is_not_given_is_no_number() {
-    let world = World::new(&HeavyTop).unwrap();
-    assert!(world.quantities(0.0_f64, &[1.0], &[], &[]).energy.is_nan());
-    assert!(world.euler_lagrange(0.0, &[1.0; 3], &[1.0; 3], &[1.0; 5], &[]).iter().all(|r: &f64| r.is_nan()));
-    assert!(world.motion(0.0, &[1.0; 3], &[1.0], &[1.0; 5], 2).is_err());
-    assert!(world.hamilton(0.0, &[1.0], &[1.0; 2], &[1.0; 5]).is_err());
-    assert!(world.routhian(0.0, &[1.0; 3], &[], &[], &[1.0; 5]).is_err());
+    let system = System::new(&HeavyTop).unwrap();
+    assert!(system.quantities(0.0_f64, &[1.0], &[], &[]).energy.is_nan());
+    assert!(system.euler_lagrange(0.0, &[1.0; 3], &[1.0; 3], &[1.0; 5], &[]).iter().all(|r: &f64| r.is_nan()));
+    assert!(system.motion(0.0, &[1.0; 3], &[1.0], &[1.0; 5], 2).is_err());
+    assert!(system.hamilton_equations(0.0, &[1.0], &[1.0; 2], &[1.0; 5]).is_err());
+    assert!(system.routhian(0.0, &[1.0; 3], &[], &[], &[1.0; 5]).is_err());
     // the twin: the same with all of it is one
-    assert!(world.quantities(0.0_f64, &[1.0; 3], &[1.0; 3], &[1.0; 5]).energy.is_finite());
+    assert!(system.quantities(0.0_f64, &[1.0; 3], &[1.0; 3], &[1.0; 5]).energy.is_finite());
 }
 
 #[test]
 fn another_lagrangian_of_the_same_coordinates_has_its_own_motion() {
-    let pendulum = World::new(&Pendulum::<1>::new()).expect("it can be traced");
+    let pendulum = System::new(&Pendulum::<1>::new()).expect("it can be traced");
     // L = ½ m l² θ̇² − ½ k θ²: a torsion spring, and m l² θ̈ = −k θ
     let spring = pendulum.with_lagrangian("spring", vec!["k".to_owned()], |_, q, v, parameters| {
         let [m, l, _, k] = *parameters else { panic!("m, l, g and k: {parameters:?}") };
@@ -163,7 +163,7 @@ fn another_lagrangian_of_the_same_coordinates_has_its_own_motion() {
     });
     let spring = spring.expect("it can be traced");
     let (q, v, parameters) = ([0.3], [0.7], [2.0, 1.5, 9.8, 4.0]);
-    let acceleration = |world: &World| world.accelerations(0.0, &q, &v, &parameters).expect("it has a mass")[0];
+    let acceleration = |system: &System| system.accelerations(0.0, &q, &v, &parameters).expect("it has a mass")[0];
     assert_abs_diff_eq!(acceleration(&spring), -4.0 * 0.3 / (2.0 * 1.5 * 1.5), epsilon = 1e-14);
     let found = spring.quantities(0.0, &q, &v, &parameters);
     let (kinetic, potential) = (0.5 * 2.0 * 1.5 * 1.5 * 0.7 * 0.7, 0.5 * 4.0 * 0.3 * 0.3);
@@ -175,7 +175,7 @@ fn another_lagrangian_of_the_same_coordinates_has_its_own_motion() {
 
 #[test]
 fn a_top_with_another_lagrangian_is_oriented_as_before() {
-    let top = World::new(&HeavyTop).expect("it can be traced");
+    let top = System::new(&HeavyTop).expect("it can be traced");
     let free = top.with_lagrangian("rotor", Vec::new(), |_, _, v, _| (v[0] * v[0] + v[1] * v[1] + v[2] * v[2], None));
     let free = free.expect("it can be traced");
     let (q, v) = ([0.4, 1.1, 0.2], [0.3, -0.5, 0.9]);

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual64;
-use onshell::mechanics::rotations::Turning;
+use onshell::mechanics::rotations::RotationalState;
 use onshell::mechanics::{Frame, Lagrangian, State, motion};
 use onshell::scalar::{Number, Series};
 use onshell::systems::FreeRigidBody;
@@ -19,13 +19,13 @@ fn rate(v: &Vector) -> Vector {
 
 /// L = Σ λₐ ωₐ êₐ in the fixed axes.
 fn angular_momentum(frame: &Frame<f64>, moments: [f64; 3]) -> Vector {
-    let rates = frame.rates_along_the_axes();
+    let rates = frame.body_rates();
     frame.vector(&Vector3::from_fn(|a, _| rates[a] * moments[a]))
 }
 
 /// λ₁ ω̇₁ ± (λ₃ − λ₂) ω₂ ω₃ and the two that follow by 1 → 2 → 3 → 1; the notes' (4.59) have the plus sign.
 fn euler(frame: &Frame<f64>, moments: [f64; 3], sign: f64) -> Vector3<f64> {
-    let omega = frame.rates_along_the_axes();
+    let omega = frame.body_rates();
     Vector3::from_fn(|a, _| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);
         let gyroscopic = omega[b] * omega[c] * (moments[c] - moments[b]);
@@ -35,7 +35,7 @@ fn euler(frame: &Frame<f64>, moments: [f64; 3], sign: f64) -> Vector3<f64> {
 
 /// The motion of a free body through a state, as a frame: angles to the fourth derivative.
 fn free_motion<D: Number>(at: &State<D, 3, 3>) -> Frame<D> {
-    Frame::freely(motion::motion(&FreeRigidBody, at, 4).unwrap())
+    Frame::from_euler_angles(motion::motion(&FreeRigidBody, at, 4).unwrap())
 }
 
 proptest! {
@@ -54,7 +54,7 @@ proptest! {
         prop_assert!(euler(&frame, at.parameters, 1.0).norm() < 1e-12 * scale);
         // the twins: the other sign; and in the body's own axes L does not stay
         let [one, two, three] = at.parameters;
-        let omega = frame.rates_along_the_axes().map(|x| x.value());
+        let omega = frame.body_rates().map(|x| x.value());
         prop_assume!((omega.x * omega.y * (two - one)).abs() > 0.1 && (three - two).abs() > 0.1);
         prop_assert!(euler(&frame, at.parameters, -1.0).norm() > 0.1);
         prop_assert!(rate(&frame.components(&momentum)).iter().any(|x| x.value().abs() > 0.05));
@@ -66,7 +66,7 @@ proptest! {
         moments in [0.5..2.0, 0.5..2.0, 0.5..2.0_f64],
     ) {
         // off shell: any torque
-        let frame = Frame::freely(std::array::from_fn(|i| Series::from_derivatives(&angles[i])));
+        let frame = Frame::from_euler_angles(std::array::from_fn(|i| Series::from_derivatives(&angles[i])));
         let torque = rate(&angular_momentum(&frame, moments));
         let along = frame.components(&torque).map(|x| x.value());
         let scale = 1.0 + along.norm();
@@ -77,7 +77,7 @@ proptest! {
         let sum = within + frame.angular_velocity().cross(&momentum);
         prop_assert!((sum - torque).map(|x| x.value()).norm() < 1e-12 * scale);
         // the twins
-        let omega = frame.rates_along_the_axes().map(|x| x.value());
+        let omega = frame.body_rates().map(|x| x.value());
         prop_assume!((omega.x * omega.y * (moments[1] - moments[0])).abs() > 0.1);
         prop_assert!((along - euler(&frame, moments, -1.0)).norm() > 0.1);
         prop_assert!((within - torque).map(|x| x.value()).norm() > 0.05);
@@ -95,7 +95,7 @@ fn with_rates<D: Number>(rates: Vector3<D>, parameters: [f64; 3]) -> State<D, 3,
     let column = |i: usize| {
         let mut unit = at;
         unit.v[i] = D::one();
-        Turning::of(&FreeRigidBody, &unit).unwrap().body_rates
+        RotationalState::of(&FreeRigidBody, &unit).unwrap().body_rates
     };
     let columns: [Vector3<D>; 3] = std::array::from_fn(column);
     // Cramer's rule
@@ -112,7 +112,7 @@ fn frequency_squared([one, two, three]: [f64; 3], spin: f64) -> f64 {
 /// ω₁ of order one, ω₂ and ω₃ of order ε: what is left of the first of (4.60) and of (4.61) with a given Ω².
 fn left_over(small: f64, moments: [f64; 3], omega_squared: f64) -> (f64, f64) {
     let frame = free_motion(&with_rates(Vector3::new(1.3, 0.7 * small, -0.9 * small), moments));
-    let omega = frame.rates_along_the_axes();
+    let omega = frame.body_rates();
     let second = omega[1].derivative().derivative() + omega[1] * omega_squared;
     ((omega[0].derivative() * moments[0]).value().abs(), second.value().abs())
 }
@@ -144,7 +144,7 @@ fn the_frequency_near_a_principal_axis_is_an_eigenvalue_of_the_linearised_motion
         for b in 0..3 {
             let mut rates = Vector3::new(spin, 0.0, 0.0).map(Dual64::from_re);
             rates[b].eps = 1.0;
-            let change = free_motion(&with_rates(rates, moments)).rates_along_the_axes();
+            let change = free_motion(&with_rates(rates, moments)).body_rates();
             for a in 0..3 {
                 let change: Dual64 = change[a].derivative().value();
                 assert!(change.re.abs() < 1e-13, "the rotation about a principal axis is steady");
@@ -173,7 +173,7 @@ fn the_frequency_near_a_principal_axis_is_an_eigenvalue_of_the_linearised_motion
 fn the_state_with_given_rates_has_them() {
     let rates = Vector3::new(0.3, -0.8, 1.7);
     let at = with_rates(rates, [0.6, 1.1, 1.9]);
-    assert!((Turning::of(&FreeRigidBody, &at).unwrap().body_rates - rates).norm() < 1e-14);
+    assert!((RotationalState::of(&FreeRigidBody, &at).unwrap().body_rates - rates).norm() < 1e-14);
     let energy = FreeRigidBody.lagrangian(&at);
     let expected: f64 = (0..3).map(|a| 0.5 * at.parameters[a] * rates[a] * rates[a]).sum();
     assert!((energy - expected).abs() < 1e-13);

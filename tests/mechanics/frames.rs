@@ -1,7 +1,7 @@
 //! Frames that turn: ω comes from Ṙ, and turns the axes.
 
 use nalgebra::Vector3;
-use onshell::mechanics::rotations::Turning;
+use onshell::mechanics::rotations::RotationalState;
 use onshell::mechanics::{Frame, State};
 use onshell::scalar::Series;
 use onshell::systems::FreeRigidBody;
@@ -40,7 +40,7 @@ proptest! {
         angles in [varying(), varying(), varying()], direction in [0.3..2.0, -2.0..2.0, -2.0..2.0_f64], alpha in varying(),
     ) {
         prop_assume!(angles[1].value().sin().abs() > 0.1 && alpha.nth_derivative_value(1).unwrap().abs() > 0.1);
-        for frame in [Frame::freely(angles), Frame::about(direction, alpha).unwrap()] {
+        for frame in [Frame::from_euler_angles(angles), Frame::about(direction, alpha).unwrap()] {
             let (axes, omega) = (frame.axes(), frame.angular_velocity());
             let (mut right, mut flipped) = (0.0_f64, 0.0_f64);
             for (a, axis) in axes.iter().enumerate() {
@@ -56,7 +56,7 @@ proptest! {
             prop_assert!(flipped > 0.01);
             let turning = frame.turning();
             prop_assert!(apart(&turning.angular_velocity, &omega, 4) == 0.0);
-            prop_assert!(apart(&turning.body_rates, &frame.rates_along_the_axes(), 4) == 0.0);
+            prop_assert!(apart(&turning.body_rates, &frame.body_rates(), 4) == 0.0);
             // Ṙ = [ω×]-like, entry by entry: Ṙ_ab = (ω × êₐ)_b
             for (a, axis) in axes.iter().enumerate() {
                 prop_assert!(apart(&frame.rate().row(a).transpose(), &omega.cross(axis), 1) < 1e-12);
@@ -74,7 +74,7 @@ proptest! {
         // α̇ n̂, and so in all further derivatives; also along the frame's own axes, since n̂ does not turn
         prop_assert!(apart(&frame.angular_velocity(), &expected, 1) < 1e-12);
         prop_assert!(apart(&frame.angular_velocity(), &expected, 4) < 1e-9);
-        prop_assert!(apart(&frame.rates_along_the_axes(), &expected, 4) < 1e-9);
+        prop_assert!(apart(&frame.body_rates(), &expected, 4) < 1e-9);
         // the twins: the other way round, and half as fast
         prop_assume!(alpha.nth_derivative_value(1).unwrap().abs() > 0.1);
         prop_assert!(apart(&frame.angular_velocity(), &-expected, 1) > 0.05);
@@ -83,8 +83,8 @@ proptest! {
 
     #[test]
     fn a_free_frame_is_the_body_of_the_lagrangian(q in [0.3..2.8, 0.3..2.8, 0.3..2.8_f64], v in [-2.0..2.0, -2.0..2.0, -2.0..2.0_f64]) {
-        let turning = Turning::of(&FreeRigidBody, &State { time: 0.0, q, v, parameters: [1.0; 3] }).unwrap();
-        let frame = Frame::freely(std::array::from_fn(|i| Series::from_derivatives(&[q[i], v[i]]))).turning();
+        let turning = RotationalState::of(&FreeRigidBody, &State { time: 0.0, q, v, parameters: [1.0; 3] }).unwrap();
+        let frame = Frame::from_euler_angles(std::array::from_fn(|i| Series::from_derivatives(&[q[i], v[i]]))).turning();
         prop_assert!((frame.angular_velocity.map(|x| x.value()) - turning.angular_velocity).norm() < 1e-13);
         prop_assert!((frame.body_rates.map(|x| x.value()) - turning.body_rates).norm() < 1e-13);
         prop_assert!((frame.orientation.map(|x| x.value()) - turning.orientation).norm() < 1e-14);
@@ -93,7 +93,7 @@ proptest! {
     #[test]
     fn a_vector_changes_by_its_components_and_by_its_axes(angles in [varying(), varying(), varying()], v in vector()) {
         // notes (4.57): dv/dt = v̇ₐ êₐ + ω × v
-        let frame = Frame::freely(angles);
+        let frame = Frame::from_euler_angles(angles);
         let within = frame.vector(&rate(&frame.components(&v)));
         let turning = frame.angular_velocity().cross(&v);
         prop_assert!(apart(&rate(&v), &(within + turning), 1) < 1e-11);
@@ -107,7 +107,7 @@ proptest! {
     fn the_points_of_a_body_keep_their_distances(
         angles in [varying(), varying(), varying()], c in vector(), x in [0.3..2.0, -2.0..2.0, -2.0..2.0_f64],
     ) {
-        let frame = Frame::freely(angles);
+        let frame = Frame::from_euler_angles(angles);
         let point = frame.point_of_a_body(&c, &Vector3::from(x));
         let from_centre = point - c;
         let square = from_centre.dot(&from_centre);
@@ -123,7 +123,7 @@ proptest! {
         prop_assume!((0..3).any(|i| (c[i].value() * omega[(i + 1) % 3].value()).abs() > 0.5));
         prop_assert!(point.dot(&point).derivative().value().abs() > 1e-9);
         // at angles 0 the components are those in the fixed axes
-        let still = Frame::freely([Series::constant(0.0); 3]).point_of_a_body(&c, &Vector3::from(x));
+        let still = Frame::from_euler_angles([Series::constant(0.0); 3]).point_of_a_body(&c, &Vector3::from(x));
         prop_assert!(apart(&still, &(c + constant(x)), 5) < 1e-13);
     }
 }
@@ -133,7 +133,7 @@ fn what_the_angles_do_not_tell_is_not_known() {
     let angle = Series::from_derivatives(&[0.4, 0.5, 0.6]);
     let omega = Frame::about([1.0, 2.0, 3.0], angle).unwrap().angular_velocity();
     assert!(omega.iter().all(|component| component.known() == 2));
-    assert!(Frame::freely([angle; 3]).rates_along_the_axes().iter().all(|component| component.known() == 2));
+    assert!(Frame::from_euler_angles([angle; 3]).body_rates().iter().all(|component| component.known() == 2));
     for nowhere in [[0.0; 3], [f64::NAN, 1.0, 0.0], [f64::INFINITY, 0.0, 0.0]] {
         assert!(Frame::about(nowhere, angle).unwrap_err().message().contains("no direction"));
     }

@@ -1,8 +1,8 @@
 //! Singular mass matrices and branching Lagrangians are errors that say so.
 
-use onshell::mechanics::legendre::{self, Phase};
-use onshell::mechanics::{Lagrangian, State, World, euler_lagrange};
-use onshell::scalar::{Measured, Number};
+use onshell::mechanics::legendre::{self, PhasePoint};
+use onshell::mechanics::{Lagrangian, State, System, euler_lagrange};
+use onshell::scalar::{Number, RunningError};
 
 /// Two coordinates, of which L knows only the sum: ½ m (ẋ + ẏ)² + ½ ε ẏ² − ½ x².
 struct Degenerate;
@@ -24,26 +24,26 @@ impl Lagrangian<2, 2> for Degenerate {
 
 #[test]
 fn a_singular_mass_matrix_is_an_error_with_its_condition_number() {
-    let world = World::new(&Degenerate).unwrap();
+    let system = System::new(&Degenerate).unwrap();
     let (q, v) = ([0.3, 0.4], [1.0, 2.0]);
     for epsilon in [0.0, 1e-13] {
         let parameters = [1.0, epsilon];
         let at = State { time: 0.0, q, v, parameters };
         let errors = [
-            world.accelerations(0.0, &q, &v, &parameters).unwrap_err(),
-            world.motion(0.0, &q, &v, &parameters, 2).unwrap_err(),
-            world
+            system.accelerations(0.0, &q, &v, &parameters).unwrap_err(),
+            system.motion(0.0, &q, &v, &parameters, 2).unwrap_err(),
+            system
                 .motion(
-                    Measured::new(0.0),
-                    &q.map(Measured::new),
-                    &v.map(Measured::new),
-                    &parameters.map(Measured::new),
+                    RunningError::new(0.0),
+                    &q.map(RunningError::new),
+                    &v.map(RunningError::new),
+                    &parameters.map(RunningError::new),
                     2,
                 )
                 .unwrap_err(),
-            world.hamiltonian(0.0, &q, &v, &parameters).unwrap_err(),
+            system.hamiltonian(0.0, &q, &v, &parameters).unwrap_err(),
             euler_lagrange::accelerations(&Degenerate, &at).unwrap_err(),
-            legendre::hamiltonian(&Degenerate, &Phase { time: 0.0, q, p: v, parameters }).unwrap_err(),
+            legendre::hamiltonian(&Degenerate, &PhasePoint { time: 0.0, q, p: v, parameters }).unwrap_err(),
         ];
         for error in errors {
             assert!(error.message().contains("condition number"), "{error}");
@@ -52,17 +52,17 @@ fn a_singular_mass_matrix_is_an_error_with_its_condition_number() {
     // Traced, the mass matrix is (m, m; m, m + ε), and what the second pivot is, ε, is known to all its digits.
     let of_many = |epsilon: f64| {
         let columns = [0.0, q[0], q[1], v[0], v[1], 1.0, epsilon];
-        world.accelerations_of_many(&columns.chunks(1).collect::<Vec<_>>())
+        system.accelerations_of_many(&columns.chunks(1).collect::<Vec<_>>())
     };
     assert!(of_many(0.0).unwrap_err().message().contains("condition number"));
     let [x, y] = of_many(1e-13).unwrap().concat()[..] else { panic!("two accelerations") };
     assert!((1e-13 * y / q[0] - 1.0).abs() < 1e-15 && (x + y + q[0]).abs() < 1e-15 * y, "{x} {y}");
     // the twin: with a mass of its own each velocity is determined
-    assert!(world.motion(0.0, &q, &v, &[1.0, 0.5], 2).is_ok());
+    assert!(system.motion(0.0, &q, &v, &[1.0, 0.5], 2).is_ok());
     // the first derivative is given, not solved for
-    assert!(world.motion(0.0, &q, &v, &[1.0, 0.0], 1).is_ok());
-    assert!(world.motion(0.0, &q, &v, &[1.0, 0.5], 6).is_err(), "beyond the series");
-    assert!(world.motion(0.0, &q, &v, &[f64::NAN, 0.5], 2).unwrap_err().message().contains("not finite"));
+    assert!(system.motion(0.0, &q, &v, &[1.0, 0.0], 1).is_ok());
+    assert!(system.motion(0.0, &q, &v, &[1.0, 0.5], 6).is_err(), "beyond the series");
+    assert!(system.motion(0.0, &q, &v, &[f64::NAN, 0.5], 2).unwrap_err().message().contains("not finite"));
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn elimination_without_exchange_is_not_trusted_blindly() {
         }
     }
     let columns: [&[f64]; 5] = [&[0.0], &[0.5, 0.7], &[0.1], &[0.2], &[0.3]];
-    let a = World::new(&Crossed).unwrap().accelerations_of_many(&columns).unwrap();
+    let a = System::new(&Crossed).unwrap().accelerations_of_many(&columns).unwrap();
     assert_eq!(a, [vec![0.0, 0.0], vec![-1.0, -1.4]]);
 }
 
@@ -105,6 +105,6 @@ fn a_branch_on_a_value_is_an_error_that_names_the_system() {
             at.v[0] * at.v[0] - at.q[0].abs()
         }
     }
-    let error = World::new(&Branching).err().unwrap();
+    let error = System::new(&Branching).err().unwrap();
     assert!(error.message().contains("branching") && error.message().contains("cannot be traced"), "{error}");
 }

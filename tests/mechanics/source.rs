@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::Command;
 
-use onshell::mechanics::{Lagrangian, State, World, euler_lagrange};
+use onshell::mechanics::{Lagrangian, State, System, euler_lagrange};
 use onshell::systems::{DampedOscillator, FreeRigidBody, HeavyTop, Kepler, Pendulum, RelativisticParticle};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -21,7 +21,7 @@ struct Trial {
 
 impl Trial {
     fn add<L: Lagrangian<N, P>, const N: usize, const P: usize>(&mut self, l: &L, states: &[State<f64, N, P>]) {
-        self.add_source(&World::new(l).unwrap().rust_source(), l, states);
+        self.add_source(&System::new(l).unwrap().rust_source(), l, states);
     }
 
     fn add_source<L: Lagrangian<N, P>, const N: usize, const P: usize>(
@@ -89,7 +89,7 @@ fn the_source_computes_what_automatic_differentiation_does() {
 
 #[test]
 fn a_changed_sign_in_the_source_is_seen() {
-    let source = World::new(&HeavyTop).unwrap().rust_source();
+    let source = System::new(&HeavyTop).unwrap().rust_source();
     let mut trial = Trial::default();
     let signs: Vec<usize> = source
         .match_indices(" - ")
@@ -107,7 +107,7 @@ fn a_changed_sign_in_the_source_is_seen() {
 
 #[test]
 fn what_is_used_more_often_is_computed_once() {
-    let source = World::new(&HeavyTop).unwrap().rust_source();
+    let source = System::new(&HeavyTop).unwrap().rust_source();
     assert_eq!(source.matches("sin_cos()").count(), 1);
     assert!(source.contains("///   1: `\\theta`") && source.contains("///   3: `g`"), "{source}");
     assert!(source.contains("_time: f64"), "the top does not depend on the time: {source}");
@@ -115,7 +115,7 @@ fn what_is_used_more_often_is_computed_once() {
 
 #[test]
 fn the_source_in_the_benchmark_is_this_one() {
-    let source = World::new(&HeavyTop).unwrap().rust_source();
+    let source = System::new(&HeavyTop).unwrap().rust_source();
     assert!(
         include_str!("../../benches/emitted/heavy_top.rs") == source,
         "benches/emitted/heavy_top.rs must be\n{source}"

@@ -3,7 +3,7 @@
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{IndexId, text};
 use crate::scalar::Modular;
-use crate::scalar::field::Modulus;
+use crate::scalar::prime_field::Modulus;
 
 use crate::check::model::Model;
 use crate::check::model::claim::Link;

@@ -1,16 +1,32 @@
-//! Certificates: whether a claim that agrees in numbers is an identity, decided over a prime field.
+//! Certificates: whether a claim that holds at sampled states is an identity, decided over a prime field.
 //!
-//! The claim, the world's equations of motion and the claim's hypotheses are evaluated at random points of the field
-//! ([`crate::scalar::field`]); an identity vanishes at all of them, and what is none vanishes by accident with a
-//! probability that its degree bounds. Points are added until that is at most 2⁻⁸⁰. Hypotheses are solved exactly
-//! ([`super::solved`]). What has no meaning in a field is said, and nothing is concluded.
+//! The claim, the equations of motion and the hypotheses are evaluated at random points of the field
+//! ([`crate::scalar::prime_field`]). Points are added until the bound on a false certificate is at most 2⁻⁸⁰. Hypotheses
+//! are solved exactly ([`super::solved`]). What has no meaning in a field is reported, and nothing is concluded.
 //!
-//! A certificate never stands alone: it is asked for when numbers have agreed, so that ranges, branches of roots and the
-//! twins are theirs to judge.
+//! # Why a prime field may decide
+//!
+//! Numbers agree to fourteen digits, and no number of them is a proof. A polynomial that is not zero vanishes at a
+//! random point of a field of p elements with a probability of at most its degree divided by p (Schwartz and
+//! Zippel). So a claim that holds in numbers is evaluated at random points of the field: the same formula,
+//! Lagrangian and series. If the sides differ at one point, they differ; if at none, the claim is `certified`, and
+//! the report has the bound, at most 2⁻⁸⁰.
+//!
+//! Numbers come first because they know ranges, domains and branches, of which a field has none: √x √y = √(xy) is
+//! an identity there. The field sees what rounding hides: (1 + 10⁻¹⁶)x = x is refuted, without a state to show.
+//! Such a refutation needs that nothing opaque was met: no free root, no sine of a product, no hypothesis that was
+//! solved. A term that numbers do not see, such as 10⁻²⁰ in sin(x + 10⁻²⁰), makes the claim `undecided`. Inverse
+//! functions, powers that are neither whole nor half, |x| of a number, orders, ≈, limits and integrals are outside;
+//! each names itself in the report, and the claim stays `verified`.
+//!
+//! Hypotheses are solved exactly, each for a number in which it is linear: three values show that, two solve it.
+//! The components of a vector that a rotation mixes are solved for together. On shell the accelerations are found
+//! by Cramer's rule, so that the determinant is their one denominator. A whole number is taken at each of its
+//! values, because it may be an exponent.
 
 use crate::formula::{Expr, Node, SymbolId};
 use crate::notes::claims::Range;
-use crate::scalar::field::{Large, Modulus, Second, at_a_point, false_accept_log2};
+use crate::scalar::prime_field::{FirstPrime, Modulus, SecondPrime, evaluate_at_point, false_accept_log2};
 use crate::scalar::{Modular, rational};
 
 use crate::check::certificate::claim::{Certificate, Claim, Differences};
@@ -120,14 +136,14 @@ fn decide_by(
     };
     let context = (context, generality, sums);
     let states = (projection, ensemble);
-    let one = Modular::<Large>::most_bits();
-    match decide_in::<Large>(&wholes, context, states, claim, one) {
+    let one = Modular::<FirstPrime>::most_bits();
+    match decide_in::<FirstPrime>(&wholes, context, states, claim, one) {
         Certificate::Open(reason) if reason == TOO_LARGE => {}
         decided => return decided,
     }
-    let both = one + Modular::<Second>::most_bits();
-    match decide_in::<Large>(&wholes, context, states, claim, both) {
-        Certificate::Identity(first) => match decide_in::<Second>(&wholes, context, states, claim, both) {
+    let both = one + Modular::<SecondPrime>::most_bits();
+    match decide_in::<FirstPrime>(&wholes, context, states, claim, both) {
+        Certificate::Identity(first) => match decide_in::<SecondPrime>(&wholes, context, states, claim, both) {
             Certificate::Identity(second) => Certificate::Identity(first.max(second)),
             decided => decided,
         },
@@ -253,7 +269,9 @@ pub(crate) fn reached(formulas: &[&Expr], projection: &Projection<'_>) -> Result
     while let Some(formula) = waiting.pop() {
         let mut symbols = Vec::new();
         formula.walk(&mut |expr| match &expr.node {
-            Node::Number(digits) if digits.chars().filter(char::is_ascii_digit).count() > rational::DIGITS => {
+            Node::Number(digits)
+                if digits.chars().filter(char::is_ascii_digit).count() > rational::SHORT_DECIMAL_DIGITS =>
+            {
                 reason = reason.or(Some("a number of so many digits"));
             }
             Node::Integral(..) => reason = reason.or(Some("an integral")),
@@ -295,26 +313,26 @@ pub(crate) fn at_one_point<F: Modulus>(
     let mut nowhere = None;
     while attempt < ATTEMPTS {
         let point = seed.wrapping_add(u64::from(attempt));
-        let ((result, vanish, bound), account) = at_a_point::<F, _>(point, signs, *finest, || {
+        let ((result, vanish, bound), record) = evaluate_at_point::<F, _>(point, signs, *finest, || {
             let result = differences();
             let vanish = result.as_ref().is_ok_and(|all| all.iter().all(|difference| difference.vanishes()));
             let result: Differences<F> = result;
             (result.as_ref().err().cloned(), vanish, result.unwrap_or_default())
         });
-        if let Some(fault) = account.fault {
+        if let Some(fault) = record.unsupported {
             return Certificate::Open(fault.to_owned());
         }
-        if account.finest > *finest || account.elsewhere.is_some() {
-            attempt += u32::from(account.elsewhere.is_some());
-            nowhere = account.elsewhere.or(nowhere);
-            (*finest, signs, log2) = (account.finest, 0, f64::NEG_INFINITY);
+        if record.finest > *finest || record.undefined_here.is_some() {
+            attempt += u32::from(record.undefined_here.is_some());
+            nowhere = record.undefined_here.or(nowhere);
+            (*finest, signs, log2) = (record.finest, 0, f64::NEG_INFINITY);
             continue;
         }
         if let Some(reason) = result {
             return Certificate::Open(reason);
         }
         if !vanish {
-            return match (account.opaque, is_free) {
+            return match (record.opaque, is_free) {
                 (false, true) => Certificate::Differs,
                 (true, _) => Certificate::Open(
                     "a root, an exponential, a logarithm, or a sine of something that is no sum of angles".to_owned(),
@@ -322,15 +340,15 @@ pub(crate) fn at_one_point<F: Modulus>(
                 (false, false) => Certificate::Open(OTHER_WAYS.to_owned()),
             };
         }
-        let Some(bound) = false_accept_log2(&bound, &account, ATTEMPTS, most_bits) else {
+        let Some(bound) = false_accept_log2(&bound, &record, ATTEMPTS, most_bits) else {
             return Certificate::Open(TOO_LARGE.to_owned());
         };
         log2 = log2.max(bound);
         signs += 1;
-        if account.roots > MOST_ROOTS {
-            return Certificate::Open(format!("{} square roots, each with two signs", account.roots));
+        if record.roots > MOST_ROOTS {
+            return Certificate::Open(format!("{} square roots, each with two signs", record.roots));
         }
-        if signs >> account.roots == 1 {
+        if signs >> record.roots == 1 {
             return Certificate::Identity(log2);
         }
     }

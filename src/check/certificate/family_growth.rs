@@ -1,15 +1,18 @@
-//! How a formula grows with the number of members of its families, so that few numbers of them decide on all.
+//! The number of family sizes that decides for all sizes, found from the formulas.
 //!
-//! Sums over labels, multiplied and added, are sums over tuples of labels, and so is a difference A − B of such formulas
-//! over one denominator. Of what each tuple gives nothing is known but which members it looks at. Let all members but k be
-//! alike. Then the difference depends on n as a polynomial, of a degree of at most the number of labels in the longest tuple,
-//! counting explicit powers of n: the *growth*. If it vanishes at one more number n ≥ k than the growth says, it vanishes
-//! for all n ≥ k; and a sum over tuples is put together from its values where all members but few are alike, k of them being
-//! told apart at most, k not above the growth. With `j < i` the polynomial is one in the gaps between the k labels, and vanishes
-//! likewise. Members that are named, `m_1`, labels that are free and ends that a Σ leaves out are told apart from the
-//! others in any case. So N + 1 numbers of members, from these on, tell for a growth of N.
+//! A quotient by a sum is a further denominator. A formula that is not a quotient of sums, such as the root of one,
+//! has no such number. With `j < i` the polynomial below is one in the gaps between the k labels.
 //!
-//! A quotient by a sum is a further denominator. What is no quotient of sums, as the root of one, has no growth.
+//! # How many numbers of particles decide for all
+//!
+//! n(n − 1) is 6n − 12 for three and for four, so trying some numbers proves nothing without a bound. Sums over
+//! labels are sums over tuples of labels. The value of such a sum is put together from its values where all members
+//! but k are alike, for k up to the number N of labels in the tuple. There it counts tuples, and that is a
+//! polynomial in n of degree at most N − k, for n ≥ k. So what vanishes for N + 1 consecutive numbers of members
+//! vanishes for all. N is the depth of the sums, with powers of n and sums in denominators included. Members with a
+//! name, free labels and ends that a Σ leaves out are told apart anyway, and the numbers begin there. A hypothesis
+//! with one sum over members, Σ m_i r_i = 0, makes one member a sum over the others. The field is asked for these
+//! numbers from 1 on.
 
 use rustc_hash::FxHashMap;
 

@@ -1,8 +1,8 @@
-//! Whether two formulas are one whatever their symbols mean: each symbol, with its indices and derivatives, is a number, a
-//! vector or a matrix drawn from a field, and nothing is known of it.
+//! Whether two formulas are equal whatever their symbols mean. Each symbol, with its indices and derivatives, is a
+//! number, a vector or a matrix drawn from a field.
 //!
-//! So x·y + y·x is 2xy, |−r|² is r², and Σ_ab I_ba ω_a ω_b is Σ_ab I_ab ω_a ω_b; that I is symmetric is not known here.
-//! What holds so holds for every meaning, and needs no state of any system.
+//! So x·y + y·x is 2xy, |−r|² is r², and Σ_ab I_ba ω_a ω_b is Σ_ab I_ab ω_a ω_b; that I is symmetric is not known
+//! here. What holds so holds for every meaning and needs no sampled state.
 
 use nalgebra::{DMatrix, Vector3};
 use std::cell::{Cell, RefCell};
@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 use crate::formula::evaluate::{Environment, Unavailable, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, Node, SymbolId, Symbols, Value};
-use crate::scalar::field::{Large, Modulus};
+use crate::scalar::prime_field::{FirstPrime, Modulus};
 use crate::scalar::{Modular, Series, TERMS};
 
 use crate::check::certificate::claim::Certificate;
@@ -80,15 +80,16 @@ fn is_one_of_multiples(a: &Expr, b: &Expr, multiples: &[(i64, i64)], rules: &[Ru
     for seed in 1..=POINTS {
         let holding = Cell::new(multiples[0]);
         let differences = || {
-            let drawn = RandomValues::<Large> { model, rules, values: RefCell::default(), opened: RefCell::default() };
+            let drawn =
+                RandomValues::<FirstPrime> { model, rules, values: RefCell::default(), opened: RefCell::default() };
             let pairs = drawn.pairs(a, b, &free).map_err(|_| "a symbol without a value".to_owned())?;
-            let times = |n: i64, x: &Modular<Large>| *x * n as f64;
+            let times = |n: i64, x: &Modular<FirstPrime>| *x * n as f64;
             let vanish = |(n, m): &&(i64, i64)| pairs.iter().all(|(a, b)| (times(*n, a) - times(*m, b)).vanishes());
             let (n, m) = multiples.iter().find(vanish).copied().unwrap_or(multiples[0]);
             holding.set((n, m));
             Ok(pairs.iter().map(|(a, b)| times(n, a) - times(m, b)).collect())
         };
-        let most_bits = Modular::<Large>::most_bits();
+        let most_bits = Modular::<FirstPrime>::most_bits();
         match at_one_point(&differences, true, seed << 32, &mut finest, most_bits) {
             Certificate::Identity(bound) => log2 += bound,
             _ => return false,
@@ -142,9 +143,9 @@ impl<F: Modulus> RandomValues<'_, F> {
     /// A number; a constant is not more than its value.
     fn number(varies: bool) -> Series<Modular<F>> {
         if !varies {
-            return Series::constant(Modular::drawn());
+            return Series::constant(Modular::random());
         }
-        let derivative = |k: usize| if k == 0 { Modular::drawn() } else { Modular::drawn_plain() };
+        let derivative = |k: usize| if k == 0 { Modular::random() } else { Modular::random_plain() };
         Series::from_derivatives(&(0..TERMS).map(derivative).collect::<Vec<_>>())
     }
 }

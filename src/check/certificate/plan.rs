@@ -1,4 +1,4 @@
-//! The plan by which hypotheses are solved over a prime field: which of them for which numbers, one after the other.
+//! The plan for solving hypotheses over a prime field: which hypothesis for which number, and in which order.
 
 use crate::check::certificate::solved::{NOT_SOLVED, OTHER_WAYS, Solved, Step};
 use crate::check::certificate::zeros::Zeros;
@@ -7,7 +7,7 @@ use crate::check::model::states::Row;
 use crate::check::sample::projection::Projection;
 use crate::formula::{Kind, Relation, SymbolId};
 use crate::scalar::Modular;
-use crate::scalar::field::{Modulus, at_a_point};
+use crate::scalar::prime_field::{Modulus, evaluate_at_point};
 
 /// So many numbers are tried to solve a hypothesis for.
 const CANDIDATES: usize = 40;
@@ -38,12 +38,12 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         }
         let mut nowhere = NOT_SOLVED;
         for attempt in 0..ATTEMPTS {
-            let (found, account) = at_a_point::<F, _>(seed.wrapping_add(attempt.into()), 0, 1, || {
+            let (found, record) = evaluate_at_point::<F, _>(seed.wrapping_add(attempt.into()), 0, 1, || {
                 (solved.plan, solved.may_vanish) = (Vec::new(), false);
                 solved.solve()
             });
-            match account.elsewhere {
-                None => return account.fault.map_or(found, |fault| Err(fault.to_owned())).map(|()| solved),
+            match record.undefined_here {
+                None => return record.unsupported.map_or(found, |fault| Err(fault.to_owned())).map(|()| solved),
                 Some(reason) => nowhere = reason,
             }
         }

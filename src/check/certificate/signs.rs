@@ -1,4 +1,4 @@
-//! Whether a coefficient may vanish, as far as that can be read off it.
+//! Whether a coefficient may vanish, as far as its form and the declared ranges tell.
 
 use crate::formula::{Expr, Node, Sign};
 use crate::notes::claims::Range;

@@ -1,7 +1,7 @@
 //! The claim that formulas solve an equation for an unknown, over a prime field.
 
 use crate::formula::{Expr, SymbolId, Value};
-use crate::scalar::field::Modulus;
+use crate::scalar::prime_field::Modulus;
 use crate::scalar::{Modular, Series};
 
 use crate::check::certificate::claim::{Certificate, Claim, Differences, unavailable};
@@ -64,7 +64,7 @@ impl Solutions<'_> {
 
     /// Vanishes if the target is a polynomial of no more than some degree in the unknown: its differences of the next order.
     fn degree_exceeds<F: Modulus>(&self, degree: usize, state: &mut SampledState<'_, Modular<F>>) -> Differences<F> {
-        let start = Modular::drawn();
+        let start = Modular::random();
         let columns = (0..=degree + 1).map(|step| self.with(start + step as f64, state));
         let columns: Vec<Vec<Modular<F>>> = columns.collect::<Result<_, _>>()?;
         let (mut sum, mut binomial) = (vec![Modular::from(0.0); columns[0].len()], 1.0);

@@ -1,21 +1,26 @@
-//! Hypotheses over a field: solved exactly, each for a number in which it is linear, and in the only way there is.
+//! Hypotheses over a field: each is solved exactly for a number in which it is linear, if that is the only way to
+//! meet it.
 //!
-//! Of A·s + B = 0 the solution s = −B/A is all that there is, unless A and B have a factor in common: (x − y)(z − 1) = 0 is
-//! met by x = y, and by z = 1 too, with x and y free. So it is asked where the *slope* A vanishes. If nowhere in the
-//! declared ranges, the hypothesis is an equation for s. If it vanishes where B does not, the two have no common factor, and
-//! what obeys the hypothesis is still of one piece; but a further hypothesis could cut it into several, so that no other may
-//! come after it. What cannot be told is not certified. Where a hypothesis is about a vector, its components are solved
-//! for those of another together, if they cannot be one by one; then A is the determinant of their slopes.
+//! The *slope* is the coefficient A in A·s + B = 0. If it vanishes nowhere in the declared ranges, the hypothesis
+//! is an equation for s. If it vanishes only where B does not, the solutions are still of one piece; but a further
+//! hypothesis could cut them into several, so no other may follow. What cannot be decided gets no certificate. If a
+//! hypothesis is about a vector, its components may be solved for those of another vector together; then A is the
+//! determinant of their slopes.
+//!
+//! A hypothesis that can be met in another way is not solved exactly. A·s + B = 0 means s = −B/A only if A and B
+//! have no common factor, as x cos θ = y cos θ has. The slope A must vanish nowhere in the ranges, or, for the last
+//! hypothesis that is solved, not together with B. A claim that is an identity without its hypotheses needs none of
+//! this.
 
 use nalgebra::Vector3;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 
 use crate::formula::SymbolId;
-use crate::mechanics::Elimination;
+use crate::mechanics::LinearSolver;
 use crate::notes::claims::Range;
 use crate::scalar::Modular;
-use crate::scalar::field::Modulus;
+use crate::scalar::prime_field::Modulus;
 
 use crate::check::model::states::{Reach, Row};
 use crate::check::sample::projection::Projection;
@@ -146,8 +151,8 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         match &self.projection.slots[at] {
             Slot { range: Range::Integer { low, .. }, .. } => Modular::from(*low as f64),
             // nobody takes the sine of a velocity
-            slot if slot.order > 0 => Modular::drawn_plain(),
-            _ => Modular::drawn(),
+            slot if slot.order > 0 => Modular::random_plain(),
+            _ => Modular::random(),
         }
     }
 
@@ -158,9 +163,9 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
             // ω comes from R and Ṙ, as long polynomials; it is no accident that it is this
             let rate = self.projection.slots.iter().rposition(|slot| slot.order == 1 && slot.symbol.is_none());
             for component in direction {
-                base[component].kept();
+                base[component].remembered();
                 if let Some(rate) = rate {
-                    (base[component] * base[rate]).kept();
+                    (base[component] * base[rate]).remembered();
                 }
             }
         }
@@ -169,7 +174,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
 
     pub(crate) fn state(&self, base: &[Modular<F>]) -> Result<SampledState<'m, Modular<F>>, String> {
         let terms = self.projection.mode.order + 1;
-        self.projection.state_by(Elimination::Cramer, base, terms).map_err(|error| error.message().to_owned())
+        self.projection.state_by(LinearSolver::CramersRule, base, terms).map_err(|error| error.message().to_owned())
     }
 
     pub(crate) fn values(&self, base: &[Modular<F>], rows: &[Row]) -> Result<Vec<Modular<F>>, String> {

@@ -1,7 +1,7 @@
 //! Terms that are too small beside the others for sampled states to see.
 
 use crate::formula::{Expr, Node, Value, text};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::claim::Link;
 use crate::check::state::residual;
@@ -10,7 +10,7 @@ use crate::check::state::sampled_state::SampledState;
 
 /// A term of a claim that cannot be seen at any state: it is there, and so small beside the others that leaving it out
 /// would change nothing that can be told from rounding.
-pub fn unseen(link: &Link, states: &[SampledState<'_, Measured>]) -> Option<String> {
+pub fn unseen(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<String> {
     fn terms(side: &Expr) -> Vec<&Expr> {
         match &side.node {
             Node::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
@@ -25,7 +25,7 @@ pub fn unseen(link: &Link, states: &[SampledState<'_, Measured>]) -> Option<Stri
 }
 
 /// The same of a term of a sum inside of a claim: below a root, in a sine, in an exponent.
-pub fn unseen_inside(link: &Link, states: &[SampledState<'_, Measured>]) -> Option<String> {
+pub fn unseen_inside(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<String> {
     let mut sums: Vec<Vec<&Expr>> = Vec::new();
     for side in [&link.lhs, &link.rhs] {
         side.walk(&mut |expr| match &expr.node {
@@ -37,14 +37,14 @@ pub fn unseen_inside(link: &Link, states: &[SampledState<'_, Measured>]) -> Opti
 }
 
 /// Of terms that are added the first that cannot be seen beside the others at any state.
-fn hidden(all: &[&Expr], states: &[SampledState<'_, Measured>]) -> Option<String> {
+fn hidden(all: &[&Expr], states: &[SampledState<'_, RunningError>]) -> Option<String> {
     // A literal zero is not there, and need not be seen.
     let (mut seen, mut there): (Vec<bool>, Vec<bool>) = all.iter().map(|term| (term.is_null(), false)).unzip();
     for state in states {
         if seen.iter().all(|seen| *seen) {
             return None;
         }
-        let values: Option<Vec<Measured>> = all
+        let values: Option<Vec<RunningError>> = all
             .iter()
             .map(|term| match state.now(term, &[]) {
                 Ok(Value::Scalar(value)) => Some(value),

@@ -1,9 +1,9 @@
-//! Where the slope vanishes of a hypothesis that is solved for a number: there it may be met in another way.
+//! The places where the slope of a solved hypothesis vanishes: there it may be met in another way.
 
 use std::f64::consts::PI;
 
 use crate::notes::claims::Range;
-use crate::scalar::field::Modulus;
+use crate::scalar::prime_field::Modulus;
 use crate::scalar::{DualNum, Modular};
 
 use crate::check::certificate::solved::{Solved, Step, determinant};

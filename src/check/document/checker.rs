@@ -1,5 +1,11 @@
-//! The desk at which one document is checked: its claims, notes, symbols and readings, and what a claims file names
-//! among them (an equation, a symbol, a formula, a condition, a limit).
+//! The document that is being checked: claims, notes, symbols and readings, and what a claims file names among them
+//! (an equation, a symbol, a formula, a condition, a limit).
+//!
+//! # Which text of a wrong equation is used
+//!
+//! Its correction. (2.27) as printed says something false of p_i; corrected, it defines p̄_i, and (2.28) depends on
+//! it. So everything but the equation itself uses the corrected text, and the printed text is tested with the names
+//! of the correction. Otherwise one misprint would refute everything after it.
 
 use std::sync::Arc;
 

@@ -1,8 +1,13 @@
-//! All displays and definitions of a document, each read as soon as what it stands on is known.
+//! All displays and definitions of a document, each read as soon as the names that it uses are known.
 //!
-//! Notes use names before they introduce them, and the prose defines names through those of displays. So what cannot be
-//! read for want of a name is read again when more are known, until nothing new comes out; what then cannot be read is
-//! what is wrong with it. What the claims file builds on such a display is given up with it ([`super::damage`]).
+//! What cannot be read in the end is reported. What the claims file builds on such a display is unreadable too
+//! ([`super::unreadable`]).
+//!
+//! # Why displays are read in rounds
+//!
+//! Lectures use names before they define them, and `define` may use names that displays define. A fixed order would
+//! make the author sort the notes. So what cannot be read for lack of a name is read again when more names are
+//! known, until nothing changes. A name that the claims file defines is never taken by an earlier display.
 
 use crate::formula::shape::{Shape, bind};
 use crate::formula::symbols::Name;

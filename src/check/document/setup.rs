@@ -1,4 +1,6 @@
-//! A whole document: its displays read in order, its claims tied to them, each equation judged.
+//! A whole document made ready: its displays are read, its claims are assigned to them, and its units are inferred.
+//!
+//! A key that is read and not supported is an error. A claim that is ignored would look like a pass.
 
 use std::sync::{Arc, LazyLock};
 

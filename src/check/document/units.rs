@@ -1,8 +1,12 @@
-//! The units of a document: what was declared, what its equations add to that, and the term that does not fit.
+//! The units of a document: those that are declared, those that its equations determine, and the term that does not
+//! fit.
 //!
-//! A conflict is a type error. It has its place before any number is computed, and makes its statement unreadable.
-//! Equations teach the dimensions that nobody declared, in the order of the notes; then each is held against all that
-//! is known. An equation that is known to be wrong teaches nothing, and one whose units are switched off is left out.
+//! A unit conflict makes its statement unreadable, at its place, before any number is computed. An equation that is
+//! known to be wrong determines no units, and one whose units are switched off is left out.
+//!
+//! All equations are used first to infer dimensions, and then each is compared with everything that is known. So a
+//! term is judged by later equations too. If terms do not agree, the one that disagrees with most others is named.
+//! A conflict is a shape error and needs no state: a sum of unlike things has no truth to test.
 
 use std::collections::BTreeSet;
 
@@ -106,7 +110,7 @@ impl<'a> Units<'a> {
             let turns = matches!(
                 model.meaning(symbol),
                 Some(
-                    Meaning::World(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)
+                    Meaning::System(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)
                         | Meaning::FixedAxis(_)
                         | Meaning::Frame(FrameQuantity::Axes | FrameQuantity::Angle)
                         | Meaning::Particles(ParticleQuantity::PrincipalAxes, ..)

@@ -1,9 +1,9 @@
-//! What a display that cannot be read leaves open in other places.
+//! What a display that cannot be read leaves undefined in other places.
 //!
-//! A misprint in a display that introduces a name, or prints a law, makes the name or the law unknown wherever it is
-//! used: in the claims file, too, which is not wrong for that. So an error for want of a name is laid at the door of an
-//! unreadable display that has the letters of the name in it; if all its fault is that it lacks other names, to one that
-//! has the name for a side. And what needed the name is unreadable, while the rest is judged.
+//! A misprint in a display that defines a name, or prints a law, makes the name or the law unknown wherever it is
+//! used, also in the claims file, which is not wrong for that. So an error about an unknown name is attributed to
+//! an unreadable display that contains the letters of the name. If that display only lacks other names, it is
+//! attributed to one that has the name for a side. What needs the name is unreadable, and the rest is checked.
 
 use crate::latex::{Reading, names};
 use crate::notes::Notes;

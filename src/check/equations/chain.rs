@@ -1,8 +1,8 @@
-//! A chain `a = b = c` in which something is wrong: which member it is, and how many slips there are.
+//! A chain `a = b = c` with a failing link: which member is wrong, and how many slips there are.
 //!
-//! The links of a chain are judged one by one, and a wrong member breaks two of them. So the members on either side of a
-//! failing link are held against each other: where `a = b` and `b = c` fail and `a = c` holds, b is wrong, once. Where the
-//! links after a failing one hold, what stands there was made of the wrong member: it follows, and is no slip of its own.
+//! The links are tested one by one, and a wrong member breaks two of them. So the members on either side of a
+//! failing link are compared: if `a = b` and `b = c` fail and `a = c` holds, only b is wrong. If the links after a
+//! failing one hold, the rest follows from the wrong member, and is no slip of its own.
 
 use crate::Result;
 use crate::formula::{Expr, Relation, Statement, text};

@@ -1,7 +1,10 @@
-//! Links of a chain that a field decides by way of another member.
+//! Links of a chain that a field decides through another member.
 //!
-//! Of a = b = c a field may decide b = c, and not a = b, because what a and b are made of cannot both be had in it. If it
-//! decides a = c, then a = b is certified as well: where both agree with c they agree.
+//! Of a = b = c a field may decide b = c and not a = b, because it cannot have what a and b are made of together.
+//! If it decides a = c, then a = b is certified too.
+//!
+//! In a chain a = b = c where a needs the particles and b the moments, a = c and c = b are certified one by one,
+//! and so a = b is.
 
 use crate::Result;
 use crate::formula::{Relation, Statement};
@@ -15,7 +18,7 @@ use crate::check::verdict::Verdict;
 /// Certifies what can be of the links of a statement.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub(crate) fn close(
     checker: &Checker<'_>,
     statement: &Statement,

@@ -1,4 +1,4 @@
-//! What a display that cannot be read leaves open in other equations and sentences.
+//! What a display that cannot be read leaves undefined in other equations and sentences.
 
 use crate::Error;
 use crate::code::Code;

@@ -1,8 +1,8 @@
-//! Laws: what is obeyed and not checked, and when it is no law after all.
+//! Laws: equations that hold and are not checked, and the cases in which such an equation is not a law.
 //!
-//! A law is taken for granted by the word of the claims file. It must not be true anyway, nor stand beside a system; and
-//! laws must leave states to be tested at: those that contradict each other, or are obeyed by one value alone of something
-//! that is said to vary, would let anything pass.
+//! A law is declared in the claims file. It must not be true anyway, and not stand beside a system. Laws must leave
+//! states to test at: laws that contradict each other, or that leave one value for something that is said to vary,
+//! would let anything pass.
 
 use crate::Result;
 use crate::code::Code;
@@ -48,7 +48,7 @@ impl Checker<'_> {
                 let message = format!("this is no law, it can be checked: {}", finding.message);
                 return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
             }
-            if self.model.world.is_some() {
+            if self.model.system.is_some() {
                 let message = "where a system says how things move there are no further laws: let it be checked";
                 return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
             }

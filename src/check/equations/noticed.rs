@@ -1,14 +1,18 @@
-//! What stands on a definition: the equations that would notice if it were another one.
+//! The equations that would fail if a definition were another one.
 //!
-//! A definition is held fast by what is said of the name elsewhere. Another formula in its place makes another model; the
-//! states of the equations that use the name are made again in that model, and where one fails, the change is noticed.
+//! Another formula in the place of a definition makes another model. The states of the equations that use the name
+//! are made again in that model; if one of them fails, the change is noticed.
+//!
+//! A slip in a definition cannot be wrong by itself. The model is made with the other formula, and what uses the
+//! name is tested. What is not noticed there is put into the file and the whole document is checked; only what
+//! passes that has survived.
 
 use std::sync::Arc;
 
 use crate::Result;
 use crate::formula::{Expr, SymbolId};
 use crate::latex::Introduced;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
@@ -59,7 +63,7 @@ impl<'d, 'a> Pins<'d, 'a> {
     /// something else.
     ///
     /// # Errors
-    /// When the world's mass matrix is singular, or for a claim that does not fit the notes.
+    /// When the system's mass matrix is singular, or for a claim that does not fit the notes.
     pub fn of(checker: &'d Checker<'a>, introduced: &Introduced, failing: bool) -> Result<Self> {
         let symbol = introduced.symbol;
         let (uses, _) = checker.uses(introduced)?;
@@ -118,7 +122,7 @@ impl<'d, 'a> Pins<'d, 'a> {
         model.define(self.symbol, formula.clone());
         self.pins.iter().any(|pin| {
             pin.bases.iter().any(|base| {
-                let base: Vec<Measured> = base.iter().map(|value| Measured::from(*value)).collect();
+                let base: Vec<RunningError> = base.iter().map(|value| RunningError::from(*value)).collect();
                 let state = SampledState::new(&model, pin.mode, &base, &pin.rules);
                 state.is_ok_and(|state| {
                     matches!(residual::test(&pin.link, &state), Ok(Point::Fails(_) | Point::OneSided(_)))

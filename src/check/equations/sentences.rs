@@ -1,7 +1,7 @@
 //! Sentences of the notes turned into tests.
 //!
-//! A sentence is quoted verbatim, so that it cannot drift from the notes, and says one thing: a formula that holds (or
-//! does not always), a constant of the motion, the shape of a function, the number of solutions of an equation.
+//! A sentence is quoted verbatim, so that the quote cannot become stale. It makes one claim: a formula holds or
+//! does not always hold, a quantity is conserved, a function has a shape, an equation has a number of solutions.
 
 use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};

@@ -1,4 +1,4 @@
-//! Who uses a defined name: the equations and sentences that say something of it, and those that hold by a law that does.
+//! The uses of a defined name: the equations and sentences that mention it, and those that hold by a law that does.
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, text};

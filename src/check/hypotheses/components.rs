@@ -1,8 +1,8 @@
-//! Hypotheses that say component by component that a vector vanishes, said of the vector.
+//! Hypotheses that set all components of a vector to zero, rewritten as one hypothesis about the vector.
 //!
-//! People write "torque free" as `M_1 = M_2 = M_3 = 0`, as `M_a = 0` and as `\vec M = \vec 0`. Only the last says at a
-//! glance what the vector is ([`super::explicit`]); moving numbers until three components vanish, at all times, is work
-//! for which a state has to have more derivatives than it has.
+//! People write "torque free" as `M_1 = M_2 = M_3 = 0`, as `M_a = 0` and as `\vec M = \vec 0`. Only the last gives
+//! the vector directly ([`super::explicit`]). Projecting numbers until three components vanish at all times would
+//! need more derivatives than a state has.
 
 use crate::formula::symbols::Components;
 use crate::formula::{Expr, Index, Node, Relation, SymbolId};

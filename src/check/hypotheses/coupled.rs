@@ -1,9 +1,12 @@
-//! Laws that give the highest derivatives of several things together, as those of coupled bodies do.
+//! Laws that give the highest derivatives of several symbols together, as those of coupled bodies do.
 //!
 //! `(M + m)\ddot x + m l\ddot\theta\cos\theta = …` and `\ddot x\cos\theta + l\ddot\theta = …` are linear in both
-//! accelerations, and neither says by itself what one of them is. Such laws are solved at each state as they are printed:
-//! what they are off by with the highest derivatives zero, and with one after the other 1, is a system of linear
-//! equations; the derivatives of the laws give all further ones, by the same matrix.
+//! accelerations, and neither gives one of them alone.
+//!
+//! The laws of a cart with a pole give two accelerations together, each with a coefficient that varies. They are
+//! taken as printed: their residuals with all accelerations 0, and with one after the other 1, are a linear system,
+//! whose matrix serves the higher derivatives too. A law of an arm whose torque may be anything is not of this
+//! kind: solved for the torque, it needs no determinant, and what follows from it can be certified.
 
 use std::sync::Arc;
 

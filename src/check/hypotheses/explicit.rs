@@ -1,9 +1,17 @@
-//! Hypotheses that say outright what something is, and so need no solving.
+//! Hypotheses that give a symbol directly, and need no solver.
 //!
-//! `\vec F_{ij} = -\vec F_{ji}` is a symmetry, `\vec F_{ij} \propto \vec r_{ij}` a direction, and Newton's second law can
-//! be written as the value of one of its forces. Such a hypothesis about a vector, or about a family, becomes a [`Rule`]
-//! that the state follows whenever it is asked for the symbol: exactly, for all members, over any number, and with all
-//! derivatives where it holds throughout. Laws that need one another are solved [`together`]. The others are left to [`super::projection`], which moves numbers onto them.
+//! `\vec F_{ij} = -\vec F_{ji}` is a symmetry, `\vec F_{ij} \propto \vec r_{ij}` a direction, and Newton's second
+//! law can be the value of one of its forces. Such a hypothesis about a vector or a family becomes a rule. Laws
+//! that share their highest derivatives are solved together ([`super::coupled`]). The others are left to constraint
+//! projection.
+//!
+//! # Why some hypotheses are rules
+//!
+//! F_ij = −F_ji for four particles is six pairs and 18 equations. Together with a law of motion, Newton's method is
+//! slow there and leaves rounding. But such a hypothesis has a solution that can be written down: the antisymmetric
+//! part, the part along a vector, the value. It is exact, for all members, over any number, and with all
+//! derivatives where it holds throughout. A rule keeps the part of what was drawn that obeys, so it does not choose
+//! which symbol is free.
 
 use crate::formula::{Expr, Index, IndexId, Kind, Node, Relation, Sign, SymbolId, Term};
 use crate::notes::claims::Range;

@@ -1,8 +1,17 @@
-//! Laws that give the highest derivative of something: `m_i \ddot{\vec r}_i = …`, however it is printed.
+//! Laws that give the highest derivative of a symbol: `m_i \ddot{\vec r}_i = …`, however it is printed.
 //!
-//! `\vec F_i = \dot{\vec p}_i` is such a law: with the definitions of p and F opened it is linear in the second
-//! derivative of the positions, with a coefficient that does not vary. Solved for it, the law says how things move from
-//! any positions and velocities; all further derivatives follow, one after the other.
+//! `\vec F_i = \dot{\vec p}_i` is such a law: with the definitions of p and F inserted it is linear in the second
+//! derivative of the positions, with a coefficient that does not vary.
+//!
+//! # How a law is obeyed
+//!
+//! A law gives the highest derivative of something, whatever the print calls it. Definitions are inserted until
+//! that derivative is found with a coefficient that does not vary, and the law is solved for it. Lower derivatives
+//! are initial values; higher ones follow one after the other, all members at once. Solving for the force instead
+//! would make every equation of motion a statement about forces: "without external forces P is conserved" would be
+//! met by choosing them. If no derivative can be singled out, the law is solved for a free symbol. A law is what
+//! the author takes for granted, so it must not be true anyway, and not stand beside a system, which has its own
+//! motion.
 
 use crate::formula::{Expr, Index, IndexId, Node, Sign, SymbolId, Term};
 use crate::source::Span;

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use crate::Result;
 use crate::formula::evaluate::Unavailable;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::{Mutant, mutants_of};
 use crate::check::model::claim::Link;
@@ -20,12 +20,12 @@ use crate::check::verdict::finding::Finding;
 /// A link at states, with the values of its sides where they were needed: mutants_of share one of the two.
 pub(crate) struct AtStates<'a, 'm> {
     pub(crate) link: &'a Link,
-    pub(crate) states: &'a [SampledState<'m, Measured>],
+    pub(crate) states: &'a [SampledState<'m, RunningError>],
     sides: Vec<OnceCell<Option<Sides>>>,
 }
 
 impl<'a, 'm> AtStates<'a, 'm> {
-    pub(crate) fn new(link: &'a Link, states: &'a [SampledState<'m, Measured>]) -> Self {
+    pub(crate) fn new(link: &'a Link, states: &'a [SampledState<'m, RunningError>]) -> Self {
         AtStates { link, states, sides: states.iter().map(|_| OnceCell::new()).collect() }
     }
 

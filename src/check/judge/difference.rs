@@ -1,12 +1,12 @@
-//! What a refuted claim is off by, as a formula: the left side without the right, beside what was derived.
+//! The difference of the two sides of a refuted claim as a formula, beside the derived equation.
 //!
-//! Both sides are evaluated over [`Symbol`]s in a [`Scene`] whose base numbers are the symbols themselves, q, q̇ and the
-//! constants, and [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are those
-//! that were derived. Where the claim prints momenta and not the velocities, it is written in these momenta.
+//! Both sides are evaluated over symbols at a state whose numbers are the symbols themselves, q, q̇ and the
+//! constants. [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are the
+//! derived ones. If the claim prints momenta and not velocities, the difference is written in momenta. Nothing is
+//! shown if hypotheses would have to be solved.
 //!
-//! It explains, and decides nothing: the verdict was given by numbers. So it is shown only if it is worth reading, and if
-//! it has the value of the difference of the two sides at the counterexample and at all the other states. Nothing is
-//! shown where hypotheses would have to be solved.
+//! The difference is shown only if its value is that of left side minus right side at the counterexample and at all
+//! other states. So a mistake in the normal form leaves the author without a hint, and never with a wrong one.
 
 use nalgebra::DMatrix;
 
@@ -15,9 +15,9 @@ use crate::derive::{Class, Letter};
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Index, IndexId, Kind, Node, SymbolId, Value, text};
 use crate::latex::typeset;
-use crate::mechanics::{Elimination, solve_by};
+use crate::mechanics::{LinearSolver, solve_with};
 use crate::notes::claims::Range;
-use crate::scalar::{Graph, Measured, Number, Symbol};
+use crate::scalar::{Graph, Number, RunningError, Symbol};
 
 use crate::check::certificate::decide;
 use crate::check::model::Model;
@@ -93,7 +93,7 @@ impl<'a> Failed<'a> {
         }
         let (at, entry) = ensemble.states.iter().enumerate().find_map(|(at, state)| {
             let entries = entries(link, state).ok()?;
-            let fails = |(a, b): &(Measured, Measured)| a.value == known.lhs && b.value == known.rhs;
+            let fails = |(a, b): &(RunningError, RunningError)| a.value == known.lhs && b.value == known.rhs;
             let mut failing = entries.iter().enumerate().filter(|(_, sides)| fails(sides));
             match (failing.next(), failing.next()) {
                 (Some((entry, _)), None) => Some((at, entry)),
@@ -138,7 +138,7 @@ impl<'a> Failed<'a> {
                 return false;
             };
             let difference = a.value - b.value;
-            let off = |value: Measured| (value.value - difference).abs();
+            let off = |value: RunningError| (value.value - difference).abs();
             match value(formula, state) {
                 Some(value) if at == self.at => off(value) <= NEAR * difference.abs(),
                 Some(value) if difference.is_finite() => {
@@ -158,7 +158,7 @@ impl<'a> Failed<'a> {
         let alphabet = Alphabet::new(model, mode, fixed);
         let record = || {
             let state = SampledState::by(
-                Elimination::Cramer,
+                LinearSolver::CramersRule,
                 3,
                 model,
                 mode,
@@ -170,7 +170,7 @@ impl<'a> Failed<'a> {
         };
         let (graph, residual) = Graph::record(record).ok()?;
         let (left, right) = derive::equation_of_motion(&graph, residual?, &alphabet.letters).ok()?;
-        let holds = |state: &SampledState<'_, Measured>| match (value(&left, state), value(&right, state)) {
+        let holds = |state: &SampledState<'_, RunningError>| match (value(&left, state), value(&right, state)) {
             (Some(a), Some(b)) => (a.value - b.value).abs() <= NEAR * (a.magnitude + b.magnitude),
             _ => false,
         };
@@ -225,7 +225,7 @@ fn recorded(
         let coordinates: Vec<usize> = momenta.iter().map(|(coordinate, _)| *coordinate).collect();
         let values: Vec<Symbol> = (0..momenta.len()).map(|n| Symbol::input(first + n)).collect();
         exchange(model, ensemble.mode, &mut base, &coordinates, &values)?;
-        let state = ensemble.projection.state_by(Elimination::Cramer, &base, terms).ok()?;
+        let state = ensemble.projection.state_by(LinearSolver::CramersRule, &base, terms).ok()?;
         numbers(&state)
     };
     let (graph, found) = Graph::record(record).ok()?;
@@ -249,7 +249,7 @@ pub(crate) fn entries<B: Number>(link: &Link, state: &SampledState<'_, B>) -> Re
 }
 
 /// The value of a number at a state.
-pub(crate) fn value(formula: &Expr, state: &SampledState<'_, Measured>) -> Option<Measured> {
+pub(crate) fn value(formula: &Expr, state: &SampledState<'_, RunningError>) -> Option<RunningError> {
     match state.now(formula, &[]) {
         Ok(Value::Scalar(value)) => Some(value).filter(|value| value.value.is_finite()),
         _ => None,
@@ -356,17 +356,17 @@ fn letter(model: &Model, at: usize, slot: &Slot, n: usize) -> Option<Letter> {
 /// Puts the velocities of some coordinates into a base that belong to these momenta: p = M q̇ + b. Where L is not
 /// quadratic in them this is wrong, and what comes of it is not shown.
 fn exchange(model: &Model, mode: Mode, base: &mut [Symbol], coordinates: &[usize], momenta: &[Symbol]) -> Option<()> {
-    let (Some(world), false) = (&model.world, coordinates.is_empty()) else { return Some(()) };
+    let (Some(system), false) = (&model.system, coordinates.is_empty()) else { return Some(()) };
     let sorted = Base::of(&Layout::of(model, mode), base);
     let part = |order: usize| sorted.coordinates().map(|jet| jet.get(order).copied()).collect::<Option<Vec<_>>>();
     let (q, mut v) = (part(0)?, part(1)?);
     let parameters: Vec<Symbol> = model.parameters.iter().map(|place| sorted.constant(*place)[0]).collect();
     coordinates.iter().for_each(|i| v[*i] = Symbol::from(0.0));
-    let at_rest = world.quantities(sorted.time, &q, &v, &parameters).momenta;
-    let mass = world.mass_matrix(sorted.time, &q, &v, &parameters);
+    let at_rest = system.quantities(sorted.time, &q, &v, &parameters).momenta;
+    let mass = system.mass_matrix(sorted.time, &q, &v, &parameters);
     let block = DMatrix::from_fn(coordinates.len(), coordinates.len(), |i, j| mass[(coordinates[i], coordinates[j])]);
     let right = coordinates.iter().zip(momenta).map(|(i, p)| *p - at_rest[*i]).collect();
-    let velocities = solve_by(Elimination::Cramer, "mass matrix", block, right).ok()?;
+    let velocities = solve_with(LinearSolver::CramersRule, "mass matrix", block, right).ok()?;
     let slots = slots(model, mode);
     for (i, velocity) in coordinates.iter().zip(velocities) {
         let of = Some(model.coordinates[*i].symbol);
@@ -405,7 +405,7 @@ fn momenta(link: &Link, model: &Model) -> Vec<(usize, SymbolId)> {
     };
     let mut momenta = Vec::new();
     for (id, _) in &printed {
-        if let Some(Meaning::World(Quantity::Momentum(i))) = model.meaning(*id)
+        if let Some(Meaning::System(Quantity::Momentum(i))) = model.meaning(*id)
             && !moves(*i)
             && !momenta.contains(&(*i, *id))
         {

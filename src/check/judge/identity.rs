@@ -1,9 +1,9 @@
-//! Claims between two formulas: always, or on shell, under hypotheses.
+//! Claims that two formulas are equal, or ordered: always or on shell, under hypotheses.
 
 use crate::Result;
 use crate::code::Code;
 use crate::formula::Expr;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::certificate::unseen;
 use crate::check::judge::at_states::{AtStates, held_against_mutants};
@@ -25,7 +25,7 @@ use crate::check::verdict::finding::Finding;
 /// Checks a claim between two formulas; if it is refuted, the finding says what it is off by.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let finding = judged(link, context)?;
     Ok(if context.options.explain { difference::explained(link, context, finding) } else { finding })
@@ -93,7 +93,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         double_range::reached(link, context, &mut ensemble);
     }
     double_range::within_doubles(link, context, &mut ensemble)?;
-    let fails = |state: &SampledState<'_, Measured>| matches!(residual::test(link, state), Ok(Point::Fails(_)));
+    let fails = |state: &SampledState<'_, RunningError>| matches!(residual::test(link, state), Ok(Point::Fails(_)));
     ensemble.states.extend(branches::states(context, &ensemble)?.into_iter().filter(fails));
     let states = AtStates::new(link, &ensemble.states);
     let outcome = match states.run() {

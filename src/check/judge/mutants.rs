@@ -1,7 +1,17 @@
-//! The twins of a claim: the same claim with one slip in it, such as authors make.
+//! The mutants of a claim: the same claim with one slip in it, of a kind that authors make.
 //!
-//! A check that accepts a twin has not checked much. Every pass is held against its twins at the very states it used;
-//! the twins of a refuted claim that hold are what its author may have meant.
+//! Every pass is compared with its mutants at the states that it used. The mutants of a refuted claim that hold are
+//! what its author may have meant.
+//!
+//! # What mutants of a claim are for
+//!
+//! A state can be too special, a range too narrow, a tolerance too wide. So each equality that passes is tested on
+//! its own sensitivity: every claim that differs by one common slip must fail at the same states. One that does not
+//! fail may be *equivalent*, as true as the claim (λ₂ for λ₁ where λ₁ = λ₂ is assumed), or a *survivor*. To decide,
+//! states are drawn from wider ranges under the same hypotheses. A mutant that holds and fails with the claim is
+//! taken for equivalent; no proof is needed, and there is no false `undecided`. One that differs at any state is a
+//! survivor. If a claim is refuted and a mutant holds, the report suggests the mutant. These mutants change
+//! formulas, because a sentence in a claims file has no bytes in the notes; `latex::slips` changes the text.
 
 use std::cell::Cell;
 

@@ -1,20 +1,22 @@
-//! Which terms of a refuted equation do not fit what is true, where several are wrong at once.
+//! The wrong terms of a refuted equation, if several are wrong at once.
 //!
-//! All is brought to one side, the printed sums multiplied out, and every term evaluated at sampled states. The coefficients
-//! with which the terms add up to zero are the null vector of the matrix of these values, a row a number that should vanish,
-//! a column a term; where there is exactly one, the coefficients that are not 1 are the finding. Where there is none, what
-//! the equation is off by ([`super::difference`]) is held against the printed terms one by one: what is a multiple of a
-//! printed term changes its coefficient, and the rest is missing.
+//! Everything is brought to one side, sums are multiplied out, and every term is evaluated at sampled states. A row
+//! of the matrix is a number that should vanish; a column is a term. The coefficients in the null vector that are
+//! not 1 are the finding.
 //!
-//! The fit only proposes. It is told if its coefficients are small fractions and the equation made of them passes the full
-//! check, so no word of it is wrong: the equation holds with them. Terms that depend on one another have no single fit, and
-//! nothing is told.
+//! # What is reported where several terms are wrong
+//!
+//! No single edit corrects it, so the coefficients that the printed terms would need are computed. The terms at
+//! several states are the columns of a matrix, and its null vector is found by a singular value decomposition. With
+//! two null vectors nothing is said; with none, the difference in normal form is compared with the printed terms
+//! one by one. All this only proposes: what is reported has passed the full check with the coefficients as small
+//! fractions.
 
 use nalgebra::DMatrix;
 
 use crate::formula::tree::{Sign, Term};
 use crate::formula::{Expr, IndexId, Node};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 use crate::source::Span;
 
 use crate::check::judge::{difference, identity};
@@ -294,13 +296,13 @@ impl Printed<'_> {
 }
 
 /// The values of some terms at a state, term beside term, entry after entry; none, if one has no value or another shape.
-fn row_by_row(terms: &[&Expr], indices: &[(IndexId, u8)], state: &SampledState<'_, Measured>) -> Option<Vec<f64>> {
+fn row_by_row(terms: &[&Expr], indices: &[(IndexId, u8)], state: &SampledState<'_, RunningError>) -> Option<Vec<f64>> {
     let values: Vec<_> = terms.iter().map(|term| state.now(term, indices).ok()).collect::<Option<_>>()?;
     let shape = values.first()?.shape();
     if values.iter().any(|value| value.shape() != shape) {
         return None;
     }
-    let entries: Vec<Vec<Measured>> = values.iter().map(|value| value.entries()).collect();
+    let entries: Vec<Vec<RunningError>> = values.iter().map(|value| value.entries()).collect();
     let mut rows = Vec::new();
     for entry in 0..entries[0].len() {
         let row: Vec<f64> = entries.iter().map(|term| term[entry].value).collect();

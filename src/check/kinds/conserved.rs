@@ -20,7 +20,7 @@ use crate::check::verdict::finding::Finding;
 /// anything but families is assumed at all times.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if !context.model.has_motion() {
         return Ok(context.finding(

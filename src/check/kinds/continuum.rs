@@ -1,14 +1,20 @@
-//! Integrals as limits of sums: a body cut into ever finer cells, against a cubature of the same body.
+//! Integrals as limits of sums: a body is cut into ever finer cells and compared with the quadrature of the same
+//! body.
 //!
-//! The cells are particles with the mass of the density at their middle, and stand in for the family that the equation
-//! for particles sums over. What midpoints leave out is a series in the square of the cells' size; so from a few cuts the
-//! difference of the sides for vanishing cells is extrapolated, and nothing may be left of it.
+//! The cells are particles with the mass that the density gives them, in the place of the family that the equation
+//! sums over. The error of midpoints is a series in the square of the cell size, so the difference for vanishing
+//! cells is extrapolated from a few cuts and must be zero.
+//!
+//! A body is cut into cells, 2, 3 and 4 along each edge, with particles at their midpoints. The sum is compared
+//! with a cubature of the same body that is exact up to degree 7. The difference must fall at least as the power
+//! 1.5 of the cell size; midpoints give 2. To be near is not enough, because a missing factor of the density can be
+//! near too.
 
 use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, text};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::mutants_of;
 use crate::check::model::Model;
@@ -31,7 +37,7 @@ const LEFT: f64 = 0.02;
 /// Checks that a formula with integrals is the limit of one for particles.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let Some(at) = region(&link.lhs, context.model).or_else(|| region(&link.rhs, context.model)) else {
         return Ok(context.finding(
@@ -74,7 +80,7 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     for mutant in mutants_of(link, context.model) {
         let within = |most: f64| {
             let link = &mutant.link;
-            move |state: &SampledState<'_, Measured>| approach(link, at, state).is_ok_and(|(left, _)| left < most)
+            move |state: &SampledState<'_, RunningError>| approach(link, at, state).is_ok_and(|(left, _)| left < most)
         };
         // One that holds for all other bodies as well says the same.
         if ensemble.states.iter().all(within(LEFT)) && !wide.states.iter().all(within(5.0 * LEFT)) {
@@ -101,7 +107,11 @@ fn region(expr: &Expr, model: &Model) -> Option<usize> {
 }
 
 /// What is left of the difference of the sides for vanishing cells, beside the largest that was found; and that one.
-fn approach(link: &Link, at: usize, state: &SampledState<'_, Measured>) -> Result<(f64, Option<Failure>), Unavailable> {
+fn approach(
+    link: &Link,
+    at: usize,
+    state: &SampledState<'_, RunningError>,
+) -> Result<(f64, Option<Failure>), Unavailable> {
     let mut largest = 0.0_f64;
     let mut failure = None;
     let mut noise = 0.0_f64;

@@ -1,7 +1,11 @@
-//! Whether a definition is pinned: each slip in it must break something that is checked elsewhere.
+//! Whether a definition is tested: each slip in it must make another checked equation fail.
 //!
-//! A definition cannot be wrong by itself, and so it cannot be right either. It earns its verdict when every twin of
-//! it, put in its place, makes an equation that uses the symbol fail.
+//! # How a definition can be checked
+//!
+//! It cannot be wrong, so being used proves nothing. Every mutant of it is put in its place, at the states where
+//! the equations that use the name hold, and must break one of them. A mutant that breaks none, and is not the same
+//! formula in other words, makes the verdict `undecided`. Only = in an equation counts as a use. If a law names the
+//! definition, the equations that hold by law are tried with each mutant, in a model made with it.
 
 use crate::Result;
 use crate::code::Code;
@@ -36,7 +40,7 @@ pub struct User<'a> {
 /// The verdict on `symbol = formula`, which `users` stand on, and others `by_law`: a law that they hold by names the symbol.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(
     symbol: SymbolId,
     formula: &Expr,

@@ -1,9 +1,12 @@
-//! Claims that hold exactly when something else does: both where it holds and where it does not.
+//! Claims that hold if and only if a condition holds.
+//!
+//! The claim and its conditions must agree at every state, and there must be states of both kinds. Special states
+//! are tested, since such sentences fail at the edge, where two moments are equal.
 
 use crate::Result;
 use crate::code::Code;
 use crate::formula::{Value, evaluate, text};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::Context;
@@ -20,7 +23,7 @@ use crate::check::verdict::finding::Finding;
 /// Checks that `link` holds where one of the alternatives does, all conditions of it, and nowhere else.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_>) -> Result<Finding> {
     let conditions: Vec<&Hypothesis> = alternatives.iter().flatten().collect();
     let restates = |c: &Hypothesis| c.lhs == link.lhs && c.relation == link.relation && c.rhs == link.rhs;
@@ -40,7 +43,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     let hypotheses = context.hypotheses.iter().filter_map(boundary::of_hypothesis);
     let comparisons: Vec<_> = stated.into_iter().chain(hypotheses).collect();
     let forced = forced_value::of_formulas(&formulas, context, &ensemble);
-    let holds = |link: &Link, state: &SampledState<'_, Measured>| match residual::test(link, state) {
+    let holds = |link: &Link, state: &SampledState<'_, RunningError>| match residual::test(link, state) {
         Ok(Point::Holds(_)) => Some(true),
         Ok(Point::Fails(_)) => Some(false),
         _ => None,
@@ -48,7 +51,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     let (mut both, mut neither, mut other) = (0, 0, 0);
     let mut met_at = vec![0; alternatives.len()];
     let mut tried = 0;
-    let mut looked_at = |state: &SampledState<'_, Measured>, at_an_edge: bool| {
+    let mut looked_at = |state: &SampledState<'_, RunningError>, at_an_edge: bool| {
         tried += 1;
         let met = |hypothesis: &Hypothesis| {
             let Hypothesis { lhs, relation, rhs, free, .. } = hypothesis.clone();

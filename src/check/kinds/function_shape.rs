@@ -1,15 +1,20 @@
-//! Sentences about the shape of a function: its sign, its minima, its limits, how many solutions an equation has.
+//! Sentences about the shape of a function: its sign, its minima, its limits, the number of solutions of an
+//! equation.
 //!
-//! Here every symbol of the formula is an independent number (an *atom*): a momentum is a momentum, not what some state
-//! gives it. Random atoms would miss what happens only where two momenta are equal and opposite, or only for a fast top, so
-//! the special places are visited on purpose: like symbols equal and opposite, each at zero, angles at multiples of π/2,
-//! each constant and each momentum far larger and far smaller than the rest.
+//! Every symbol of the formula is an independent number (an *atom*), also a momentum.
+//!
+//! # Why these sentences are tested on independent numbers
+//!
+//! "U_eff has one minimum if p_φ ≠ p_ψ" is about a function with free parameters. So momenta and constants are
+//! independent numbers, not what a motion gives. Random numbers would never meet p_φ = −p_ψ, and most such
+//! sentences are wrong exactly at such places. They are visited on purpose: each number zero, much larger and much
+//! smaller than the rest; similar symbols equal, opposite and both zero; angles at multiples of π/2.
 
 use num_dual::Dual64;
 
 use crate::code::Code;
 use crate::formula::{Expr, Relation, SymbolId, text};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::kinds::scan::{Atoms, Look, Probe, difference};
 use crate::check::kinds::shape::{Shape, Target};
@@ -43,7 +48,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         formulas.push(value);
     }
     for (id, dots) in formulas.iter().flat_map(|formula| formula.symbols()) {
-        if dots > 0 || matches!(model.meaning(id), Some(Meaning::World(quantity)) if !is_momentum(*quantity)) {
+        if dots > 0 || matches!(model.meaning(id), Some(Meaning::System(quantity)) if !is_momentum(*quantity)) {
             let shown = crate::formula::text::with_dots(&model.name(id), dots);
             let message = format!("{shown} is not an independent number here: write it out");
             return context.finding(Code::NotSupported, Verdict::Unreadable, message);
@@ -206,7 +211,7 @@ fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, hypotheses: &[Hypo
         }
     }
     hypotheses.iter().all(|hypothesis| {
-        difference::<Measured>(state, hypothesis, model, Measured::new)
+        difference::<RunningError>(state, hypothesis, model, RunningError::new)
             .is_some_and(|difference| residual::holds(hypothesis.relation, difference))
     })
 }
@@ -233,7 +238,7 @@ fn newton(state: &mut Atoms, id: SymbolId, hypothesis: &Hypothesis, model: &Mode
             return true;
         }
     }
-    difference::<Measured>(state, hypothesis, model, Measured::new).is_some_and(residual::vanishes)
+    difference::<RunningError>(state, hypothesis, model, RunningError::new).is_some_and(residual::vanishes)
 }
 
 /// An equation as the function whose zeros solve it.

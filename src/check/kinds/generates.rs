@@ -1,7 +1,12 @@
 //! Hamilton's equations: whether a printed function of coordinates and momenta generates the motion.
 //!
-//! The formula is differentiated by its coordinates and momenta, each taken as independent (by AD over the formula);
-//! then q̇ = ∂H/∂p and ṗ = −∂H/∂q must be what the Lagrangian gives on shell, in numbers and over a field.
+//! The formula is differentiated by its coordinates and momenta, each independent; then q̇ = ∂H/∂p and ṗ = −∂H/∂q
+//! must be what the Lagrangian gives on shell, in numbers and over a field.
+//!
+//! That a printed H is the Hamiltonian can be tested by its value. But its use is that Hamilton's equations from it
+//! give the motion; a value at p = ∂L/∂q̇ does not say whether H is written in the right variables. So the printed
+//! formula is differentiated, with coordinates and momenta independent, and q̇ and ṗ are compared with the motion
+//! on shell.
 
 use num_dual::Dual;
 
@@ -9,8 +14,8 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::{Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, SymbolId, Value, text};
-use crate::scalar::field::Modulus;
-use crate::scalar::{Measured, Modular, Series};
+use crate::scalar::prime_field::Modulus;
+use crate::scalar::{Modular, RunningError, Series};
 
 use crate::check::certificate::claim::{Claim, Differences};
 use crate::check::certificate::decide;
@@ -23,13 +28,13 @@ use crate::check::state::{counterexample, residual};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::{Counterexample, Finding};
 
-/// Checks that `hamiltonian`, a formula of coordinates and momenta, generates the motion of the world.
+/// Checks that `hamiltonian`, a formula of coordinates and momenta, generates the motion of the system.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let model = context.model;
-    if model.world.is_none() {
+    if model.system.is_none() {
         return Ok(context.finding(
             Code::NotDecided,
             Verdict::Undecided,
@@ -43,7 +48,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     }
     // A momentum may have several names.
     let named = |wanted: Quantity| -> Vec<SymbolId> {
-        let is = |(_, meaning): &(usize, &Option<Meaning>)| matches!(meaning, Some(Meaning::World(q)) if *q == wanted);
+        let is = |(_, meaning): &(usize, &Option<Meaning>)| matches!(meaning, Some(Meaning::System(q)) if *q == wanted);
         model.meanings.iter().enumerate().filter(is).map(|(at, _)| SymbolId(at)).collect()
     };
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|v| v.symbol).collect();
@@ -62,15 +67,15 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     }
     let (mut points, mut worst) = (0, 0.0_f64);
     for (scene, base) in ensemble.states.iter().zip(&ensemble.bases) {
-        let base: Vec<Dual<Measured>> = base.iter().map(|x| Dual::from_re(Measured::new(*x))).collect();
+        let base: Vec<Dual<RunningError>> = base.iter().map(|x| Dual::from_re(RunningError::new(*x))).collect();
         let mut free = SampledState::new(model, mode, &base, &ensemble.rules)?;
         let Some(known) = scene.quantities() else { continue };
-        let values: Vec<Measured> = scene.coordinates().iter().chain(&known.momenta).map(Series::value).collect();
+        let values: Vec<RunningError> = scene.coordinates().iter().chain(&known.momenta).map(Series::value).collect();
         for place in 0..varied.len() {
-            let seeded: Vec<(SymbolId, Series<Dual<Measured>>)> = (0..varied.len())
+            let seeded: Vec<(SymbolId, Series<Dual<RunningError>>)> = (0..varied.len())
                 .flat_map(|other| varied[other].iter().map(move |id| (other, *id)))
                 .map(|(other, id)| {
-                    let slope = Measured::new(if other == place { 1.0 } else { 0.0 });
+                    let slope = RunningError::new(if other == place { 1.0 } else { 0.0 });
                     (id, Series::from_derivatives(&[Dual::new(values[other], slope)]))
                 })
                 .collect();
@@ -144,8 +149,8 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
 /// these the name does not say.
 fn fixed_by_the_state(formula: &Expr, model: &Model) -> Option<String> {
     formula.symbols().into_iter().find_map(|(id, _)| match model.meaning(id)? {
-        Meaning::World(Quantity::Momentum(_)) => None,
-        Meaning::World(_) | Meaning::Frame(_) => Some(model.name(id)),
+        Meaning::System(Quantity::Momentum(_)) => None,
+        Meaning::System(_) | Meaning::Frame(_) => Some(model.name(id)),
         Meaning::Defined(formula) => fixed_by_the_state(formula, model),
         _ => None,
     })

@@ -1,15 +1,16 @@
-//! A function of one variable, its other symbols fixed: what it does along its range.
+//! A function of one variable along its range, with its other symbols fixed.
 //!
-//! The range is walked on a grid, evenly inside and ever closer to its ends, and in decades where it has none. A hypothesis
-//! about the variable itself says where it runs: the other points are left out, and the edges of what is left are looked at
-//! closely. What is counted on the grid is counted on a finer one as well.
+//! The range is followed on a grid, evenly inside, more densely towards its ends, and in decades if it has no end.
+//!
+//! The variable is followed piece by piece where a hypothesis bounds it, with the edges of the pieces tested
+//! closely. Everything is counted twice, on grids of which one is three times finer; what changes is not counted.
 
 use num_dual::Dual;
 
 use crate::formula::{Environment, Expr, Moving, SymbolId, Symbols, Unavailable, Value, evaluate};
 use crate::latex::typeset;
 use crate::notes::claims::Range;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::kinds::limit::{Towards, sides};
 use crate::check::kinds::shape::{Shape, Target};
@@ -103,7 +104,7 @@ impl Probe<'_> {
         let atom = |(id, value): &(SymbolId, f64)| (*id, if *id == self.variable { x } else { *value });
         let atoms: Atoms = self.atoms.iter().map(atom).collect();
         self.bounds.iter().all(|hypothesis| {
-            difference::<Measured>(&atoms, hypothesis, self.model, Measured::new)
+            difference::<RunningError>(&atoms, hypothesis, self.model, RunningError::new)
                 .is_some_and(|difference| residual::holds(hypothesis.relation, difference))
         })
     }
@@ -158,13 +159,13 @@ impl Probe<'_> {
     }
 
     /// Value and slope at a point; a number that rounding drowns is none.
-    fn at(&self, x: f64) -> Option<(Measured, Measured)> {
+    fn at(&self, x: f64) -> Option<(RunningError, RunningError)> {
         let atom = |(id, value): &(SymbolId, f64)| match *id == self.variable {
-            true => (*id, Dual::new(Measured::new(x), Measured::new(1.0))),
-            false => (*id, Dual::from_re(Measured::new(*value))),
+            true => (*id, Dual::new(RunningError::new(x), RunningError::new(1.0))),
+            false => (*id, Dual::from_re(RunningError::new(*value))),
         };
         let still = Still { symbols: &self.model.symbols, values: self.atoms.iter().map(atom).collect() };
-        let value: Dual<Measured> = value_of(self.function, &still)?;
+        let value: Dual<RunningError> = value_of(self.function, &still)?;
         (value.re.value.is_finite() && value.eps.value.is_finite()).then_some((value.re, value.eps))
     }
 
@@ -216,19 +217,19 @@ impl Probe<'_> {
         let (mut positive, mut negative, mut seen) = (false, false, 0);
         let mut signs: Vec<(f64, f64, f64, f64)> = Vec::new();
         let mut last_value = None;
-        let clear = |m: Measured| if residual::vanishes(m) { 0.0 } else { m.value.signum() };
+        let clear = |m: RunningError| if residual::vanishes(m) { 0.0 } else { m.value.signum() };
         for (x, is_first) in self.pieces(range, 1).into_iter().flat_map(beginning) {
             if is_first {
                 last_value = None;
             }
             let Some((value, slope)) = self.at(x) else { continue };
             seen += 1;
-            let first: Measured = *first.get_or_insert(value);
+            let first: RunningError = *first.get_or_insert(value);
             let (sign, slope_sign) = (clear(value), clear(slope));
             positive |= sign > 0.0;
             negative |= sign < 0.0;
             let fails = |found: f64, what: &str| Look::Fails { at: Some(x), found, wanted: 0.0, what: what.to_owned() };
-            let step = last_value.map(|last: Measured| clear(value - last));
+            let step = last_value.map(|last: RunningError| clear(value - last));
             last_value = Some(value);
             match shape {
                 Shape::Rises if step.is_some_and(|step| step < 0.0) => return fails(value.value, "it falls to here"),
@@ -319,7 +320,7 @@ impl Probe<'_> {
                 }
             }
         };
-        let steps: Vec<(f64, Measured)> = (2..=NEAREST)
+        let steps: Vec<(f64, RunningError)> = (2..=NEAREST)
             .filter_map(|k| {
                 let x = end + inward * 0.5f64.powi(k);
                 let (value, _) = self.at(x)?;
@@ -361,7 +362,7 @@ fn closer(name: &str, what: &str, found: usize, finer: usize) -> String {
 }
 
 /// Whether two values of a function are clearly not one.
-fn has_changed(first: Measured, value: Measured) -> bool {
+fn has_changed(first: RunningError, value: RunningError) -> bool {
     let difference = value - first;
     difference.value.abs() > CHANGED * difference.magnitude
 }

@@ -1,4 +1,4 @@
-//! The shapes of functions that sentences speak of: minima, divergences, monotony, signs.
+//! The shapes of functions that sentences mention: minima, divergences, monotony, signs.
 
 use crate::formula::Expr;
 

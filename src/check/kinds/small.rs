@@ -1,15 +1,18 @@
-//! Claims that hold while some quantities are small: `A ≈ B` to an order in ε, when those are scaled by ε.
+//! Claims that hold while some quantities are small: `A ≈ B` to an order in ε, when these are scaled by ε.
 //!
-//! From each state a family of states is made in which the small quantities are ε times what they were and everything
-//! that is free stays. Along it the difference of the sides must fall faster than the order that is claimed, as a power
-//! that is measured; and it must be the world that makes it fall: a claim whose terms are all that small anyhow, off
-//! shell too, says nothing.
+//! # When something holds for small quantities
+//!
+//! They are scaled together by 2⁻², …, 2⁻⁸, and the rest of the state stays; on shell the motion follows. The power
+//! with which the difference falls is measured from the last three steps above rounding: order + ¾ or more is a
+//! pass, order + ¼ or less a counterexample, and the range between is `undecided`. It is measured to 2⁻²⁰ as well,
+//! as far as rounding allows: cos θ ≈ 1 − 10⁻⁵θ looks right for long. If the power is reached off shell too, the
+//! claim is small whatever the motion and says nothing. Mutants are tried as for an identity.
 
 use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, Value};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::mutants_of;
 use crate::check::model::Model;
@@ -46,18 +49,18 @@ const SLACK: f64 = 0.25;
 
 /// States along which some quantities become small.
 pub(crate) struct Shrinkage<'m> {
-    states: Vec<SampledState<'m, Measured>>,
+    states: Vec<SampledState<'m, RunningError>>,
     /// Where they are smaller still, and at which step.
-    further: Vec<(i32, SampledState<'m, Measured>)>,
+    further: Vec<(i32, SampledState<'m, RunningError>)>,
 }
 
 /// A state, and what fails there.
-type Shown<'s, 'm> = (&'s SampledState<'m, Measured>, Failure);
+type Shown<'s, 'm> = (&'s SampledState<'m, RunningError>, Failure);
 
 /// A few families of states for claims about what stands in some formulas, and in others like them.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub(crate) fn screen<'m>(
     model: &'m Model,
     mode: Mode,
@@ -80,7 +83,7 @@ fn missed(order: u32) -> f64 {
 /// Checks a claim to an order in some small quantities: always, else on shell.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Result<Finding> {
     let on_shell = context.on_shell.unwrap_or(context.model.has_motion());
     let wanted = f64::from(order + 1) - SLACK;
@@ -247,7 +250,7 @@ fn families<'m>(
 impl<'m> Shrinkage<'m> {
     /// Whether the difference of the sides falls as this power at least, in the last steps or on the whole.
     fn falls(&self, link: &Link, least: f64) -> bool {
-        let at = |state: &SampledState<'_, Measured>| -> Option<f64> {
+        let at = |state: &SampledState<'_, RunningError>| -> Option<f64> {
             let sides = pair(state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?);
             Some(sides.0.iter().zip(&sides.1).map(|(a, b)| (a.value - b.value).abs()).fold(0.0, f64::max))
         };
@@ -300,7 +303,10 @@ impl<'m> Shrinkage<'m> {
 
 /// The difference of the sides at a state, what rounding may make of it, and the entry where it is largest; nothing where
 /// too little is left of a number.
-fn error(link: &Link, state: &SampledState<'_, Measured>) -> Result<Option<(f64, f64, Option<Failure>)>, Unavailable> {
+fn error(
+    link: &Link,
+    state: &SampledState<'_, RunningError>,
+) -> Result<Option<(f64, f64, Option<Failure>)>, Unavailable> {
     let (lhs, rhs) = pair(state.now(&link.lhs, &[])?, state.now(&link.rhs, &[])?);
     let (mut error, mut noise, mut failure) = (0.0_f64, 0.0_f64, None);
     for (a, b) in lhs.into_iter().zip(rhs) {

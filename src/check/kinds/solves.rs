@@ -7,7 +7,7 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, SymbolId, Value};
 use crate::notes::claims::Range;
-use crate::scalar::{Measured, Series};
+use crate::scalar::{RunningError, Series};
 
 use crate::check::certificate::solutions::certify_solutions;
 use crate::check::judge::mutants::mutants_of;
@@ -31,7 +31,7 @@ const PER_DECADE: i32 = 8;
 /// Checks that `branch` is a solution of `target` for `unknown`; there may be others.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check_branch(target: &Link, unknown: SymbolId, branch: &Expr, context: &Context<'_>) -> Result<Finding> {
     put_in_and_count(target, unknown, std::slice::from_ref(branch), false, context)
 }
@@ -39,7 +39,7 @@ pub fn check_branch(target: &Link, unknown: SymbolId, branch: &Expr, context: &C
 /// Checks that `branches` are the solutions of `target` for `unknown`, and all of them.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn check(target: &Link, unknown: SymbolId, branches: &[Expr], context: &Context<'_>) -> Result<Finding> {
     put_in_and_count(target, unknown, branches, true, context)
 }
@@ -147,7 +147,7 @@ fn survivor(
     unknown: SymbolId,
     branches: &[Expr],
     context: &Context<'_>,
-    states: &mut [SampledState<'_, Measured>],
+    states: &mut [SampledState<'_, RunningError>],
     used: &[usize],
 ) -> Option<String> {
     for branch in branches {
@@ -177,8 +177,8 @@ fn survivor(
 fn put_in(
     target: &Link,
     unknown: SymbolId,
-    value: Measured,
-    state: &mut SampledState<'_, Measured>,
+    value: RunningError,
+    state: &mut SampledState<'_, RunningError>,
 ) -> Result<Point, crate::formula::Unavailable> {
     state.set_only(&[(unknown, Series::constant(value))]);
     let point = residual::test(target, state);
@@ -189,7 +189,7 @@ fn put_in(
 fn refuted(
     target: &Link,
     context: &Context<'_>,
-    state: &SampledState<'_, Measured>,
+    state: &SampledState<'_, RunningError>,
     failure: &Failure,
     points: usize,
 ) -> Finding {
@@ -203,10 +203,10 @@ fn refuted(
 }
 
 /// How many real roots `target` has in the unknown at a state.
-fn count_roots(target: &Link, unknown: SymbolId, state: &mut SampledState<'_, Measured>) -> usize {
+fn count_roots(target: &Link, unknown: SymbolId, state: &mut SampledState<'_, RunningError>) -> usize {
     let range = state.model().range(unknown);
     let roots = roots_on_the_grid(&range, |x| {
-        state.set_only(&[(unknown, Series::from_derivatives(&[Measured::new(x)]))]);
+        state.set_only(&[(unknown, Series::from_derivatives(&[RunningError::new(x)]))]);
         match (state.now(&target.lhs, &[]), state.now(&target.rhs, &[])) {
             (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) => (a - b).value,
             _ => f64::NAN,

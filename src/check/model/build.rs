@@ -14,7 +14,7 @@ pub(crate) fn build(claims: &Claims, empty: Model, registry: &Registry) -> Resul
     builder.indices()?;
     builder.declarations()?;
     builder.axes()?;
-    builder.world(registry)?;
+    builder.system(registry)?;
     builder.components()?;
     builder.means()?;
     builder.momenta();

@@ -1,7 +1,7 @@
-//! The claims file's declarations made into a model: every name gets its meaning, and the world its symbols.
+//! The claims file's declarations made into a model: every name gets its meaning, and the system its symbols.
 //!
-//! What the prose defines (`"define"`) is not read here but together with the displays ([`crate::check::document::reading`]), since the
-//! two may stand on each other.
+//! What the claims file defines (`"define"`) is read together with the displays
+//! ([`crate::check::document::reading`]), since each may use the other.
 
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Kind, SymbolId, text};

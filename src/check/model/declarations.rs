@@ -212,7 +212,7 @@ impl Builder<'_> {
                 Axes::Fixed => {
                     let name = self.name(latex)?;
                     if name.subscript.iter().any(|token| self.model.symbols.index(token).is_some()) {
-                        let id = self.add(latex, Kind::Vector, Meaning::World(Quantity::SpaceAxes))?;
+                        let id = self.add(latex, Kind::Vector, Meaning::System(Quantity::SpaceAxes))?;
                         self.three(latex, id)?;
                     } else {
                         if fixed == 3 {

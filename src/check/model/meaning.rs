@@ -7,7 +7,7 @@ use crate::notes::claims::{Range, SolidKind, Turning};
 /// What gives a symbol its value.
 #[derive(Clone, Debug)]
 pub enum Meaning {
-    /// The i-th coordinate of the world.
+    /// The i-th coordinate of the system.
     Coordinate(usize),
     /// A constant, by its place among [`Model::constants`].
     Constant(usize),
@@ -15,8 +15,8 @@ pub enum Meaning {
     Varying(usize),
     /// The time.
     Time,
-    /// Something that the world determines.
-    World(Quantity),
+    /// Something that the system determines.
+    System(Quantity),
     /// A formula of other symbols, and of its own indices.
     Defined(Box<Expr>),
     /// An elementary rotation about a fixed axis.
@@ -107,7 +107,7 @@ pub struct Piece {
     pub hollow: bool,
 }
 
-/// What a world determines at a state.
+/// What a system determines at a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the quantity of its name")]
 pub enum Quantity {

@@ -1,4 +1,4 @@
-//! What the symbols of a document mean: the claims file's declarations, tied to the world that they describe.
+//! What the symbols of a document mean: the claims file's declarations, tied to the system that they describe.
 //!
 //! The model is where the printed side and the derived side meet. It owns the table of names and knows for each what
 //! gives it its value: a coordinate, a parameter, something that the Lagrangian determines, a formula that the prose or
@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::formula::symbols::{Components, Name};
 use crate::formula::{Expr, SymbolId, Symbols};
 use crate::latex::Macros;
-use crate::mechanics::World;
+use crate::mechanics::System;
 use crate::notes::claims::Range;
 
 use crate::check::model::claim::{Law, Lost};
@@ -37,10 +37,10 @@ pub struct Model {
     /// What each means, by [`SymbolId`]; a symbol that was read and not yet explained has none.
     pub meanings: Vec<Option<Meaning>>,
     /// What is true, if the claims name a system.
-    pub world: Option<Arc<World>>,
-    /// The world's coordinates in its order; without a world, the declared ones.
+    pub system: Option<Arc<System>>,
+    /// The world's coordinates in its order; without a system, the declared ones.
     pub coordinates: Vec<Variable>,
-    /// All constants; the world's parameters are among them.
+    /// All constants; the system's parameters are among them.
     pub constants: Vec<Variable>,
     /// The world's parameters in its order, by their places among the constants.
     pub parameters: Vec<usize>,
@@ -74,7 +74,7 @@ impl Model {
         Model {
             symbols,
             meanings: Vec::new(),
-            world: None,
+            system: None,
             coordinates: Vec::new(),
             constants: Vec::new(),
             parameters: Vec::new(),
@@ -107,7 +107,7 @@ impl Model {
 
     /// Whether anything says how things move: a system, or laws.
     pub fn has_motion(&self) -> bool {
-        self.world.is_some() || !self.laws.is_empty()
+        self.system.is_some() || !self.laws.is_empty()
     }
 
     /// Whether a formula depends on one of these symbols, through definitions too.
@@ -115,7 +115,7 @@ impl Model {
         expr.symbols().iter().any(|(id, _)| self.stands_on(*id, symbols))
     }
 
-    /// Whether a formula is made of drawn symbols and definitions alone, of nothing that a world or a frame determines.
+    /// Whether a formula is made of drawn symbols and definitions alone, of nothing that a system or a frame determines.
     pub fn is_plain(&self, expr: &Expr) -> bool {
         expr.symbols().iter().all(|(id, _)| match self.meaning(*id) {
             Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Coordinate(_) | Meaning::FixedAxis(_)) => true,

@@ -12,8 +12,8 @@ pub fn derivatives(expr: &Expr, model: &Model) -> usize {
         Node::TimeDerivative(order, _) => inner + usize::from(*order),
         Node::Symbol { id, dots, .. } => {
             let own = match model.meaning(*id) {
-                Some(Meaning::World(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)) => 0,
-                Some(Meaning::World(_) | Meaning::Frame(FrameQuantity::AngularVelocity)) => 1,
+                Some(Meaning::System(Quantity::RotationMatrix | Quantity::BodyAxes | Quantity::SpaceAxes)) => 0,
+                Some(Meaning::System(_) | Meaning::Frame(FrameQuantity::AngularVelocity)) => 1,
                 Some(Meaning::Defined(formula)) => derivatives(formula, model),
                 _ => 0,
             };

@@ -1,6 +1,12 @@
-//! Meanings that point masses give a name: `inertia tensor of m_i at \vec r_i`.
+//! Meanings that depend on particles: `inertia tensor of m_i at \vec r_i`.
 //!
-//! The particles may be introduced by the notes themselves, so such a name is read together with the displays.
+//! The particles may be defined by the notes, so such a name is read together with the displays.
+//!
+//! # Why a family has three or four members
+//!
+//! With two members, Σ_{j≠i} is one term and ½ Σ Σ has a single pair, and mistakes in either are hidden. Three show
+//! them. Four beside three show a number where n is meant. Members are drawn independently, so no symmetry among
+//! them helps a false claim. More members would cost time, since the number of pairs grows.
 
 use crate::formula::shape::bind;
 use crate::formula::{Expr, Kind, Node};

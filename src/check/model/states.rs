@@ -1,8 +1,10 @@
-//! States that were found before: to move numbers onto hypotheses and laws takes most of the time of a claim that has
-//! them, and every text that is tried in the place of an equation is judged at the same states.
+//! Sampled states that are kept, so that constraint projection is not repeated.
 //!
-//! What is kept are the numbers of the states; a hit is what a search would find, as the stream of a claim depends on its
-//! name and the seed alone.
+//! What is kept are the numbers of the states. A kept state is the one that would be drawn again, since the stream
+//! of a claim depends only on its name and the seed.
+//!
+//! Constraint projection takes most of the time of a check. So the states of a model are kept, and every text is
+//! judged at the same ones.
 
 use std::sync::{Arc, Mutex, PoisonError};
 

@@ -13,22 +13,22 @@ use std::sync::Arc;
 
 impl Builder<'_> {
     /// Ties the declared coordinates and constants to those of the system, by name or by `"read"`.
-    pub(crate) fn world(&mut self, registry: &Registry) -> Result<()> {
+    pub(crate) fn system(&mut self, registry: &Registry) -> Result<()> {
         let Some(reference) = &self.claims.system else { return Ok(()) };
-        let system = registry.get(&reference.name.value).ok_or_else(|| {
+        let lagrangian = registry.get(&reference.name.value).ok_or_else(|| {
             let error = self.error(&reference.name, format!("there is no system \"{}\"", reference.name.value));
             match suggest::nearest(&reference.name.value, registry.names()) {
                 Some(near) => error.help(format!("did you mean \"{near}\"?")),
                 None => error.help(format!("there are {}", registry.names().collect::<Vec<_>>().join(", "))),
             }
         })?;
-        let world = system.world()?;
+        let system = lagrangian.trace()?;
         for (target, symbol) in &reference.read {
-            let known = world.coordinates().iter().chain(world.parameters());
+            let known = system.coordinates().iter().chain(system.parameters());
             if !known.clone().any(|name| plain(name) == plain(&target.value)) {
                 let names: Vec<&str> = known.map(String::as_str).collect();
                 return Err(self
-                    .error(target, format!("\"{}\" has no \"{}\"", world.name(), target.value))
+                    .error(target, format!("\"{}\" has no \"{}\"", system.name(), target.value))
                     .help(format!("it has {}", names.join(", "))));
             }
             let name = self.name(symbol)?;
@@ -42,7 +42,7 @@ impl Builder<'_> {
         };
         let mut map = Vec::new();
         let mut coordinates = Vec::new();
-        for wanted in world.coordinates() {
+        for wanted in system.coordinates() {
             let found = self.model.coordinates.iter().find(|v| reads(&self.model.name(v.symbol), wanted));
             let variable = found.ok_or_else(|| self.missing(&reference.name, "coordinate", wanted))?;
             map.push(format!("{} is the coordinate {}", self.shown(variable.symbol), text::plain(wanted)));
@@ -53,7 +53,7 @@ impl Builder<'_> {
                 let name = self.model.name(variable.symbol);
                 let place = self.claims.declarations.iter().find(|d| plain(&d.name.value) == plain(&name));
                 let span = place.map_or(reference.name.span, |d| d.name.span);
-                let message = format!("{name} is not a coordinate of \"{}\"", world.name());
+                let message = format!("{name} is not a coordinate of \"{}\"", system.name());
                 return Err(Error::at(&self.claims.source, span, message)
                     .help("declare it under \"constants\" or \"varies with time\", or map it with \"read\""));
             }
@@ -62,15 +62,15 @@ impl Builder<'_> {
             self.model.mean(variable.symbol, Meaning::Coordinate(place));
         }
         self.model.coordinates = coordinates;
-        for wanted in world.parameters() {
+        for wanted in system.parameters() {
             let found = self.model.constants.iter().position(|v| reads(&self.model.name(v.symbol), wanted));
             let place = found.ok_or_else(|| self.missing(&reference.name, "parameter", wanted))?;
             let symbol = self.model.constants[place].symbol;
             map.push(format!("{} is the parameter {}", self.shown(symbol), text::plain(wanted)));
             self.model.parameters.push(place);
         }
-        self.model.inferred.push(format!("the system is {}: {}", world.name(), map.join(", ")));
-        self.model.world = Some(Arc::new(world));
+        self.model.inferred.push(format!("the system is {}: {}", system.name(), map.join(", ")));
+        self.model.system = Some(Arc::new(system));
         Ok(())
     }
 
@@ -101,7 +101,7 @@ impl Builder<'_> {
                 (_, 0) => Kind::Scalar,
                 _ => return Err(self.error(latex, format!("{name} has an index, and the {} has none", meaning.value))),
             };
-            let id = self.add(latex, kind, Meaning::World(quantity))?;
+            let id = self.add(latex, kind, Meaning::System(quantity))?;
             self.model.symbols.entry_mut(id).varies = true;
         }
         Ok(())
@@ -126,7 +126,7 @@ impl Builder<'_> {
     }
 
     fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {
-        let Some(world) = &self.model.world else {
+        let Some(system) = &self.model.system else {
             return Err(self.error(meaning, "nothing can be known here without a system").help("name a \"system\""));
         };
         if let Some(coordinate) = meaning.value.strip_prefix("momentum of ") {
@@ -146,23 +146,23 @@ impl Builder<'_> {
             }
         })?;
         let lacks = match quantity {
-            Quantity::KineticEnergy | Quantity::PotentialEnergy if !world.has_potential() => Some("potential energy"),
+            Quantity::KineticEnergy | Quantity::PotentialEnergy if !system.has_potential() => Some("potential energy"),
             Quantity::RotationMatrix | Quantity::AngularVelocity | Quantity::BodyAxes | Quantity::SpaceAxes
-                if !world.has_orientation() =>
+                if !system.has_orientation() =>
             {
                 Some("orientation")
             }
             _ => None,
         };
         match lacks {
-            Some(what) => Err(self.error(meaning, format!("the system \"{}\" gives no {what}", world.name()))),
+            Some(what) => Err(self.error(meaning, format!("the system \"{}\" gives no {what}", system.name()))),
             None => Ok(quantity),
         }
     }
 
     /// `p_q` is the momentum of each coordinate q, unless it is declared otherwise.
     pub(crate) fn momenta(&mut self) {
-        if self.model.world.is_none() {
+        if self.model.system.is_none() {
             return;
         }
         for place in 0..self.model.coordinates.len() {
@@ -171,7 +171,7 @@ impl Builder<'_> {
             let shown = name.to_string();
             if let Some(id) = self.model.symbols.add(name, Kind::Scalar) {
                 self.model.symbols.entry_mut(id).varies = true;
-                self.model.mean(id, Meaning::World(Quantity::Momentum(place)));
+                self.model.mean(id, Meaning::System(Quantity::Momentum(place)));
                 let (shown, coordinate) = (text::plain(&shown), text::plain(&coordinate));
                 self.model.inferred.push(format!("{shown} is the momentum of {coordinate}"));
             }

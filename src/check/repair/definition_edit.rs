@@ -1,8 +1,14 @@
-//! The edits of a display that defines a name, with which all that stands on the name holds.
+//! The edits of a display that defines a name after which everything that uses the name holds.
 //!
-//! A wrong equation may be right, and a definition that it stands on wrong; and a display may be wrong in what it defines
-//! itself. Such an edit makes another model. It is held against the equations that use the name ([`super::pins`]), then
-//! against the display itself in the other model, and what is left is offered if the whole document passes with it.
+//! Such an edit makes another model. It is compared with the equations that use the name, then with the display
+//! itself in the other model. It is offered if the whole document passes with it.
+//!
+//! # Where a wrong definition is corrected
+//!
+//! In the definition, not where it shows. Another text of the display is read, its meaning of a name is compared
+//! with everything that uses the name, and it is offered if the whole document passes. Definitions that contradict
+//! other uses of the name are looked for first; otherwise the rest of the display would be made to agree with the
+//! slip. What is wrong teaches nothing while it is corrected: units are inferred without it.
 
 use rayon::prelude::*;
 

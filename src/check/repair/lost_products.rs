@@ -6,7 +6,7 @@ use crate::formula::tree::{Function, Sign, Term};
 use crate::formula::{Expr, Kind, Node, SymbolId, Symbols};
 use crate::latex::slips::Pool;
 use crate::latex::{names, read_formula, typeset};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
@@ -77,7 +77,7 @@ impl Product {
 
 impl<'d> Factors<'d> {
     /// What stands in the display, in the document, and what the names of the document stand for.
-    pub fn of(checker: &'d Checker<'_>, wrong: &Wrong<'_>, scenes: &[SampledState<'_, Measured>]) -> Self {
+    pub fn of(checker: &'d Checker<'_>, wrong: &Wrong<'_>, scenes: &[SampledState<'_, RunningError>]) -> Self {
         let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
         let texts = checker.notes.equations.iter().map(|display| display.text.as_str());
         let printed = [

@@ -1,13 +1,19 @@
-//! What was left out of a wrong equation and stands nowhere else in the document, found from what is true.
+//! Terms and factors that are missing in a wrong equation and occur nowhere else in the document, computed from
+//! what is true.
 //!
-//! Every place where a term or a factor may have stood ([`slips::holes`]) is filled with two numbers. An equation in which
-//! what stood there is linear then says, at each of its states, which value it must have had. That value is looked for as
-//! a product of powers of what the document speaks of ([`product`]), and, where the states are symbols themselves, in
-//! normal form ([`super::difference`]), which may be a sum. Where vectors are added, the vectors of the document, their
-//! rates and their products are tried ([`vectors`]).
+//! A value is looked for as a product of powers ([`super::lost_products`]), in normal form, which may be a sum, and
+//! among vectors ([`super::lost_vectors`]). All this only proposes: every proposed edit gets the full check.
 //!
-//! All this only proposes. A value is fitted at some states and confirmed at others, and every edit that is proposed gets
-//! the full check. What merely takes away a printed term is not proposed: then nothing was lost, but something is wrong.
+//! # How something is found that stands nowhere else
+//!
+//! An author who leaves out the only `MgR` of the notes leaves nothing to copy. So two numbers are put into every
+//! place where a term or a factor may have stood. Where the equation is linear in it, each state gives the value
+//! that it must have had. The values are fitted by a product of powers: its logarithm is linear, so one orthogonal
+//! decomposition of the logarithms of the document's symbols serves all places. 48 states determine at most 24
+//! exponents, which must be whole; 24 further states confirm them; then comes the full check. What is no product is
+//! taken from the normal form. In a vector equation the same is asked for a multiple of each vector of the
+//! document; all components must agree on it. Any wrong equation can be made true by adding the difference. So
+//! nothing is inserted that removes a printed term or factor, neither in its own sum nor as all of the other side.
 
 use std::cell::OnceCell;
 
@@ -16,7 +22,7 @@ use crate::formula::{Expr, Node, text};
 use crate::latex::slips::{Edit, Hole, Slip};
 use crate::latex::{Reading, read_formula, slips, typeset};
 use crate::notes::claims::{Claim, Holds};
-use crate::scalar::{DualNum, Measured, Symbol, TERMS};
+use crate::scalar::{DualNum, RunningError, Symbol, TERMS};
 use crate::source::Span;
 
 use crate::check::certificate::formulas;
@@ -51,7 +57,7 @@ const MOST_FACTORS: usize = 4;
 const LONGEST: usize = 64;
 
 /// What a link is off by, entry after entry: left side minus right side, on the scale of the terms in both.
-type Rows = Vec<Measured>;
+type Rows = Vec<RunningError>;
 
 /// A wrong equation, at its states.
 pub(crate) struct Lost<'w, 'a> {
@@ -134,7 +140,7 @@ fn residuals(
     checker: &Checker<'_>,
     claim: &Claim,
     reading: &Reading,
-    state: &SampledState<'_, Measured>,
+    state: &SampledState<'_, RunningError>,
 ) -> Option<Rows> {
     let mut rows = Vec::new();
     for n in 0..reading.statements.len() {
@@ -152,7 +158,7 @@ fn residuals(
     Some(rows).filter(|rows| rows.iter().all(|row| row.value.is_finite()))
 }
 
-pub(crate) fn is_small(value: f64, row: &Measured) -> bool {
+pub(crate) fn is_small(value: f64, row: &RunningError) -> bool {
     value.abs() <= NEAR * row.magnitude
 }
 
@@ -188,7 +194,7 @@ impl<'w, 'a> Lost<'w, 'a> {
         reread::read(self.checker, &self.checker.model.macros, self.wrong.at, &text, self.wrong.claim)
     }
 
-    pub(crate) fn residuals(&self, reading: &Reading, scene: &SampledState<'_, Measured>) -> Option<Rows> {
+    pub(crate) fn residuals(&self, reading: &Reading, scene: &SampledState<'_, RunningError>) -> Option<Rows> {
         residuals(self.checker, self.wrong.claim, reading, scene)
     }
 

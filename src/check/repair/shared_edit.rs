@@ -1,9 +1,16 @@
-//! The edit of one display that mends several others.
+//! The edit of one display that corrects several others.
 //!
-//! Where a law has a slip, or a definition, whatever stands on it fails, and each of these equations could be made to agree
-//! with the slip. One slip in what they share is likelier than one in each of them. So where two equations or more are
-//! refuted, or one and a sentence, what they stand on, which may be one of them, is tried with every edit that undoes a
-//! slip, and an edit that mends several of them, and spoils nothing that held, is what each is offered.
+//! If several items are refuted, what they have in common, which may be one of them, is tried with every edit that
+//! undoes a slip.
+//!
+//! # Why one slip is preferred to several
+//!
+//! A law is taken for granted, and so is a definition that nothing tests. What depends on a wrong one fails, and
+//! each of these equations could be made to agree with the slip. One slip that explains several failures is more
+//! likely than one in each; a sentence that fails is a failure like any other. So edits of what the failures have
+//! in common are ranked by how many items they correct, and come before edits of each item. A display that cannot
+//! be read takes with it everything that depends on it, and is corrected in the same way. An edit with which
+//! something fails that held is no correction.
 
 use rayon::prelude::*;
 use std::cmp::{Ordering, Reverse};

@@ -1,10 +1,17 @@
-//! The single edits of the author's own text that make a wrong equation pass.
+//! The single edits of the author's text with which a wrong equation passes, and their ranking.
 //!
 //! A display that is refuted, or cannot be read, is tried with every edit that undoes a slip
-//! ([`crate::latex::slips::corrections`]). Those that hold at a few states get the full check, and only what passes it is
-//! offered: so no suggestion is wrong, though another one may have been meant. They are ranked by how likely the slip is.
-//! What may have been left out is looked for only where nothing else helps: first what the display itself has, then what
-//! other displays have, then what the sentences speak of, then what follows from what is true ([`super::lost`]).
+//! ([`crate::latex::slips::corrections`]). Those that hold at a few states get the full check, and only what passes
+//! it is offered. Suggestions are ranked by how likely the slip is. Missing terms are looked for only if nothing
+//! else helps: in the display, in other displays, in the sentences, and then by computation
+//! ([`super::lost_terms`]).
+//!
+//! # Why a suggestion is never false
+//!
+//! It has passed the check that the author's text failed. Another one may have been meant; so up to three are
+//! shown, the most likely first, and `--fix` acts on a single one or a clearly more likely one. Many true edits are
+//! silly: a factor that is the right side over the left one, or a sum of three terms that were all lost. These are
+//! not looked for.
 
 use rayon::prelude::*;
 use std::cell::Cell;

@@ -1,8 +1,13 @@
-//! What a wrong equation stands on, and nothing that holds does: the slip may be there as well.
+//! The displays that a wrong equation depends on and that no passing equation tests: the slip may be there.
 //!
-//! An equation that follows from a law or a definition is wrong if that is. Where something else holds by the same law, or
-//! through the same name, the law is vouched for, and the slip is in the equation; where nothing does, it may be in either.
-//! So it is within a chain that says what a name is, and then what that comes to.
+//! The same is asked within a chain that defines a name and then transforms it.
+//!
+//! # Where the slip may be if one equation fails
+//!
+//! It is in the equation or in what it depends on, and truth does not tell which. What else holds does: a law is
+//! trusted if a passing equation would fail without it, a definition if each slip in it would be noticed. That
+//! something true names it is not enough. What nothing tests is named beside the suggestions, with its most likely
+//! edit after the first one of the equation. `--fix` then leaves the file to the author.
 
 use crate::formula::SymbolId;
 use crate::latex::Introduced;

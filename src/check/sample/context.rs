@@ -32,7 +32,7 @@ pub struct Options {
 /// A claim's hypotheses and its name, which seeds its states.
 #[derive(Clone, Copy)]
 pub struct Context<'a> {
-    /// The symbols and the world.
+    /// The symbols and the system.
     pub model: &'a Model,
     /// Seed and number of states.
     pub options: Options,
@@ -63,7 +63,7 @@ impl<'a> Context<'a> {
         let needed = formulas.iter().map(|f| derivatives(f, self.model)).max();
         let stacked = on_shell && !self.model.laws.is_empty() || !self.local.is_empty();
         let needed = if stacked { needed.map(|n| n + beneath.unwrap_or(0)) } else { needed.max(beneath) };
-        let usual = if self.model.world.is_some() { 2 } else { 1 };
+        let usual = if self.model.system.is_some() { 2 } else { 1 };
         let least = if self.hypotheses.iter().any(|c| c.throughout) { 4 } else { usual };
         Mode { on_shell, order: (needed.unwrap_or(0) + 1).max(least).min(TERMS - 1) }
     }

@@ -1,13 +1,18 @@
-//! The states at which a claim is tested: drawn, and moved onto the claim's hypotheses.
+//! The sampled states of a claim: drawn, and projected onto its hypotheses.
 //!
-//! A hypothesis `A = B` is solved for one number of the base: one in which it is linear before others, higher derivatives
-//! before velocities before coordinates before constants. *Assuming* it, it holds at the instant; *throughout*, its time
-//! derivatives vanish too, each solved for a further number or found to vanish by itself. Inequalities select.
+//! *Assuming* a hypothesis, it holds at the instant; *throughout*, its time derivatives vanish too.
+//!
+//! # Why inequalities get special states
+//!
+//! Inequalities are not compared with mutants: a weaker inequality holds too, and is no mistake. What hides a fault
+//! is that random states are typical. So inequalities are also tested at special states: one number zero, of the
+//! other sign, 10³ and 10⁻³ times as large, or at an end of its range; and on shell too, since the motions are
+//! among all states and may be where it fails.
 
 use std::sync::Arc;
 
 use crate::notes::claims::Range;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 use crate::{Error, Result};
 
 use crate::check::hypotheses::rule::Rule;
@@ -28,7 +33,7 @@ const IN_HASTE: usize = 4;
 /// States that obey a setting.
 pub struct Ensemble<'m> {
     /// The states.
-    pub states: Vec<SampledState<'m, Measured>>,
+    pub states: Vec<SampledState<'m, RunningError>>,
     /// The base of each.
     pub bases: Vec<Vec<f64>>,
     /// How many were tried to get them.

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::formula::evaluate::Unavailable;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::claim::Link;
 use crate::check::state::residual;
@@ -24,7 +24,7 @@ pub struct Outcome {
 }
 
 /// Tests a link at all states.
-pub fn run(link: &Link, states: &[SampledState<'_, Measured>]) -> Result<Outcome, Unavailable> {
+pub fn run(link: &Link, states: &[SampledState<'_, RunningError>]) -> Result<Outcome, Unavailable> {
     gathered(states.len(), |at| residual::test(link, &states[at]))
 }
 

@@ -1,16 +1,27 @@
-//! How states are moved onto the hypotheses of a claim.
+//! Constraint projection: the numbers of a state are changed until the hypotheses of a claim hold.
 //!
-//! Each hypothesis that is no rule is solved for one number of the base, by Newton's method with derivatives from dual
-//! numbers. Which row is solved for which number is the *plan*; it is found at the first state that works, by pivoting,
-//! and kept for the others. A state counts when every hypothesis is then seen to hold.
+//! Which hypothesis is solved for which number is the *plan*. It is found at the first state that works, by
+//! pivoting, and kept for the others.
+//!
+//! # How hypotheses are met
+//!
+//! Rejecting states cannot meet an equality. Each equality is solved for one number of the state by Newton's
+//! method, with derivatives from dual numbers. Pivoting chooses the number: higher derivatives before velocities
+//! before coordinates before constants; within a class a number in which the equality is linear first; and only
+//! where the Jacobian of all equalities together stays regular. `throughout` adds the time derivatives of the
+//! hypothesis as rows; one that vanishes by itself needs no number. A number that is declared not to vanish and
+//! would have to comes last: at rest sin θ is 0 and not g. Inequalities select. Every state is tested against all
+//! hypotheses before it is used. So (6.74) is checked from "θ̇ = 0 at all times" alone: that θ̈ = 0 then fixes a
+//! second velocity is found. If no motion obeys the hypotheses, the claim is `undecided`, also if it is false off
+//! shell, since a state that is no motion refutes nothing about motions.
 
 use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
 use std::sync::Arc;
 
 use crate::formula::{Expr, Node, Relation};
-use crate::mechanics::Elimination;
-use crate::scalar::{Measured, Number, Series};
+use crate::mechanics::LinearSolver;
+use crate::scalar::{Number, RunningError, Series};
 use crate::{Error, Result};
 
 use crate::check::hypotheses::explicit::rules;
@@ -62,7 +73,7 @@ pub struct Projection<'m> {
 /// A base that was moved onto the equalities, as a state, and the hypotheses that are known to hold there.
 struct Moved<'m> {
     base: Vec<f64>,
-    state: SampledState<'m, Measured>,
+    state: SampledState<'m, RunningError>,
     obeys: Vec<usize>,
 }
 
@@ -141,24 +152,24 @@ impl<'m> Projection<'m> {
     }
 
     fn state<B: Number>(&self, base: &[B], terms: usize) -> Result<SampledState<'m, B>> {
-        self.state_by(Elimination::Pivots, base, terms)
+        self.state_by(LinearSolver::PartialPivoting, base, terms)
     }
 
     /// The state of a base, the mass matrix inverted in the given way.
     pub(crate) fn state_by<B: Number>(
         &self,
-        elimination: Elimination,
+        solver: LinearSolver,
         base: &[B],
         terms: usize,
     ) -> Result<SampledState<'m, B>> {
-        let state = SampledState::by(elimination, terms, self.model, self.mode, (&self.layout, base), &self.rules)?;
+        let state = SampledState::by(solver, terms, self.model, self.mode, (&self.layout, base), &self.rules)?;
         let joined = state.join();
         joined.map_err(|_| Error::new("families that are joined must be families of one label"))?;
         Ok(state)
     }
 
     /// The state near a base at which every hypothesis holds, if there is one.
-    pub(crate) fn project(&mut self, base: Vec<f64>) -> Result<Option<(Vec<f64>, SampledState<'m, Measured>)>> {
+    pub(crate) fn project(&mut self, base: Vec<f64>) -> Result<Option<(Vec<f64>, SampledState<'m, RunningError>)>> {
         let Some(Moved { base, state, obeys }) = self.solve(base)? else {
             self.progress.moved.0 += 1;
             // To look further costs more the less there is to be found.
@@ -194,7 +205,7 @@ impl<'m> Projection<'m> {
     }
 
     /// Solves the rows that are not planned yet, from a base that obeys those that are.
-    fn complete(&mut self, mut base: Vec<f64>, mut state: SampledState<'m, Measured>) -> Result<Option<Moved<'m>>> {
+    fn complete(&mut self, mut base: Vec<f64>, mut state: SampledState<'m, RunningError>) -> Result<Option<Moved<'m>>> {
         let rows = self.rows(&state);
         if rows.len() > MOST {
             self.progress.hopeless = true;
@@ -224,14 +235,14 @@ impl<'m> Projection<'m> {
     }
 
     /// The hypotheses all of whose rows vanish.
-    fn obeyed(&self, rows: &[(Row, Measured)]) -> Vec<usize> {
+    fn obeyed(&self, rows: &[(Row, RunningError)]) -> Vec<usize> {
         let of = |at: usize| rows.iter().filter(move |(row, _)| row.0 == at).map(|(_, value)| *value);
         let vanish = |at: &usize| of(*at).next().is_some() && of(*at).all(residual::vanishes);
         self.equalities().map(|(at, _)| at).filter(vanish).collect()
     }
 
-    pub(crate) fn measured(&self, base: &[f64]) -> Result<SampledState<'m, Measured>> {
-        let base: Vec<Measured> = base.iter().map(|x| Measured::new(*x)).collect();
+    pub(crate) fn measured(&self, base: &[f64]) -> Result<SampledState<'m, RunningError>> {
+        let base: Vec<RunningError> = base.iter().map(|x| RunningError::new(*x)).collect();
         self.state(&base, self.mode.order + 1)
     }
 
@@ -276,7 +287,7 @@ impl<'m> Projection<'m> {
         let hypothesis = &self.hypotheses[row.0];
         let sides = [&hypothesis.lhs, &hypothesis.rhs];
         // What nothing but drawn symbols is made of depends on those in it, and on no higher derivatives.
-        let moves = self.mode.on_shell && self.model.world.is_some();
+        let moves = self.mode.on_shell && self.model.system.is_some();
         let plain = sides.iter().all(|side| self.model.is_plain(side)) && self.rules.is_empty() && !moves;
         let concerns = |slot: &Slot| {
             let Some(symbol) = slot.symbol else { return !plain };
@@ -365,7 +376,7 @@ impl<'m> Projection<'m> {
     }
 
     /// Moves a base until the rows of a plan are as near to 0 as rounding lets them come, if they do; the state there.
-    fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<Option<SampledState<'m, Measured>>> {
+    fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<Option<SampledState<'m, RunningError>>> {
         let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
         let in_range = |base: &[f64]| plan.iter().all(|(_, slot)| self.allows(*slot, base[*slot]));
         let (mut shortest, mut stalled) = (f64::INFINITY, 0);
@@ -388,7 +399,7 @@ impl<'m> Projection<'m> {
                 return Ok(None);
             }
             let state = self.measured(base)?;
-            let is_noise = |value: &Measured| value.value.abs() <= f64::EPSILON * value.magnitude;
+            let is_noise = |value: &RunningError| value.value.abs() <= f64::EPSILON * value.magnitude;
             let values = || self.values(&state, &rows);
             if largest < 1e-15 || is_last || values().is_some_and(|values| values.iter().all(is_noise)) {
                 return Ok(in_range(base).then_some(state));
@@ -398,7 +409,7 @@ impl<'m> Projection<'m> {
     }
 
     /// Whether every hypothesis holds at a state, beside those of which that is known.
-    fn accepts(&mut self, state: &SampledState<'m, Measured>, obeyed: &[usize]) -> bool {
+    fn accepts(&mut self, state: &SampledState<'m, RunningError>, obeyed: &[usize]) -> bool {
         // Rules hold by what they are, unless one undoes another: that shows at once.
         let all = self.progress.accepted < 2;
         let is_open = |(at, _): &(usize, &Hypothesis)| (all || !self.explicit[*at]) && !obeyed.contains(at);

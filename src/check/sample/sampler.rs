@@ -1,7 +1,9 @@
-//! Numbers for a state: independent values over the declared ranges, away from the places where faults hide.
+//! Numbers for a state: independent values in the declared ranges, away from special values.
 //!
-//! Angles stay away from the multiples of π/2, numbers from zero, and symbols that are alike from each other. The
-//! stream depends on the seed and on the claim alone, so that `--only` and the number of threads change nothing.
+//! Angles stay away from the multiples of π/2, numbers from zero, and similar symbols from each other.
+//!
+//! States come from PCG, whose stream is fixed, seeded by `--seed` and the name of the claim. So `--only` and the
+//! number of threads change nothing, and a report repeats byte for byte.
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};

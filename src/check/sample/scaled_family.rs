@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
@@ -43,7 +43,7 @@ impl<'m> Family<'m> {
     ///
     /// # Errors
     /// When the mass matrix is singular there.
-    pub fn at(&mut self, base: &[f64], values: &[f64]) -> Result<Option<SampledState<'m, Measured>>> {
+    pub fn at(&mut self, base: &[f64], values: &[f64]) -> Result<Option<SampledState<'m, RunningError>>> {
         let laws: usize = match self.projection.mode.on_shell {
             true => self.projection.model.laws.iter().map(|law| law.hypotheses.len()).sum(),
             false => 0,

@@ -1,12 +1,13 @@
-//! States at the edge of an inequality: where its two sides are equal, and just to both sides of that.
+//! States at the boundary of an inequality, where its two sides are equal, and just to both sides of it.
 //!
-//! States drawn at random come near no edge, so a > b and a > 1.001 b are the same to them, and a ≥ b as well. Here the
-//! equality is solved, under the hypotheses, as one of them is.
+//! No random state comes near an edge. So the equality of each inequality, of the claim and of its hypotheses, is
+//! solved, and the edge and both sides of it are tested. Where the sides touch and do not cross, as a² + b² and 2ab
+//! do, Newton's method finds the edge to half of the digits; such a state counts only if no other is at its edge.
 
 use crate::Result;
 use crate::formula::{Expr, Value};
 use crate::notes::claims::Range;
-use crate::scalar::{Measured, Series, TERMS};
+use crate::scalar::{RunningError, Series, TERMS};
 
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::sample::context::Context;
@@ -64,7 +65,7 @@ pub(crate) fn states<'m>(
     context: &Context<'m>,
     ensemble: &Ensemble<'m>,
     special: &Ensemble<'m>,
-) -> Result<Vec<SampledState<'m, Measured>>> {
+) -> Result<Vec<SampledState<'m, RunningError>>> {
     let setting =
         Setting { hypotheses: context.hypotheses, local: context.local, mode: ensemble.mode, reach: context.reach };
     let mut found = Vec::new();
@@ -74,7 +75,7 @@ pub(crate) fn states<'m>(
         }
         let difference = lhs.clone().minus(rhs.clone());
         let mut family = Family::new(context.model, &setting, &[difference]);
-        let beside = |state: &SampledState<'_, Measured>| {
+        let beside = |state: &SampledState<'_, RunningError>| {
             let sides = (state.now(lhs, &[]), state.now(rhs, &[]));
             let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = sides else { return None };
             Some(BESIDE * (a.magnitude + b.magnitude))
@@ -106,7 +107,7 @@ pub(crate) fn states<'m>(
 }
 
 /// Whether the sides of a comparison are far from equal at a state.
-pub(crate) fn is_clear((lhs, rhs): &Comparison, state: &SampledState<'_, Measured>) -> bool {
+pub(crate) fn is_clear((lhs, rhs): &Comparison, state: &SampledState<'_, RunningError>) -> bool {
     let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = (state.now(lhs, &[]), state.now(rhs, &[])) else {
         return false;
     };
@@ -115,9 +116,9 @@ pub(crate) fn is_clear((lhs, rhs): &Comparison, state: &SampledState<'_, Measure
 }
 
 /// The numbers that are drawn of a state, those that vary with their rates.
-fn numbers(state: &SampledState<'_, Measured>) -> Vec<(Range, f64)> {
+fn numbers(state: &SampledState<'_, RunningError>) -> Vec<(Range, f64)> {
     let model = state.model();
-    let rates = |range: &Range, series: &Series<Measured>| -> Vec<(Range, f64)> {
+    let rates = |range: &Range, series: &Series<RunningError>| -> Vec<(Range, f64)> {
         let range = |order| if order == 0 { range.clone() } else { Range::Any };
         let rate = |order| Some((range(order), series.nth_derivative_value(order)?.value));
         (0..series.known()).filter_map(rate).collect()
@@ -135,13 +136,13 @@ fn numbers(state: &SampledState<'_, Measured>) -> Vec<(Range, f64)> {
 }
 
 /// How far two states are apart.
-fn distance(a: &SampledState<'_, Measured>, b: &SampledState<'_, Measured>) -> f64 {
+fn distance(a: &SampledState<'_, RunningError>, b: &SampledState<'_, RunningError>) -> f64 {
     numbers(a).iter().zip(numbers(b)).map(|((_, a), (_, b))| (a - b).abs()).fold(0.0, f64::max)
 }
 
 /// Whether no number of a state has run to an end that its range leaves out: there both sides may be equal to rounding,
 /// though they are equal nowhere in the range.
-pub(crate) fn is_ordinary(state: &SampledState<'_, Measured>) -> bool {
+pub(crate) fn is_ordinary(state: &SampledState<'_, RunningError>) -> bool {
     numbers(state).iter().all(|(range, x)| match range {
         Range::Positive | Range::Negative => x.abs() > END,
         Range::Interval { low, high, low_open, high_open } => {

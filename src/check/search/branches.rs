@@ -1,12 +1,14 @@
 //! The other ways in which hypotheses can be met.
 //!
-//! xy = 0 is solved for one number, y, and so y = 0 at all states that are drawn; x = 0 obeys it as well. A claim must
-//! hold there too. The states here are those at which one factor of such a hypothesis is 0, or one of its symbols.
+//! xy = 0 is solved for one number, y, so y = 0 at all states that are drawn; x = 0 obeys it as well. The states
+//! here are those where one factor of such a hypothesis, or one of its symbols, is 0.
+//!
+//! An equality that is solved for one number is met in one way. Counterexamples are looked for in the other ways.
 
 use crate::Result;
 use crate::formula::{Expr, Kind, Node, Relation};
 use crate::notes::claims::Range;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::claim::{Hypothesis, is_equality};
 use crate::check::model::free_symbols::drawn;
@@ -23,7 +25,10 @@ const OF_EACH: usize = 3;
 ///
 /// # Errors
 /// When the mass matrix is singular at all states of one way.
-pub(crate) fn states<'m>(context: &Context<'m>, ensemble: &Ensemble<'m>) -> Result<Vec<SampledState<'m, Measured>>> {
+pub(crate) fn states<'m>(
+    context: &Context<'m>,
+    ensemble: &Ensemble<'m>,
+) -> Result<Vec<SampledState<'m, RunningError>>> {
     let mut found = Vec::new();
     for (at, hypothesis) in context.hypotheses.iter().enumerate() {
         if !is_equality(hypothesis.relation) || !hypothesis.free.is_empty() {
@@ -81,7 +86,7 @@ fn drawn_under<'m>(
     hypotheses: &[Hypothesis],
     context: &Context<'m>,
     ensemble: &Ensemble<'m>,
-) -> Result<Vec<SampledState<'m, Measured>>> {
+) -> Result<Vec<SampledState<'m, RunningError>>> {
     let setting = Setting { hypotheses, local: context.local, mode: ensemble.mode, reach: context.reach };
     let mut draw = Sampler::new(context.options.seed, &format!("{}/another way", context.topic));
     Ok(Ensemble::draw(context.model, &setting, OF_EACH, &mut draw)?.states)

@@ -1,15 +1,20 @@
-//! What numbers cannot tell at a state: values beyond the largest double, or below the smallest, and sides that approach each
-//! other and never meet.
+//! What doubles cannot tell at a state: values outside of their range, and sides that approach each other and never
+//! meet.
 //!
-//! At x = 800 eˣ is infinite to a double and e⁻ˣ is 0, so that eˣ ≥ 1 + x seems to have no left side, and e⁻ˣ > 0 to be false.
-//! Such states are left out. At x = 40 tanh x is 1 to a double, and tanh x < 1 seems to fail; but there the sides are equal on
-//! the way out and not on the way back, where of (x − 1)² > 0 at x = 1 they are equal on neither. So a strict inequality whose
-//! sides are equal, and no more than that, is refuted where they are equal alone, or all around.
+//! A strict inequality whose sides are equal is refuted only if they are equal at that place alone, or all around
+//! it.
+//!
+//! # What a double does not know
+//!
+//! e⁻ˣ² is 0 at x = 30, and tanh x is 1. States where something has overflowed or an exponential is lost are left
+//! out, for equalities too, and others are drawn nearby if few are left. Sides that are equal at a state and at
+//! half the distance are equal because something has overflowed, unless they are equal in the other direction too;
+//! such an equality refutes nothing. A maximum is equal at one place, and on neither side of it.
 
 use crate::Result;
 use crate::formula::tree::Function;
 use crate::formula::{Expr, Node, Relation, Value};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
@@ -50,7 +55,7 @@ fn has_exponentials(expr: &Expr, model: &Model) -> bool {
 }
 
 /// Whether something in a formula is beyond the largest double at a state, or an exponential below the smallest.
-fn overflows(expr: &Expr, state: &SampledState<'_, Measured>) -> bool {
+fn overflows(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
     let value = |expr: &Expr| match state.now(expr, &[]) {
         Ok(Value::Scalar(value)) => Some(value.value),
         _ => None,
@@ -88,7 +93,7 @@ pub(crate) fn within_doubles(link: &Link, context: &Context<'_>, ensemble: &mut 
     if ![&link.lhs, &link.rhs].into_iter().any(|side| has_exponentials(side, context.model)) {
         return Ok(());
     }
-    let keep = |state: &SampledState<'_, Measured>| !overflows(&link.lhs, state) && !overflows(&link.rhs, state);
+    let keep = |state: &SampledState<'_, RunningError>| !overflows(&link.lhs, state) && !overflows(&link.rhs, state);
     let all = ensemble.states.len();
     retain(ensemble, keep);
     if ensemble.states.len() < all {
@@ -103,7 +108,7 @@ pub(crate) fn within_doubles(link: &Link, context: &Context<'_>, ensemble: &mut 
     Ok(())
 }
 
-fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&SampledState<'_, Measured>) -> bool) {
+fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&SampledState<'_, RunningError>) -> bool) {
     let kept: Vec<bool> = ensemble.states.iter().map(keep).collect();
     let mut at = kept.iter();
     ensemble.states.retain(|_| at.next() == Some(&true));
@@ -114,7 +119,7 @@ fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&SampledState<'_, Measured>
 /// Of an inequality's states those are left out at which it holds by less than can be called a difference. Of those at which
 /// it fails as its sides are equal, and nothing worse, so are the ones at which they are equal to rounding alone.
 pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensemble<'_>) {
-    let is_close = |state: &SampledState<'_, Measured>| {
+    let is_close = |state: &SampledState<'_, RunningError>| {
         let margin = || Sides::of(link, state).ok()?.margin(link.relation);
         matches!(residual::test(link, state), Ok(Point::Doubtful)) && margin().is_some_and(|margin| margin.share > 0.0)
     };
@@ -122,7 +127,7 @@ pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensembl
     if !is_strict(link.relation) {
         return;
     }
-    let failure = |state: &SampledState<'_, Measured>| match residual::test(link, state) {
+    let failure = |state: &SampledState<'_, RunningError>| match residual::test(link, state) {
         Ok(Point::Fails(failure)) => Some(failure.residual > DIFFERENCE),
         _ => None,
     };
@@ -132,7 +137,7 @@ pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensembl
     }
     let mut projection = Projection::new(context.model, &context.setting(ensemble.mode));
     let mut asked = 0;
-    let mut stays = |(state, fails): (&SampledState<'_, Measured>, &Option<bool>)| {
+    let mut stays = |(state, fails): (&SampledState<'_, RunningError>, &Option<bool>)| {
         asked += usize::from(fails.is_some());
         let base = || state.base.numbers().iter().map(|x| x.value).collect::<Vec<f64>>();
         fails.is_none() || asked <= ASKED && is_reached(link, &mut projection, &base())

@@ -1,8 +1,10 @@
-//! Families of other sizes than those at which states are drawn first: for all that is said of n things.
+//! States with families of other sizes than those that are drawn first, for claims about n things.
 //!
-//! States have three or four members. What a field decides is decided at as many numbers of members as it takes to know it
-//! of all ([`crate::check::certificate::family_growth`]). What rests on numbers alone, as inequalities do, is looked at with fewer members and with
-//! more.
+//! What a field decides is decided for as many sizes as are needed for all
+//! ([`crate::check::certificate::family_growth`]).
+//!
+//! A claim that has no such bound, with the root of a sum or 2ⁿ in it, gets no certificate. It and all inequalities
+//! are tried with 2, 5 and 7 members in doubles.
 
 use crate::Result;
 use crate::code::Code;
@@ -55,7 +57,7 @@ pub(crate) fn counts_members(formulas: &[&Expr], context: &Context<'_>) -> bool 
 /// of members, with a state of so many.
 ///
 /// # Errors
-/// When the world's mass matrix is singular at all of their states.
+/// When the system's mass matrix is singular at all of their states.
 pub(crate) fn certified(
     link: &Link,
     context: &Context<'_>,
@@ -77,7 +79,7 @@ pub(crate) fn certified(
 /// The finding on a claim that has passed by numbers alone, with what families of other sizes say of it.
 ///
 /// # Errors
-/// When the world's mass matrix is singular at all of their states.
+/// When the system's mass matrix is singular at all of their states.
 pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
     let sides = [&link.lhs, &link.rhs];
     if finding.verdict != Verdict::Verified || !counts_members(&sides, context) {
@@ -97,7 +99,7 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding:
 /// The counterexample to a claim at a number of members, if one of a few states is one.
 ///
 /// # Errors
-/// When the world's mass matrix is singular at all of them.
+/// When the system's mass matrix is singular at all of them.
 fn fails_at(
     link: &Link,
     context: &Context<'_>,

@@ -1,16 +1,19 @@
-//! States of all orders of magnitude, for equalities that may be true on one branch alone.
+//! States of all orders of magnitude, for equalities that may be true on one branch only.
 //!
-//! |p − 5| = 5 − p holds for all p that are of order one, and `> 0` says more than that. What has a root, an absolute
-//! value, a logarithm or an inverse function in it may change where its numbers are large, of the other sign, or angles of
-//! many turns; what has none of these is one formula everywhere, and needs no look. A difference counts here if it is
-//! gross and made of numbers that are far from overflow, and a side without a value if it is asked for the root or the
-//! logarithm of something that has none. All else out there may be rounding, and says nothing.
+//! # Why some equalities are tested again, far away
+//!
+//! States are of order one, so that rounding stays small and no term is lost. A polynomial or a sine is the same
+//! formula everywhere. A root, an absolute value and an inverse function are not: |p − 5| = 5 − p holds up to 5.
+//! Only these are tested again; certified ones only for where a side has a value, since a field knows all values of
+//! a root and not where it has none. Far out exponentials overflow and rounding grows. So a difference counts only
+//! if it is large and no number in it is near overflow, and a missing value only if it is the root or logarithm of
+//! a negative number.
 
 use crate::Result;
 use crate::code::Code;
 use crate::formula::tree::Function;
 use crate::formula::{Expr, Node, Value};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
@@ -48,7 +51,7 @@ enum Branches {
 /// The finding on an equality that has passed at states of order one, with what wide states say of it.
 ///
 /// # Errors
-/// When the world's mass matrix is singular at all of them.
+/// When the system's mass matrix is singular at all of them.
 pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
     let branches = of(&link.lhs, context.model).max(of(&link.rhs, context.model));
     // A field knows all values of a root, and not where it has none.
@@ -96,7 +99,7 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding:
 fn found(
     (code, verdict): (Code, Verdict),
     message: &str,
-    (link, state, failure): (&Link, &SampledState<'_, Measured>, Failure),
+    (link, state, failure): (&Link, &SampledState<'_, RunningError>, Failure),
     context: &Context<'_>,
     passed: Finding,
 ) -> Finding {
@@ -131,7 +134,7 @@ fn is_whole(exponent: &Expr) -> bool {
 }
 
 /// The value of a formula that is a number.
-fn number(expr: &Expr, state: &SampledState<'_, Measured>) -> Option<Measured> {
+fn number(expr: &Expr, state: &SampledState<'_, RunningError>) -> Option<RunningError> {
     match state.now(expr, &[]) {
         Ok(Value::Scalar(value)) => Some(value),
         _ => None,
@@ -139,7 +142,7 @@ fn number(expr: &Expr, state: &SampledState<'_, Measured>) -> Option<Measured> {
 }
 
 /// Whether no number that both sides are made of is near to overflow, nor has become 0.
-fn is_moderate(link: &Link, state: &SampledState<'_, Measured>) -> bool {
+fn is_moderate(link: &Link, state: &SampledState<'_, RunningError>) -> bool {
     let mut moderate = true;
     for side in [&link.lhs, &link.rhs] {
         side.walk(&mut |expr| {
@@ -151,7 +154,7 @@ fn is_moderate(link: &Link, state: &SampledState<'_, Measured>) -> bool {
 }
 
 /// Whether a formula asks for a root, a logarithm or an angle that does not exist, clearly.
-fn has_no_value(expr: &Expr, state: &SampledState<'_, Measured>) -> bool {
+fn has_no_value(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
     let argument = |inner: &Expr| number(inner, state).filter(|value| value.value.is_finite());
     let is_negative = |inner: &Expr| argument(inner).is_some_and(|value| value.value < -GROSS * value.magnitude);
     let own = match &expr.node {

@@ -2,7 +2,7 @@
 
 use crate::formula::{Expr, Index, IndexId, Node};
 use crate::latex::typeset;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::claim::Link;
 use crate::check::state::residual;
@@ -11,7 +11,7 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::finding::Counterexample;
 
 /// The state of a failure: the values of the claim's symbols.
-pub fn counterexample(link: &Link, scene: &SampledState<'_, Measured>, failure: &Failure) -> Counterexample {
+pub fn counterexample(link: &Link, scene: &SampledState<'_, RunningError>, failure: &Failure) -> Counterexample {
     Counterexample {
         state: values(&[&link.lhs, &link.rhs], scene),
         lhs: failure.lhs,
@@ -24,7 +24,7 @@ pub fn counterexample(link: &Link, scene: &SampledState<'_, Measured>, failure: 
 const MOST_SHOWN: usize = 40;
 
 /// The values of the plain symbols of some formulas at a state, dotted ones as they occur.
-pub fn values(formulas: &[&Expr], state: &SampledState<'_, Measured>) -> Vec<(String, f64)> {
+pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec<(String, f64)> {
     let model = state.model();
     let mut found: Vec<(String, f64)> = Vec::new();
     for formula in formulas {

@@ -1,10 +1,10 @@
-//! Laws that give several highest derivatives together, solved at a state as a system of linear equations.
+//! The highest derivatives that several laws give together, solved at a state as a linear system.
 
 use nalgebra::DMatrix;
 
 use crate::formula::evaluate::{ALL, Unavailable, evaluate_to};
 use crate::formula::{Expr, SymbolId, Value};
-use crate::mechanics::solve_by;
+use crate::mechanics::solve_with;
 use crate::scalar::{Number, Series};
 
 use crate::check::hypotheses::rule::Laws;
@@ -46,8 +46,7 @@ impl<B: Number> SampledState<'_, B> {
                 matrix = Some(DMatrix::from_fn(rest.len(), rest.len(), |i, j| columns[j][i] - rest[i]));
             }
             let right = rest.iter().map(|value| -*value).collect();
-            let next =
-                matrix.clone().and_then(|matrix| solve_by(self.system.elimination(), "laws", matrix, right).ok());
+            let next = matrix.clone().and_then(|matrix| solve_with(self.system.solver(), "laws", matrix, right).ok());
             jets.iter_mut().zip(next.ok_or_else(none)?).for_each(|(jet, next)| jet.push(next));
         }
         let series = |jet: &Vec<B>| Value::Scalar(Series::from_derivatives(jet));

@@ -12,7 +12,7 @@ use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate};
 use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
 use crate::mechanics::rotations;
 use crate::notes::claims::Turning;
-use crate::scalar::{Instant, Number, Series};
+use crate::scalar::{Number, Primal, Series};
 
 impl<'m, B: Number> SampledState<'m, B> {
     /// The k-th unit vector of the space axes.
@@ -48,7 +48,7 @@ impl<'m, B: Number> SampledState<'m, B> {
                 self.numbers(id, indices, |at| self.base.varying(*i, at, known))
             }
             Meaning::Time => Ok(Value::Scalar(Series::time(self.base.time).truncated(self.terms()))),
-            Meaning::World(quantity) => self.system.quantity(*quantity, indices).ok_or_else(none),
+            Meaning::System(quantity) => self.system.quantity(*quantity, indices).ok_or_else(none),
             Meaning::Defined(formula) => {
                 let free: Vec<(IndexId, u8)> =
                     entry.slots.iter().map(|(_, letter)| *letter).zip(indices.iter().copied()).collect();
@@ -99,7 +99,7 @@ impl<'m, B: Number> SampledState<'m, B> {
     }
 
     /// The value of a symbol after all rules.
-    pub(crate) fn ruled_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Instant<B>>, Unavailable> {
+    pub(crate) fn ruled_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Primal<B>>, Unavailable> {
         let direct = if self.is_free(id) { self.drawn(id, indices, 0) } else { None };
         direct.map_or_else(|| Ok(first(&self.ruled(id, indices, self.rules.len(), 1)?)), Ok)
     }
@@ -107,8 +107,8 @@ impl<'m, B: Number> SampledState<'m, B> {
     /// The matrix that an elementary rotation's symbol stands for.
     pub(crate) fn turned<D: Number>(&self, id: SymbolId, angle: D) -> Result<Matrix3<D>, Unavailable> {
         match self.model.meaning(id) {
-            Some(Meaning::Rotation(axis, Turning::Axes)) => Ok(rotations::of_the_axes(*axis, angle)),
-            Some(Meaning::Rotation(axis, Turning::Vectors)) => Ok(rotations::of_the_vectors(*axis, angle)),
+            Some(Meaning::Rotation(axis, Turning::Axes)) => Ok(rotations::passive_rotation(*axis, angle)),
+            Some(Meaning::Rotation(axis, Turning::Vectors)) => Ok(rotations::active_rotation(*axis, angle)),
             _ => Err(Unavailable::Symbol(id)),
         }
     }

@@ -1,8 +1,8 @@
-//! What hypotheses and laws that are rules make of a symbol at a state.
+//! The value that rules give a symbol at a state.
 //!
-//! Rules act one after the other, each on what the symbol was before. A law that gives the highest derivative of
-//! something is followed order by order, all members of a family at once: what is known so far is put into the law, which
-//! gives one derivative more.
+//! Rules act one after the other, each on the result of the one before. A law that gives the highest derivative of
+//! a symbol is followed order by order, all members of a family at once: the known orders are put into the law,
+//! which gives the next one.
 
 use nalgebra::Vector3;
 

@@ -1,14 +1,18 @@
-//! Any body in place of some particles, where a claim speaks of their principal axes and is decided over a field.
+//! A generic body in the place of particles, for claims about principal axes that are decided over a field.
 //!
-//! Principal moments are the roots of a cubic, which a field does not have. But what holds for any axes at all holds for the
-//! principal ones; and what speaks of the particles through their inertia tensor alone, and holds for any symmetric tensor,
-//! Rᵀ diag(λ₁, λ₂, λ₃) R, holds for theirs. Both are more than what is claimed: an identity among them is one of the
-//! particles, and what is none says nothing of them.
+//! What is tested is more than what is claimed: if it is an identity, it is one for the particles; otherwise
+//! nothing is concluded.
+//!
+//! # Why any body stands for particles with principal axes
+//!
+//! The moments of particles are roots of a cubic, which a field does not have. But what holds for any orthonormal
+//! axes holds for these; and a claim that knows the particles through their tensor alone is tested with Rᵀ diag(λ)
+//! R for random R and λ, which is every symmetric tensor.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::{Expr, SymbolId};
-use crate::scalar::field::Modulus;
+use crate::scalar::prime_field::Modulus;
 use crate::scalar::{Modular, Number};
 
 use crate::check::hypotheses::rule::{Action, Rule};
@@ -107,13 +111,13 @@ impl<F: Modulus> GenericBody<Modular<F>> {
         if generality == Generality::Themselves {
             return None;
         }
-        let (w, v) = (Modular::<F>::drawn_plain(), Vector3::from_fn(|_, _| Modular::drawn_plain()));
+        let (w, v) = (Modular::<F>::random_plain(), Vector3::from_fn(|_, _| Modular::random_plain()));
         let turned = |x: Vector3<Modular<F>>| {
             (x * (w * w - v.dot(&v)) + (v * v.dot(&x) + v.cross(&x) * w) * Modular::from(2.0)) / (w * w + v.dot(&v))
         };
         let axes = Matrix3::from_fn(|row, at| Modular::from(if row == at { 1.0 } else { 0.0 }));
         let axes = Matrix3::from_rows(&[0, 1, 2].map(|at| turned(axes.column(at).into()).transpose()));
-        let moments = || Vector3::from_fn(|_, _| Modular::drawn_plain());
+        let moments = || Vector3::from_fn(|_, _| Modular::random_plain());
         Some(GenericBody { axes, moments: (generality == Generality::AnyTensor).then(moments) })
     }
 }
@@ -138,13 +142,14 @@ impl<B: Number> GenericBody<B> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::field::{Large, at_a_point};
+    use crate::scalar::prime_field::{FirstPrime, evaluate_at_point};
 
     #[test]
     fn the_axes_are_right_handed_and_orthonormal_and_the_tensor_has_its_moments_along_them() {
         for seed in 1..=5 {
-            let (all, account) = at_a_point::<Large, _>(seed, 0, 1, || {
-                let body = GenericBody::<Modular<Large>>::drawn(Generality::AnyTensor).expect("one that stands in");
+            let (all, record) = evaluate_at_point::<FirstPrime, _>(seed, 0, 1, || {
+                let body =
+                    GenericBody::<Modular<FirstPrime>>::drawn(Generality::AnyTensor).expect("one that stands in");
                 let tensor = body.tensor().expect("a tensor");
                 let axes: Vec<_> = (0..3).map(|a| body.axis(a)).collect();
                 let mut vanishing = vec![axes[0].cross(&axes[1]) - axes[2]];
@@ -158,9 +163,9 @@ mod tests {
                 let [x, y] = [0, 1].map(|a| body.moment(a).expect("a moment"));
                 (zero, axes[0].x.vanishes() || (axes[0].x - 1.0).vanishes() || (x - y).vanishes())
             });
-            assert!(account.fault.is_none() && account.elsewhere.is_none(), "seed {seed}");
+            assert!(record.unsupported.is_none() && record.undefined_here.is_none(), "seed {seed}");
             assert_eq!(all, (true, false), "seed {seed}");
         }
-        assert!(GenericBody::<Modular<Large>>::drawn(Generality::Themselves).is_none());
+        assert!(GenericBody::<Modular<FirstPrime>>::drawn(Generality::Themselves).is_none());
     }
 }

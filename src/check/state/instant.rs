@@ -1,21 +1,22 @@
-//! Values of formulas at the instant of a state, where nothing of how they vary is asked for.
+//! Values of formulas at the instant of a state, without time derivatives.
 //!
-//! A state knows everything as a series in time, and a claim is mostly about values alone. So a formula is evaluated over
-//! numbers of one coefficient ([`Instant`]); only beneath a dot, or d/dt, series are asked for again.
+//! Most formulas are needed for their value alone. They run over [`Primal`], a first coefficient that is rounded as
+//! that of a series is, and go back to series under a dot. What has no value has no rate either, even if nothing in
+//! it varies.
 
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 
 use crate::formula::evaluate::{Body, Environment, Unavailable, differentiate, evaluate_to};
 use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
-use crate::scalar::{Instant, Number, Series};
+use crate::scalar::{Number, Primal, Series};
 
 use crate::check::model::meaning::{FrameQuantity, Meaning};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::state::values::{first, lifted};
 
 /// A value, or why there is none.
-type Valued<B> = Result<Value<Instant<B>>, Unavailable>;
+type Valued<B> = Result<Value<Primal<B>>, Unavailable>;
 
 /// A state, of which values alone are wanted.
 struct Now<'s, 'm, B: Number>(&'s SampledState<'m, B>);
@@ -59,7 +60,7 @@ impl<B: Number> SampledState<'_, B> {
 
     /// The derivative of a symbol, of any order, by its meaning alone, or by the particle that stands in for it; nothing
     /// where series are needed for it.
-    pub(crate) fn drawn(&self, id: SymbolId, indices: &[u8], order: u8) -> Option<Value<Instant<B>>> {
+    pub(crate) fn drawn(&self, id: SymbolId, indices: &[u8], order: u8) -> Option<Value<Primal<B>>> {
         let model = self.model();
         let order = usize::from(order);
         if let Some(member) = self.substitutes.member(id, indices, |value| (order == 0).then(|| first(value))) {
@@ -67,7 +68,7 @@ impl<B: Number> SampledState<'_, B> {
         }
         let place = || self.place_of(id, indices);
         let numbers = |pick: &dyn Fn(usize) -> Option<B>| {
-            let pick = |at: usize| pick(at).map(Instant);
+            let pick = |at: usize| pick(at).map(Primal);
             Some(match model.symbols.entry(id).kind {
                 Kind::Vector => {
                     let first = 3 * place();
@@ -77,17 +78,17 @@ impl<B: Number> SampledState<'_, B> {
             })
         };
         match model.meaning(id)? {
-            Meaning::Coordinate(i) => Some(Value::Scalar(Instant(self.coordinates().get(*i)?.rate(order)?))),
+            Meaning::Coordinate(i) => Some(Value::Scalar(Primal(self.coordinates().get(*i)?.rate(order)?))),
             Meaning::Constant(i) if order == 0 => numbers(&|at| self.base.constant(*i).get(at).copied()),
             Meaning::Varying(i) if order < self.terms() => numbers(&|at| self.base.rate(*i, at, order)),
-            Meaning::World(quantity) if order == 0 => self.system.value(*quantity, indices),
+            Meaning::System(quantity) if order == 0 => self.system.value(*quantity, indices),
             Meaning::Defined(formula) if order == 0 && self.substitutes.is_empty() => {
                 let letters = model.symbols.entry(id).slots.iter().map(|(_, letter)| *letter);
                 let free: Vec<(IndexId, u8)> = letters.zip(indices.iter().copied()).collect();
                 self.instant(formula, &free).ok()
             }
             Meaning::FixedAxis(k) if order == 0 => {
-                Some(Value::Vector(Vector3::from_fn(|i, _| if i == *k { Instant::one() } else { Instant::zero() })))
+                Some(Value::Vector(Vector3::from_fn(|i, _| if i == *k { Primal::one() } else { Primal::zero() })))
             }
             Meaning::Frame(FrameQuantity::Axes) if order == 0 => {
                 Some(Value::Vector(self.frame.axes(&self.base, 0)?.row(usize::from(*indices.first()?) - 1).transpose()))
@@ -102,10 +103,10 @@ impl<B: Number> SampledState<'_, B> {
                     None => turned,
                     Some(about) => self.about(about, order)? + turned,
                 };
-                Some(Value::Vector(moved.map(|x| Instant(Series::rate_of(x.0, order)))))
+                Some(Value::Vector(moved.map(|x| Primal(Series::rate_of(x.0, order)))))
             }
-            Meaning::Density(at) if order == 0 => Some(Value::Scalar(Instant(self.density(*at)?.value()))),
-            Meaning::Point if order == 0 => Some(Value::Vector(self.point()?.map(|x| Instant(x.value())))),
+            Meaning::Density(at) if order == 0 => Some(Value::Scalar(Primal(self.density(*at)?.value()))),
+            Meaning::Point if order == 0 => Some(Value::Vector(self.point()?.map(|x| Primal(x.value())))),
             _ => None,
         }
     }
@@ -113,9 +114,9 @@ impl<B: Number> SampledState<'_, B> {
 
 impl<B: Number> SampledState<'_, B> {
     /// The coefficients, of an order, of the point that a body turns about.
-    fn about(&self, point: SymbolId, order: usize) -> Option<Vector3<Instant<B>>> {
+    fn about(&self, point: SymbolId, order: usize) -> Option<Vector3<Primal<B>>> {
         let Value::Vector(series) = self.symbol_to(point, &[], order + 1).ok()? else { return None };
-        let of = |x: &Series<B>| x.coefficient(order).map(Instant);
+        let of = |x: &Series<B>| x.coefficient(order).map(Primal);
         Some(Vector3::new(of(&series.x)?, of(&series.y)?, of(&series.z)?))
     }
 }
@@ -134,7 +135,7 @@ impl<B: Number> Now<'_, '_, B> {
     }
 }
 
-impl<B: Number> Environment<Instant<B>> for Now<'_, '_, B> {
+impl<B: Number> Environment<Primal<B>> for Now<'_, '_, B> {
     fn symbols(&self) -> &Symbols {
         self.0.symbols()
     }
@@ -163,21 +164,21 @@ impl<B: Number> Environment<Instant<B>> for Now<'_, '_, B> {
     }
 
     /// An integral that is not under another one has one value at a state, whatever stands beside it.
-    fn integral(&self, region: SymbolId, integrand: Option<&Expr>, body: Body<'_, Instant<B>>) -> Valued<B> {
+    fn integral(&self, region: SymbolId, integrand: Option<&Expr>, body: Body<'_, Primal<B>>) -> Valued<B> {
         let state = self.0;
         let Some(integrand) = integrand.filter(|_| state.is_nowhere()) else {
-            return state.integrate(region, body, Instant);
+            return state.integrate(region, body, Primal);
         };
-        let is_it = |(at, of, _): &&(SymbolId, Expr, Value<Instant<B>>)| *at == region && of == integrand;
+        let is_it = |(at, of, _): &&(SymbolId, Expr, Value<Primal<B>>)| *at == region && of == integrand;
         if let Some((.., value)) = state.memo.integrals.borrow().iter().find(is_it) {
             return Ok(value.clone());
         }
-        let value = state.integrate(region, body, Instant)?;
+        let value = state.integrate(region, body, Primal)?;
         state.memo.integrals.borrow_mut().push((region, integrand.clone(), value.clone()));
         Ok(value)
     }
 
-    fn shrinking(&self, region: SymbolId, body: Body<'_, Instant<B>>) -> Valued<B> {
+    fn shrinking(&self, region: SymbolId, body: Body<'_, Primal<B>>) -> Valued<B> {
         Ok(first(&self.0.shrinking(region, &mut || Ok(lifted(&body()?)))?))
     }
 
@@ -185,7 +186,7 @@ impl<B: Number> Environment<Instant<B>> for Now<'_, '_, B> {
         self.0.count_within(region)
     }
 
-    fn rotation(&self, id: SymbolId, angle: Instant<B>) -> Result<nalgebra::Matrix3<Instant<B>>, Unavailable> {
+    fn rotation(&self, id: SymbolId, angle: Primal<B>) -> Result<nalgebra::Matrix3<Primal<B>>, Unavailable> {
         self.0.turned(id, angle)
     }
 }

@@ -1,4 +1,4 @@
-//! What was computed at a sampled state and is kept for the next time that it is asked for.
+//! Values that were computed at a sampled state and are kept.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use crate::check::state::values::{Members, first};
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, SymbolId, Value};
 use crate::mechanics::Nodes;
-use crate::scalar::{Instant, Number, Series};
+use crate::scalar::{Number, Primal, Series};
 
 /// A symbol and the values of its indices.
 type Member = (SymbolId, [u8; 3]);
@@ -23,9 +23,9 @@ pub(crate) struct Memo<B: Number> {
     /// Values of defined and ruled symbols, each with the number of terms it was computed to.
     pub(crate) series: RefCell<FxHashMap<Key, (usize, Box<Value<Series<B>>>)>>,
     /// The same where the value alone was asked for.
-    values: RefCell<FxHashMap<Key, Value<Instant<B>>>>,
+    values: RefCell<FxHashMap<Key, Value<Primal<B>>>>,
     /// Integrals over a continuum with their integrands and values.
-    pub(crate) integrals: RefCell<Vec<(SymbolId, Expr, Value<Instant<B>>)>>,
+    pub(crate) integrals: RefCell<Vec<(SymbolId, Expr, Value<Primal<B>>)>>,
     /// Nodes of continua: of which, and exact up to which degree.
     pub(crate) nodes: RefCell<FxHashMap<(usize, usize), Arc<Nodes<B>>>>,
     /// Inertia tensors of masses at positions, with the number of terms each was computed to.
@@ -78,8 +78,8 @@ impl<B: Number> Memo<B> {
     pub(crate) fn remember(
         &self,
         key: Key,
-        compute: impl FnOnce() -> Result<Value<Instant<B>>, Unavailable>,
-    ) -> Result<Value<Instant<B>>, Unavailable> {
+        compute: impl FnOnce() -> Result<Value<Primal<B>>, Unavailable>,
+    ) -> Result<Value<Primal<B>>, Unavailable> {
         if let Some(value) = self.values.borrow().get(&key) {
             return Ok(value.clone());
         }

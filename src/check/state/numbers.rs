@@ -1,4 +1,4 @@
-//! The numbers that fix a state, in their order, and what they are put together to.
+//! The numbers that fix a sampled state, in their order.
 
 use nalgebra::{Matrix3, Vector3};
 use std::cell::{OnceCell, RefCell};
@@ -9,7 +9,7 @@ use crate::formula::SymbolId;
 use crate::mechanics;
 use crate::mechanics::rotations::euler_angles;
 use crate::notes::claims;
-use crate::scalar::{Instant, Number, Series, TERMS};
+use crate::scalar::{Number, Primal, Series, TERMS};
 
 use crate::check::model::Model;
 use crate::check::model::meaning::{Frame, Variable};
@@ -59,7 +59,7 @@ fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group<'_>> {
         let ranges = [(POSITIVE, 1), (WITHIN, 9), (POSITIVE, 3), (ANY, 3), (ANGLE, 3), (WITHIN, 3)];
         ranges.map(|(range, numbers)| fixed(None, range, numbers))
     });
-    let on_shell = mode.on_shell && model.world.is_some();
+    let on_shell = mode.on_shell && model.system.is_some();
     let coordinates = model.coordinates.iter().map(move |v| moving(v, if on_shell { 1 } else { mode.order }));
     let varying = model.varying.iter().map(move |v| moving(v, mode.order));
     let angles = model.frame.map(|frame| Group {
@@ -267,11 +267,11 @@ impl<B: Number> Base<B> {
     }
 
     /// The axes of the frame that turns by these numbers, at the instant.
-    pub fn axes(&self, frame: Frame) -> Option<Matrix3<Instant<B>>> {
-        let angle = |angle: &Series<B>| Instant(angle.value());
+    pub fn axes(&self, frame: Frame) -> Option<Matrix3<Primal<B>>> {
+        let angle = |angle: &Series<B>| Primal(angle.value());
         match (frame, self.frame_angles.as_slice()) {
             (Frame::Free, [phi, theta, psi]) => Some(euler_angles(angle(phi), angle(theta), angle(psi))),
-            (Frame::FixedDirection, [by]) => mechanics::axes_about(self.direction, angle(by), Instant).ok(),
+            (Frame::FixedDirection, [by]) => mechanics::axes_about(self.direction, angle(by), Primal).ok(),
             _ => None,
         }
     }
@@ -280,7 +280,7 @@ impl<B: Number> Base<B> {
     pub fn frame(&self, frame: Frame, terms: usize) -> Option<mechanics::Frame<B>> {
         let angles: Vec<Series<B>> = self.frame_angles.iter().map(|angle| angle.truncated(terms)).collect();
         match (frame, angles.as_slice()) {
-            (Frame::Free, [phi, theta, psi]) => Some(mechanics::Frame::freely([*phi, *theta, *psi])),
+            (Frame::Free, [phi, theta, psi]) => Some(mechanics::Frame::from_euler_angles([*phi, *theta, *psi])),
             (Frame::FixedDirection, [angle]) => mechanics::Frame::about(self.direction, *angle).ok(),
             _ => None,
         }

@@ -1,5 +1,5 @@
-//! What stands in for families and continua at a sampled state: particles in place of a family, a part of a continuum, a
-//! generic body in place of particles whose principal axes are spoken of.
+//! Replacements for families and continua at a sampled state: particles for a family, a part of a continuum, a
+//! generic body for particles with principal axes.
 
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;

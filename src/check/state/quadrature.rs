@@ -1,9 +1,10 @@
-//! Particles that stand in for a family, and bodies whose mass is spread: sums over cells, integrals, shrinking parts.
+//! Particles in the place of a family, and quadrature over bodies with a density: sums over cells, integrals,
+//! shrinking parts.
 //!
-//! An integral over a continuum is a sum over the nodes of a cubature; at each, the point and the density at hand are
-//! those of the node. The same continuum can be cut into cells, which are particles; then a sum over particles is near
-//! to the integral, and the nearer the finer the cut ([`crate::check::kinds::continuum`] follows it). A *part* of it around a point of
-//! it, which shrinks, is what a density is a limit of.
+//! An integral over a continuum is a sum over quadrature nodes; at each of them, the position and the density are
+//! those of the node. The same continuum can be cut into cells, which are particles
+//! ([`crate::check::kinds::continuum`]). A *part* of it around a point, which shrinks, is what a density is a limit
+//! of.
 
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;

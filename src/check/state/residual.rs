@@ -1,14 +1,21 @@
 //! Whether two sides agree at a state.
 //!
-//! A residual is judged on the scale of the terms that met in both sides ([`Measured`]), and falls into one of three
-//! zones: as small as rounding makes it, clearly there, or in between, where it is doubtful. One doubtful state is
-//! enough to withhold a pass, so a large common offset never makes two sides equal.
+//! One doubtful state prevents a pass, so a large common offset never makes two sides equal.
+//!
+//! # When two numbers agree
+//!
+//! A residual is relative to the magnitudes of both sides, and falls into one of three zones: below 10⁻¹⁴ it is
+//! *rounding*, some forty roundings of a double; above 10⁻¹¹ it is a *difference*; in between the state is
+//! *doubtful*, and one doubtful state prevents a pass. With a single threshold, a true difference of 10⁻¹⁰ under a
+//! large offset passed. An absolute tolerance would accept 10⁻³⁰ = 2·10⁻³⁰ and reject equal numbers of size 10¹².
+//! Two NaN do not agree: a state where neither side has a value does not count, and one where a single side has a
+//! value makes the verdict `domain`. A pass needs eight states.
 
 use approx::{AbsDiffEq, abs_diff_eq};
 
 use crate::formula::evaluate::{Environment, Unavailable};
 use crate::formula::{Expr, IndexId, Relation, Value};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::claim::Link;
 use crate::check::state::sampled_state::SampledState;
@@ -65,13 +72,13 @@ impl AbsDiffEq for Scaled {
 }
 
 /// Whether a value that should be zero is as small as rounding makes it.
-pub fn vanishes(value: Measured) -> bool {
+pub fn vanishes(value: RunningError) -> bool {
     abs_diff_eq!(Scaled { value: value.value, scale: value.magnitude }, Scaled { value: 0.0, scale: 0.0 })
         || value.value == 0.0
 }
 
 /// Whether a difference of two sides satisfies an inequality, clearly.
-pub fn holds(relation: Relation, difference: Measured) -> bool {
+pub fn holds(relation: Relation, difference: RunningError) -> bool {
     let clear = difference.value.abs() > DIFFERENCE * difference.magnitude;
     match relation {
         Relation::Less => clear && difference.value < 0.0,
@@ -96,13 +103,13 @@ pub struct Margin {
 
 /// The values of the two sides of a link at a state, for all values of its free indices: mutants_of share one of them.
 pub struct Sides {
-    lhs: Vec<Value<Measured>>,
-    rhs: Vec<Value<Measured>>,
+    lhs: Vec<Value<RunningError>>,
+    rhs: Vec<Value<RunningError>>,
 }
 
 impl Sides {
     /// Of a link at a state.
-    pub fn of(link: &Link, state: &SampledState<'_, Measured>) -> Result<Self, Unavailable> {
+    pub fn of(link: &Link, state: &SampledState<'_, RunningError>) -> Result<Self, Unavailable> {
         let mut sides = Sides { lhs: Vec::new(), rhs: Vec::new() };
         let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
         loop {
@@ -139,12 +146,12 @@ impl Sides {
 }
 
 /// Tests a link at a state where its sides are known.
-pub fn test_sides(link: &Link, sides: &Sides, state: &SampledState<'_, Measured>) -> Result<Point, Unavailable> {
+pub fn test_sides(link: &Link, sides: &Sides, state: &SampledState<'_, RunningError>) -> Result<Point, Unavailable> {
     test_knowing(link, state, (Some(&sides.lhs), Some(&sides.rhs)), false)
 }
 
 /// Tests a link at a state, for all values of its free indices and entry by entry.
-pub fn test(link: &Link, state: &SampledState<'_, Measured>) -> Result<Point, Unavailable> {
+pub fn test(link: &Link, state: &SampledState<'_, RunningError>) -> Result<Point, Unavailable> {
     test_knowing(link, state, (None, None), false)
 }
 
@@ -154,7 +161,7 @@ pub fn test_mutant(
     mutant: &Link,
     link: &Link,
     sides: Option<&Sides>,
-    state: &SampledState<'_, Measured>,
+    state: &SampledState<'_, RunningError>,
 ) -> Result<Point, Unavailable> {
     let lhs = sides.filter(|_| mutant.lhs == link.lhs).map(|sides| sides.lhs.as_slice());
     let rhs = sides.filter(|_| mutant.rhs == link.rhs).map(|sides| sides.rhs.as_slice());
@@ -162,11 +169,11 @@ pub fn test_mutant(
 }
 
 /// The values of a side, for one after another of the values of the free indices.
-type Known<'a> = Option<&'a [Value<Measured>]>;
+type Known<'a> = Option<&'a [Value<RunningError>]>;
 
 fn test_knowing(
     link: &Link,
-    state: &SampledState<'_, Measured>,
+    state: &SampledState<'_, RunningError>,
     (known_lhs, known_rhs): (Known<'_>, Known<'_>),
     to_the_first: bool,
 ) -> Result<Point, Unavailable> {
@@ -221,7 +228,7 @@ pub fn pair<B: crate::scalar::Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, 
     }
 }
 
-fn compare(relation: Relation, a: Measured, b: Measured, entry: impl Fn() -> Option<String>) -> Point {
+fn compare(relation: Relation, a: RunningError, b: RunningError, entry: impl Fn() -> Option<String>) -> Point {
     let finite = (a.value.is_finite(), b.value.is_finite());
     let scale = a.magnitude + b.magnitude;
     let residual = if scale > 0.0 { (a.value - b.value).abs() / scale } else { 0.0 };
@@ -229,7 +236,7 @@ fn compare(relation: Relation, a: Measured, b: Measured, entry: impl Fn() -> Opt
     match finite {
         (true, true) if !scale.is_finite() => Point::Useless,
         (true, true) => {
-            let difference = Measured { value: a.value - b.value, magnitude: scale };
+            let difference = RunningError { value: a.value - b.value, magnitude: scale };
             match relation {
                 Relation::Equal | Relation::Identical | Relation::Approximately | Relation::Proportional => {
                     if vanishes(difference) {
@@ -287,22 +294,22 @@ mod tests {
 
     #[test]
     fn a_large_offset_makes_a_state_doubtful_and_never_equal() {
-        let one = Measured::new(1e12) + Measured::new(3.0);
-        let other = Measured::new(1e12) + Measured::new(2.9);
+        let one = RunningError::new(1e12) + RunningError::new(3.0);
+        let other = RunningError::new(1e12) + RunningError::new(2.9);
         assert_eq!(compare(Relation::Equal, one, other, || None), Point::Doubtful);
         assert!(matches!(compare(Relation::Equal, one, one, || None), Point::Holds(_)));
     }
 
     #[test]
     fn two_sides_without_a_value_do_not_agree() {
-        let nan = Measured::new(f64::NAN);
+        let nan = RunningError::new(f64::NAN);
         assert_eq!(compare(Relation::Equal, nan, nan, || None), Point::Useless);
-        assert!(matches!(compare(Relation::Equal, nan, Measured::new(1.0), || None), Point::OneSided(_)));
+        assert!(matches!(compare(Relation::Equal, nan, RunningError::new(1.0), || None), Point::OneSided(_)));
     }
 
     #[test]
     fn tiny_numbers_are_told_apart() {
-        let (a, b) = (Measured::new(1e-30), Measured::new(2e-30));
+        let (a, b) = (RunningError::new(1e-30), RunningError::new(2e-30));
         assert!(matches!(compare(Relation::Equal, a, b, || None), Point::Fails(_)));
     }
 }

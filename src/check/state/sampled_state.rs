@@ -1,11 +1,11 @@
 //! A sampled state: values for all symbols of a document, in which formulas are evaluated.
 //!
 //! A state is fixed by its *base*: numbers for the time, the constants, and the derivatives of everything that
-//! varies. Off shell the base holds all derivatives up to the order in use; on shell it holds q and q̇, and the Euler–
-//! Lagrange equations give the rest. The same code runs over measured numbers (to judge), dual numbers (to solve
-//! hypotheses) and the numbers of a prime field (to certify).
+//! varies. Off shell the base holds all derivatives up to the order in use; on shell it holds q and q̇, and the
+//! Euler–Lagrange equations give the rest. The same code runs over measured numbers (to judge), dual numbers (to
+//! project) and the numbers of a prime field (to certify).
 //!
-//! This file holds the state and its parts. [`super::evaluate`] says what each symbol is worth in it.
+//! This file holds the state and its parts. [`super::evaluate`] gives each symbol its value.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ use crate::check::state::particles::{Particles, Substitutes};
 use crate::check::state::system_values::SystemValues;
 use crate::check::state::turning_frame::TurningFrame;
 use crate::formula::{IndexId, SymbolId, Value};
-use crate::mechanics::{Elimination, Quantities};
+use crate::mechanics::{LinearSolver, Quantities};
 use crate::scalar::{Number, Series};
 
 /// A state.
@@ -44,7 +44,14 @@ impl<'m, B: Number> SampledState<'m, B> {
     /// # Errors
     /// When the mass matrix is singular there.
     pub fn new(model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
-        SampledState::by(Elimination::Pivots, mode.order + 1, model, mode, (&Layout::of(model, mode), base), rules)
+        SampledState::by(
+            LinearSolver::PartialPivoting,
+            mode.order + 1,
+            model,
+            mode,
+            (&Layout::of(model, mode), base),
+            rules,
+        )
     }
 
     /// The same state, of which no more than so many derivatives are known, the value counted, and the mass matrix
@@ -53,7 +60,7 @@ impl<'m, B: Number> SampledState<'m, B> {
     /// # Errors
     /// When it cannot be.
     pub fn by(
-        elimination: Elimination,
+        solver: LinearSolver,
         terms: usize,
         model: &'m Model,
         mode: Mode,
@@ -66,7 +73,7 @@ impl<'m, B: Number> SampledState<'m, B> {
             terms,
             rules: rules.clone(),
             overrides: Vec::new(),
-            system: SystemValues::new(model, mode, &base, elimination, terms)?,
+            system: SystemValues::new(model, mode, &base, solver, terms)?,
             frame: TurningFrame::new(model.frame, terms),
             substitutes: Substitutes::default(),
             memo: Memo::default(),

@@ -11,13 +11,13 @@ use crate::check::model::states::Mode;
 use crate::check::state::numbers::Base;
 use crate::check::state::values::matrix;
 use crate::formula::Value;
-use crate::mechanics::{Elimination, Quantities, World};
-use crate::scalar::{Instant, Number, Series};
+use crate::mechanics::{LinearSolver, Quantities, System};
+use crate::scalar::{Number, Primal, Series};
 
 /// The coordinates of a state as series in time, and what the system determines by them, computed when it is asked for.
 pub(crate) struct SystemValues<'m, B: Number> {
-    world: Option<&'m World>,
-    elimination: Elimination,
+    system: Option<&'m System>,
+    solver: LinearSolver,
     /// How many coefficients are known of what is drawn.
     terms: usize,
     time: B,
@@ -25,7 +25,7 @@ pub(crate) struct SystemValues<'m, B: Number> {
     coordinates: Vec<Series<B>>,
     series: OnceCell<Option<Box<Quantities<Series<B>>>>>,
     /// The same as values at the instant.
-    values: OnceCell<Option<Box<Quantities<Instant<B>>>>>,
+    values: OnceCell<Option<Box<Quantities<Primal<B>>>>>,
 }
 
 impl<'m, B: Number> SystemValues<'m, B> {
@@ -37,27 +37,27 @@ impl<'m, B: Number> SystemValues<'m, B> {
         model: &'m Model,
         mode: Mode,
         base: &Base<B>,
-        elimination: Elimination,
+        solver: LinearSolver,
         terms: usize,
     ) -> Result<Self> {
-        let world = model.world.as_deref();
+        let system = model.system.as_deref();
         let parameters: Vec<B> = model.parameters.iter().map(|place| base.constant(*place)[0]).collect();
-        let coordinates = match world {
-            Some(world) if mode.on_shell => {
+        let coordinates = match system {
+            Some(system) if mode.on_shell => {
                 let q: Vec<B> = base.coordinates().map(|jet| jet[0]).collect();
                 let v: Vec<B> = base.coordinates().map(|jet| jet[1]).collect();
                 let order = mode.order.min(terms - 1).max(1);
-                world.motion_by(elimination, base.time, &q, &v, &parameters, order)?
+                system.motion_with(solver, base.time, &q, &v, &parameters, order)?
             }
             _ => base.coordinates().map(|jet| Series::from_derivatives(jet).truncated(terms)).collect(),
         };
         let (series, values) = (OnceCell::new(), OnceCell::new());
-        Ok(SystemValues { world, elimination, terms, time: base.time, parameters, coordinates, series, values })
+        Ok(SystemValues { system, solver, terms, time: base.time, parameters, coordinates, series, values })
     }
 
     /// How linear equations are solved at this state.
-    pub(crate) fn elimination(&self) -> Elimination {
-        self.elimination
+    pub(crate) fn solver(&self) -> LinearSolver {
+        self.solver
     }
 
     /// The coordinates as functions of time.
@@ -69,26 +69,26 @@ impl<'m, B: Number> SystemValues<'m, B> {
     pub(crate) fn series(&self) -> Option<&Quantities<Series<B>>> {
         let compute = || {
             let v = self.velocities();
-            Some(Box::new(self.world?.quantities(self.time(), &self.coordinates, &v, &self.constants())))
+            Some(Box::new(self.system?.quantities(self.time(), &self.coordinates, &v, &self.constants())))
         };
         self.series.get_or_init(compute).as_deref()
     }
 
     /// The quantities of the system at the instant.
-    fn values(&self) -> Option<&Quantities<Instant<B>>> {
+    fn values(&self) -> Option<&Quantities<Primal<B>>> {
         let compute = || {
             let derivative = |order: usize| -> Option<Vec<_>> {
-                self.coordinates.iter().map(|q| q.rate(order).map(Instant)).collect()
+                self.coordinates.iter().map(|q| q.rate(order).map(Primal)).collect()
             };
-            let parameters: Vec<_> = self.parameters.iter().map(|parameter| Instant(*parameter)).collect();
-            let time = Instant(self.time);
-            Some(Box::new(self.world?.quantities(time, &derivative(0)?, &derivative(1)?, &parameters)))
+            let parameters: Vec<_> = self.parameters.iter().map(|parameter| Primal(*parameter)).collect();
+            let time = Primal(self.time);
+            Some(Box::new(self.system?.quantities(time, &derivative(0)?, &derivative(1)?, &parameters)))
         };
         self.values.get_or_init(compute).as_deref()
     }
 
     /// One quantity at the instant, where it is one of those that the system gives all at once.
-    pub(crate) fn value(&self, quantity: Quantity, indices: &[u8]) -> Option<Value<Instant<B>>> {
+    pub(crate) fn value(&self, quantity: Quantity, indices: &[u8]) -> Option<Value<Primal<B>>> {
         match quantity {
             Quantity::SpaceAxes | Quantity::EffectivePotential => None,
             quantity => one_of(self.values()?, quantity, indices),
@@ -104,11 +104,13 @@ impl<'m, B: Number> SystemValues<'m, B> {
                 Some(Value::Vector(Vector3::from_fn(|i, _| constant(if i == at { B::one() } else { B::zero() }))))
             }
             Quantity::EffectivePotential => {
-                let (world, v, parameters) = (self.world?, self.velocities(), self.constants());
-                let value = match self.elimination {
-                    Elimination::Pivots => world.effective_potential(self.time(), &self.coordinates, &v, &parameters),
-                    Elimination::Cramer => {
-                        world.effective_potential_exactly(self.time(), &self.coordinates, &v, &parameters)
+                let (system, v, parameters) = (self.system?, self.velocities(), self.constants());
+                let value = match self.solver {
+                    LinearSolver::PartialPivoting => {
+                        system.effective_potential(self.time(), &self.coordinates, &v, &parameters)
+                    }
+                    LinearSolver::CramersRule => {
+                        system.effective_potential_exact(self.time(), &self.coordinates, &v, &parameters)
                     }
                 };
                 value.ok().map(Value::Scalar)
@@ -123,7 +125,7 @@ impl<'m, B: Number> SystemValues<'m, B> {
             self.coordinates.iter().map(|q| q.nth_derivative_value(order)).collect()
         };
         let (q, v, a) = (derivative(0)?, derivative(1)?, derivative(2)?);
-        Some(self.world?.euler_lagrange(self.time, &q, &v, &self.parameters, &a))
+        Some(self.system?.euler_lagrange(self.time, &q, &v, &self.parameters, &a))
     }
 
     fn time(&self) -> Series<B> {
@@ -139,7 +141,7 @@ impl<'m, B: Number> SystemValues<'m, B> {
     }
 }
 
-/// One of the quantities that a world determines.
+/// One of the quantities that a system determines.
 fn one_of<D: Number>(all: &Quantities<D>, quantity: Quantity, indices: &[u8]) -> Option<Value<D>> {
     let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1);
     Some(match quantity {

@@ -7,13 +7,13 @@ use nalgebra::{Matrix3, Vector3};
 use crate::check::model::meaning;
 use crate::check::state::numbers::Base;
 use crate::mechanics::{Frame, rotations};
-use crate::scalar::{Instant, Number, Series, TERMS};
+use crate::scalar::{Number, Primal, Series, TERMS};
 
 /// How fast the frame turns, if there is one.
 type AngularVelocity<B> = Option<Box<Vector3<Series<B>>>>;
 
 /// Coefficients of the axes of a frame, if there is one.
-type Axes<B> = Option<Box<Matrix3<Instant<B>>>>;
+type Axes<B> = Option<Box<Matrix3<Primal<B>>>>;
 
 /// The frame that turns, in as many terms as were needed. All components are along the space axes.
 pub(crate) struct TurningFrame<B: Number> {
@@ -25,7 +25,7 @@ pub(crate) struct TurningFrame<B: Number> {
     /// Its axes' coefficients of each order.
     axes: [OnceCell<Axes<B>>; TERMS],
     /// Its angular velocity at the instant.
-    angular_velocity_now: OnceCell<Option<Vector3<Instant<B>>>>,
+    angular_velocity_now: OnceCell<Option<Vector3<Primal<B>>>>,
     /// Its angular velocity, known to so many terms as its place here says.
     angular_velocities: [OnceCell<AngularVelocity<B>>; TERMS + 1],
 }
@@ -55,7 +55,7 @@ impl<B: Number> TurningFrame<B> {
     }
 
     /// The coefficients, of an order, of the axes, as rows: of order 0 the axes at the instant.
-    pub(crate) fn axes(&self, base: &Base<B>, order: usize) -> Option<&Matrix3<Instant<B>>> {
+    pub(crate) fn axes(&self, base: &Base<B>, order: usize) -> Option<&Matrix3<Primal<B>>> {
         let known = || self.frames[1..].iter().find_map(|frame| frame.get()?.as_ref());
         let compute = || {
             let frame = match order {
@@ -66,17 +66,17 @@ impl<B: Number> TurningFrame<B> {
             };
             let all = frame.orientation();
             let is_there = all.iter().all(|entry| entry.coefficient(order).is_some());
-            is_there.then(|| Box::new(all.map(|entry| Instant(entry.coefficient(order).unwrap_or(B::zero())))))
+            is_there.then(|| Box::new(all.map(|entry| Primal(entry.coefficient(order).unwrap_or(B::zero())))))
         };
         self.axes.get(order)?.get_or_init(compute).as_deref()
     }
 
     /// The angular velocity at the instant.
-    pub(crate) fn angular_velocity_now(&self, base: &Base<B>) -> Option<Vector3<Instant<B>>> {
+    pub(crate) fn angular_velocity_now(&self, base: &Base<B>) -> Option<Vector3<Primal<B>>> {
         let compute = || {
             let frame = self.frame(base, 2)?;
-            let rate = self.axes(base, 1)?.map(|entry| Instant(Series::rate_of(entry.0, 1)));
-            Some(rotations::angular_velocity(&frame.orientation().map(|entry| Instant(entry.value())), &rate))
+            let rate = self.axes(base, 1)?.map(|entry| Primal(Series::rate_of(entry.0, 1)));
+            Some(rotations::angular_velocity(&frame.orientation().map(|entry| Primal(entry.value())), &rate))
         };
         *self.angular_velocity_now.get_or_init(compute)
     }

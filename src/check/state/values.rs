@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, Matrix3};
 use crate::Result;
 use crate::formula::Value;
 use crate::formula::evaluate::Unavailable;
-use crate::scalar::{Instant, Number, Series};
+use crate::scalar::{Number, Primal, Series};
 
 /// The values of all members of a family, in order.
 pub(crate) type Members<B> = Vec<Value<Series<B>>>;
@@ -18,11 +18,11 @@ pub(crate) fn matrix<D: Number>(m: &Matrix3<D>) -> Value<D> {
 }
 
 /// What a series is at the instant.
-pub(crate) fn first<B: Number>(value: &Value<Series<B>>) -> Value<Instant<B>> {
-    value.each(|x| Instant(x.value()))
+pub(crate) fn first<B: Number>(value: &Value<Series<B>>) -> Value<Primal<B>> {
+    value.each(|x| Primal(x.value()))
 }
 
 /// The same as a series of which no more is known.
-pub(crate) fn lifted<B: Number>(value: &Value<Instant<B>>) -> Value<Series<B>> {
+pub(crate) fn lifted<B: Number>(value: &Value<Primal<B>>) -> Value<Series<B>> {
     value.each(|x| Series::of_value(x.0))
 }

@@ -1,9 +1,14 @@
-//! Displays that are declared the steps of a derivation: a wrong one that follows from a wrong one before it is no slip of
-//! its own.
+//! Derivations: a wrong step that follows from a wrong step before it is no slip of its own.
 //!
-//! Each step is judged against what is true, like any display. A step that is false then, and has a false one before it, is
-//! held against that one ([`super::standing`]). If it follows, its verdict stays, and is explained by the other. Truth is
-//! never taken from there, and what cannot be decided changes nothing.
+//! Each step is checked like any display. A step that is false, and comes after a false one, is compared with that
+//! one ([`standing`]). If it follows, its verdict stays and is explained by the other. What cannot be decided
+//! changes nothing.
+//!
+//! # Why a derivation is declared by a list
+//!
+//! `"from"` on each equation could name any premises, and would have to be kept right for each line, in an order
+//! that the notes have anyway. A list of addresses is what people say: (1) to (5). A line may follow from any one
+//! before it. Nothing else depends on the list: without it a document has the same verdicts.
 
 use rayon::prelude::*;
 use std::collections::BTreeMap;

@@ -1,17 +1,22 @@
-//! A step of a derivation as printed, taken for granted in place of what is true.
+//! A step of a derivation as printed, taken for true.
 //!
-//! Whether a line follows from a wrong one is asked of a world in which the wrong one is right. If it prints the
-//! Lagrangian, or one of the energies, that world is the one of the printed Lagrangian: all that follows from a Lagrangian
-//! follows there. Else the line is a law where there is no system: what the system determines is then any function of time,
-//! so that nothing is taken from the truth but what the names are defined by. A law that takes hold of more than the
-//! derivatives it speaks of, or of the names that the system had determined, may contradict what is known or pin the state,
-//! where anything would follow: of such a law nothing is concluded.
+//! If the step prints the Lagrangian, or one of the energies, the world is that of the printed Lagrangian.
+//! Otherwise the step is a law without a system: what the system determines is then any function of time.
+//!
+//! # When a wrong line follows from another
+//!
+//! If it is true where that one is. So a model is made in which the premise is true: the system of the Lagrangian
+//! that was printed, traced like any other, or no system and the line as a law. The later line is checked there
+//! with everything that it failed. Since a contradiction implies everything, a law must leave the state as free as
+//! before: the numbers that are changed are highest derivatives, or quantities that the system had determined, and
+//! none has one value at two states. True lines are added to a false one only under the same condition. What is
+//! found there is never a verdict: at worst a wrong line is explained by another wrong line.
 
 use std::sync::Arc;
 
 use crate::Result;
 use crate::formula::{Expr, Kind, Relation, SymbolId, Value};
-use crate::mechanics::{Elimination, World};
+use crate::mechanics::{LinearSolver, System};
 use crate::notes::claims::Range;
 use crate::scalar::Symbol;
 
@@ -42,7 +47,7 @@ impl Checker<'_> {
     /// The world of the Lagrangian that a step prints, or of the energies that it prints, the other one as the steps before
     /// have it or, if they do not, as it is. None, if it prints none of them in coordinates and velocities.
     pub(crate) fn printed_world(&self, earlier: &[usize], step: usize) -> Option<Premise> {
-        let world = self.model.world.as_ref()?;
+        let system = self.model.system.as_ref()?;
         let own = self.energies(step);
         let known = |wanted: Quantity| {
             let all = earlier.iter().filter(|at| **at != step).flat_map(|at| self.energies(*at)).chain(own.clone());
@@ -51,7 +56,7 @@ impl Checker<'_> {
         let is_own = |wanted: Quantity| own.iter().any(|(quantity, _)| *quantity == wanted);
         let energies = match is_own(Quantity::Lagrangian) {
             true => Energies::Lagrangian(known(Quantity::Lagrangian)?),
-            false if !own.is_empty() && world.has_potential() => {
+            false if !own.is_empty() && system.has_potential() => {
                 Energies::Parts(known(Quantity::KineticEnergy), known(Quantity::PotentialEnergy))
             }
             false => return None,
@@ -67,14 +72,14 @@ impl Checker<'_> {
         let names = more.iter().map(|at| self.model.name(self.model.constants[*at].symbol)).collect();
         let places: Vec<usize> = self.model.parameters.iter().copied().chain(more).collect();
         let mut readable = true;
-        let printed = world.with_lagrangian("as printed", names, |time, q, v, parameters| {
+        let printed = system.with_lagrangian("as printed", names, |time, q, v, parameters| {
             let values = self.symbolic(time, (q, v), (&places, parameters), &energies);
             readable = values.is_some();
             values.unwrap_or((Symbol::from(f64::NAN), None))
         });
-        let printed: Arc<World> = Arc::new(printed.ok().filter(|_| readable)?);
+        let printed: Arc<System> = Arc::new(printed.ok().filter(|_| readable)?);
         let mut model = self.model.clone();
-        (model.world, model.parameters) = (Some(printed), places);
+        (model.system, model.parameters) = (Some(printed), places);
         Some(Premise { model, freed: Vec::new() })
     }
 
@@ -86,7 +91,7 @@ impl Checker<'_> {
                 continue;
             }
             let energy = |member: &Expr| match self.model.meaning(member.as_plain_symbol()?)? {
-                Meaning::World(
+                Meaning::System(
                     quantity @ (Quantity::Lagrangian | Quantity::KineticEnergy | Quantity::PotentialEnergy),
                 ) => Some(*quantity),
                 _ => None,
@@ -122,7 +127,8 @@ impl Checker<'_> {
         };
         let base: Vec<Symbol> = slots(model, mode).iter().enumerate().map(number).collect();
         let layout = Layout::of(model, mode);
-        let state = SampledState::by(Elimination::Cramer, 2, model, mode, (&layout, &base), &Arc::from([])).ok()?;
+        let state =
+            SampledState::by(LinearSolver::CramersRule, 2, model, mode, (&layout, &base), &Arc::from([])).ok()?;
         let value = |formula: &Expr| match state.now(formula, &[]) {
             Ok(Value::Scalar(value)) => Some(value),
             _ => None,
@@ -146,7 +152,7 @@ impl Checker<'_> {
     /// asked for, the numbers that a formula defines.
     pub(crate) fn aside(&self, names: bool) -> Premise {
         let mut model = self.model.clone();
-        (model.world, model.laws) = (None, Vec::new());
+        (model.system, model.laws) = (None, Vec::new());
         model.parameters.clear();
         for coordinate in std::mem::take(&mut model.coordinates) {
             model.mean(coordinate.symbol, Meaning::Varying(model.varying.len()));
@@ -155,7 +161,7 @@ impl Checker<'_> {
         let mut freed = Vec::new();
         let determined = |(at, meaning): (usize, &Option<Meaning>)| {
             let is_determined =
-                matches!(meaning, Some(Meaning::World(_))) || names && matches!(meaning, Some(Meaning::Defined(_)));
+                matches!(meaning, Some(Meaning::System(_))) || names && matches!(meaning, Some(Meaning::Defined(_)));
             let id = SymbolId(at);
             let entry = (is_determined && at < self.model.symbols.len()).then(|| self.model.symbols.entry(id))?;
             (entry.kind == Kind::Scalar && entry.slots.is_empty()).then_some(id)

@@ -1,13 +1,15 @@
-//! How the pieces of a display stand to a false one: whether they follow from it as printed, or say something else.
+//! How the statements of a display relate to a false step: whether they follow from it as printed, or say something
+//! else.
 //!
-//! A piece follows if it says the same in other words, or if it passes its check in a world in which the false one is right
-//! ([`super::premise`]). It says something else if it is refuted there, and that world is about it. All else stays open.
+//! A statement follows if it says the same in other words, or if it passes its check where the false step is taken
+//! for true ([`super::premise`]). It says something else if it is refuted there, and the false step is about it.
+//! Otherwise the question stays open.
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement};
 use crate::latex::{Introduced, Reading};
 use crate::notes::claims::Claim;
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::{is_plain, shown};
@@ -229,7 +231,7 @@ impl Checker<'_> {
         let mut factor = None;
         for state in &ensemble.states {
             let (Ok(own), Ok(others)) = (entries(link, state), entries(known, state)) else { return Ok(false) };
-            let apart = |(a, b): (Measured, Measured)| a - b;
+            let apart = |(a, b): (RunningError, RunningError)| a - b;
             let (own, others) = (own.into_iter().map(apart), others.into_iter().map(apart));
             for (own, other) in own.clone().zip(others.clone()) {
                 if residual::vanishes(other) && residual::vanishes(own) {

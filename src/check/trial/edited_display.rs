@@ -1,9 +1,11 @@
-//! A document with another text for one display, without reading the rest of it again.
+//! A document with another text for one display, without reading the rest again.
 //!
-//! To read a document takes far longer than to see that an edit of it mends nothing. So the display alone is read, by the
-//! names that the whole document gives; the names that it introduces get their new meanings, and a law that it prints is
-//! taken over as it stands there now. How other displays might then be read is left out of account: this serves to leave
-//! edits out, and what is offered has been read in full.
+//! The display is read with the names of the whole document. Names that it defines get their new meanings, and a
+//! law that it prints is replaced. How other displays would then be read is not considered: this only excludes
+//! edits, and what is offered has been read in full.
+//!
+//! To read a document again takes longer than to see that an edit corrects nothing. So only the one display is
+//! read, with the names of the others, and two states judge; the edits that remain are checked in full.
 
 use crate::formula::{Expr, Node, SymbolId};
 use crate::latex::{Introduced, Reading, read_display};

@@ -1,8 +1,10 @@
-//! Whether another text would pass in the place of a display: what mutation and repair both ask.
+//! Whether another text would pass in the place of a display: the question of mutation testing and of repair.
 //!
-//! A text is read with the names of the document and judged by the claim of the display. Most wrong texts fail at the
-//! first state: so a few are drawn once for all texts, by the hypotheses of the claim, and what fails at one of them is
-//! refuted. What does not gets the full check, twins and certificate and all. The states only ever refute.
+//! # How a text is judged in the place of a display
+//!
+//! It is read with the names of the document, and refuted by one of a few states that were drawn once, which takes
+//! microseconds; what these do not refute gets the full check. The states are on shell where a claim that holds
+//! only on shell would pass, so no text is refuted that the check would pass.
 
 use crate::Result;
 use crate::formula::{Expr, Index, Node, Relation, Statement, SymbolId};
@@ -207,7 +209,7 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// Whether a reading is proved over a field to say what the display says, member for member, or to follow from it.
     ///
     /// # Errors
-    /// When the world's mass matrix is singular.
+    /// When the system's mass matrix is singular.
     pub fn is_as_true(&self, reading: &Reading) -> Result<bool> {
         let original = &self.now.statements;
         if original.len() != reading.statements.len() {

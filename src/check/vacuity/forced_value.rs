@@ -1,8 +1,10 @@
-//! What the hypotheses leave no choice of.
+//! Symbols for which the hypotheses leave only one value.
 //!
-//! Two laws such as x + y = 0 and x − y = 0 are obeyed by one state alone, in which every formula that is 0 there seems
-//! to hold. So where a symbol that was declared to vary has one value at all states, and no hypothesis says so outright,
-//! a claim about it is not tested. A hypothesis says it outright if it speaks of nothing else: θ = π/2, \cos θ = 0.
+//! x + y = 0 and x − y = 0 are obeyed by one state alone, in which every formula that is 0 there seems to hold. A
+//! hypothesis fixes a symbol openly if it mentions nothing else: θ = π/2, \cos θ = 0.
+//!
+//! If hypotheses leave hardly any states, nearly everything is true under them. A pass is withheld if a symbol that
+//! varies has one value at all states and no hypothesis says so alone.
 
 use crate::formula::{Expr, Index, Node, Relation, SymbolId, text};
 
@@ -84,7 +86,7 @@ fn outright(hypotheses: &[&Hypothesis], model: &Model) -> Vec<SymbolId> {
 /// All numbers of a symbol at a state, of all members of a family.
 fn values(
     symbol: SymbolId,
-    state: &crate::check::state::sampled_state::SampledState<'_, crate::scalar::Measured>,
+    state: &crate::check::state::sampled_state::SampledState<'_, crate::scalar::RunningError>,
 ) -> Option<Vec<f64>> {
     let letters: Vec<_> = state.model().symbols.entry(symbol).slots.iter().map(|(_, letter)| *letter).collect();
     let indices = letters.iter().map(|letter| Index::Letter(*letter)).collect();

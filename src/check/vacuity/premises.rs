@@ -1,11 +1,19 @@
-//! What more can be said of a claim that passes: which Euler–Lagrange equations it is made of, and which of its
-//! hypotheses it does not need.
+//! What more the report says of a claim that passes: the Euler–Lagrange equations that it is made of, and the
+//! hypotheses that it does not need.
+//!
+//! # What a claim is worth that follows from its hypotheses
+//!
+//! This is asked of every equality that passes off shell under hypotheses and mentions nothing that the system
+//! determines. If the hypotheses also follow from it, it restates them and is `undecided`. If they hold
+//! `throughout`, nothing was said about the motion, and it is `undecided` too. Otherwise it is a deduction and
+//! passes with a remark, since a deduction may be worth printing. A term that is too small to be seen at all states
+//! was not tested, and prevents a pass.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::Result;
 use crate::formula::{Expr, Relation, Value, text};
-use crate::scalar::Measured;
+use crate::scalar::RunningError;
 
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link};
@@ -23,7 +31,7 @@ const FIRST: usize = 3;
 /// residual off shell is fitted by theirs, and the fit must be exact.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>> {
     let coordinates = &context.model.coordinates;
     if !link.free.is_empty() || link.relation != Relation::Equal || !context.hypotheses.is_empty() {
@@ -35,7 +43,7 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
     for state in &ensemble.states {
         let sides = (state.now(&link.lhs, &[]), state.now(&link.rhs, &[]));
         let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = sides else { return Ok(None) };
-        let residual: Measured = a - b;
+        let residual: RunningError = a - b;
         let Some(equations) = state.euler_lagrange() else { return Ok(None) };
         let scale = residual.magnitude + equations.iter().map(|e| e.magnitude).sum::<f64>();
         rows.push((equations.iter().map(|e| e.value).collect(), residual.value, scale));
@@ -68,7 +76,7 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
 /// The hypotheses that a claim which holds does not need, by trying it without each.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn unneeded(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vec<String>> {
     let mut found = Vec::new();
     for (at, dropped) in context.hypotheses.iter().enumerate() {
@@ -87,7 +95,7 @@ fn holds_without(link: &Link, context: &Context<'_>, at: usize, on_shell: bool) 
     fewer.remove(at);
     let without = Context { hypotheses: &fewer, ..*context };
     let mode = without.mode(on_shell, &[&link.lhs, &link.rhs]);
-    let clean = |states: &[SampledState<'_, Measured>]| {
+    let clean = |states: &[SampledState<'_, RunningError>]| {
         let outcome = run(link, states).ok()?;
         (outcome.failure.is_none() && outcome.one_sided.is_none() && outcome.doubtful == 0).then_some(outcome.points)
     };
@@ -100,13 +108,13 @@ fn holds_without(link: &Link, context: &Context<'_>, at: usize, on_shell: bool) 
 }
 
 /// Whether both sides of a claim are zero at all states, though neither is printed as 0: then any factor would do.
-pub fn vanishes_throughout(link: &Link, states: &[SampledState<'_, Measured>]) -> bool {
+pub fn vanishes_throughout(link: &Link, states: &[SampledState<'_, RunningError>]) -> bool {
     let zero = |side: &Expr| Link { lhs: side.clone(), rhs: Expr::integer(0, side.span), ..link.clone() };
     let vanishes = |side: &Expr| run(&zero(side), states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0);
     !link.lhs.is_null() && !link.rhs.is_null() && vanishes(&link.lhs) && vanishes(&link.rhs)
 }
 
-/// How little a claim that holds says of the world.
+/// How little a claim that holds says of the system.
 pub enum Emptiness {
     /// It says something.
     None,
@@ -119,7 +127,7 @@ pub enum Emptiness {
 /// Whether a claim that holds says anything of the world, or follows from its hypotheses alone, or restates them.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Emptiness> {
     let formulas = [&link.lhs, &link.rhs].into_iter();
     if on_shell || context.hypotheses.is_empty() || formulas.clone().any(|f| concerns_world(f, context.model)) {
@@ -153,10 +161,10 @@ pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<E
     Ok(if restates { Emptiness::Empty("it only restates its assumptions") } else { Emptiness::Follows })
 }
 
-/// Whether a formula speaks of something that the world determines.
+/// Whether a formula speaks of something that the system determines.
 fn concerns_world(expr: &Expr, model: &Model) -> bool {
     expr.symbols().iter().any(|(id, _)| match model.meaning(*id) {
-        Some(Meaning::World(_) | Meaning::Particles(..) | Meaning::Frame(_) | Meaning::Rigid(_)) => true,
+        Some(Meaning::System(_) | Meaning::Particles(..) | Meaning::Frame(_) | Meaning::Rigid(_)) => true,
         Some(Meaning::Defined(formula)) => concerns_world(formula, model),
         _ => false,
     })

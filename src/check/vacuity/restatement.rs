@@ -1,9 +1,11 @@
 //! Whether an equation is a definition in other words: x = vt beside v = x/t.
 //!
-//! Such an equation holds by the definition, whatever that says, and so pins nothing. Two equations say the same in other
-//! words here if factors and terms went from one side to the other, or both sides to one power. What needs more than that,
-//! as s(a − b) = a² − b² beside s = a + b, is a use of the definition. What is the definition differentiated by time, as
-//! ṗ = mẍ beside p = mẋ, says the same too.
+//! What needs more than rearranging, such as s(a − b) = a² − b² beside s = a + b, is a use of the definition.
+//!
+//! An equation that is the definition rearranged holds whatever the definition says, and is no use of it. What
+//! counts as rearranged is decided by the formulas alone: terms and factors moved, denominators cleared, and the
+//! derivative of this. An equation that takes any other step is a use. In a chain that begins so, Ė = mẋẍ + kxẋ =
+//! 0, the name is compared with the other members.
 
 use crate::formula::{Expr, Index, IndexId, Node, SymbolId, Term};
 

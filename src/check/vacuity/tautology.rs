@@ -1,8 +1,13 @@
-//! Equations that say nothing: one side is the other with its terms and factors in another order.
+//! Equations without content: one side is the other with its terms and factors in another order.
 //!
-//! a + b = a is mended by adding −b, and says a = a then. No author prints that, so it is no repair of what he printed. An
-//! identity in which something is done, a sum multiplied out, a square or a sine rewritten, like terms collected, is one
-//! that authors do print, and a slip in it is mended like any other.
+//! Adding −b corrects a + b = a, which then says a = a. No author prints that, so it is no suggestion. An identity
+//! in which something is done (a sum multiplied out, a square or a sine rewritten, terms collected) is printed by
+//! authors, and a slip in it is corrected like any other.
+//!
+//! What is true and says nothing would pass too: a + b − b = a for a + b = a. Its sides are one when terms are
+//! collected, where before there was nothing to collect. A side that vanishes whatever its symbols mean, m r +
+//! m(−r) = 0, is sometimes meant: it is offered if nothing else is, and never made by `--fix`. So is another name
+//! that happens to be equal at the order in question.
 
 use std::mem::discriminant;
 

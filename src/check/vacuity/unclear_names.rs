@@ -1,5 +1,5 @@
-//! Formulas that name something of which it is not clear what is meant: a family that is joined of several, the motion of a
-//! place that is integrated over, and the rate of what is declared not to change.
+//! Formulas with a name whose meaning is unclear: a family that is joined of several, the motion of a place that is
+//! integrated over, the rate of something that is declared constant.
 
 use crate::code::Code;
 use crate::formula::tree::Node;

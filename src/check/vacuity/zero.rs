@@ -1,6 +1,7 @@
-//! What is always 0, whatever moves: `\vec r \times \vec r`, of which a dot was lost.
+//! Expressions that are always 0, such as `\vec r \times \vec r`, where a dot was lost.
 //!
-//! That the rate of such a thing is 0, and whatever else is said of it with a factor, is true and says nothing.
+//! d/dt(m**r** × **r**) = 0 is true and has lost a dot. So the rate of something that is always 0 is not accepted,
+//! nor is a definition by it. The rate of something constant, such as RRᵀ, stays a claim.
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation};
@@ -12,7 +13,7 @@ use crate::check::sample::outcome::run;
 /// Whether a formula that is not printed as 0 is 0 at all states, also at those that no law allows.
 ///
 /// # Errors
-/// When the world's mass matrix is singular.
+/// When the system's mass matrix is singular.
 pub(crate) fn is_nothing(expr: &Expr, context: &Context<'_>) -> Result<bool> {
     if expr.is_null() {
         return Ok(false);

@@ -1,4 +1,4 @@
-//! Who is told how far a run has come. Nothing here prints, and what is told changes no report.
+//! The progress of a run, for whoever wants to show it. Nothing here prints, and no report depends on it.
 
 /// Told, from any thread, of each item that is done.
 pub trait Progress: Sync {

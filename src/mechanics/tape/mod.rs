@@ -7,6 +7,7 @@ use crate::scalar::{Function, Graph, Number, Symbol};
 
 pub(super) mod blocks;
 pub(super) mod program;
+pub(super) mod reverse_mode;
 mod sincos;
 pub(super) mod single;
 mod writer;

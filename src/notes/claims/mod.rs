@@ -55,7 +55,7 @@ pub struct Claims {
     pub units: Vec<(Spanned<String>, Spanned<String>)>,
     /// `rotations`: matrices, and what they turn.
     pub rotations: Vec<(Spanned<String>, Spanned<Turning>)>,
-    /// `means`: what names mean in the world.
+    /// `means`: what names mean in the system.
     pub means: Vec<(Spanned<String>, Spanned<String>)>,
     /// `define`: what the prose defines.
     pub define: Vec<(Spanned<String>, Spanned<String>)>,

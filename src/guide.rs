@@ -1,0 +1,37 @@
+//! The pages of the manual: the claims file, notation, words, how onshell works, and its figures.
+//!
+//! They are the files of `docs/`. A link between pages is a reference there, and leads to the module here.
+
+/// The claims file: every key, and the report as JSON.
+///
+/// [notation]: notation
+/// [notation-indices]: notation#indices
+/// [glossary]: glossary
+/// [glossary-verdicts]: glossary#verdicts
+#[doc = include_str!("../docs/claims.md")]
+pub mod claims {}
+
+/// Notation: the LaTeX that is read, and what is rejected as ambiguous.
+///
+/// [claims-document]: claims#the-document
+/// [claims-continua]: claims#continua
+/// [claims-families]: claims#families
+/// [claims-equation]: claims#an-equation
+#[doc = include_str!("../docs/notation.md")]
+pub mod notation {}
+
+/// One term for one thing, and the verdicts.
+///
+/// [claims]: claims
+#[doc = include_str!("../docs/glossary.md")]
+pub mod glossary {}
+
+/// How onshell works: the way of one equation, and the map of folders.
+///
+/// [glossary]: glossary
+#[doc = include_str!("../docs/architecture.md")]
+pub mod architecture {}
+
+/// Figures: verdicts, mutants, repairs and times.
+#[doc = include_str!("../docs/benchmarks.md")]
+pub mod benchmarks {}

@@ -1,0 +1,176 @@
+//! From a Lagrangian to tapes: it is run once over symbols, then differentiated by running what was recorded over symbols
+//! again.
+//!
+//! One sweep backwards gives ∂L/∂q and ∂L/∂q̇. The gradient, itself recorded, is run forwards over num-dual's dual
+//! numbers: along the motion for d/dt ∂L/∂q̇, along each velocity for a column of the mass matrix. So n coordinates take n
+//! runs of a program that is no longer than a few times L. The graph takes equal expressions for one.
+
+use num_dual::Dual;
+use num_traits::One;
+
+use super::elimination::{eliminate, is_product, pivots, upper};
+use super::layout::Layout;
+use crate::Result;
+use crate::mechanics::rigid_body::rotations::RotationalState;
+use crate::mechanics::tape::Tape;
+use crate::mechanics::tape::reverse_mode::gradient;
+use crate::mechanics::{Lagrangian, State};
+use crate::scalar::{Graph, Symbol, simplify_all, try_simplify};
+
+/// A traced system.
+pub(super) struct Traced {
+    /// L.
+    pub lagrangian: Tape,
+    /// L, momenta, energy, forces; then U and T if there is a potential; then R row by row, ω in space components,
+    /// ω along the body if there is an orientation.
+    pub quantities: Tape,
+    /// Momenta, then the upper triangle of the mass matrix.
+    pub momenta_and_mass: Tape,
+    /// The upper triangle of the mass matrix, then the residuals at zero acceleration.
+    pub dynamics: Tape,
+    /// Accelerations by elimination without exchanges; then each pivot and the diagonal entry that it came from.
+    pub accelerations: Tape,
+    /// ∂L/∂qᵢ is the constant 0.
+    pub certainly_cyclic: Vec<bool>,
+    pub has_potential: bool,
+    pub has_orientation: bool,
+}
+
+/// What is recorded of a system.
+pub(super) struct Recorded {
+    /// L.
+    pub lagrangian: Symbol,
+    /// U, if L = T − U.
+    pub potential: Option<Symbol>,
+    /// Of a rigid body: R row by row, ω in space components, ω along the body.
+    pub turning: Option<Vec<Symbol>>,
+}
+
+/// Traces `l`.
+///
+/// # Errors
+/// When it branches on a value.
+pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) -> Result<Traced> {
+    let layout = Layout { coordinates: N, parameters: P };
+    traced(layout, || {
+        let at = State {
+            time: Symbol::input(0),
+            q: std::array::from_fn(|i| Symbol::input(layout.q(i))),
+            v: std::array::from_fn(|i| Symbol::input(layout.v(i))),
+            parameters: std::array::from_fn(|i| Symbol::input(1 + 2 * N + i)),
+        };
+        let turning = RotationalState::of(l, &at).map(|turning| {
+            let rows = turning.orientation.transpose();
+            rows.iter().chain(&turning.angular_velocity).chain(&turning.body_rates).copied().collect()
+        });
+        let potential = l.potential_energy(&at);
+        Recorded { lagrangian: l.lagrangian(&at), potential, turning }
+    })
+}
+
+/// Differentiates what is recorded of a system over the inputs of a layout.
+///
+/// # Errors
+/// When it branches on a value.
+pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Result<Traced> {
+    let tape = |graph: &Graph, outputs: &[Symbol]| Tape::new(graph, layout.inputs(), outputs);
+    let n = layout.coordinates;
+
+    let (graph, (lagrangian, potential, turning)) = Graph::record(|| {
+        let Recorded { lagrangian, potential, turning } = record();
+        let simple = |outputs: Option<Vec<Symbol>>| outputs.map(|outputs| simplify_all(&outputs));
+        (simplify_all(&[lagrangian]), simple(potential.map(|u| vec![u])), simple(turning))
+    })?;
+    let lagrangian = tape(&graph, &lagrangian);
+    let potential = potential.map(|outputs| tape(&graph, &outputs));
+    let turning = turning.map(|outputs| tape(&graph, &outputs));
+
+    let (graph, (value, slopes)) = Graph::record(|| {
+        let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
+        gradient(&lagrangian, &inputs)
+    })?;
+    let momenta = tape(&graph, &slopes[layout.v(0)..layout.v(n)]);
+    let first = tape(&graph, &[&[value], &slopes[layout.q(0)..layout.v(n)]].concat());
+
+    let (graph, derived) = Graph::record(|| {
+        let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
+        let derived = Derived::new(layout, &first, &momenta, &inputs);
+        let mut quantities = vec![derived.value];
+        quantities.extend(&derived.momenta);
+        quantities.push(derived.energy);
+        quantities.extend(&derived.forces);
+        if let Some(potential) = &potential {
+            let u = potential.evaluate(&inputs)[0];
+            quantities.push(u);
+            quantities.extend(simplify_all(&[derived.value + u]));
+        }
+        if let Some(turning) = &turning {
+            quantities.extend(turning.evaluate(&inputs));
+        }
+        let momenta_and_mass = [&derived.momenta[..], &derived.mass].concat();
+        let dynamics = [&derived.mass[..], &derived.bias].concat();
+        let cyclic = derived.forces.iter().map(|force| force.as_constant() == Some(0.0)).collect();
+        (quantities, momenta_and_mass, dynamics, cyclic)
+    })?;
+    let (quantities, momenta_and_mass, dynamics, certainly_cyclic) = derived;
+    let order = pivots(layout, |k| tape(&graph, &[dynamics[upper(n, k, k)]]));
+    let (quantities, momenta_and_mass) = (tape(&graph, &quantities), tape(&graph, &momenta_and_mass));
+    let dynamics = tape(&graph, &dynamics);
+
+    let (graph, accelerations) = Graph::record(|| {
+        let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
+        let values = dynamics.evaluate(&inputs);
+        let (mass, bias) = values.split_at(n * (n + 1) / 2);
+        let mut outputs = eliminate(&order, mass, bias, try_simplify);
+        for pair in outputs[n..].chunks_mut(2).filter(|pair| is_product(pair[0])) {
+            pair[1] = pair[0]; // it is sound unless it vanishes
+        }
+        outputs
+    })?;
+    Ok(Traced {
+        accelerations: tape(&graph, &accelerations),
+        quantities,
+        momenta_and_mass,
+        dynamics,
+        certainly_cyclic,
+        has_potential: potential.is_some(),
+        has_orientation: turning.is_some(),
+        lagrangian,
+    })
+}
+
+/// What follows from L, as symbols.
+struct Derived {
+    value: Symbol,
+    momenta: Vec<Symbol>,
+    energy: Symbol,
+    forces: Vec<Symbol>,
+    mass: Vec<Symbol>,
+    bias: Vec<Symbol>,
+}
+
+impl Derived {
+    /// From the tape of L, ∂L/∂q and ∂L/∂q̇, and that of ∂L/∂q̇ alone.
+    fn new(layout: Layout, first: &Tape, momenta: &Tape, inputs: &[Symbol]) -> Self {
+        let n = layout.coordinates;
+        let along = |direction: &[(usize, Symbol)]| {
+            let mut at: Vec<_> = inputs.iter().copied().map(Dual::from_re).collect();
+            direction.iter().for_each(|&(input, component)| at[input].eps = component);
+            momenta.evaluate(&at).into_iter().map(|p| p.eps).collect::<Vec<_>>()
+        };
+        let values = first.evaluate(inputs);
+        let (value, forces, momenta) = (values[0], values[1..=n].to_vec(), values[1 + n..].to_vec());
+        // the motion without acceleration
+        let mut motion = vec![(0, Symbol::one())];
+        motion.extend((0..n).map(|i| (layout.q(i), inputs[layout.v(i)])));
+        let bias: Vec<Symbol> = along(&motion).into_iter().zip(&forces).map(|(rate, &force)| rate - force).collect();
+        let columns: Vec<_> = (0..n).map(|j| along(&[(layout.v(j), Symbol::one())])).collect();
+        let mass: Vec<Symbol> = (0..n).flat_map(|i| columns[i..].iter().map(move |column| column[i])).collect();
+        let pv = momenta.iter().enumerate().map(|(i, &p)| p * inputs[layout.v(i)]).sum::<Symbol>();
+        let energy = simplify_all(&[pv - value])[0];
+        let (momenta, forces, dynamics) =
+            (simplify_all(&momenta), simplify_all(&forces), simplify_all(&[mass, bias].concat()));
+        let (mass, bias) = dynamics.split_at(n * (n + 1) / 2);
+        Derived { value, momenta, energy, forces, mass: mass.to_vec(), bias: bias.to_vec() }
+    }
+}

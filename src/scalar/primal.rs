@@ -1,0 +1,85 @@
+//! A number of which its value at an instant is wanted, and nothing of how it varies.
+//!
+//! Most of what is evaluated is never differentiated: then a [`Series`](super::Series) carries six coefficients to use
+//! one. An [`Primal`] is its first coefficient alone, and every operation rounds as that of a series does, so that what
+//! is computed in either way is the same number.
+
+use std::fmt;
+
+use super::arithmetic::{dual_number, power_by_squaring};
+use super::{Arithmetic, Function, Number};
+
+/// The value of a series.
+#[derive(Clone, Copy, Debug)]
+pub struct Primal<B>(pub B);
+
+impl<B: Number> Arithmetic for Primal<B> {
+    type Inner = B;
+    const DERIVATIVES: usize = B::NDERIV;
+
+    fn constant(value: B) -> Self {
+        Primal(value)
+    }
+    fn real(self) -> f64 {
+        self.0.re()
+    }
+    fn same(self, other: Self) -> bool {
+        self.0 == other.0
+    }
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        Primal(self.0 + other.0)
+    }
+    #[inline]
+    fn minus(self, other: Self) -> Self {
+        Primal(self.0 - other.0)
+    }
+    #[inline]
+    fn times(self, other: Self) -> Self {
+        Primal(self.0 * other.0)
+    }
+    #[inline]
+    fn over(self, other: Self) -> Self {
+        Primal(self.0 / other.0)
+    }
+    #[inline]
+    fn negated(self) -> Self {
+        Primal(-self.0)
+    }
+    fn power(self, n: i32) -> Self {
+        power_by_squaring(self, n)
+    }
+    fn real_power(self, n: f64) -> Self {
+        match n.fract() == 0.0 && n.abs() <= 64.0 {
+            true => self.power(n as i32),
+            false => Primal(self.0.powf(n)),
+        }
+    }
+    fn apply(self, function: Function) -> Self {
+        match function {
+            Function::Sqrt => self.real_power(0.5),
+            Function::Sin => self.sine_cosine().0,
+            Function::Cos => self.sine_cosine().1,
+            Function::Tan => {
+                let (sine, cosine) = self.sine_cosine();
+                sine.over(cosine)
+            }
+            function => Primal(function.of(self.0)),
+        }
+    }
+    fn angle_from(self, x: Self) -> Self {
+        Primal(self.0.atan2(x.0))
+    }
+    fn sine_cosine(self) -> (Self, Self) {
+        let (sine, cosine) = self.0.sin_cos();
+        (Primal(sine), Primal(cosine))
+    }
+}
+
+impl<B: fmt::Display> fmt::Display for Primal<B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+dual_number!(Primal<B: Number>);

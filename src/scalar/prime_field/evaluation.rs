@@ -1,0 +1,299 @@
+//! One evaluation at one random point of the field: what is drawn there, and the tables that its numbers share.
+//!
+//! A number of the field cannot return an error where it has no square root or is asked for its sign. Such events are noted
+//! by the evaluation that is open on the thread. Whoever opened it reads them in its [`EvaluationRecord`].
+
+use std::any::Any;
+use std::cell::RefCell;
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+use rustc_hash::FxHashMap;
+
+use super::angle::{Angle, common_multiple};
+use super::comparisons::{Comparisons, EvaluationRecord, Fraction, SIMPLE_MULTIPLES};
+use super::denominators::{Size, degree_as_f64};
+use super::modulus::Modulus;
+use super::number::Modular;
+use super::residue::Residue;
+use super::simple_numbers::SimpleNumbers;
+use super::square_roots::{RootFound, SquareRoots};
+use super::unit_circle::{Point, drawn_bits, turn_bits};
+use crate::scalar::rational::{ExactConstant, Ratio, exact_constant};
+
+thread_local! {
+    static EVALUATION: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
+}
+
+/// Evaluates `f` at the point of the field that `seed` names. The n-th bit of `signs` is the sign of the n-th square root;
+/// `finest` is the least common denominator of multiples of angles, as far as it is known.
+///
+/// The record tells whether the result means anything. Where its `finest` is larger than what was given, the degrees are
+/// too small, and the evaluation must be repeated with that.
+pub fn evaluate_at_point<F: Modulus, R>(
+    seed: u64,
+    signs: u32,
+    finest: u64,
+    f: impl FnOnce() -> R,
+) -> (R, EvaluationRecord) {
+    /// Puts the interrupted evaluation back, also when `f` panics.
+    struct Interrupted(Option<Box<dyn Any>>);
+    impl Drop for Interrupted {
+        fn drop(&mut self) {
+            EVALUATION.replace(self.0.take());
+        }
+    }
+    let interrupted = Interrupted(EVALUATION.replace(Some(Box::new(Evaluation::<F>::new(seed, signs, finest)))));
+    let result = f();
+    let evaluation = EVALUATION.take().and_then(|evaluation| evaluation.downcast::<Evaluation<F>>().ok());
+    drop(interrupted);
+    let record = evaluation.map(|evaluation| evaluation.comparisons.into_record());
+    (result, record.unwrap_or_default())
+}
+
+/// Runs `f` on the evaluation of the thread; outside of one, on a scratch evaluation of which nothing is ever read.
+pub(super) fn with_evaluation<F: Modulus, R>(f: impl FnOnce(&mut Evaluation<F>) -> R) -> R {
+    EVALUATION.with_borrow_mut(|open| match open.as_mut().and_then(|evaluation| evaluation.downcast_mut()) {
+        Some(evaluation) => f(evaluation),
+        None => f(&mut Evaluation::new(0, 0, 1)),
+    })
+}
+
+/// A constant, once read.
+#[derive(Clone, Copy)]
+pub(super) struct ConstantInField<F> {
+    pub value: Residue<F>,
+    pub size: Size,
+    pub denominator: u32,
+    /// The fraction, unless it has to do with π.
+    pub ratio: Option<Ratio>,
+    /// Its place among the angles, if it has to do with π.
+    pub angle: Option<u32>,
+}
+
+/// Whether a fraction is neither a decimal nor simple: what is left of √2 or 1/π, of whose relations nothing is known.
+fn is_rough(ratio: Ratio) -> bool {
+    let mut rest = ratio.denominator;
+    for prime in [2, 5] {
+        while rest.is_multiple_of(prime) {
+            rest /= prime;
+        }
+    }
+    rest > 100_000
+}
+
+/// A number with its logarithm: the number is `base` to the power `parts`.
+pub(super) struct Exponential<F: Modulus> {
+    pub logarithm: Modular<F>,
+    pub base: Modular<F>,
+    pub parts: i32,
+}
+
+impl<F: Modulus> Clone for Exponential<F> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<F: Modulus> Copy for Exponential<F> {}
+
+/// The state of an evaluation.
+pub(super) struct Evaluation<F: Modulus> {
+    generator: Pcg64Mcg,
+    points: FxHashMap<u128, Point<F>>,
+    pub comparisons: Comparisons<F>,
+    constants: FxHashMap<u64, ConstantInField<F>>,
+    pub angles: Vec<Angle<F>>,
+    pub ratios: Vec<Ratio>,
+    pub roots: SquareRoots<F>,
+    simple_numbers: SimpleNumbers<F>,
+    /// The arguments of sines of which only the value is known, each with the label that was drawn for it.
+    plain_angles: Vec<(Residue<F>, u128, Fraction)>,
+    /// The exponentials and logarithms of this evaluation.
+    pub exponentials: Vec<Exponential<F>>,
+    pi: Residue<F>,
+}
+
+impl<F: Modulus> Evaluation<F> {
+    /// An evaluation at the point that `seed` names. The n-th bit of `signs` is the sign of the n-th square root.
+    pub fn new(seed: u64, signs: u32, finest: u64) -> Self {
+        let mut evaluation = Evaluation {
+            generator: Pcg64Mcg::seed_from_u64(seed),
+            points: FxHashMap::default(),
+            comparisons: Comparisons::new(finest),
+            constants: FxHashMap::default(),
+            angles: Vec::new(),
+            ratios: Vec::new(),
+            roots: SquareRoots::new(signs),
+            simple_numbers: SimpleNumbers::new(),
+            plain_angles: Vec::new(),
+            exponentials: Vec::new(),
+            pi: Residue::ONE,
+        };
+        evaluation.pi = evaluation.random_residue();
+        evaluation
+    }
+
+    /// Notes the first reason why nothing can be concluded.
+    pub fn fault(&mut self, why: &'static str) {
+        self.comparisons.record.unsupported.get_or_insert(why);
+    }
+
+    fn bits(&mut self) -> u128 {
+        (u128::from(self.generator.next_u64()) << 64) | u128::from(self.generator.next_u64())
+    }
+
+    /// A random residue, each as probable as the others.
+    fn random_residue(&mut self) -> Residue<F> {
+        loop {
+            let bits = self.bits() >> F::PRIME.leading_zeros();
+            if bits < F::PRIME {
+                return Residue::new(bits);
+            }
+        }
+    }
+
+    /// A label with room for halvings.
+    fn random_label(&mut self) -> u128 {
+        (self.bits() & ((1 << drawn_bits::<F>()) - 1)) << F::HALVINGS
+    }
+
+    /// A random number.
+    pub fn random_number(&mut self) -> Residue<F> {
+        let value = self.random_residue();
+        self.roots.drawn_by_square.insert(value.square().key(), value);
+        value
+    }
+
+    /// A random number that is an angle too.
+    pub fn random_angle(&mut self) -> (Residue<F>, u32) {
+        let (value, label) = (self.random_number(), self.random_label());
+        (value, self.angle(Angle { label, spread: 1.0, ..Angle::NONE }))
+    }
+
+    /// Keeps an angle.
+    pub fn angle(&mut self, angle: Angle<F>) -> u32 {
+        self.angles.push(angle);
+        self.angles.len() as u32 - 1
+    }
+
+    /// What a constant is.
+    pub fn constant(&mut self, x: f64) -> ConstantInField<F> {
+        if let Some(known) = self.constants.get(&x.to_bits()) {
+            return *known;
+        }
+        let fraction = |evaluation: &mut Self, ratio: Ratio| {
+            let reciprocal = evaluation.comparisons.reciprocal(Residue::new(ratio.denominator.into()));
+            let value = Residue::whole(ratio.numerator).times(reciprocal);
+            let size = Size { degree: 0, norm: ratio.numerator.unsigned_abs() as f64 };
+            (value, size, evaluation.comparisons.denominators.whole(ratio.denominator))
+        };
+        let known = match exact_constant(x) {
+            None => {
+                // no number at all, or none that could be exact: infinitely large, so that nothing follows
+                let size = Size { degree: 0, norm: f64::INFINITY };
+                ConstantInField { value: Residue::ZERO, size, denominator: 0, ratio: None, angle: None }
+            }
+            Some(ExactConstant::Ratio(ratio)) => {
+                self.comparisons.record.opaque |= is_rough(ratio);
+                let (value, size, denominator) = fraction(self, ratio);
+                ConstantInField { value, size, denominator, ratio: Some(ratio), angle: None }
+            }
+            Some(ExactConstant::MultipleOfPi(ratio)) => {
+                let (value, size, denominator) = fraction(self, ratio);
+                let half_turn = Angle { label: 1 << (turn_bits::<F>() - 1), of_pi: true, ..Angle::NONE };
+                let angle = self.angle(half_turn.scaled(ratio, value));
+                let size = size.times(Size { degree: 1, norm: 1.0 });
+                ConstantInField { value: value.times(self.pi), size, denominator, ratio: None, angle: Some(angle) }
+            }
+        };
+        self.constants.insert(x.to_bits(), known);
+        known
+    }
+
+    /// Cosine and sine of an angle, and their degree.
+    pub fn point(&mut self, angle: Angle<F>, number: Modular<F>) -> (Point<F>, u32) {
+        if angle.lost {
+            self.fault("a sine or cosine of a fraction of an angle that the field does not have");
+        }
+        let (mut label, mut spread) = (angle.label, angle.spread);
+        let mut denominator = angle.denominator;
+        if !angle.rest.is_zero() {
+            self.comparisons.record.opaque = true;
+            let (of_rest, multiple) = self.plain_angle(angle.rest, number);
+            label = label.wrapping_add(of_rest);
+            spread += multiple.value().abs();
+            denominator = common_multiple(denominator, multiple.denominator);
+        }
+        self.comparisons.record.finest = common_multiple(self.comparisons.record.finest, denominator);
+        let point = match self.points.get(&label) {
+            Some(point) => *point,
+            None => {
+                let point = F::circle().at(label);
+                self.points.insert(label, point);
+                point
+            }
+        };
+        (point, (2.0 * spread * self.comparisons.record.finest as f64).ceil().min(f64::from(u32::MAX)) as u32)
+    }
+
+    /// A label for a value of which nothing else is known, and which multiple it is of one that was drawn.
+    fn plain_angle(&mut self, value: Residue<F>, number: Modular<F>) -> (u128, Ratio) {
+        let (degree, fraction) = (number.size.degree, Fraction::of(number));
+        for (known, label, known_fraction) in self.plain_angles.clone() {
+            for (numerator, denominator) in SIMPLE_MULTIPLES {
+                self.comparisons.record.coincidences += degree_as_f64(degree.max(known_fraction.size.degree));
+                // value = (n/d)·known
+                let multiple = known.times(Residue::whole(numerator));
+                if multiple == value.times(Residue::new(denominator.into())) {
+                    self.comparisons.found_equal(fraction, known_fraction);
+                    let ratio = Ratio { numerator, denominator };
+                    let angle = Angle::<F> { label, ..Angle::NONE };
+                    return (angle.scaled(ratio, Residue::ONE).label, ratio);
+                }
+            }
+        }
+        let label = self.random_label();
+        self.plain_angles.push((value, label, fraction));
+        (label, Ratio::whole(1))
+    }
+
+    /// The square root of a number.
+    pub fn root(&mut self, number: Modular<F>) -> RootFound {
+        self.roots.root(number, &mut self.comparisons)
+    }
+
+    /// The value of a square root, and the bits of the irrational roots that it is made of.
+    pub fn value_of_root(&mut self, index: usize) -> (Residue<F>, u32) {
+        self.roots.value_of_root(index, &mut self.comparisons)
+    }
+
+    /// Remembers a simple number by its value.
+    pub fn keep(&mut self, number: Modular<F>) {
+        self.simple_numbers.keep(number, &mut self.comparisons);
+    }
+
+    /// The simple number that has the value of a large one, or the large one.
+    pub fn settle(&mut self, number: Modular<F>) -> Modular<F> {
+        self.simple_numbers.settle(number, &mut self.comparisons)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::modulus::FirstPrime;
+    use super::*;
+
+    #[test]
+    fn what_is_left_of_an_irrational_number_is_opaque() {
+        let opaque = |x: f64| {
+            let mut evaluation = Evaluation::<FirstPrime>::new(1, 0, 1);
+            evaluation.constant(x);
+            evaluation.comparisons.record.opaque
+        };
+        let (root, pi) = (std::f64::consts::SQRT_2, std::f64::consts::PI);
+        assert_eq!([root, 1.0 / root, 1.0 / pi, pi * pi].map(opaque), [true; 4]);
+        // the twins: a part of π, a decimal, a fraction
+        assert_eq!([4.0 * pi / 3.0, 6.674e-11, 1.0 / 720.0].map(opaque), [false; 3]);
+    }
+}
