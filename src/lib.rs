@@ -1,16 +1,15 @@
 //! **onshell** checks the equations in physics notes against what automatic differentiation derives.
 //!
-//! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived on its own: from a
-//! Lagrangian that is a Rust function, or from laws that are taken for granted, for particles, turning bodies and masses
-//! spread over volumes. The two are held against each other at sampled states, and identities are decided over a prime
-//! field as well. Where they differ, the author gets the place, a state at which they differ, and the values of both
-//! sides there.
+//! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived independently: from a
+//! Lagrangian that is a Rust function, or from laws that the notes assume. The two are compared at sampled states, and
+//! identities are decided over a prime field as well. Each equation gets a [`check::Verdict`] with its evidence.
 //!
-//! # An example
+//! *On shell* is the field's term for "on the solutions of the equations of motion".
 //!
-//! Notes, and beside them a claims file that says what the symbols are. Here both are texts, and the Lagrangian is
-//! one of one's own: a mass on a spring that hangs in gravity. Nothing else is needed; what the equation of motion and
-//! the energy are follows from the Lagrangian.
+//! # Check notes
+//!
+//! Notes, and a claims file that says what the symbols mean. Here both are texts, and the Lagrangian is your own: a mass on
+//! a spring that hangs in gravity. The equation of motion and the energy follow from the Lagrangian.
 //!
 //! ```
 //! use onshell::check::Verdict;
@@ -19,7 +18,7 @@
 //! use onshell::systems::Registry;
 //! use onshell::testing::{assert_text, check_text};
 //!
-//! struct Spring; // z points upward, and the spring is at rest where z = 0
+//! struct Spring; // z points upward, and the spring is relaxed at z = 0
 //!
 //! impl Lagrangian<1, 3> for Spring {
 //!     fn name(&self) -> &str { "spring" }
@@ -53,7 +52,7 @@
 //! registry.add(Spring);
 //! assert_text(notes, claims, &registry);
 //!
-//! // A check that cannot fail is worth nothing: one sign, and (1) is refuted.
+//! // A check that cannot fail is worth nothing: with one wrong sign, (1) is refuted at a state that is given.
 //! let document = check_text(&notes.replace("- m g", "+ m g"), claims, &registry)?;
 //! let equation = &document.equations[0];
 //! assert_eq!((equation.id.as_str(), equation.finding.verdict), ("1", Verdict::Refuted));
@@ -61,84 +60,91 @@
 //! assert_ne!(found.lhs, found.rhs);
 //! assert!(found.state.iter().any(|(symbol, _)| symbol == "z"));
 //!
-//! // The other equation does not depend on it.
-//! // It is an identity on shell, decided over a prime field.
+//! // (2) does not depend on (1): its energy is conserved on shell, decided over a prime field.
 //! assert_eq!(document.equations[1].finding.verdict, Verdict::Certified);
 //! # Ok::<(), onshell::Error>(())
 //! ```
 //!
-//! Notes in files are checked with [`testing::assert_file`], or from the command line with `onshell check`.
+//! Files are checked with [`testing::assert_file`], or from the command line with `onshell check`.
 //!
-//! # The concepts
+//! # Compare two formulas
 //!
-//! *Notes* ([`notes::Notes`]) are a document as its author wrote it. onshell finds the displays in it, their numbers
-//! and their labels. It keeps the byte range of everything.
+//! ```
+//! use onshell::check::Verdict;
+//! use onshell::{Formula, Options, compare};
 //!
-//! *Claims* ([`notes::Claims`]) are a JSON file beside the notes. It declares the symbols, names the system or the laws,
-//! and says what an equation means where its print does not say it. `docs/claims.md` has every key. What onshell does not know
-//! in a claims file is an error at its place, never passed over.
+//! let found = compare(r"\sin 2x", r"2\sin x\cos x", &[], Options::default())?;
+//! assert_eq!(found.finding.verdict, Verdict::Certified);
+//! let found = compare(r"\sin 2x", r"2\sin x", &[], Options::default())?;
+//! assert_eq!(found.finding.verdict, Verdict::Refuted);
 //!
-//! A *system* ([`mechanics::Lagrangian`], [`systems`]) is a Lagrangian as a Rust function, generic in the number. From
-//! it follow the equations of motion, momenta, the energy, the Hamiltonian and the effective potential
-//! ([`mechanics::System`]). No system contains a closed form that is checked. Without a system, *laws* say how things move:
-//! each is solved for the highest derivative in it.
+//! assert_eq!(Formula::read(r"\frac12 m v^2")?.value(&[("m", 2.0), ("v", 3.0)])?, 9.0);
+//! # Ok::<(), onshell::Error>(())
+//! ```
 //!
-//! A *formula* ([`formula::Expr`]) is what LaTeX says, apart from how it was typeset. [`latex`] reads it in two steps,
-//! layout and then meaning, and refuses what people read in two ways. The rules are in [`latex::reader`].
+//! # Simulate a system from its Lagrangian
 //!
-//! A *state* ([`check::Verdict`]) gives every symbol a value and its time derivatives. *Off shell* the
-//! derivatives are free numbers; *on shell* the equations of motion, or laws, give the highest and all above. An
-//! equation with no word on it in the claims file is tested off shell first, and on shell if it fails there; the
-//! report says which.
+//! [`mechanics::System`] gives accelerations, momenta and energies. The page of [`mechanics`] simulates a heavy top and
+//! measures its energy drift; here one pendulum takes one step.
 //!
-//! A *verdict* ([`check::Verdict`]) comes with its evidence ([`check::Finding`]): the states that were used of those
-//! that were tried, the largest relative residual, or the counterexample. An equality that passes is also held against
-//! its *twins* ([`check::twins`]): the same claim with one slip in it. A pass whose states cannot tell it from a twin
-//! that is false elsewhere becomes `undecided`, and so does a claim that only restates its hypotheses
-//! ([`check::evidence`]). What is left of it is decided over a prime field ([`scalar::prime_field`]), where an identity is not near
-//! but exact: it is *certified*, with the probability that this is an accident, or says why a field cannot tell. A
-//! *definition* passes if each slip in it breaks another equation ([`check::definitions`]).
+//! ```
+//! use onshell::mechanics::System;
+//! use onshell::systems::Pendulum;
 //!
-//! # The house
+//! let pendulum = System::new(&Pendulum)?;
+//! let parameters = pendulum.parameter_values(&[("m", 1.0), ("l", 2.0), ("g", 9.81)])?;
+//! let mut evaluator = pendulum.acceleration_evaluator(&parameters);
+//! let acceleration = evaluator.accelerations(0.0, &[0.3], &[0.0])?[0];
+//! // θ̈ = −(g/l) sin θ
+//! assert!((acceleration + 9.81 / 2.0 * 0.3_f64.sin()).abs() < 1e-14);
+//! # Ok::<(), onshell::Error>(())
+//! ```
 //!
-//! Each room imports from the rooms below it alone. `formula` and `mechanics` do not know each other: what is printed
-//! and what is true meet in `check`.
+//! # Map
 //!
-//! | room | what it does |
+//! | module | what it offers |
 //! | --- | --- |
-//! | [`cli`], [`testing`] | the command; the same checks as assertions in a test |
-//! | [`report`] | verdicts as text, as JSON, as diagnostics |
-//! | [`check`] | the printed against the derived |
-//! | [`mod@derive`] | the derived as formulas that people read |
-//! | [`notes`], [`latex`], [`systems`] | documents and claims; LaTeX to formulas and back; named Lagrangians |
-//! | [`formula`], [`mechanics`] | what an equation says; what is true |
-//! | [`scalar`] | the numbers that formulas and Lagrangians are evaluated on |
-//! | [`source`], [`error`], [`suggest`] | texts and places in them; the one error type; "did you mean" |
+//! | [`check`] | checks of documents, and the types of a report |
+//! | [`testing`] | the same checks as assertions in a test |
+//! | [`Formula`], [`compare`] | formulas without a document |
+//! | [`mechanics`], [`systems`] | Lagrangians, and all that follows from them; named systems |
+//! | [`mod@derive`] | what follows from a Lagrangian as formulas to read |
+//! | [`notes`] | documents and claims files |
+//! | [`report`] | reports as text and JSON |
+//! | [`scalar`] | the numbers over which Lagrangians are evaluated |
+//! | [`guide`] | the pages: claims file, notation, words, architecture |
 //!
-//! `docs/architecture.md` walks through it, and has the reasons.
+//! # Features
+//!
+//! `cli` (default) adds the command line. Without it no command-line crate is built. `notes` (implied by `cli`) adds
+//! documents, formulas and checks. Without both the crate is mechanics alone.
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
 pub mod check;
 pub mod cli;
-pub mod code;
+mod code;
 pub mod derive;
-pub mod error;
-pub mod formula;
+mod error;
+mod formula;
+mod formulas;
 pub mod guide;
-pub mod latex;
+mod latex;
 pub mod mechanics;
 pub mod notes;
 pub mod report;
 pub mod scalar;
-pub mod source;
-pub mod suggest;
+mod source;
+mod suggest;
 pub mod systems;
 pub mod testing;
 
+pub use check::Options;
+pub use code::Code;
 pub use error::{Error, Result};
+pub use formulas::{Comparison, Formula, compare};
+pub use source::{Source, Span};
 
-/// The Rust code of the README, so that it is tested.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+#[cfg(test)]
+#[path = "../tests/unit/mod.rs"]
+mod unit;
