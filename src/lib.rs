@@ -145,6 +145,3 @@ pub use error::{Error, Result};
 pub use formulas::{Comparison, Formula, compare};
 pub use source::{Source, Span};
 
-#[cfg(test)]
-#[path = "../tests/unit/mod.rs"]
-mod unit;

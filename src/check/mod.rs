@@ -24,15 +24,15 @@
 //! | `reprint`, `run` | another print of the same notes; a whole run |
 
 pub(crate) mod certificate;
-pub mod document;
+pub(crate) mod document;
 pub(crate) mod equations;
 pub(crate) mod hypotheses;
 pub(crate) mod judge;
-pub mod kinds;
-pub mod model;
-pub mod mutation;
+pub(crate) mod kinds;
+pub(crate) mod model;
+pub(crate) mod mutation;
 pub(crate) mod repair;
-pub mod reprint;
+pub(crate) mod reprint;
 pub(crate) mod run;
 pub(crate) mod sample;
 pub(crate) mod search;
@@ -40,7 +40,7 @@ pub(crate) mod state;
 pub(crate) mod steps;
 pub(crate) mod trial;
 pub(crate) mod vacuity;
-pub mod verdict;
+pub(crate) mod verdict;
 
 pub use document::setup::Run;
 pub use reprint::check_reprint;

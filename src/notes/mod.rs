@@ -7,17 +7,17 @@
 //!
 //! Everything here is linear in the size of the file and never recurses on what the file nests.
 
-pub mod address;
-pub mod claims;
+pub(crate) mod address;
+pub(crate) mod claims;
 mod displays;
-pub mod document;
-pub mod json;
+pub(crate) mod document;
+pub(crate) mod json;
 mod macros;
 mod markdown;
-pub mod references;
+pub(crate) mod references;
 mod rows;
 mod scan;
-pub mod spelling;
+pub(crate) mod spelling;
 mod tex;
 
 pub use address::{Address, Item, Place, Point, Target};

@@ -4,10 +4,10 @@
 //! equation needs of its document. Knows `kinds` only for the types of their parameters.
 
 pub(crate) mod checker;
-pub mod names;
+pub(crate) mod names;
 pub(crate) mod reading;
 pub(crate) mod reread;
-pub mod setup;
+pub(crate) mod setup;
 pub(crate) mod unit_conflicts;
-pub mod units;
+pub(crate) mod units;
 pub(crate) mod unreadable;

@@ -4,10 +4,10 @@
 //! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and says what its mutants are. Knows `judge` and
 //! below; `equations` calls it.
 
-pub mod compare;
+pub(crate) mod compare;
 pub(crate) mod conserved;
 pub(crate) mod continuum;
-pub mod definitions;
+pub(crate) mod definitions;
 pub(crate) mod exactly_when;
 pub(crate) mod function_shape;
 pub(crate) mod generates;
