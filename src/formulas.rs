@@ -43,23 +43,41 @@ impl Formula {
     /// # Errors
     /// For LaTeX that is malformed, not supported or ambiguous, at its place in the text; for several statements.
     pub fn read(latex: &str) -> Result<Formula> {
-        let source = Arc::new(Source::new(PATH, latex));
-        let mut symbols = Symbols::open();
-        let reading = read_display(latex, &mut symbols, &Macros::default());
-        let mut statements = reading.statements.into_iter();
+        let mut statements = Formula::read_all(latex)?.into_iter();
         match (statements.next(), statements.next()) {
-            (Some(Ok(statement)), None) => Ok(Formula { statement, symbols: Arc::new(symbols) }),
-            (Some(Err(fault)), _) | (_, Some(Err(fault))) => Err(Error::fault(&source, fault)),
-            _ => {
-                let message = "this text is not one formula or equation";
-                Err(Error::new(message).help("read each statement by itself"))
-            }
+            (Some(formula), None) => Ok(formula),
+            _ => Err(Error::new("this text is not one formula or equation").help("read each statement by itself")),
         }
     }
 
-    /// The names of its letters, as LaTeX, without overdots.
-    pub fn names(&self) -> Vec<String> {
-        self.symbols.iter().map(|(_, entry)| entry.name.to_string()).collect()
+    /// Reads all statements of a display: `a = b, \quad c = d` are two.
+    ///
+    /// # Errors
+    /// As [`Formula::read`], for the first statement that cannot be read.
+    pub fn read_all(latex: &str) -> Result<Vec<Formula>> {
+        let source = Arc::new(Source::new(PATH, latex));
+        let mut symbols = Symbols::open();
+        let reading = read_display(latex, &mut symbols, &Macros::default());
+        let symbols = Arc::new(symbols);
+        let formula = |statement| Formula { statement, symbols: symbols.clone() };
+        let read = reading.statements.into_iter().map(|found| found.map(formula));
+        read.map(|found| found.map_err(|fault| Error::fault(&source, fault))).collect()
+    }
+
+    /// The letters that need a value, as LaTeX, in the order in which they occur: `x` and `\dot x` are two.
+    pub fn letters(&self) -> Vec<String> {
+        let mut letters = Vec::new();
+        for member in &self.statement.members {
+            member.walk(&mut |expr| {
+                if let Node::Symbol { .. } = &expr.node {
+                    let letter = crate::latex::typeset(expr, &self.symbols);
+                    if !letters.contains(&letter) {
+                        letters.push(letter);
+                    }
+                }
+            });
+        }
+        letters
     }
 
     /// The members of a chain `a = b = c`, one by one; of a formula without a relation, the formula itself.
@@ -94,11 +112,11 @@ impl Formula {
         let mut known = Vec::new();
         for (name, value) in values {
             let shown = text::plain(name);
-            let Some((id, dots)) = names::parse(name)
-                .and_then(|(name, dots)| self.symbols.find(&name).map(|(id, _)| (id, dots)))
+            let Some((id, dots)) =
+                names::parse(name).and_then(|(name, dots)| self.symbols.find(&name).map(|(id, _)| (id, dots)))
             else {
                 return Err(Error::new(format!("{shown} does not occur in the formula"))
-                    .help(format!("its letters are {}", self.names().join(", "))));
+                    .help(format!("its letters are {}", self.letters().join(", "))));
             };
             if known.contains(&(id, dots)) {
                 return Err(Error::new(format!("{shown} is set twice")).help("set it once"));
@@ -106,15 +124,12 @@ impl Formula {
             state.set(id, dots, *value);
             known.push((id, dots));
         }
-        let mut missing = Vec::new();
-        formula.walk(&mut |expr| {
-            if let Node::Symbol { id, dots, .. } = &expr.node {
-                let spelled = crate::latex::typeset(expr, &self.symbols);
-                if !known.contains(&(*id, *dots)) && !missing.contains(&spelled) {
-                    missing.push(spelled);
-                }
-            }
-        });
+        let is_set = |letter: &String| {
+            let named = names::parse(letter);
+            named
+                .is_some_and(|(name, dots)| self.symbols.find(&name).is_some_and(|(id, _)| known.contains(&(id, dots))))
+        };
+        let missing: Vec<String> = self.letters().into_iter().filter(|letter| !is_set(letter)).collect();
         if !missing.is_empty() {
             let settings: Vec<String> = missing.iter().map(|name| format!("--set '{name}=…'")).collect();
             return Err(Error::new(format!("no value for {}", missing.join(", "))).help(settings.join(" ")));

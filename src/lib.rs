@@ -145,3 +145,15 @@ pub use error::{Error, Result};
 pub use formulas::{Comparison, Formula, compare};
 pub use source::{Source, Span};
 
+/// The Rust code of the README, so that it is tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
+// The tests in `tests/unit` name this crate as the others do.
+#[cfg(test)]
+extern crate self as onshell;
+
+#[cfg(test)]
+#[path = "../tests/unit/mod.rs"]
+mod unit;

@@ -42,12 +42,15 @@ pub(crate) mod trial;
 pub(crate) mod vacuity;
 pub(crate) mod verdict;
 
-pub use document::setup::Run;
-pub use reprint::check_reprint;
-pub use run::{check_document, check_in, unclaimed};
+/// The kinds of slip that a repair undoes.
+pub use crate::latex::slips::Slip;
+pub(crate) use document::setup::Run;
+pub(crate) use reprint::check_reprint;
+pub use run::check_document;
+pub(crate) use run::{check_in, unclaimed};
 pub use sample::context::Options;
 pub use verdict::Verdict;
 pub use verdict::finding::{Counterexample, Finding, Fit, Formula, Fraction, Inherited, Misfit};
-pub use verdict::progress::Progress;
+pub(crate) use verdict::progress::Progress;
 pub use verdict::repair::{Repair, Shared};
 pub use verdict::report::{Document, Equation, Part, Report};

@@ -23,7 +23,7 @@ use crate::source::Span;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::{id, repeated, unjudged};
+use crate::check::document::names::{repeated, unjudged};
 use crate::check::document::reading::corrected;
 use crate::check::document::reread::{lost, read, reads_alike};
 use crate::check::document::setup::{Run, define_macros, with_checker};
@@ -43,8 +43,9 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         sets.par_iter().map(|(claims, reference)| apply(run, claims, reference, print)).collect::<Result<_>>()?;
     if !sets.iter().any(|(_, reference)| pairs(reference, print).any(|(_, display)| display.is_some())) {
         let names: Vec<&str> = sets.iter().map(|(_, reference)| reference.source.path.as_str()).collect();
-        let message = format!("{} has no equation with a number of {}", print.source.path, names.join(" or "));
-        return Err(Error::new(message).help("claims are applied to another print of their notes number by number"));
+        let message = format!("{} and {} have no equation number in common", print.source.path, names.join(" or "));
+        return Err(Error::new(message)
+            .help("claims about another print are found by the numbers of its equations; check the numbers"));
     }
     let mut equations: Vec<Equation> = Vec::new();
     for equation in found.into_iter().flatten() {
@@ -55,17 +56,17 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         }
     }
     for display in wanted(run, print) {
-        let Some(number) = id(display).filter(|number| equations.iter().all(|known| known.id != *number)) else {
+        let Some(number) = display.id().filter(|number| equations.iter().all(|known| known.id != *number)) else {
             continue;
         };
-        let message = "no claims file is about an equation of this number";
+        let message = "no claims file has a claim about this number";
         let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
         equations.push(unjudged(print, number, display.line, finding));
     }
     for (number, line) in repeated(print) {
         if run.only.is_none_or(|only| number.id == only) {
-            let message = format!("the number ({}) is used a second time, after line {line}", number.id);
-            let finding = Finding::new(Code::NotSupported, Verdict::Unreadable, number.span, message);
+            let message = format!("the number ({}) is used twice: on line {line}, and here", number.id);
+            let finding = Finding::new(Code::NotesFile, Verdict::Unreadable, number.span, message);
             let line = print.source.line_column(number.span.start).0;
             equations.push(unjudged(print, &number.id, line, finding));
         }
@@ -82,13 +83,13 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         source: print.source.clone(),
         equations,
         sentences: Vec::new(),
-        unnumbered: print.equations.iter().filter(|display| id(display).is_none()).count(),
+        unnumbered: print.equations.iter().filter(|display| display.id().is_none()).count(),
         inferred: inferred.collect(),
     })
 }
 
 fn wanted<'a>(run: &'a Run<'_>, notes: &'a Notes) -> impl Iterator<Item = &'a Display> {
-    notes.equations.iter().filter(|display| run.only.is_none_or(|only| id(display) == Some(only)))
+    notes.equations.iter().filter(|display| run.only.is_none_or(|only| display.id() == Some(only)))
 }
 
 /// The numbered equations of a reference, by their places, each with the display of the print that has its number.
@@ -104,7 +105,7 @@ fn work<'a>(reference: &'a Notes, print: &'a Notes, only: Option<&str>) -> Vec<(
     if all.iter().all(|(_, display)| display.is_none()) {
         return Vec::new();
     }
-    let chosen = |at: usize| only.is_none_or(|only| id(&reference.equations[at]) == Some(only));
+    let chosen = |at: usize| only.is_none_or(|only| reference.equations[at].id() == Some(only));
     all.into_iter().filter(|(at, _)| chosen(*at)).collect()
 }
 
@@ -146,7 +147,7 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
         && (claim.errata.is_empty() || lost(checker, &reading, &original()).is_some())
     {
         parts.push(
-            checker.part(Finding::new(Code::NotSupported, Verdict::Unreadable, display.body, message), String::new()),
+            checker.part(Finding::new(Code::LostInPrint, Verdict::Unreadable, display.body, message), String::new()),
         );
     }
     let failed = parts.iter().any(|part| !part.finding.verdict.passes());
@@ -169,11 +170,15 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
                 let mended = judged(checker, (at, display), &corrected, claim)?;
                 let whole = lost(checker, &corrected, &checker.readings[at]).is_none();
                 ok = whole && mended.iter().all(|part| part.finding.verdict.passes());
-                if ok { String::new() } else { format!("; corrected so it does not pass: {}", worst(&mended).message) }
+                if ok {
+                    String::new()
+                } else {
+                    format!("; the corrected equation does not pass: {}", worst(&mended).message)
+                }
             }
             Err(_) => {
                 ok = reads_alike(&reading, &original());
-                if ok { String::new() } else { "; but this is not what stands here".to_owned() }
+                if ok { String::new() } else { "; but this print reads otherwise here".to_owned() }
             }
         };
         because = Some(format!("a known erratum: {}{verdict}", edits.join(", ")));
@@ -188,13 +193,15 @@ fn judged(
     reading: &Reading,
     claim: &Claim,
 ) -> Result<Vec<Part>> {
-    let topic = id(display).unwrap_or_default();
+    let topic = display.id().unwrap_or_default();
     // The same claim on the reference tells whether it is the claim that is wrong, or the print.
     checker.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
         checker.parts((at, display.body.start), &checker.readings[at], claim, topic)?;
-        let message = format!("it cannot be judged as ({topic}) of {}: {}", checker.notes.source.path, error.message());
+        let message =
+            format!("this cannot be checked as ({topic}) of {}: {}", checker.notes.source.path, error.message());
         Ok(vec![
-            checker.part(Finding::new(Code::NotSupported, Verdict::Unreadable, display.body, message), String::new()),
+            checker
+                .part(Finding::new(Code::ClaimDoesNotFit, Verdict::Unreadable, display.body, message), String::new()),
         ])
     })
 }
@@ -209,8 +216,8 @@ fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
         Some((_, number)) => (format!(" before ({})", number.id), number.span),
         None => (String::new(), Span::default()),
     };
-    let number = id(&reference.equations[at]).unwrap_or_default();
-    let message = format!("no display{side} has the number ({number}), that {} has", reference.source.path);
+    let number = reference.equations[at].id().unwrap_or_default();
+    let message = format!("no display{side} has the number ({number}), which is in {}", reference.source.path);
     let line = print.source.line_column(span.start).0;
-    unjudged(print, number, line, Finding::new(Code::NotSupported, Verdict::Unreadable, span, message))
+    unjudged(print, number, line, Finding::new(Code::LostInPrint, Verdict::Unreadable, span, message))
 }

@@ -8,7 +8,7 @@ use crate::notes::claims::Claims;
 use crate::notes::{Display, Notes};
 use crate::systems::Registry;
 
-use crate::check::document::names::{id, is_wrong, unjudged};
+use crate::check::document::names::{is_wrong, unjudged};
 use crate::check::document::setup::{Run, wanted, with_checker};
 use crate::check::equations::sentences;
 use crate::check::sample::context::Options;
@@ -86,7 +86,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
                 .assigned
                 .iter()
                 .zip(&notes.equations)
-                .filter(|(claim, d)| claim.is_none() && id(d).is_none())
+                .filter(|(claim, d)| claim.is_none() && d.id().is_none())
                 .count(),
             inferred: checker.model.inferred.clone(),
         })
@@ -96,9 +96,9 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
 /// The report of notes that no claims file is about: every numbered equation is unclaimed.
 pub fn unclaimed(notes: &Notes) -> Document {
     let equation = |display: &Display| {
-        let message = "nothing says what this should mean: it has no claims file";
-        let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
-        Some(unjudged(notes, id(display)?, display.line, finding))
+        let message = "these notes have no claims file, so this equation was not checked";
+        let finding = Finding::new(Code::NoClaimsFile, Verdict::Unclaimed, display.body, message);
+        Some(unjudged(notes, display.id()?, display.line, finding))
     };
     Document {
         path: notes.source.path.clone(),
@@ -106,7 +106,7 @@ pub fn unclaimed(notes: &Notes) -> Document {
         source: notes.source.clone(),
         equations: notes.equations.iter().filter_map(equation).collect(),
         sentences: Vec::new(),
-        unnumbered: notes.equations.iter().filter(|display| id(display).is_none()).count(),
+        unnumbered: notes.equations.iter().filter(|display| display.id().is_none()).count(),
         inferred: Vec::new(),
     }
 }

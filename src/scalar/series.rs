@@ -3,6 +3,13 @@
 //! Feed the coordinates of a motion in as series and any quantity comes out as a series: dots on a symbol, d/dt of a
 //! bracket and chains of either are then read off. A series also says how many of its coefficients are known, so that
 //! a derivative that the motion does not determine is absent, not wrong.
+//!
+//! # Why everything is a Taylor series in time
+//!
+//! A dot, two dots, d/dt of a bracket and "constant" are then one operation, a shift of coefficients. A series
+//! knows how many of its coefficients are known; a derivative that nobody supplied is `Unavailable`, never zero. On
+//! shell, the accelerations are run over series, and each run gives one more order. Six coefficients are kept, so
+//! the fifth derivative is the highest. Only what is used is computed.
 
 use std::fmt;
 
@@ -153,7 +160,8 @@ impl<B: Number> Series<B> {
         if length >= known {
             return;
         }
-        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from itself.
+        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from
+        // itself.
         let nothing = self.coefficients[0] * B::zero();
         #[allow(clippy::eq_op)]
         if nothing != nothing {

@@ -1,6 +1,16 @@
-//! Named systems, a file each, and the open registry in which a claims file's `"system"` is looked up.
+//! Mechanical systems, each a Lagrangian in its own file, and the registry that finds them by name.
 //!
-//! Nothing here contains a closed form that is checked somewhere: a rigid body starts from its rotation matrix.
+//! A claims file's `"system"` is looked up in a [`Registry`]. No file here contains a closed form that is checked
+//! elsewhere: a rigid body starts from its rotation matrix. Units are the caller's, used consistently; angles are in
+//! radians.
+//!
+//! This folder imports `mechanics` and `scalar`.
+//!
+//! # Why a system contains no closed form
+//!
+//! Otherwise a check would compare a formula with its copy. The top starts from R = R_z(ψ) R_y(θ) R_z(φ). ω follows
+//! from R by differentiation, T = ½ Σ λ_a ω_a², and U from the height of the center of mass. So (5.68) to (5.70)
+//! and (6.71) of the lecture are theorems about it.
 
 use crate::mechanics::{AnyLagrangian, Lagrangian, erased};
 

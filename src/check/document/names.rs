@@ -47,13 +47,7 @@ pub(crate) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -
 
 /// What a message calls a display: its number or label, or the line that it is on.
 pub(crate) fn shown(display: &Display) -> String {
-    id(display).map_or_else(|| format!("line {}", display.line), str::to_owned)
-}
-
-/// The number or else the first label of a display.
-pub fn id(display: &Display) -> Option<&str> {
-    let number = display.number.as_ref().or(display.labels.first());
-    number.map(|numbered| numbered.id.as_str())
+    display.id().map_or_else(|| format!("line {}", display.line), str::to_owned)
 }
 
 /// Whether an equation says something false, or nothing that can be read.

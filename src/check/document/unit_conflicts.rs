@@ -8,7 +8,6 @@ use crate::notes::claims::Claim;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::id;
 use crate::check::document::units::{Trust, Units, declared, trust};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -44,13 +43,13 @@ impl Checker<'_> {
         let others = mismatch.origins.iter().filter(|origin| **origin != display);
         let names: Vec<String> = others
             .map(|origin| &self.notes.equations[*origin])
-            .map(|other| id(other).map_or_else(|| format!("line {}", other.line), |id| format!("({id})")))
+            .map(|other| other.id().map_or_else(|| format!("line {}", other.line), |id| format!("({id})")))
             .collect();
         let message = match names.as_slice() {
             [] => mismatch.message,
             names => format!("{}; units inferred from {}", mismatch.message, names.join(", ")),
         };
-        Some(Finding::new(Code::NotSupported, Verdict::Unreadable, mismatch.span.shifted(offset), message))
+        Some(Finding::new(Code::UnitMismatch, Verdict::Unreadable, mismatch.span.shifted(offset), message))
     }
 }
 
