@@ -1,16 +1,14 @@
 //! **onshell** checks the equations in physics notes against what automatic differentiation derives.
 //!
 //! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived on its own: from a
-//! Lagrangian that is a Rust function, or from laws that are taken for granted, for particles, turning bodies and masses
-//! spread over volumes. The two are held against each other at sampled states, and identities are decided over a prime
-//! field as well. Where they differ, the author gets the place, a state at which they differ, and the values of both
-//! sides there.
+//! Lagrangian that is a Rust function, or from laws that are taken for granted, for particles, turning bodies and
+//! continua. The two are compared at sampled states, and identities are decided over a prime field as well. Where they
+//! differ, the author gets the place, a state at which they differ, and the values of both sides there.
 //!
 //! # An example
 //!
-//! Notes, and beside them a claims file that says what the symbols are. Here both are texts, and the Lagrangian is
-//! one of one's own: a mass on a spring that hangs in gravity. Nothing else is needed; what the equation of motion and
-//! the energy are follows from the Lagrangian.
+//! Notes, and a claims file that says what the symbols are. Here both are texts, and the Lagrangian is written for this
+//! example: a mass that hangs on a spring. The equation of motion and the energy follow from the Lagrangian.
 //!
 //! ```
 //! use onshell::check::Verdict;
@@ -53,7 +51,7 @@
 //! registry.add(Spring);
 //! assert_text(notes, claims, &registry);
 //!
-//! // A check that cannot fail is worth nothing: one sign, and (1) is refuted.
+//! // The case that must fail: with one wrong sign, (1) is refuted.
 //! let document = check_text(&notes.replace("- m g", "+ m g"), claims, &registry)?;
 //! let equation = &document.equations[0];
 //! assert_eq!((equation.id.as_str(), equation.finding.verdict), ("1", Verdict::Refuted));
@@ -71,51 +69,44 @@
 //!
 //! # The concepts
 //!
-//! *Notes* ([`notes::Notes`]) are a document as its author wrote it. onshell finds the displays in it, their numbers
-//! and their labels. It keeps the byte range of everything.
+//! *Notes* ([`notes::Notes`]) are a document as its author wrote it. onshell finds the displays in it, their numbers and
+//! their labels, with the byte range of everything.
 //!
 //! *Claims* ([`notes::Claims`]) are a JSON file beside the notes. It declares the symbols, names the system or the laws,
-//! and says what an equation means where its print does not say it. `docs/claims.md` has every key. What onshell does not know
-//! in a claims file is an error at its place, never passed over.
+//! and says what an equation claims where its text does not say it. [`guide::claims`] has every key. What onshell does
+//! not know in a claims file is an error at its place.
 //!
-//! A *system* ([`mechanics::Lagrangian`], [`systems`]) is a Lagrangian as a Rust function, generic in the number. From
-//! it follow the equations of motion, momenta, the energy, the Hamiltonian and the effective potential
-//! ([`mechanics::System`]). No system contains a closed form that is checked. Without a system, *laws* say how things move:
-//! each is solved for the highest derivative in it.
+//! A *system* ([`mechanics::Lagrangian`], [`systems`]) is a Lagrangian as a Rust function, generic in the number. The
+//! equations of motion, momenta, energy, Hamiltonian and effective potential follow from it ([`mechanics::System`]). No
+//! system contains a closed form that is checked. Without a system, *laws* say how things move.
 //!
-//! A *formula* ([`formula::Expr`]) is what LaTeX says, apart from how it was typeset. [`latex`] reads it in two steps,
-//! layout and then meaning, and refuses what people read in two ways. The rules are in [`latex::reader`].
+//! A *formula* ([`formula::Expr`]) is what LaTeX says, apart from how it is typeset. [`latex`] reads it in two steps,
+//! layout and then meaning, and rejects what can be read in more than one way ([`guide::notation`]).
 //!
-//! A *state* ([`check::Verdict`]) gives every symbol a value and its time derivatives. *Off shell* the
-//! derivatives are free numbers; *on shell* the equations of motion, or laws, give the highest and all above. An
-//! equation with no word on it in the claims file is tested off shell first, and on shell if it fails there; the
-//! report says which.
+//! A *sampled state* gives every symbol a value and its time derivatives. *Off shell* the derivatives are free numbers;
+//! *on shell* the highest ones follow from the equations of motion or the laws.
 //!
-//! A *verdict* ([`check::Verdict`]) comes with its evidence ([`check::Finding`]): the states that were used of those
-//! that were tried, the largest relative residual, or the counterexample. An equality that passes is also held against
-//! its *twins* ([`check::twins`]): the same claim with one slip in it. A pass whose states cannot tell it from a twin
-//! that is false elsewhere becomes `undecided`, and so does a claim that only restates its hypotheses
-//! ([`check::evidence`]). What is left of it is decided over a prime field ([`scalar::prime_field`]), where an identity is not near
-//! but exact: it is *certified*, with the probability that this is an accident, or says why a field cannot tell. A
-//! *definition* passes if each slip in it breaks another equation ([`check::definitions`]).
+//! A *verdict* ([`check::Verdict`]) comes with its evidence ([`check::Finding`]): the number of sampled states, the
+//! largest residual, or the counterexample. An equality that passes is also compared with its *mutants*, the same claim
+//! with one slip in it. If it is an identity over a prime field ([`scalar::prime_field`]), it is *certified*, with a bound
+//! on the probability that it is false. A *definition* passes if each slip in it makes another equation fail. All words
+//! are explained in [`guide::glossary`].
 //!
-//! # The house
+//! # The modules
 //!
-//! Each room imports from the rooms below it alone. `formula` and `mechanics` do not know each other: what is printed
-//! and what is true meet in `check`.
+//! Each module imports only from those below it. `formula` and `mechanics` do not know each other: what is printed and
+//! what is true meet in `check`. [`guide::architecture`] follows one equation through all of them.
 //!
-//! | room | what it does |
+//! | module | purpose |
 //! | --- | --- |
 //! | [`cli`], [`testing`] | the command; the same checks as assertions in a test |
 //! | [`report`] | verdicts as text, as JSON, as diagnostics |
-//! | [`check`] | the printed against the derived |
-//! | [`mod@derive`] | the derived as formulas that people read |
+//! | [`check`] | the comparison of the printed with the derived |
+//! | [`mod@derive`] | derived equations as formulas that people read |
 //! | [`notes`], [`latex`], [`systems`] | documents and claims; LaTeX to formulas and back; named Lagrangians |
 //! | [`formula`], [`mechanics`] | what an equation says; what is true |
 //! | [`scalar`] | the numbers that formulas and Lagrangians are evaluated on |
-//! | [`source`], [`error`], [`suggest`] | texts and places in them; the one error type; "did you mean" |
-//!
-//! `docs/architecture.md` walks through it, and has the reasons.
+//! | [`source`], [`error`], [`code`], [`suggest`] | texts and places in them; errors; message codes; "did you mean" |
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 

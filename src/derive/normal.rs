@@ -3,6 +3,14 @@
 //! Sines and cosines of sums are taken apart by the addition theorems, whole multiples of an angle too; exponentials of
 //! sums are products; tangents are quotients; inverse hyperbolic functions are logarithms. What is left are atoms with
 //! the relations that [`Algebra`] knows.
+//!
+//! # Why the normal form explains and does not decide
+//!
+//! Two formulas with one normal form are equal. Two that have different forms may still be equal, since not all
+//! identities are known to it; and a mistake in it would be a mistake in every verdict. So no verdict depends on
+//! it. It shows the author what is true, and by how much a refuted equation is off. What it prints is read back and
+//! compared with numbers in the tests. The normal form that shortens tapes (`scalar::polynomial`) is another one:
+//! there the aim is few operations, and rounding is allowed.
 
 use num_rational::Ratio;
 use num_traits::{One, Signed};

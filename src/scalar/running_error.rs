@@ -3,6 +3,12 @@
 //!
 //! Two sides of an equation are compared on the scale of the terms in their sums, not of the result after cancellation.
 //! [`RunningError`] carries that scale: the magnitudes of terms add.
+//!
+//! # Why a number carries a magnitude
+//!
+//! For a sum the magnitudes of the terms add, so a cancellation is remembered. A result that is only rounding has
+//! no value: a quotient by it, 1/(sin² + cos² − 1), is undefined, and so is the sine of an angle so large that its
+//! rounding is no longer small beside a turn. Otherwise such a quotient would be a large number, and be compared.
 
 use std::fmt;
 

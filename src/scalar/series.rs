@@ -3,6 +3,13 @@
 //! Feed the coordinates of a motion in as series and any quantity comes out as a series: dots on a symbol, d/dt of a
 //! bracket and chains of either are then read off. A series also says how many of its coefficients are known, so that
 //! a derivative that the motion does not determine is absent, not wrong.
+//!
+//! # Why everything is a Taylor series in time
+//!
+//! A dot, two dots, d/dt of a bracket and "constant" are then one operation, a shift of coefficients. A series
+//! knows how many of its coefficients are known; a derivative that nobody supplied is `Unavailable`, never zero. On
+//! shell, the accelerations are run over series, and each run gives one more order. Six coefficients are kept, so
+//! the fifth derivative is the highest. Only what is used is computed.
 
 use std::fmt;
 

@@ -5,6 +5,12 @@
 //! radians.
 //!
 //! This folder imports `mechanics` and `scalar`.
+//!
+//! # Why a system contains no closed form
+//!
+//! Otherwise a check would compare a formula with its copy. The top starts from R = R_z(ψ) R_y(θ) R_z(φ). ω follows
+//! from R by differentiation, T = ½ Σ λ_a ω_a², and U from the height of the center of mass. So (5.68) to (5.70)
+//! and (6.71) of the lecture are theorems about it.
 
 use crate::mechanics::{AnyLagrangian, Lagrangian, erased};
 

@@ -4,6 +4,17 @@
 //! rest becomes *steps*: a product and the sum that it goes into are one, so are two products in a row, a reciprocal
 //! and the product that it goes into are a division, and a register is used again as soon as its value is no longer
 //! needed, so that the registers of many states fit into the cache. Results differ from those of the tape by rounding.
+//!
+//! # Why there is a program beside the tape
+//!
+//! A tape is algebra: any number runs through it, and no constant is rounded that was not before. Many states over
+//! `f64` need something else: terms that depend on parameters only are computed once, a product and its sum are one
+//! step, and registers are reused so that 256 states stay in the cache. A `Program` is that, made from the tape
+//! when it is first needed. `fearless_simd` finds the vector instructions at run time and keeps the unsafe code.
+//! The mass matrix is inverted with diagonal pivots that no state changes first, and the rest is simplified after
+//! each: the top takes 11 steps, where elimination row by row took 26. A pivot is compared with its diagonal entry,
+//! because a difference of two large numbers has lost its digits. A pivot that is a product, λ₁ sin²θ, has all of
+//! them, and only must not vanish.
 
 use std::collections::HashMap;
 

@@ -4,6 +4,23 @@
 //! d/|S|. Here |S| is the number of points of the unit circle that are drawn, the smallest set from which anything is
 //! drawn. The degree is that of the numerator of the difference of the two sides, plus the degrees of all differences
 //! that were tested for zero on the way.
+//!
+//! # How the bound is computed
+//!
+//! Each number carries the degree of its numerator, found in the very evaluation that is tested and not in a
+//! simplified one. Denominators are remembered as factors, so that a sum over one denominator does not square it.
+//! The sum of the magnitudes of the coefficients is carried too and must stay below p; otherwise a coefficient
+//! could be a multiple of p. If it does not, a second prime is used, and the bound is the product of both.
+//! Everything that was compared on the way is added to the degree. Up to 64 points are tried until no denominator
+//! vanishes and every root exists, and the probability covers all of them.
+//!
+//! A value that equals a drawn number, a short quotient, 0 or 1 goes on as that. ω comes from R and Ṙ as
+//! polynomials of thousands of terms, and is n φ̇. That the value is another one would be an accident, and is
+//! counted as one.
+//!
+//! The sign of a root is free: half of the numbers have a square root, and neither of the two is the positive one.
+//! An identity with roots must hold for all choices of signs; the degree is that of the product over all of them.
+//! If it holds only for some, nothing is concluded. The square of a root needs neither its value nor its sign.
 
 use super::comparisons::EvaluationRecord;
 use super::denominators::degree_as_f64;

@@ -6,6 +6,12 @@
 //!
 //! Residues modulo a large p are kept as x·2¹²⁸ (Montgomery): as p is −1 modulo 2⁶⁴, reducing a product takes one
 //! multiplication by (p + 1)/2⁶⁴ for each of its two lower words, and no division.
+//!
+//! # Why 127 bits
+//!
+//! With 61 bits, which fit into a word, the coefficients of common formulas such as cos 12θ may exceed p, and
+//! several points would be needed where one nearly suffices. A test proves that p = 861·2¹¹⁷ − 1 is a prime with a
+//! point on the unit circle of order 2¹¹⁷.
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
