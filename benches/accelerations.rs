@@ -1,7 +1,8 @@
 //! The accelerations of the heavy top: by differentiating its Lagrangian, against the closed form written by hand.
 //!
-//! All ways run over the same states on one thread. The ratios of the best of many rounds are printed first, then
-//! divan's table. The way that onshell offers for many states is the tape in blocks.
+//! All ways run over the same states on one thread. The best time of many rounds of each way, and its ratio to the
+//! closed form in the same run, are printed as a Markdown table, then divan's table. Print the Markdown table alone
+//! with `cargo bench --bench accelerations -- --markdown`.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -155,16 +156,20 @@ fn main() {
         }
     }
     let closed = best(STATES, || closed_form(black_box(&states), &mut out));
-    println!("heavy top, accelerations: {} operations on the tape, {} steps", system.operations(), system.steps());
-    println!("{:<24}{closed:>9.1} ns a state", "closed form by hand");
-    let line = |name: &str, time: f64| println!("{name:<24}{time:>9.1} ns a state, {:>6.2} times", time / closed);
+    let (operations, steps) = (system.operations(), system.steps());
+    println!("| accelerations of the heavy top ({operations} operations, {steps} steps) | ns per state | ratio |");
+    println!("| --- | ---: | ---: |");
+    let line = |name: &str, time: f64| println!("| {name} | {time:.1} | {:.2} |", time / closed);
+    line("closed form by hand", closed);
     line("tape in blocks", best(STATES, || tape_in_blocks(&system, black_box(&states), &mut in_columns)));
     line("emitted as Rust", best(STATES, || emitted_source(black_box(&states), &mut out)));
     let few = States::new(FEW);
     line("tape, state by state", best(FEW, || tape_one_by_one(&system, black_box(&few), &mut out[..FEW])));
     line("pairs of hyper-duals", best(FEW, || pairs(black_box(&few), &mut out[..FEW])));
     line("plain Hessian", best(FEW, || plain_hessian(black_box(&few), &mut out[..FEW])));
-    divan::main();
+    if !std::env::args().any(|argument| argument == "--markdown") {
+        divan::main();
+    }
 }
 
 fn bench(bencher: Bencher, count: usize, way: impl Fn(&States, &mut [Accelerations]) + Sync) {

@@ -1,8 +1,8 @@
-//! What it takes to decide an equation of the heavy top over the field: the motion, the printed formula, and all trials.
+//! The cost of certifying an equation of the heavy top over a prime field, as a Markdown table.
 //!
-//! The equations are (6.71) to (6.73) of the notes, typed in by hand: p_φ and p_ψ are constant, and the acceleration of θ.
-//! Each is evaluated at as many points as a certificate takes, its probability of being false below 2⁻⁹⁰; the best of many
-//! rounds is printed, beside that of the same evaluation over doubles at one state.
+//! The equations are (6.71) to (6.73) of the notes, typed in by hand: p_φ and p_ψ are constant, and the acceleration of
+//! θ. Each is evaluated at as many points as a certificate takes, its probability of being false below 2⁻⁹⁰; the best
+//! of many rounds is printed, beside that of the same evaluation over doubles at one state.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -89,6 +89,10 @@ fn best(mut round: impl FnMut(u64)) -> Duration {
 
 fn main() {
     let system = System::new(&HeavyTop).expect("it can be traced");
+    println!(
+        "| certified equation | points | probability of error below | certificate, µs | one state in doubles, µs |"
+    );
+    println!("| --- | ---: | ---: | ---: | ---: |");
     for equation in &EQUATIONS {
         let (points, bound) = certify(&system, equation, 1);
         let certificate = best(|seed| {
@@ -98,9 +102,7 @@ fn main() {
             let numbers = std::array::from_fn(|k| RunningError::new(0.3 + (0.618 * (k as f64 + seed as f64)).fract()));
             black_box((equation.in_numbers)(&system, numbers));
         });
-        println!(
-            "{}: certified below 2^{bound:.0} at {points} points in {certificate:?}; one state in doubles {state:?}",
-            equation.name
-        );
+        let micros = |time: Duration| time.as_secs_f64() * 1e6;
+        println!("| {} | {points} | 2^{bound:.0} | {:.1} | {:.2} |", equation.name, micros(certificate), micros(state));
     }
 }

@@ -1,8 +1,8 @@
 //! What the equations of motion of a chain of n pendulums cost, from its Lagrangian alone, in counted operations.
 //!
-//! Pairs of hyper-dual directions run the Lagrangian, which has some 30 operations a link, n(n + 1)/2 times for the mass
-//! matrix and n times for the rest: n³. The traced tape has one operation or two for each entry of the mass matrix: n².
-//! What both leave to be done, solving M a = −h, is n³/6 products and as many sums by elimination.
+//! Pairs of hyper-dual directions run the Lagrangian, which has some 30 operations a link, n(n + 1)/2 times for the
+//! mass matrix and n times for the rest: n³. The traced tape has one operation or two for each entry of the mass
+//! matrix: n². What both leave to be done, solving M a = −h, is n³/6 products and as many sums by elimination.
 
 use std::time::Instant;
 

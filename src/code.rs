@@ -51,6 +51,11 @@ codes! {
     ///
     /// For example, `\frac{a}{b` lacks a closing brace. Complete the formula at the place that is shown.
     Syntax = "syntax",
+    /// A LaTeX command is unknown, or a macro cannot be expanded.
+    ///
+    /// For example, `\half m v^2` where nothing defines `\half`, or a macro that calls itself.
+    /// Define the command in the notes with `\newcommand`, or under `macros` in the claims file.
+    UnknownCommand = "unknown-command",
     /// The notation is well-formed, and onshell does not support it.
     ///
     /// For example, `\begin{cases}`. State the equation in another way, or leave it out with `skip`.
@@ -59,27 +64,138 @@ codes! {
     ///
     /// For example, `\vec v = 3`. Write the missing arrow, index or norm.
     ShapeMismatch = "shape-mismatch",
+    /// The indices of two sides or terms differ, or an index occurs too often.
+    ///
+    /// For example, `L_a = I_{ab} \omega_c` leaves a on the left and a, b and c on the right.
+    /// An index that a term repeats is summed over. Correct the index that differs.
+    IndexMismatch = "index-mismatch",
     /// Two sides or terms have different units.
     ///
     /// For example, `E = m v` with E declared as an energy. Correct the term, or the declaration under `units`.
     UnitMismatch = "unit-mismatch",
+    /// The text is not a unit of the SI.
+    ///
+    /// For example, `Nm` for `N m`, or `m/s/s`, which is ambiguous.
+    /// Write factors with a space between them and one slash at most: `kg m^2/s^2`.
+    InvalidUnit = "invalid-unit",
     /// The claims file says something that cannot be used.
     ///
     /// For example, an unknown key, or the number of an equation that is not in the notes.
     /// The message names the place in the claims file.
     ClaimsFile = "claims-file",
+    /// The claims file is not valid JSON.
+    ///
+    /// For example, `"\theta"`, which JSON reads as a tab and "heta". Write each backslash twice: `"\\theta"`.
+    Json = "json",
+    /// The claims file names an equation that is not in the notes, or a name that fits several.
+    ///
+    /// For example, `"6.74"` where the notes number their equations up to (6.73).
+    /// Use a printed number, a label, or a piece of the equation's LaTeX in backticks.
+    EquationAddress = "equation-address",
     /// The notes cannot be read as a document.
     ///
     /// For example, a display that is never closed, or a number that is used twice.
     NotesFile = "notes-file",
+    /// A text exceeds a fixed limit of size or of nesting.
+    ///
+    /// For example, a formula with more than 64 groups inside one another. Divide the formula or the file.
+    TooLarge = "too-large",
     /// A file, an argument or an option cannot be used.
     Input = "input",
     /// The claim holds at every sampled state that can decide it.
+    ///
+    /// `verified` rests on numbers: the states are drawn at random, obey the hypotheses, and tell the claim from
+    /// each mutant of it. `certified` adds an exact test modulo a prime, with the probability of a false pass.
+    /// For example, `(a + b)^2 = a^2 + 2ab + b^2` holds always, and `\ddot\theta = -(g/l)\sin\theta` on shell.
     Holds = "holds",
     /// The two sides of an equation differ at a sampled state, which is given.
+    ///
+    /// For example, `(a + b)^2 = a^2 + b^2` differs wherever `ab` is not 0. The counterexample lists the values.
+    /// With laws in the claims file the message is: this does not follow from the law.
+    /// Compare the two values, look at the suggestion, and correct the equation or the claims file.
     SidesDiffer = "sides-differ",
+    /// An inequality, or `\neq`, fails at a state that obeys all hypotheses.
+    ///
+    /// For example, `x^2 > 0` fails at `x = 0`. States are drawn at random, at the boundary of the inequality, and by
+    /// a search for the smallest margin. Correct the inequality, or state the range in which it holds.
+    InequalityFails = "inequality-fails",
+    /// Exact arithmetic shows that the two sides differ, although floating-point numbers agree.
+    ///
+    /// For example, `x + 10^{-20} = x` agrees to 16 digits. The equation is evaluated modulo a prime, where nothing is
+    /// rounded. If the equation is an approximation, write `\approx` and name what is small in the claims file.
+    DiffersAsIdentity = "differs-as-identity",
+    /// A claim about families holds for some numbers of members, and fails for another one, which is given.
+    ///
+    /// For example, `\sum_{i<j} 1 = 3n - 6` holds for 3 and 4 members and fails for 5.
+    /// Check the limits of the sums and the factors of `n`.
+    FailsForFamilySize = "fails-for-family-size",
     /// The two sides agree where both are defined, but one of them is not defined everywhere.
+    ///
+    /// For example, `x^2/x = x` has no left side at `x = 0`.
+    /// Restrict the range of the symbol in the claims file, or write the condition under which the equation holds.
     DomainDiffers = "domain-differs",
+    /// No state was found that obeys the hypotheses.
+    ///
+    /// The hypotheses may contradict each other or the declared ranges, for example `x > 1` and `x < 0`. Or they are
+    /// too hard for the numerical solver. Check the hypotheses, write them explicitly (`x = …`), or widen the ranges.
+    NoState = "no-state",
+    /// Too few sampled states gave a number on both sides.
+    ///
+    /// For example, `\sqrt{1 - v^2/c^2}` has no value where `v > c`.
+    /// Narrow the ranges in the claims file (for example, assume `v < c`).
+    TooFewStates = "too-few-states",
+    /// At some states the sides differ by more than rounding error and by less than a clear difference.
+    ///
+    /// This happens where large terms cancel, for example in `(x + 10^{12}) - 10^{12} = x`.
+    /// Choose ranges in which the terms are of similar size.
+    WithinRounding = "within-rounding",
+    /// A term is so small beside the others that no sampled state shows it: a mistake in it would not be found.
+    ///
+    /// For example, `10^{20} + x`. Choose ranges or constants for which the term matters.
+    TermTooSmall = "term-too-small",
+    /// The sampled states do not distinguish the claim from the same claim with one mistake in it: a mutant.
+    ///
+    /// For example, under the hypothesis `x = 0` the claim `y = y + x` also holds with `2x` for `x`.
+    /// Widen the ranges, or remove the hypothesis that makes the two equal.
+    MutantPasses = "mutant-passes",
+    /// A side is 0 at all states, so that a wrong factor or sign in it would not be noticed.
+    ///
+    /// For example, `\frac{d}{dt}(\vec r \times \vec r) = 0`, where a dot was lost.
+    /// Check the side for a lost symbol; if it is 0, print it as 0.
+    SideAlwaysZero = "side-always-zero",
+    /// The claim is one of its hypotheses, or says the same as them in other words.
+    ///
+    /// For example, `x = 2y` under the hypothesis `y = x/2`. Such a claim is not tested.
+    /// Remove the hypothesis from `assuming` or `where`, or mark the equation as a law.
+    RestatesHypothesis = "restates-hypothesis",
+    /// The claim follows from its own hypotheses, whatever the system does.
+    ///
+    /// For example, `\dot x = 0` under the hypothesis that `x` is constant throughout.
+    /// Remove hypotheses until the claim says something about the motion.
+    FollowsFromHypotheses = "follows-from-hypotheses",
+    /// Both sides are the same formula, so that nothing is compared.
+    ///
+    /// For example, `a + b = a + b`. Print the step that leads from one side to the other.
+    SameFormula = "same-formula",
+    /// The hypotheses together leave a symbol only one value.
+    ///
+    /// For example, `x + y = 0` and `x - y = 0` force `x = 0`, where `x^2 = x^3` holds as well.
+    /// A test at one value shows too little. Remove a hypothesis, or state the value directly (`x = 0`).
+    ForcedValue = "forced-value",
+    /// It is not clear what a name means at this place.
+    ///
+    /// For example, a dot on a symbol that is declared constant, or on the point that an integral runs over.
+    /// Declare the symbol under `varies with time`, write the velocity, or use another name.
+    UnclearName = "unclear-name",
+    /// A formula has no value, because a symbol in it has none.
+    ///
+    /// For example, a momentum without a system that determines it.
+    /// Declare the symbol, define it in the notes, or say under `means` what it is.
+    NoValue = "no-value",
+    /// The claims file itself defines the symbol by this formula, so that the display is true by definition.
+    ///
+    /// For example, `K = 2T` where the claims file has the same formula under `define`. Nothing needs to be done.
+    TrueByDefinition = "true-by-definition",
     /// The display defines a name, and other equations test the definition.
     Definition = "definition",
     /// The display is a law: a hypothesis by the word of the claims file, not checked here.
@@ -88,6 +204,152 @@ codes! {
     NotDecided = "not-decided",
     /// Nothing is claimed of the display.
     NoClaim = "no-claim",
+    /// A quantity that is claimed to be constant changes along the motion.
+    ///
+    /// For example, `p = m v` is claimed to be conserved, and a force acts on the mass. The counterexample gives its rate.
+    /// Correct the formula, or add under `assume` what keeps it constant.
+    NotConserved = "not-conserved",
+    /// A quantity that is claimed to be conserved is constant for any motion, so the claim tests nothing.
+    ///
+    /// For example, a formula of constants alone. State the claim of a quantity that changes off shell.
+    AlwaysConstant = "always-constant",
+    /// The claim is about the motion, and nothing determines the motion.
+    ///
+    /// For example, `conserved` in a document without a system. Name a `system`, or give `laws`, in the claims file.
+    NoMotion = "no-motion",
+    /// The two sides of ≈ do not approach each other in the limit that the claims file names.
+    ///
+    /// For example, `\tanh a \approx a` with `"limit": "a \to \infty"`.
+    /// Correct the formula, or the limit. The counterexample is the last step towards the limit.
+    LimitNotReached = "limit-not-reached",
+    /// The two sides of ≈ differ at an order that the claim includes.
+    ///
+    /// For example, `\cos x \approx 1 + x^2/2` with x small and order 2: the sides differ at order 2.
+    /// Correct the term of that order, or lower `order`.
+    OrderDiffers = "order-differs",
+    /// A term is smaller than the order that is claimed, so any other factor in it would pass as well.
+    ///
+    /// For example, `\sin x \approx x + 5x^3` with order 2. Remove the term, or raise `order`.
+    TermBeyondOrder = "term-beyond-order",
+    /// A formula that is claimed to solve an equation does not satisfy it.
+    ///
+    /// For example, x = 2 for x² = 9. The counterexample gives both sides of the equation with the formula put in.
+    /// Correct the solution, or the equation that it solves.
+    NotASolution = "not-a-solution",
+    /// Two of the given solutions are the same number.
+    ///
+    /// For example, both branches of a root are printed with +. Correct the sign of one of them.
+    RepeatedSolution = "repeated-solution",
+    /// An equation has more real solutions than the notes give.
+    ///
+    /// For example, only x = 3 is given for x² = 9. Give the other solutions, or exclude them by the range of the unknown.
+    MissingSolutions = "missing-solutions",
+    /// The variable that the claim is about does not occur in the formula.
+    ///
+    /// For example, minima along θ of a function of φ. Correct the name in the claims file.
+    VariableAbsent = "variable-absent",
+    /// A hypothesis fixes the variable that should run through its range.
+    ///
+    /// For example, minima along θ while θ = 0 is assumed. Remove the hypothesis, or state it as an inequality.
+    VariableFixed = "variable-fixed",
+    /// A formula contains a name that depends on the others, and must be a formula of independent variables.
+    ///
+    /// A Hamiltonian is a formula of coordinates and momenta; a function whose shape is claimed has no rates in it.
+    /// Write the name out, or give its formula under `define`.
+    NotIndependent = "not-independent",
+    /// A sum over smaller and smaller cells does not become the integral.
+    ///
+    /// For example, the integral lacks the density. Correct the integral, or the sum over particles that it replaces.
+    IntegralDiffers = "integral-differs",
+    /// The claim asks for something that the display does not have.
+    ///
+    /// For example, `small` for a display without ≈, or `true exactly when` for one without an inequality.
+    /// Correct the display, or remove the key from the claims file.
+    ClaimDoesNotFit = "claim-does-not-fit",
+    /// A formula stands alone, without a relation, so it claims nothing.
+    ///
+    /// For example, `\frac12 m v^2` as a display. Write an equation, or leave the display out with `skip`.
+    NoRelation = "no-relation",
+    /// ≈ says that two sides are nearly equal, and the claims file does not say when.
+    ///
+    /// For example, `\sin\theta \approx \theta` needs `"small": "\theta"`. Add a `limit` or a `small` quantity.
+    NeedsLimitOrSmall = "needs-limit-or-small",
+    /// No other equation uses a defined name, or none that passes does, so the definition was not tested.
+    ///
+    /// A definition cannot be false by itself. It is tested by the equations that use the name.
+    /// Use the name in another equation, or put the definition under `define`.
+    DefinitionUnused = "definition-unused",
+    /// Other equations use a defined name, and a wrong definition would not make any of them fail.
+    ///
+    /// For example, a 2 in the definition could be a 4. The message names the change that no equation detects.
+    /// Use the name once more, or put the definition under `define`.
+    DefinitionNotTested = "definition-not-tested",
+    /// A defined name is always 0 as printed.
+    ///
+    /// For example, `a = x - x`. Such a definition is correct for any use, and is probably a misprint. Correct it.
+    DefinitionZero = "definition-zero",
+    /// The display defines a name, and other equations test the definition except for its sign.
+    ///
+    /// For example, a root that is only used squared. This is a pass. Use the name once where its sign matters.
+    DefinitionUpToSign = "definition-up-to-sign",
+    /// An equation that is referred to does not contain what it should contain.
+    ///
+    /// For example, a sentence refers to (4.58) for a force, and (4.58) contains none. Correct the number.
+    WrongReference = "wrong-reference",
+    /// A function does not have the shape that a sentence states: its sign, its minima, its limits, its solutions.
+    ///
+    /// For example, “the potential has one minimum”, and two were found at the state that is given.
+    /// Correct the sentence, or add a hypothesis under which it is true.
+    FunctionShapeFails = "function-shape-fails",
+    /// What is counted along a variable lies too close together to be counted.
+    ///
+    /// For example, a grid shows 2 minima and a finer grid 4. Narrow the range of the variable, or of the constants.
+    TooClose = "too-close",
+    /// A claim and its `true exactly when` conditions disagree at a sampled state.
+    ///
+    /// For example, `x^2 > a^2` exactly when `x > a` fails at x = −2, a = 1. Correct the conditions or the claim.
+    ExactlyWhenFails = "exactly-when-fails",
+    /// Hamilton's equations from the printed formula do not give the motion of the system.
+    ///
+    /// For example, a wrong sign of the potential. The counterexample names the rate that differs. Correct the formula.
+    NotTheHamiltonian = "not-the-hamiltonian",
+    /// A claim that was said not to hold always fails at a sampled state, as stated.
+    NotAlways = "not-always",
+    /// A claim that was said not to hold always holds at every sampled state.
+    ///
+    /// For example, `not always` of an identity. Correct the sentence, or widen the ranges in which it is tested.
+    HoldsAlways = "holds-always",
+    /// The claim is one of its own conditions, or repeats them, so that nothing is tested.
+    ///
+    /// For example, `dropping` with a formula that contains the left side. Write the claim without the repetition.
+    Circular = "circular",
+    /// A display that is called a law can be checked, so it is not a hypothesis.
+    ///
+    /// For example, a law that follows from the definitions, or a law beside a system, which determines the motion.
+    /// Remove it from `laws`; it is then checked like any other display.
+    NotALaw = "not-a-law",
+    /// No sampled state satisfies all laws, or the laws allow only one value of a quantity that varies.
+    ///
+    /// Then nothing can be tested at sampled states. Check the laws against each other.
+    LawsTooStrong = "laws-too-strong",
+    /// The claim needs a display that cannot be read.
+    ///
+    /// For example, a name whose definition has an unmatched brace. Correct that display first.
+    DependsOnUnreadable = "depends-on-unreadable",
+    /// A second print of an equation lacks a relation or a whole display that the first one has.
+    ///
+    /// For example, one row of three is missing. Restore what the message names.
+    LostInPrint = "lost-in-print",
+    /// A step of a derivation is false only because it builds on a false step before it.
+    ///
+    /// For example, a wrong sign in (2) is carried into (3). Correct the display that the message names.
+    FollowsFromMistake = "follows-from-mistake",
+    /// The claims file leaves this display out with `skip`.
+    Skipped = "skipped",
+    /// The notes have no claims file, so their equations were not checked.
+    ///
+    /// Write a JSON file with the name of the notes beside them: `top.json` for `top.md`.
+    NoClaimsFile = "no-claims-file",
 }
 
 impl fmt::Display for Code {

@@ -1,11 +1,12 @@
-//! The one error type: what is wrong, where, and what to do next.
+//! The error type of the library: what is wrong, where, and what to do next.
 //!
-//! An [`Error`] means that something could not be checked at all (exit code 2); a wrong equation is not an error but
-//! a verdict.
+//! An [`Error`] means that something could not be checked at all (exit code 2). A wrong equation is no error; it has a
+//! verdict.
 
 use std::fmt;
 use std::sync::Arc;
 
+use crate::code::Code;
 use crate::source::{Fault, Missing, Source, Span};
 
 /// `Result` with onshell's [`Error`].
@@ -17,6 +18,7 @@ pub struct Error(Box<Inner>);
 
 #[derive(Clone, Debug)]
 struct Inner {
+    code: Code,
     message: String,
     place: Option<(Arc<Source>, Span)>,
     help: Option<String>,
@@ -24,21 +26,28 @@ struct Inner {
 }
 
 impl Error {
-    /// An error that is not about a place in a text.
+    /// An error without a place, of the class [`Code::Input`].
     pub fn new(message: impl Into<String>) -> Self {
-        Error(Box::new(Inner { message: message.into(), place: None, help: None, missing: None }))
+        let message = message.into();
+        Error(Box::new(Inner { code: Code::Input, message, place: None, help: None, missing: None }))
     }
 
-    /// An error at a place in `source`.
+    /// An error at a place in `source`, of the class [`Code::ClaimsFile`], since most of them are in claims files.
     pub fn at(source: &Arc<Source>, span: Span, message: impl Into<String>) -> Self {
-        let place = Some((source.clone(), span));
-        Error(Box::new(Inner { message: message.into(), place, help: None, missing: None }))
+        let (message, place) = (message.into(), Some((source.clone(), span)));
+        Error(Box::new(Inner { code: Code::ClaimsFile, message, place, help: None, missing: None }))
     }
 
-    /// A fault, now that its text is known.
+    /// A fault in `source`, of the fault's own class.
     pub fn fault(source: &Arc<Source>, fault: Fault) -> Self {
-        let Fault { span, message, help, missing } = fault;
-        Error(Box::new(Inner { message, place: Some((source.clone(), span)), help, missing }))
+        let Fault { code, span, message, help, missing } = fault;
+        Error(Box::new(Inner { code, message, place: Some((source.clone(), span)), help, missing }))
+    }
+
+    /// The same error in another class.
+    pub fn with_code(mut self, code: Code) -> Self {
+        self.0.code = code;
+        self
     }
 
     /// The same error with advice.
@@ -47,10 +56,15 @@ impl Error {
         self
     }
 
-    /// The same error, for want of this.
+    /// The same error, with the unknown name or equation that is its reason.
     pub fn lacking(mut self, missing: Option<Missing>) -> Self {
         self.0.missing = missing;
         self
+    }
+
+    /// The class of the message.
+    pub fn code(&self) -> Code {
+        self.0.code
     }
 
     /// What is wrong.
@@ -58,7 +72,7 @@ impl Error {
         &self.0.message
     }
 
-    /// The text and the range in it that the error is about.
+    /// The text that the error is in, and the range of bytes.
     pub fn place(&self) -> Option<(&Arc<Source>, Span)> {
         self.0.place.as_ref().map(|(source, span)| (source, *span))
     }
@@ -68,7 +82,7 @@ impl Error {
         self.0.help.as_deref()
     }
 
-    /// What is wanted and not known, if it is that which is wrong.
+    /// The name or equation that is needed and unknown, where that is the reason.
     pub fn missing(&self) -> Option<&Missing> {
         self.0.missing.as_ref()
     }

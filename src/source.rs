@@ -1,10 +1,12 @@
-//! Texts and places in them: the ground floor that every room may use.
+//! Texts and places in them. Every folder may import this file; it imports only [`crate::code`].
 //!
-//! A [`Source`] is a file as read, a [`Span`] is a half-open byte range in one, and a [`Fault`] is something wrong
-//! at a span. A fault does not know which file it is in; [`crate::Error`] adds that.
+//! A [`Source`] is a file as it was read. A [`Span`] is a half-open range of bytes in it. A [`Fault`] is something
+//! wrong at a span. A fault does not know its file; [`crate::Error`] adds that.
 
 use std::fmt;
 use std::ops::Range;
+
+use crate::code::Code;
 
 /// A half-open range of bytes in a text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -26,12 +28,12 @@ impl Span {
         Span { start: offset, end: offset }
     }
 
-    /// The smallest range that holds both.
+    /// The smallest range that contains both.
     pub fn to(self, other: Span) -> Span {
         Span { start: self.start.min(other.start), end: self.end.max(other.end) }
     }
 
-    /// The same range, `offset` bytes later: from a place in a part to the place in the whole.
+    /// The same range, moved by `offset` bytes: from a place in a part to the place in the whole.
     pub fn shifted(self, offset: usize) -> Span {
         Span { start: self.start + offset, end: self.end + offset }
     }
@@ -41,7 +43,7 @@ impl Span {
         self.start <= other.start && other.end <= self.end
     }
 
-    /// As a standard range, to index with.
+    /// The range as a standard range, for indexing.
     pub fn range(self) -> Range<usize> {
         self.start..self.end
     }
@@ -56,17 +58,19 @@ impl From<Range<usize>> for Span {
 /// Something wrong at a place in a text, and what to do about it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Where.
+    /// The class of the message.
+    pub code: Code,
+    /// The place.
     pub span: Span,
-    /// What is wrong, in a sentence without a final stop.
+    /// What is wrong: a sentence without its full stop.
     pub message: String,
     /// What to do next.
     pub help: Option<String>,
-    /// What is wanted and not known, if it is that which is wrong.
+    /// The name or equation that is needed and unknown, where that is the reason.
     pub missing: Option<Missing>,
 }
 
-/// Something that a formula or a claim needs and that is not known.
+/// Something unknown that a formula or a claim needs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Missing {
     /// A name, as LaTeX.
@@ -76,15 +80,51 @@ pub enum Missing {
 }
 
 impl Fault {
-    /// A fault at `span`.
+    /// A fault of the class [`Code::Syntax`], which is what a reader of text reports most.
     pub fn new(span: Span, message: impl Into<String>) -> Self {
-        Fault { span, message: message.into(), help: None, missing: None }
+        Fault { code: Code::Syntax, span, message: message.into(), help: None, missing: None }
+    }
+
+    /// A formula that has more than one meaning; `what` names the readings, as in `a/bc may be a/(bc) or (a/b)c`.
+    pub fn ambiguous(span: Span, what: impl fmt::Display) -> Self {
+        Fault::new(span, format!("ambiguous: {what}")).code(Code::Ambiguous)
+    }
+
+    /// A notation that is well-formed and that onshell does not support.
+    pub fn unsupported(span: Span, message: impl Into<String>) -> Self {
+        Fault::new(span, message).code(Code::NotSupported)
+    }
+
+    /// Two shapes that cannot be equal, be added or be multiplied.
+    pub fn shape(span: Span, message: impl Into<String>) -> Self {
+        Fault::new(span, message).code(Code::ShapeMismatch)
+    }
+
+    /// An index that occurs too often, or free indices that differ.
+    pub fn index(span: Span, message: impl Into<String>) -> Self {
+        Fault::new(span, message).code(Code::IndexMismatch)
+    }
+
+    /// Something in a claims file that cannot be used.
+    pub fn claims(span: Span, message: impl Into<String>) -> Self {
+        Fault::new(span, message).code(Code::ClaimsFile)
+    }
+
+    /// A document that cannot be divided into prose and displays.
+    pub fn notes(span: Span, message: impl Into<String>) -> Self {
+        Fault::new(span, message).code(Code::NotesFile)
     }
 
     /// A name that is not declared, at `span`.
     pub fn undeclared(span: Span, name: impl fmt::Display) -> Self {
         let missing = Some(Missing::Name(name.to_string()));
-        Fault { missing, ..Fault::new(span, format!("{name} is not declared")) }
+        Fault { missing, ..Fault::new(span, format!("{name} is not declared")).code(Code::UndeclaredName) }
+    }
+
+    /// The same fault in another class.
+    pub fn code(mut self, code: Code) -> Self {
+        self.code = code;
+        self
     }
 
     /// The same fault with advice.
@@ -93,14 +133,14 @@ impl Fault {
         self
     }
 
-    /// The same fault, seen from the text that holds this one at `offset`.
+    /// The same fault, placed in the text that contains this one at `offset`.
     pub fn shifted(mut self, offset: usize) -> Self {
         self.span = self.span.shifted(offset);
         self
     }
 }
 
-/// A text with the name it is known by.
+/// A text and its path.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Source {
     /// The path as the user gave it, for messages.
@@ -115,7 +155,7 @@ impl Source {
         Source { path: path.into(), text: text.into() }
     }
 
-    /// Line and column of a byte, both from 1; columns count characters.
+    /// The line and the column of a byte, both counted from 1. A column is a character, not a byte.
     pub fn line_column(&self, offset: usize) -> (usize, usize) {
         let mut offset = offset.min(self.text.len());
         while !self.text.is_char_boundary(offset) {
@@ -127,7 +167,7 @@ impl Source {
         (line, before[start..].chars().count() + 1)
     }
 
-    /// The text at `span`; empty where the span is not within the text.
+    /// The text at `span`; empty if the span does not lie within the text.
     pub fn slice(&self, span: Span) -> &str {
         self.text.get(span.range()).unwrap_or("")
     }

@@ -1,9 +1,9 @@
 //! "Did you mean": the known word nearest to an unknown one.
 
-/// Longer words are not worth comparing, and the comparison is quadratic.
+/// The most characters of a word that is compared; the comparison is quadratic.
 const LONGEST: usize = 60;
 
-/// The candidate nearest to `word`, if it is near enough to be a slip of the pen.
+/// The candidate nearest to `word`, if it is near enough to be a spelling mistake.
 ///
 /// ```
 /// use onshell::suggest::nearest;
@@ -24,8 +24,10 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
-/// Edits from one word to the other: insert, delete, replace, swap two neighbours; word separators cost nothing, and
-/// words that are too long are infinitely far apart.
+/// The number of edits from one word to the other: insert, delete, replace, or swap two neighbours.
+///
+/// A hyphen, an underscore and a space count as the same character. For words of more than 60 characters the result
+/// is [`usize::MAX`].
 pub fn distance(a: &str, b: &str) -> usize {
     if a.chars().count() > LONGEST || b.chars().count() > LONGEST {
         return usize::MAX;

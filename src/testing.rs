@@ -1,4 +1,4 @@
-//! Notes checked in someone's `cargo test`, against the systems of this crate or one's own.
+//! Checks of notes as assertions in a test, with the systems of this crate or of your own.
 //!
 //! ```
 //! use onshell::systems::Registry;
@@ -20,7 +20,7 @@ use std::sync::Arc;
 use crate::check::{Document, Options, Report, check_document};
 use crate::notes::document::Kind;
 use crate::notes::{Claims, Notes, claims_beside};
-use crate::report;
+use crate::report::{self, Style};
 use crate::source::Source;
 use crate::systems::Registry;
 use crate::{Error, Result};
@@ -28,7 +28,7 @@ use crate::{Error, Result};
 /// The seed and the number of states of `onshell check`.
 const OPTIONS: Options = Options { seed: 1, points: 24, explain: true };
 
-/// Checks a document on disk: `path` is a claims file, or notes with a claims file beside them.
+/// Checks a document on disk. `path` is a claims file, or notes with a claims file beside them.
 ///
 /// # Errors
 /// For files that cannot be read, and claims that do not fit the notes or the system.
@@ -44,7 +44,7 @@ pub fn check_file(path: impl AsRef<Path>, registry: &Registry) -> Result<Documen
 
 /// Checks a document given as two texts: the notes, and the claims file.
 ///
-/// No file is read; the name under `"notes"` says by its ending how the notes are written.
+/// No file is read. The name under `"notes"` says by its ending whether the notes are Markdown or TeX.
 ///
 /// # Errors
 /// For claims that cannot be read, or do not fit the notes or the system.
@@ -52,14 +52,14 @@ pub fn check_text(notes: &str, claims: &str, registry: &Registry) -> Result<Docu
     let claims = Claims::parse(Arc::new(Source::new("claims.json", claims)), Path::new("claims.json"))?;
     let name = &claims.notes.value;
     let kind = Kind::of(Path::new(name)).ok_or_else(|| {
-        Error::at(&claims.source, claims.notes.span, format!("{name} is not a kind of notes that onshell reads"))
-            .help("notes are .md, .markdown, .txt or .tex")
+        Error::at(&claims.source, claims.notes.span, format!("{name} has an ending that notes do not have"))
+            .help("notes end in .md, .markdown, .txt or .tex")
     })?;
     let notes = Notes::parse(Arc::new(Source::new(name.as_str(), notes)), kind)?;
     check_document(&claims, &notes, registry, OPTIONS, None)
 }
 
-/// Checks a document on disk as [`check_file`] does, and fails the test unless all of it is as expected.
+/// Checks a document on disk as [`check_file`] does, and panics unless everything is as expected.
 ///
 /// # Panics
 /// With the report, if an equation is not as expected, if there is none, or if the document cannot be checked.
@@ -68,7 +68,7 @@ pub fn assert_file(path: impl AsRef<Path>, registry: &Registry) {
     demand(check_file(path, registry));
 }
 
-/// Checks two texts as [`check_text`] does, and fails the test unless all of it is as expected.
+/// Checks two texts as [`check_text`] does, and panics unless everything is as expected.
 ///
 /// # Panics
 /// With the report, if an equation is not as expected, if there is none, or if the document cannot be checked.
@@ -82,13 +82,13 @@ fn demand(document: Result<Document>) {
     match document {
         Ok(document) => {
             let report = Report { documents: vec![document] };
-            assert!(report.exit_code() == 0, "\n{}", report::text::report(&report, false, false));
+            assert!(report.exit_code() == 0, "\n{}", report::text::report(&report, false, Style::PLAIN));
         }
-        Err(error) => panic!("\n{}", report::diagnostic::error(&error, false)),
+        Err(error) => panic!("\n{}", report::diagnostic::error(&error, Style::PLAIN)),
     }
 }
 
-/// The example is run as a test, so that it stays true.
+/// The example, run as a test.
 #[cfg(doctest)]
 #[doc = concat!("```\n", include_str!("../examples/own_system.rs"), "\n```")]
 struct Example;

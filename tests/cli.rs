@@ -13,6 +13,8 @@ mod contract;
 mod damage;
 #[path = "cli/derive.rs"]
 mod derive;
+#[path = "cli/explain.rs"]
+mod explain;
 #[path = "cli/formulas.rs"]
 mod formulas;
 #[path = "cli/mutate.rs"]
@@ -21,6 +23,8 @@ mod mutate;
 mod reprint;
 #[path = "cli/steps.rs"]
 mod steps;
+#[path = "cli/widths.rs"]
+mod widths;
 
 use support::{Desk, SIGN};
 
@@ -155,7 +159,7 @@ fn help_is_no_failure_and_a_wrong_flag_is() {
     let desk = Desk::new("flags");
     let help = desk.onshell(&["--help"]);
     assert_eq!(help.code, 0);
-    for command in ["check", "derive", "equal", "eval", "read"] {
+    for command in ["check", "derive", "equal", "eval", "explain", "mutate", "read"] {
         assert!(help.out.contains(command), "{}", help.out);
         assert_eq!(desk.onshell(&[command, "--frobnicate"]).code, 2);
     }

@@ -180,13 +180,13 @@ fn equation(run: &Run<'_>, checker: &Checker<'_>, at: usize, sound: &[String], r
     let plain = Claim::default();
     let claim = checker.assigned[at].unwrap_or(&plain);
     if claim.skip.is_some() {
-        return left_out("it is skipped");
+        return left_out("the claims file skips the equation");
     }
     if claim.expect.is_some() {
-        return left_out("it is expected not to pass");
+        return left_out("the claims file expects the equation not to pass");
     }
     if !sound.contains(&shown(display)) {
-        return left_out("it does not pass");
+        return left_out("the equation does not pass");
     }
     let edits = slips::slips(&display.text, &checker.model.symbols, &checker.model.macros);
     // An edit is of what stands in the file, and not of what was put in its place to be read.
@@ -283,7 +283,7 @@ fn fate(
         Answer::Refuted => match noticed(run, checker, at, edit)? {
             Some(Verdict::Refuted | Verdict::Domain) => (Fate::Refuted, because),
             Some(_) => (Fate::Refused, because),
-            None => (Fate::Survived, "the document passes with it".to_owned()),
+            None => (Fate::Survived, "the document passes with this change".to_owned()),
         },
         Answer::Passes(reading, parts) => match parts.iter().find(|part| part.finding.verdict != Verdict::Certified) {
             Some(part) if !trial.is_as_true(&reading)? => {

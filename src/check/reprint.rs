@@ -43,8 +43,9 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         sets.par_iter().map(|(claims, reference)| apply(run, claims, reference, print)).collect::<Result<_>>()?;
     if !sets.iter().any(|(_, reference)| pairs(reference, print).any(|(_, display)| display.is_some())) {
         let names: Vec<&str> = sets.iter().map(|(_, reference)| reference.source.path.as_str()).collect();
-        let message = format!("{} has no equation with a number of {}", print.source.path, names.join(" or "));
-        return Err(Error::new(message).help("claims are applied to another print of their notes number by number"));
+        let message = format!("{} and {} have no equation number in common", print.source.path, names.join(" or "));
+        return Err(Error::new(message)
+            .help("claims about another print are found by the numbers of its equations; check the numbers"));
     }
     let mut equations: Vec<Equation> = Vec::new();
     for equation in found.into_iter().flatten() {
@@ -58,14 +59,14 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         let Some(number) = id(display).filter(|number| equations.iter().all(|known| known.id != *number)) else {
             continue;
         };
-        let message = "no claims file is about an equation of this number";
+        let message = "no claims file has a claim about this number";
         let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
         equations.push(unjudged(print, number, display.line, finding));
     }
     for (number, line) in repeated(print) {
         if run.only.is_none_or(|only| number.id == only) {
-            let message = format!("the number ({}) is used a second time, after line {line}", number.id);
-            let finding = Finding::new(Code::NotSupported, Verdict::Unreadable, number.span, message);
+            let message = format!("the number ({}) is used twice: on line {line}, and here", number.id);
+            let finding = Finding::new(Code::NotesFile, Verdict::Unreadable, number.span, message);
             let line = print.source.line_column(number.span.start).0;
             equations.push(unjudged(print, &number.id, line, finding));
         }
@@ -146,7 +147,7 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
         && (claim.errata.is_empty() || lost(checker, &reading, &original()).is_some())
     {
         parts.push(
-            checker.part(Finding::new(Code::NotSupported, Verdict::Unreadable, display.body, message), String::new()),
+            checker.part(Finding::new(Code::LostInPrint, Verdict::Unreadable, display.body, message), String::new()),
         );
     }
     let failed = parts.iter().any(|part| !part.finding.verdict.passes());
@@ -169,11 +170,15 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
                 let mended = judged(checker, (at, display), &corrected, claim)?;
                 let whole = lost(checker, &corrected, &checker.readings[at]).is_none();
                 ok = whole && mended.iter().all(|part| part.finding.verdict.passes());
-                if ok { String::new() } else { format!("; corrected so it does not pass: {}", worst(&mended).message) }
+                if ok {
+                    String::new()
+                } else {
+                    format!("; the corrected equation does not pass: {}", worst(&mended).message)
+                }
             }
             Err(_) => {
                 ok = reads_alike(&reading, &original());
-                if ok { String::new() } else { "; but this is not what stands here".to_owned() }
+                if ok { String::new() } else { "; but this print reads otherwise here".to_owned() }
             }
         };
         because = Some(format!("a known erratum: {}{verdict}", edits.join(", ")));
@@ -192,9 +197,11 @@ fn judged(
     // The same claim on the reference tells whether it is the claim that is wrong, or the print.
     checker.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
         checker.parts((at, display.body.start), &checker.readings[at], claim, topic)?;
-        let message = format!("it cannot be judged as ({topic}) of {}: {}", checker.notes.source.path, error.message());
+        let message =
+            format!("this cannot be checked as ({topic}) of {}: {}", checker.notes.source.path, error.message());
         Ok(vec![
-            checker.part(Finding::new(Code::NotSupported, Verdict::Unreadable, display.body, message), String::new()),
+            checker
+                .part(Finding::new(Code::ClaimDoesNotFit, Verdict::Unreadable, display.body, message), String::new()),
         ])
     })
 }
@@ -210,7 +217,7 @@ fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
         None => (String::new(), Span::default()),
     };
     let number = id(&reference.equations[at]).unwrap_or_default();
-    let message = format!("no display{side} has the number ({number}), that {} has", reference.source.path);
+    let message = format!("no display{side} has the number ({number}), which is in {}", reference.source.path);
     let line = print.source.line_column(span.start).0;
-    unjudged(print, number, line, Finding::new(Code::NotSupported, Verdict::Unreadable, span, message))
+    unjudged(print, number, line, Finding::new(Code::LostInPrint, Verdict::Unreadable, span, message))
 }

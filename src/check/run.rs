@@ -96,8 +96,8 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
 /// The report of notes that no claims file is about: every numbered equation is unclaimed.
 pub fn unclaimed(notes: &Notes) -> Document {
     let equation = |display: &Display| {
-        let message = "nothing says what this should mean: it has no claims file";
-        let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
+        let message = "these notes have no claims file, so this equation was not checked";
+        let finding = Finding::new(Code::NoClaimsFile, Verdict::Unclaimed, display.body, message);
         Some(unjudged(notes, id(display)?, display.line, finding))
     };
     Document {

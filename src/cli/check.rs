@@ -1,31 +1,34 @@
-//! `onshell check`: documents to verdicts.
+//! `onshell check`: from documents to verdicts.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
 use crate::check::document::setup;
 use crate::check::{Document, Options, Report, Run, check_in, check_reprint, reprint, unclaimed};
-use crate::report;
+use crate::report::{self, wrap};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
+use super::Format;
 use super::documents::{Job, Loaded, find, folder, load};
-use super::fix::{Made, fix};
-use super::progress::Terminal;
-use super::{Format, Outcome, colours};
+use super::fix::{Fixed, Made, fix};
+use super::outcome::{Outcome, Screen, shown};
+use super::progress::ProgressLine;
 
 /// Checks the equations of notes against their claims
 ///
 /// Exits with 0 if every equation is as expected, 1 if one is not, 2 if something could not be checked.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:\n  onshell check notes.md\n  onshell check derivations --only 6.73 --verbose")]
 pub struct Arguments {
     /// Claims files (.json), notes with their claims beside them (.md, .tex), or folders of these
     #[arg(required = true)]
     paths: Vec<PathBuf>,
-    /// The claims file to use for the notes, if it is not beside them; may be repeated, or a folder of claims files
+    /// The claims file for the notes, if it is not beside them; may be repeated, or be a folder of claims files
     ///
-    /// Claims about another file are applied to the notes as to a second print of its equations, number by number.
+    /// If the claims are about another file, the notes are checked as a second edition of that file, number by number.
     #[arg(long, value_name = "FILE")]
     claims: Vec<PathBuf>,
     /// Check only the equation with this number or label
@@ -34,49 +37,53 @@ pub struct Arguments {
     /// The seed of the sampled states
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How many usable states each claim is tested at
+    /// The number of sampled states for each equation
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Show how each equation was read, and what was inferred
+    /// List every equation, how it was read, and what was inferred
     #[arg(short, long)]
     verbose: bool,
-    /// Make the repairs that leave no doubt in the notes, after asking, and check again
+    /// Make the suggested edits that are clear, after asking, and check again
     #[arg(long)]
     fix: bool,
-    /// Do not ask
+    /// Make them without asking
     #[arg(long, requires = "fix")]
     yes: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
-    let colour = colours(&std::io::stderr());
+pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let (mut result, mut errors) = checked(arguments, registry);
+    let mut left = Vec::new();
     let mut again = arguments.fix;
     while again {
         again = false;
-        match fix(&result, arguments.yes) {
-            Ok(Made::Nothing) => {}
-            Ok(made) => {
-                (result, errors) = checked(arguments, registry);
-                again = made == Made::Shared;
+        match fix(&result, arguments.yes, screen.err) {
+            Ok(Fixed { made, left: more }) => {
+                left.extend(more);
+                if made != Made::Nothing {
+                    (result, errors) = checked(arguments, registry);
+                    again = made == Made::Shared;
+                }
             }
             Err(error) => errors.push(error),
         }
     }
+    let mut told = HashSet::new();
+    left.retain(|line: &String| told.insert(line.clone()));
     let code = if errors.is_empty() { result.exit_code() } else { 2 };
     let output = match arguments.format {
         Format::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
-        Format::Text => report::text::report(&result, arguments.verbose, colours(&std::io::stdout())),
+        Format::Text => report::text::report(&result, arguments.verbose, screen.out),
         Format::Json => format!("{:#}\n", report::json::report(&result, &errors)),
     };
-    let shown = errors.iter().map(|error| report::diagnostic::error(error, colour) + "\n").collect();
-    Outcome { output, errors: shown, code }
+    let left: String = left.iter().map(|line| wrap("", line, 2, screen.err.width) + "\n").collect();
+    Outcome { output, messages: left + &shown(&errors, screen), code }
 }
 
-/// Checks what is named; with what could not be checked at all.
+/// The report on the documents that are named, and the errors of those that could not be checked.
 fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
     let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
     let mut errors: Vec<Error> = Vec::new();
@@ -96,7 +103,7 @@ fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
     let only = arguments.only.as_deref();
     let loaded: Vec<Result<Loaded>> = jobs.par_iter().map(load).collect();
     let items = loaded.iter().flatten().map(|loaded| loaded.items(only)).sum();
-    let progress = Terminal::start(items);
+    let progress = ProgressLine::start(items);
     let run = Run { registry, options, only, progress: &progress };
     let checked: Vec<Result<Document>> = loaded.into_par_iter().map(|loaded| loaded?.check(&run)).collect();
     drop(progress);
@@ -107,7 +114,7 @@ fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
         }
     }
     if let Some(only) = only {
-        // With several documents, `--only` means the one that has the equation.
+        // Of several documents, only those that have the equation are shown.
         result.documents.retain(|document| !document.equations.is_empty());
         if result.documents.is_empty() && errors.is_empty() {
             let error = Error::new(format!("there is no equation ({only})")).help("name it by its number or its label");
@@ -117,9 +124,9 @@ fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
     (result, errors)
 }
 
-/// What is to be checked, and the claims files that are given for it.
+/// The paths to check, and the claims files that are given for them.
 ///
-/// Beside `--claims`, a claims file among the paths is one more of them: so a shell writes `--claims derivations/*.json`.
+/// With `--claims`, a claims file among the paths is one more of these: a shell expands `--claims derivations/*.json` so.
 fn given(arguments: &Arguments) -> Result<(Vec<&Path>, Vec<PathBuf>)> {
     let paths = arguments.paths.iter().map(PathBuf::as_path);
     if arguments.claims.is_empty() {
@@ -128,8 +135,8 @@ fn given(arguments: &Arguments) -> Result<(Vec<&Path>, Vec<PathBuf>)> {
     let is_claims = |path: &&Path| path.extension().is_some_and(|extension| extension == "json");
     let (more, paths): (Vec<&Path>, Vec<&Path>) = paths.partition(is_claims);
     if paths.is_empty() {
-        return Err(Error::new("the claims are given, and no notes to apply them to")
-            .help("onshell check notes.md --claims claims.json"));
+        return Err(Error::new("--claims is given, but there are no notes to check")
+            .help("name the notes too: onshell check notes.md --claims claims.json"));
     }
     let mut claims = Vec::new();
     for path in arguments.claims.iter().map(PathBuf::as_path).chain(more) {
@@ -152,7 +159,7 @@ fn given(arguments: &Arguments) -> Result<(Vec<&Path>, Vec<PathBuf>)> {
 }
 
 impl Loaded {
-    /// How many equations and sentences there are to check.
+    /// The number of equations and sentences to check.
     fn items(&self, only: Option<&str>) -> usize {
         match self {
             Loaded::Own(claims, notes) => setup::items(claims, notes, only),

@@ -1,19 +1,21 @@
-//! `onshell derive`: what follows from a Lagrangian, typeset.
+//! `onshell derive`: what follows from a Lagrangian, as formulas.
 
 use clap::ValueEnum;
 
 use crate::derive::{Derivation, Equation, Quantity};
 use crate::mechanics::System;
-use crate::report;
+use crate::report::wrap;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
 
-use super::{Outcome, colours};
+use super::Format;
+use super::outcome::{Outcome, Screen};
 
 /// Prints what follows from the Lagrangian of a system
 ///
-/// Without --as: the Lagrangian, the momenta and the Euler–Lagrange equations.
+/// Without --as, it prints the Lagrangian, the momenta and the Euler–Lagrange equations.
 #[derive(clap::Args)]
+#[command(after_help = "Example:\n  onshell derive heavy_top --as hamiltonian")]
 pub struct Arguments {
     /// The system, e.g. heavy_top
     system: String,
@@ -41,13 +43,13 @@ enum Wanted {
 /// How the equations are written.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Form {
-    /// In plain words.
+    /// For people, no wider than the terminal
     Text,
-    /// As LaTeX that onshell reads, a line an equation.
+    /// LaTeX that onshell reads, one equation a line
     Latex,
-    /// For machines: name, LaTeX and text of each.
+    /// For programs: the name, the LaTeX and the text of each equation
     Json,
-    /// As the source of a Rust function of the accelerations; with --as accelerations, or without --as.
+    /// The source of a Rust function that computes the accelerations
     Rust,
 }
 
@@ -66,10 +68,11 @@ impl Wanted {
     }
 }
 
-pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
-    match derived(arguments, registry) {
-        Ok(output) => Outcome { output, ..Outcome::default() },
-        Err(error) => Outcome::failed(report::diagnostic::error(&error, colours(&std::io::stderr()))),
+pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+    let format = if arguments.format == Form::Json { Format::Json } else { Format::Text };
+    match derived(arguments, registry, screen.out.width) {
+        Ok(output) => Outcome::done(output),
+        Err(error) => Outcome::failed(&error, format, screen),
     }
 }
 
@@ -79,18 +82,18 @@ fn traced(name: &str, registry: &Registry) -> Result<System> {
         let unknown = Error::new(format!("there is no system \"{name}\""));
         match suggest::nearest(name, registry.names()) {
             Some(near) => unknown.help(format!("did you mean {near}?")),
-            None => unknown.help(format!("there are {}", registry.names().collect::<Vec<_>>().join(", "))),
+            None => unknown.help(format!("the systems are {}", registry.names().collect::<Vec<_>>().join(", "))),
         }
     })?;
     lagrangian.trace()
 }
 
-fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
+fn derived(arguments: &Arguments, registry: &Registry, width: usize) -> Result<String> {
     let system = traced(&arguments.system, registry)?;
     if arguments.format == Form::Rust {
         return match arguments.quantity {
             None | Some(Wanted::Accelerations) => Ok(system.rust_source()),
-            Some(_) => Err(Error::new("as Rust there are the accelerations only").help("leave out --as")),
+            Some(_) => Err(Error::new("only the accelerations can be written as Rust").help("leave out --as")),
         };
     }
     let derivation = Derivation::new(&system)?;
@@ -104,7 +107,7 @@ fn derived(arguments: &Arguments, registry: &Registry) -> Result<String> {
         equations.iter().map(|equation| spell(equation) + "\n").collect::<String>()
     };
     Ok(match arguments.format {
-        Form::Text => lines(&|equation| derivation.text(equation)),
+        Form::Text => lines(&|equation| wrap("", &derivation.text(equation), 4, width)),
         Form::Latex => lines(&|equation| derivation.latex(equation)),
         Form::Json => {
             let each = |equation: &Equation| {

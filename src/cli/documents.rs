@@ -5,19 +5,21 @@ use std::path::{Path, PathBuf};
 use crate::notes::{Claims, Notes, claims_beside, json};
 use crate::{Error, Result};
 
-/// Notes with their claims, or without.
+/// The files of a document.
 pub(super) enum Job {
     Claims(PathBuf),
     Pair { notes: PathBuf, claims: Vec<PathBuf> },
     Notes(PathBuf),
 }
 
-/// The documents that a path names: `claims` are the claims files to apply to notes, where they are not beside them.
+/// The documents that a path names. `claims` are the claims files for notes whose claims are not beside them.
 pub(super) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     if path.is_dir() {
         if !claims.is_empty() {
-            return Err(Error::new(format!("{} is a folder, and claims are applied to notes", path.display()))
-                .help("name the notes, or leave out --claims: each document of a folder has its claims beside it"));
+            return Err(Error::new(format!("--claims does not work with a folder, and {} is one", path.display()))
+                .help(
+                    "name the notes, or leave out --claims: the documents of a folder have their claims beside them",
+                ));
         }
         let mut jobs = Vec::new();
         folder(path, &mut jobs)?;
@@ -36,7 +38,7 @@ pub(super) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     let claims = if claims.is_empty() { vec![claims_beside(path)] } else { claims.to_vec() };
     if let Some(absent) = claims.iter().find(|claims| !claims.exists()) {
         return Err(Error::new(format!("{} has no claims file", path.display()))
-            .help(format!("it would be {}", absent.display())));
+            .help(format!("write one: {}", absent.display())));
     }
     Ok(vec![Job::Pair { notes: path.to_owned(), claims }])
 }
@@ -65,19 +67,19 @@ pub(super) fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
     Ok(())
 }
 
-/// Whether a JSON file is a claims file, rather than some other: one that cannot be read counts, to be reported.
+/// Whether a JSON file is a claims file. One that cannot be read counts as one, so that its error is reported.
 fn names_notes(path: &Path) -> bool {
     let Ok(text) = std::fs::read_to_string(path) else { return true };
     text.contains("\"notes\"") || text.trim().is_empty() || json::read(&text).is_err()
 }
 
-/// The files of a job, read.
+/// The contents of the files of a job.
 pub(super) enum Loaded {
-    /// Claims and the notes that they are about.
+    /// Claims, and the notes that they are about.
     Own(Box<Claims>, Notes),
-    /// Claims, each with the notes that they are about, for another print of these.
+    /// Claims, each with the notes that they are about, and another edition of these notes.
     Reprint(Vec<(Claims, Notes)>, Notes),
-    /// Notes that no claims file is about.
+    /// Notes without a claims file.
     Unclaimed(Notes),
 }
 

@@ -1,24 +1,30 @@
 //! `onshell equal`: two formulas, no file.
 
-use crate::check::kinds::compare::equal;
-use crate::check::{Options, Verdict};
+use std::sync::Arc;
+
+use crate::check::Options;
+use crate::check::kinds::compare::{Answer, equal};
 use crate::formula::symbols::Name;
 use crate::latex::names;
 use crate::notes::claims::Range;
 use crate::report;
+use crate::source::Source;
+use crate::{Error, Result};
 
-use super::{Format, Outcome, colours};
+use super::Format;
+use super::outcome::{Outcome, Screen};
 
 /// Tells whether two formulas are equal
 ///
 /// Letters are real numbers, and so are dotted letters. Exits with 0 if the two are equal, 1 if a counterexample shows
 /// that they are not, 2 if neither can be told.
 #[derive(clap::Args)]
+#[command(after_help = "Example:\n  onshell equal '\\sin 2x' '2\\sin x\\cos x'")]
 pub struct Arguments {
-    /// The one formula, in LaTeX
+    /// The first formula, in LaTeX
     #[arg(allow_hyphen_values = true)]
     left: String,
-    /// The other
+    /// The second formula, in LaTeX
     #[arg(allow_hyphen_values = true)]
     right: String,
     /// The range of a letter, e.g. 'x=0.1..3'
@@ -27,7 +33,7 @@ pub struct Arguments {
     /// The seed of the sampled states
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How many usable states are tried
+    /// The number of sampled states
     #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
@@ -35,65 +41,48 @@ pub struct Arguments {
     format: Format,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Outcome {
-    let colour = colours(&std::io::stderr());
+pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
+    match answered(arguments) {
+        Ok(answer) => {
+            let output = match arguments.format {
+                Format::Json => format!("{:#}\n", report::json::answer(&answer)),
+                Format::Text => report::answer::text(&answer, screen.out),
+            };
+            let code = match report::answer::equal(&answer) {
+                Some(true) => 0,
+                Some(false) => 1,
+                None => 2,
+            };
+            Outcome { output, code, ..Outcome::default() }
+        }
+        Err(error) => Outcome::failed(&error, arguments.format, screen),
+    }
+}
+
+fn answered(arguments: &Arguments) -> Result<Answer> {
     let mut ranges = Vec::new();
     for given in &arguments.ranges {
-        match range(given) {
-            Some(range) => ranges.push(range),
-            None => {
-                let message = format!("“{given}” is no range of a letter");
-                let error = crate::Error::new(message).help("write --where 'x=0.1..3', the lower end first");
-                return Outcome::failed(report::diagnostic::error(&error, colour));
-            }
-        }
+        let wrong = || {
+            Error::new(format!("“{given}” is not a range of a letter"))
+                .help("write --where 'x=0.1..3', the lower end first")
+        };
+        ranges.push(range(given).ok_or_else(wrong)?);
     }
     let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
-    let answer = match equal(&arguments.left, &arguments.right, &ranges, options) {
-        Ok(answer) => answer,
-        Err((which, fault)) => {
-            let formula = [arguments.left.as_str(), arguments.right.as_str(), ""][which.min(2)];
-            return Outcome::failed(report::diagnostic::fault(&fault, formula, colour));
+    equal(&arguments.left, &arguments.right, &ranges, options).map_err(|(which, fault)| {
+        let formula = |name: &str, text: &str| Error::fault(&Arc::new(Source::new(name, text)), fault.clone());
+        match which {
+            0 => formula("left formula", &arguments.left),
+            1 => formula("right formula", &arguments.right),
+            _ => match &fault.help {
+                Some(help) => Error::new(fault.message.clone()).help(help.clone()),
+                None => Error::new(fault.message.clone()).help("name a letter of the formulas"),
+            },
         }
-    };
-    let code = match answer.finding.verdict {
-        verdict if verdict.passes() => 0,
-        Verdict::Refuted => 1,
-        _ => 2,
-    };
-    let output = match arguments.format {
-        Format::Json => format!("{:#}\n", report::json::answer(&answer)),
-        Format::Text => text(&answer, code),
-    };
-    Outcome { output, code, ..Outcome::default() }
+    })
 }
 
-fn text(answer: &crate::check::kinds::compare::Answer, code: u8) -> String {
-    let word = match code {
-        0 => "equal",
-        1 => "not equal",
-        _ => "cannot tell",
-    };
-    let finding = &answer.finding;
-    let mut text = format!("{word}: {}\n", finding.message);
-    text.push_str(&format!("  left:  {}\n  right: {}\n", answer.readings[0], answer.readings[1]));
-    if !answer.assumed.is_empty() {
-        text.push_str(&format!("  taken for granted: {}\n", answer.assumed.join(", ")));
-    }
-    match &finding.counterexample {
-        Some(_) => report::diagnostic::evidence(finding).iter().for_each(|line| text.push_str(&format!("  {line}\n"))),
-        None => text.push_str(&format!("  {} states used of {} tried\n", finding.points, finding.tried)),
-    }
-    if let Some(power) = finding.false_accept_log2 {
-        text.push_str(&format!("  certified: false with probability below 2^{:.0}\n", power.ceil()));
-    }
-    if let Some(reason) = &finding.not_certified_because {
-        text.push_str(&format!("  not certified because of {reason}\n"));
-    }
-    text
-}
-
-/// `x=0.1..3`; the ends are in the range.
+/// A range such as `x=0.1..3`, with both of its ends.
 fn range(given: &str) -> Option<(Name, Range)> {
     let (name, ends) = given.split_once('=')?;
     let (low, high) = ends.split_once("..")?;

@@ -1,16 +1,22 @@
 //! `onshell eval`: the value of one formula.
 
+use std::sync::Arc;
+
+use serde_json::json;
+
 use crate::formula::{Assignment, Expr, Node, Symbols, Unavailable, Value, evaluate, text};
 use crate::latex::{Macros, names, read_formula};
-use crate::report;
+use crate::source::Source;
 use crate::{Error, Result};
 
-use super::{Outcome, colours};
+use super::Format;
+use super::outcome::{Outcome, Screen};
 
 /// Prints the value of a formula, to 17 digits
 ///
-/// Every letter needs a value, and a dotted letter one of its own: --set '\dot\theta=0.83'.
+/// Every letter needs a value, and so does every dotted letter: --set '\dot\theta=0.83'.
 #[derive(clap::Args)]
+#[command(after_help = "Example:\n  onshell eval 'm v^2' --set m=2 --set v=0.5")]
 pub struct Arguments {
     /// The formula, in LaTeX
     #[arg(allow_hyphen_values = true)]
@@ -18,22 +24,30 @@ pub struct Arguments {
     /// The value of a letter, e.g. '\theta=0.7'
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     values: Vec<String>,
+    /// The form of the output
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Outcome {
-    let colour = colours(&std::io::stderr());
+pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let mut symbols = Symbols::open();
-    let formula = match read_formula(&arguments.formula, &mut symbols, &Macros::default()) {
-        Ok(formula) => formula,
-        Err(fault) => return Outcome::failed(report::diagnostic::fault(&fault, &arguments.formula, colour)),
-    };
-    match value(&formula, &symbols, &arguments.values) {
-        Ok(lines) => Outcome { output: lines, ..Outcome::default() },
-        Err(error) => Outcome::failed(report::diagnostic::error(&error, colour)),
+    let source = Arc::new(Source::new("formula", arguments.formula.as_str()));
+    let formula = read_formula(&arguments.formula, &mut symbols, &Macros::default());
+    let formula = formula.map_err(|fault| Error::fault(&source, fault));
+    match formula.and_then(|formula| value(&formula, &symbols, &arguments.values)) {
+        Ok(entries) => Outcome::done(match (arguments.format, &entries[..]) {
+            (Format::Text, entries) => {
+                entries.iter().map(|entry| format!("{entry:.16e}")).collect::<Vec<_>>().join(" ") + "\n"
+            }
+            (Format::Json, [value]) => format!("{:#}\n", json!({ "schema": 1, "value": value })),
+            (Format::Json, entries) => format!("{:#}\n", json!({ "schema": 1, "value": entries })),
+        }),
+        Err(error) => Outcome::failed(&error, arguments.format, screen),
     }
 }
 
-fn value(formula: &Expr, symbols: &Symbols, given: &[String]) -> Result<String> {
+/// The value of a formula: one number, or the entries of a vector or a matrix.
+fn value(formula: &Expr, symbols: &Symbols, given: &[String]) -> Result<Vec<f64>> {
     let mut assignment = Assignment::new(symbols);
     let mut known = Vec::new();
     for pair in given {
@@ -59,25 +73,29 @@ fn value(formula: &Expr, symbols: &Symbols, given: &[String]) -> Result<String> 
     });
     if !missing.is_empty() {
         let settings: Vec<String> = missing.iter().map(|name| format!("--set '{name}=…'")).collect();
-        return Err(Error::new(format!("no value for {}", missing.join(", "))).help(settings.join(" ")));
+        return Err(Error::new(format!("there is no value for {}", missing.join(", "))).help(settings.join(" ")));
     }
     let outcome = evaluate(formula, &assignment, &[]).map_err(|reason| match reason {
-        Unavailable::Derivative(_) => Error::new("the formula needs a time derivative that was not given")
+        Unavailable::Derivative(_) => Error::new("the formula needs the value of a time derivative")
             .help("set the dotted symbols too: --set '\\dot x=…'"),
-        other => Error::new(format!("the formula has no value: {other:?}")),
+        Unavailable::Operation(what) => Error::new(format!("the formula has no value: {what}")),
+        Unavailable::Symbol(_) => Error::new("a symbol of the formula has no value"),
     })?;
     match outcome {
-        Value::Scalar(value) if value.value().is_finite() => Ok(format!("{:.16e}\n", value.value())),
+        Value::Scalar(value) if value.value().is_finite() => Ok(vec![value.value()]),
         Value::Scalar(value) => Err(Error::new(format!("the formula has no real value here: {}", value.value()))),
         other => {
-            let entries: Vec<String> = other.entries().iter().map(|x| format!("{:.16e}", x.value())).collect();
-            Ok(entries.join(" ") + "\n")
+            let entries: Vec<f64> = other.entries().iter().map(|entry| entry.value()).collect();
+            match entries.iter().find(|entry| !entry.is_finite()) {
+                Some(entry) => Err(Error::new(format!("an entry of the formula has no real value here: {entry}"))),
+                None => Ok(entries),
+            }
         }
     }
 }
 
 fn setting(pair: &str) -> Result<(crate::formula::symbols::Name, u8, f64)> {
-    let wrong = || Error::new(format!("“{pair}” sets nothing")).help("write --set '\\theta=0.7'");
+    let wrong = || Error::new(format!("“{pair}” sets nothing: it is not NAME=VALUE")).help("write --set '\\theta=0.7'");
     let (name, value) = pair.split_once('=').ok_or_else(wrong)?;
     let (name, dots) = names::parse(name.trim()).ok_or_else(wrong)?;
     let value: f64 = value.trim().parse().map_err(|_| wrong())?;

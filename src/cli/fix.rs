@@ -1,38 +1,51 @@
-//! `onshell check --fix`: the one repair of an equation that leaves no doubt, made in the file.
+//! `onshell check --fix`: the suggested edits that are clear, made in the notes.
 //!
-//! A repair is made if it is the only one, or of a likelier kind of slip than the next; after asking, or at once with
-//! `--yes`. One that mends what several wrong equations stand on goes before those of the equations themselves. Left to
-//! the author are: one that mends a step alone, which the rest carries on; one after which a side is zero whatever it is
-//! made of; a term or a factor that stands nowhere in the notes and is no number; another name, a term or a factor where
-//! anything else is offered; edits of two displays of which either mends all; and what leaves out a part of another
-//! display. One of an equation that stands on what nothing else vouches for, or that changes a statement which is not
-//! wrong by itself, is made after asking alone; so is a sign, a number or a factor in a chain that says what a name is, which
-//! could as well be mended on its other side. Nothing else in the file changes, and nothing at all if the file is no
-//! longer as it was checked.
+//! An edit is clear if it is the only one of its equation, or undoes a likelier kind of mistake than the next one. It is
+//! made after asking, or at once with `--yes`. An edit of a display that several wrong equations use is made before edits
+//! of the equations themselves.
+//!
+//! These edits are left to the author:
+//! - an edit that corrects one step of a chain only;
+//! - an edit after which a side is zero whatever its symbols mean;
+//! - a new term or factor that stands nowhere in the notes and is not a number;
+//! - another name, a term or a factor, where anything else is suggested;
+//! - an edit of another display, where an edit of a third display would do as well, or where it leaves something out.
+//!
+//! These edits are made after asking only: an edit of an equation that uses a display which no passing equation uses; an
+//! edit outside of the part that fails; a sign, a number or a factor in a definition whose other side may be wrong.
+//! Nothing else in the file changes, and nothing at all if the file has changed since it was checked.
 
 use std::io::{BufRead, IsTerminal, Write};
 
 use crate::check::{Document, Equation, Repair, Report};
 use crate::latex::slips::Slip;
-use crate::report::diagnostic;
+use crate::report::{Style, suggestion, wrap};
 use crate::{Error, Result};
-
-use super::colours;
 
 /// What was done to the notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Made {
     /// Nothing.
     Nothing,
-    /// All that leaves no doubt.
+    /// All clear edits.
     All,
-    /// What several equations stand on was mended; only then it shows what else is wrong.
+    /// An edit of a display that several equations use. Only another check shows what else is wrong.
     Shared,
 }
 
-/// Makes the repairs that leave no doubt.
-pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
+/// The result of `--fix`.
+#[derive(Debug)]
+pub(super) struct Fixed {
+    /// What was done to the notes.
+    pub made: Made,
+    /// The edits that are left to the author, with the reasons: a sentence each.
+    pub left: Vec<String>,
+}
+
+/// Makes the edits that are clear.
+pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Result<Fixed> {
     let mut made = Made::Nothing;
+    let mut left = Vec::new();
     for document in &report.documents {
         let mut chosen: Vec<&Repair> = Vec::new();
         let mut clear: Vec<(&Equation, &Repair)> =
@@ -41,18 +54,17 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
             clear.retain(|(_, repair)| mends_several(repair));
         }
         for (equation, repair) in clear {
-            // Of two that put something in at one place only the first is made.
+            // Of two edits at one place, only the first is made.
             let apart = |other: &&Repair| {
                 other.span != repair.span
                     && (other.span.end <= repair.span.start || repair.span.end <= other.span.start)
             };
             let doubt = doubt(equation, repair);
             if let (true, Some(doubt)) = (yes, &doubt) {
-                let left = format!("({}): its repair is left to you, as {doubt}", equation.id);
-                writeln!(std::io::stderr(), "{left}").map_err(|error| Error::new(format!("cannot say: {error}")))?;
+                left.push(format!("({}) was not edited: {doubt}", equation.id));
                 continue;
             }
-            if chosen.iter().all(apart) && (yes || agreed(document, equation, repair)?) {
+            if chosen.iter().all(apart) && (yes || agreed(document, equation, repair, style)?) {
                 chosen.push(repair);
             }
         }
@@ -62,34 +74,34 @@ pub(super) fn fix(report: &Report, yes: bool) -> Result<Made> {
             made = if is_shared { Made::Shared } else { Made::All };
         }
     }
-    Ok(made)
+    Ok(Fixed { made, left })
 }
 
-/// The repair of an equation that is the only one, or clearly the likeliest.
+/// The edit of an equation that is the only one, or clearly the likeliest.
 fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> {
     let display = |repair: &Repair| repair.shared.as_ref().map(|shared| shared.of.clone());
-    // Where the equation's own display is mended, what else may be wrong is a doubt, and is said as one.
+    // If the first edit is one of the equation itself, edits of other displays are doubts (see `doubt`).
     let is_own = equation.repairs.first().is_some_and(|first| first.shared.is_none());
     let repairs: Vec<&Repair> = equation.repairs.iter().filter(|other| !is_own || other.shared.is_none()).collect();
     match repairs[..] {
         [only] => Some(only),
-        // Two displays could be wrong instead.
+        // Either of two displays may be wrong.
         [first, second, ..]
             if first.shared.is_some() && second.shared.is_some() && display(first) != display(second) =>
         {
             None
         }
-        // Of what several equations stand on: likelier than a slip in each of them.
+        // One mistake that several equations share is likelier than one in each.
         [first, second, ..] if first.shared.is_some() && second.shared.is_none() => Some(first),
         [first, second, ..] if first.shared.is_some() && second.shared.is_some() && first.slip >= second.slip => None,
-        // A sign put in makes true what was meant otherwise.
+        // An added sign can make an equation true that was meant otherwise.
         [first, ..] if first.slip == Slip::Sign && first.span.start == first.span.end => None,
-        // So does another name, or what is put in or left out.
+        // So can another name, and a term or a factor that is added or left out.
         [first, _, ..] if matches!(first.slip, Slip::Name | Slip::Factor | Slip::Term) => None,
         [first, second, ..] if first.slip < second.slip => Some(first),
         _ => None,
     }
-    // Without a term of a definition much is true that nobody meant.
+    // Without a term of a definition, many equations hold that nobody meant.
     .filter(|repair| {
         let leaves_out = matches!(repair.slip, Slip::Factor | Slip::Term) && repair.replacement.trim().is_empty();
         repair.shared.is_none() || !leaves_out
@@ -97,52 +109,53 @@ fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> 
     .filter(|repair| !repair.step && !repair.idle && repair.is_in_the_notes(&document.source.text))
 }
 
-/// Whether several equations are mended at once.
+/// Whether an edit corrects several equations at once.
 fn mends_several(repair: &Repair) -> bool {
     repair.shared.as_ref().is_some_and(|shared| shared.mends.len() > 1)
 }
 
-/// Why a repair is for its author to make: the slip may be in another place.
+/// Why an edit is left to the author: the mistake may be in another place.
 fn doubt(equation: &Equation, repair: &Repair) -> Option<String> {
     if mends_several(repair) {
         return None;
     }
     let others: Vec<&str> = equation.elsewhere.iter().map(String::as_str).filter(|id| *id != equation.id).collect();
     if others.len() < equation.elsewhere.len() && is_undone_on_either_side(repair.slip) {
-        return Some("nothing that holds uses what it introduces, and either side may be wrong".to_owned());
+        return Some("no passing equation uses the name that it defines, so either side may be wrong".to_owned());
     }
     if !others.is_empty() {
-        return Some(format!("nothing that holds stands on ({})", others.join("), (")));
+        return Some(format!("no passing equation uses ({0}), so the mistake may be in ({0})", others.join(") or (")));
     }
     let mut wrong = equation.parts.iter().filter(|part| !part.ok).map(|part| part.finding.span);
     let is_elsewhere =
         repair.shared.is_none() && wrong.clone().next().is_some() && !wrong.any(|w| w.contains(repair.span));
-    is_elsewhere.then(|| "it changes what is not wrong by itself".to_owned())
+    is_elsewhere.then(|| "the edit is outside of the part that fails".to_owned())
 }
 
-/// Whether what a slip does to one side of an equation can be done to the other instead.
+/// Whether an edit of the other side of an equation could undo this kind of mistake as well.
 fn is_undone_on_either_side(slip: Slip) -> bool {
     let kinds =
         [Slip::Sign, Slip::Number, Slip::Exponent, Slip::Order, Slip::Fraction, Slip::Name, Slip::Factor, Slip::Term];
     kinds.contains(&slip)
 }
 
-/// Asks whether a repair is to be made.
-fn agreed(document: &Document, equation: &Equation, repair: &Repair) -> Result<bool> {
+/// Asks whether to make an edit.
+fn agreed(document: &Document, equation: &Equation, repair: &Repair, style: Style) -> Result<bool> {
     let (input, mut terminal) = (std::io::stdin(), std::io::stderr());
     if !input.is_terminal() {
-        return Err(Error::new("--fix asks before it changes a file, and there is no terminal to ask at")
-            .help("add --yes to make every repair that leaves no doubt"));
+        return Err(Error::new("--fix asks before it changes a file, and standard input is not a terminal")
+            .help("add --yes to make every clear edit without asking"));
     }
-    let shown = diagnostic::repair(repair, true, &document.source, colours(&terminal));
+    let shown = suggestion::repair(repair, true, &document.source, style);
+    let question = wrap("", &format!("change {}? [y/N]", document.path), 2, style.width);
     let failed = |error: std::io::Error| Error::new(format!("cannot ask: {error}"));
-    write!(terminal, "({}): {shown}\nchange {}? [y/N] ", equation.id, document.path).map_err(failed)?;
+    write!(terminal, "({}):\n{shown}\n{question} ", equation.id).map_err(failed)?;
     let mut answer = String::new();
     input.lock().read_line(&mut answer).map_err(failed)?;
     Ok(matches!(answer.trim(), "y" | "Y" | "yes"))
 }
 
-/// Writes the notes with repairs made, the last first, so that the places of the others stay.
+/// Writes the notes with edits made, the last first, so that the places of the others stay.
 fn apply(document: &Document, repairs: &[&Repair]) -> Result<()> {
     let path = &document.path;
     let failed = |error: std::io::Error| Error::new(format!("cannot change {path}: {error}"));

@@ -1,28 +1,41 @@
-//! The command line: flags to calls, results to output and exit codes. No mathematics.
+//! The command line: arguments to calls, and results to output and exit codes. No mathematics.
+//!
+//! Each command is a file, takes its arguments, and returns an [`Outcome`]: what to print and the exit code. Nothing is
+//! printed before a command is done, but the line of progress and the question that `--fix` asks. It may know all other
+//! folders; `main` alone may know it.
 //!
 //! Exit codes of every command: 0 when all is as it should be, 1 when something is wrong, 2 when something could not be
-//! checked or read.
+//! checked, read or written.
 
 mod check;
 mod derive;
 mod documents;
 mod equal;
 mod eval;
+mod explain;
 mod fix;
 mod mutate;
+mod outcome;
 mod progress;
 mod read;
+mod terminal;
 
-use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::systems::Registry;
 
+use outcome::Outcome;
+
 /// Checks the equations in physics notes against what automatic differentiation derives.
 #[derive(Parser)]
-#[command(version, about, max_term_width = 100)]
+#[command(
+    version,
+    about,
+    after_help = "Exit codes: 0 all is as expected, 1 something is wrong, 2 something could not be checked.\n\n\
+                  Example:\n  onshell check notes.md"
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -34,6 +47,7 @@ enum Command {
     Derive(derive::Arguments),
     Equal(equal::Arguments),
     Eval(eval::Arguments),
+    Explain(explain::Arguments),
     Mutate(mutate::Arguments),
     Read(read::Arguments),
 }
@@ -41,9 +55,9 @@ enum Command {
 /// The form of the output.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
-    /// For people.
+    /// For people
     Text,
-    /// For machines.
+    /// For programs
     Json,
 }
 
@@ -51,43 +65,20 @@ enum Format {
 ///
 /// A crate with systems of its own calls this from its `main` with its own registry, and so has the whole command.
 pub fn run(registry: &Registry) -> ExitCode {
-    let arguments = match Arguments::try_parse() {
-        Ok(arguments) => arguments,
-        Err(error) => {
-            let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
-        }
+    let screen = terminal::screen();
+    let command = Arguments::command().term_width(screen.out.width);
+    let parsed = command.try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
+    let outcome = match parsed.map(|arguments| arguments.command) {
+        Ok(Command::Check(arguments)) => check::run(&arguments, registry, screen),
+        Ok(Command::Derive(arguments)) => derive::run(&arguments, registry, screen),
+        Ok(Command::Equal(arguments)) => equal::run(&arguments, screen),
+        Ok(Command::Eval(arguments)) => eval::run(&arguments, screen),
+        Ok(Command::Explain(arguments)) => explain::run(&arguments, screen),
+        Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
+        Ok(Command::Read(arguments)) => read::run(&arguments, screen),
+        // Help and the version are no failure.
+        Err(help) if !help.use_stderr() => Outcome::done(help.render().to_string()),
+        Err(error) => Outcome { messages: error.render().to_string(), code: 2, ..Outcome::default() },
     };
-    let outcome = match arguments.command {
-        Command::Check(arguments) => check::run(&arguments, registry),
-        Command::Derive(arguments) => derive::run(&arguments, registry),
-        Command::Equal(arguments) => equal::run(&arguments),
-        Command::Eval(arguments) => eval::run(&arguments),
-        Command::Mutate(arguments) => mutate::run(&arguments, registry),
-        Command::Read(arguments) => read::run(&arguments),
-    };
-    // A reader that closes the pipe early has seen what it wanted.
-    let _ = write!(std::io::stdout(), "{}", outcome.output);
-    let _ = write!(std::io::stderr(), "{}", outcome.errors);
-    ExitCode::from(outcome.code)
-}
-
-/// What a command prints and returns.
-#[derive(Default)]
-struct Outcome {
-    output: String,
-    errors: String,
-    code: u8,
-}
-
-impl Outcome {
-    /// Something that could not be done.
-    fn failed(message: String) -> Outcome {
-        Outcome { errors: format!("{message}\n"), code: 2, ..Outcome::default() }
-    }
-}
-
-/// Whether a stream wants colours.
-fn colours(stream: &impl IsTerminal) -> bool {
-    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+    outcome.write(std::io::stdout(), std::io::stderr())
 }

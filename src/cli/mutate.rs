@@ -1,4 +1,4 @@
-//! `onshell mutate`: whether documents would notice the slips of their authors.
+//! `onshell mutate`: mutation testing of documents.
 
 use std::path::PathBuf;
 
@@ -11,14 +11,16 @@ use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
+use super::Format;
 use super::documents::{Loaded, find, load};
-use super::progress::Terminal;
-use super::{Format, Outcome, colours};
+use super::outcome::{Outcome, Screen, shown};
+use super::progress::ProgressLine;
 
-/// Makes every single slip in the equations of notes, and tells which of them would pass
+/// Makes every single mistake in the equations of notes, and tells which of them the check would not detect
 ///
-/// Exits with 0 if none would, 1 if one would, 2 if something could not be checked.
+/// Exits with 0 if it would detect all, 1 if a mistake would pass, 2 if something could not be checked.
 #[derive(clap::Args)]
+#[command(after_help = "Example:\n  onshell mutate notes.md --only 6.73")]
 pub struct Arguments {
     /// Claims files (.json), notes with their claims beside them (.md, .tex), or folders of these
     #[arg(required = true)]
@@ -26,21 +28,24 @@ pub struct Arguments {
     /// Mutate only the equation with this number or label
     #[arg(long, value_name = "ID")]
     only: Option<String>,
-    /// Also try to mend each slip that is noticed, and tell how often the original is suggested
+    /// Also look for corrections of each detected mistake, and tell how often the original is suggested
     #[arg(long)]
     repair: bool,
     /// The seed of the sampled states
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How many usable states each mutant is tested at
+    /// The number of sampled states for each mutant
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// List every equation
+    #[arg(short, long)]
+    verbose: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
+pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
     let only = arguments.only.as_deref();
     let mut errors: Vec<Error> = Vec::new();
@@ -56,7 +61,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
         Loaded::Own(claims, notes) => setup::equations(claims, notes, only),
         Loaded::Reprint(..) | Loaded::Unclaimed(_) => 0,
     };
-    let progress = Terminal::start(loaded.iter().flatten().map(equations).sum());
+    let progress = ProgressLine::start(loaded.iter().flatten().map(equations).sum());
     let run = Run { registry, options, only, progress: &progress };
     let mutated: Vec<Result<Option<Mutated>>> = loaded
         .into_par_iter()
@@ -79,15 +84,13 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry) -> Outcome {
     let survivors: usize = documents.iter().flat_map(|d| &d.equations).map(|e| e.survivors.len()).sum();
     let mutants: usize = documents.iter().flat_map(|d| &d.equations).map(|e| e.count()).sum();
     if mutants == 0 && errors.is_empty() {
-        errors.push(Error::new("there is no claimed equation to mutate").help("name notes that have claims"));
+        errors.push(Error::new("there is no equation to mutate").help("name notes that have a claims file"));
     }
     let code = if !errors.is_empty() { 2 } else { u8::from(survivors > 0) };
     let output = match arguments.format {
         Format::Text if documents.is_empty() => String::new(),
-        Format::Text => report::mutants::text(&documents),
+        Format::Text => report::mutants::text(&documents, arguments.verbose, screen.out),
         Format::Json => format!("{:#}\n", report::mutants::json(&documents, &errors)),
     };
-    let colour = colours(&std::io::stderr());
-    let shown = errors.iter().map(|error| report::diagnostic::error(error, colour) + "\n").collect();
-    Outcome { output, errors: shown, code }
+    Outcome { output, messages: shown(&errors, screen), code }
 }

@@ -1,4 +1,4 @@
-//! How far a run has come: one line on standard error, where that is a terminal and the run takes its time.
+//! How far a run has come: one line on standard error, where that is a terminal and the run takes more than a second.
 
 use std::io::{IsTerminal, Write};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use crate::check::Progress;
 
-/// What is quicker needs no line.
+/// A quicker run needs no line.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// How often the line is written anew.
@@ -24,21 +24,21 @@ struct State {
     over: bool,
 }
 
-/// The line, for as long as this lives; dropped, it leaves nothing behind. Without a terminal it does nothing.
-pub(super) struct Terminal {
+/// The line of progress, erased when this is dropped. Without a terminal it does nothing.
+pub(super) struct ProgressLine {
     state: Arc<Mutex<State>>,
     writer: Option<JoinHandle<()>>,
 }
 
-impl Terminal {
-    /// Starts to wait for a run of so many items to take long.
-    pub(super) fn start(items: usize) -> Terminal {
+impl ProgressLine {
+    /// Starts a run of so many items.
+    pub(super) fn start(items: usize) -> ProgressLine {
         let state = Arc::new(Mutex::new(State::default()));
         let shared = state.clone();
         let writer = std::io::stderr()
             .is_terminal()
             .then(|| std::thread::spawn(move || write(&shared, items, PATIENCE, &mut std::io::stderr())));
-        Terminal { state, writer }
+        ProgressLine { state, writer }
     }
 
     fn with(&self, change: impl FnOnce(&mut State)) {
@@ -46,7 +46,7 @@ impl Terminal {
     }
 }
 
-impl Progress for Terminal {
+impl Progress for ProgressLine {
     fn done(&self, document: &str) {
         self.with(|state| {
             state.done += 1;
@@ -57,12 +57,12 @@ impl Progress for Terminal {
     }
 }
 
-impl Drop for Terminal {
+impl Drop for ProgressLine {
     fn drop(&mut self) {
         self.with(|state| state.over = true);
         if let Some(writer) = self.writer.take() {
             writer.thread().unpark();
-            // It has written all that it will, or has panicked; either way the report follows.
+            // The thread is done, or has panicked; either way the report follows.
             let _ = writer.join();
         }
     }
@@ -96,8 +96,8 @@ fn width() -> usize {
     terminal_size::terminal_size_of(std::io::stderr()).map_or(80, |(width, _)| usize::from(width.0))
 }
 
-/// As much of a line as stays in one line of the terminal: what wraps could not be erased. Control characters, that a
-/// path may have, would move the cursor; what is not ASCII may be two columns wide.
+/// As much of a line as fits into one line of the terminal: a wrapped line could not be erased. Control characters, which a
+/// path may have, would move the cursor; a character that is not ASCII may be two columns wide.
 fn fitted(line: &str, width: usize) -> String {
     let mut columns = 0;
     let fits = |c: &char| {
@@ -120,7 +120,7 @@ mod tests {
             write(&shared, 3, patience, &mut terminal);
             terminal
         });
-        let terminal = Terminal { state: state.clone(), writer: None };
+        let terminal = ProgressLine { state: state.clone(), writer: None };
         terminal.done("top.md");
         std::thread::sleep(run);
         drop(terminal);

@@ -69,8 +69,8 @@ fn named(graph: &Graph, outputs: &[Symbol], letters: &[Letter]) -> Result<()> {
     Ok(())
 }
 
-/// The two sides of the equation that says that `residual` vanishes, the accelerations on the left: a node of a recording
-/// whose n-th input is the n-th letter.
+/// The two sides of the equation that says that `residual` vanishes, the accelerations on the left: a node of a
+/// recording whose n-th input is the n-th letter.
 ///
 /// # Errors
 /// As [`difference`].
@@ -87,8 +87,8 @@ pub fn equation_of_motion(graph: &Graph, residual: Symbol, letters: &[Letter]) -
 }
 
 impl Algebra {
-    /// Of a residual that vanishes, the terms with accelerations and the opposite of the others. An exponential that all
-    /// terms share is divided out, since it is never 0.
+    /// Of a residual that vanishes, the terms with accelerations and the opposite of the others. An exponential that
+    /// all terms share is divided out, since it is never 0.
     pub(super) fn balanced(&mut self, mut residual: Fraction, accelerations: &[u32]) -> Result<(Fraction, Fraction)> {
         let shared = self.shared_exponential(&residual.top);
         residual.top = residual.top.scaled(&shared.power(-1), Exact::one())?;

@@ -1,15 +1,16 @@
-//! What the machine derived, as a formula that people read: L, momenta, equations of motion, H, typeset.
+//! Derived quantities typeset as formulas: L, momenta, energy, equations of motion, H.
 //!
-//! `mechanics` has what follows from a Lagrangian as a recorded graph, good for numbers and unreadable. Here it becomes
-//! a [`formula::Expr`](crate::formula::Expr) with the system's own names. `normal` expands the graph over atoms with exact
-//! rational coefficients (`rational`, `polynomial`, `algebra`), `shorten` finds the shortest way to write it, `print`
-//! collects and orders it. `linear` solves for accelerations and for the velocities that belong to momenta. `names` has
-//! the letters, [`quantities`] says what there is to derive, and [`mod@difference`] shows what is left of one side
-//! without the other.
+//! `mechanics` has what follows from a Lagrangian as a recorded graph, which evaluates well and cannot be read. This
+//! folder turns it into a [`formula::Expr`](crate::formula::Expr) with the system's own names. `normal` expands the
+//! graph over atoms with exact rational coefficients (`rational`, `polynomial`, `algebra`), `shorten` finds the
+//! shortest way to write it, `print` collects and orders it. `linear` solves for accelerations and for the velocities
+//! that belong to momenta. `names` has the letters, [`quantities`] says what there is to derive, and [`mod@difference`]
+//! shows what is left of one side without the other.
 //!
-//! A normal form explains, and decides nothing: no verdict is taken from it. What is typeset here reads back to the
-//! numbers that automatic differentiation gives, and that is tested for every system. Where no exact form is found, or
-//! none that can be printed, that is an error.
+//! No verdict is taken from a normal form; it only explains. The tests read every typeset formula back and compare it
+//! with automatic differentiation, for every system. A quantity without an exact or printable form is an error.
+//!
+//! This folder imports `mechanics`, `scalar`, `formula`, and the typesetter of `latex`.
 
 mod algebra;
 pub mod difference;

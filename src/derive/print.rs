@@ -1,9 +1,9 @@
 //! From the normal form to a formula as physicists print it.
 //!
-//! A sum is collected by its parameters, since each of them stands for a part of the physics: λ₁(θ̇² + φ̇² sin²θ). Within
-//! a collection the terms over one denominator are put together, what they share is taken out, and a square is written as
-//! one. Highest derivatives come first, then velocities and momenta, then what depends on the place alone; in a term the
-//! number, parameters, coordinates, momenta, accelerations, velocities, functions.
+//! A sum is collected by its parameters, since each of them stands for a part of the physics: λ₁(θ̇² + φ̇² sin²θ).
+//! Within a collection the terms over one denominator are put together, what they share is taken out, and a square is
+//! written as one. Highest derivatives come first, then velocities and momenta, then what depends on the place alone;
+//! in a term the number, parameters, coordinates, momenta, accelerations, velocities, functions.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;

@@ -56,8 +56,8 @@ pub(super) fn is_simple(a: Exact) -> bool {
     a.numer().abs() <= SIMPLE && *a.denom() <= SIMPLE
 }
 
-/// What a constant of the machine stands for, by the one rule for it: a rational number, and whether it is to be multiplied
-/// by π.
+/// What a constant of the machine stands for, by the one rule for it: a rational number, and whether it is to be
+/// multiplied by π.
 pub(super) fn read(x: f64) -> Result<(Exact, bool)> {
     let exact = |ratio: rational::Ratio| Ratio::new(ratio.numerator.into(), ratio.denominator.into());
     match rational::exact_constant(x) {

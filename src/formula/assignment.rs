@@ -1,14 +1,15 @@
-//! Values given by hand: the environment of a formula that has no document.
+//! An environment with values given by hand, for a formula without a document.
 //!
-//! A dotted symbol is given separately (`\dot\theta = 0.83`), and `d/dt` uses what was given.
+//! The value of a dotted symbol is given separately (`\dot\theta = 0.83`), and `d/dt` uses it.
 
 use crate::scalar::{Number, Series, TERMS};
 
-use super::evaluate::{Environment, Unavailable};
-use super::symbols::{SymbolId, Symbols};
+use super::environment::{Environment, Unavailable};
+use super::ids::SymbolId;
+use super::symbols::Symbols;
 use super::value::Value;
 
-/// A value for each symbol and for each of its time derivatives that is known.
+/// The known values of each symbol and of its time derivatives.
 #[derive(Clone, Debug)]
 pub struct Assignment<'a, B> {
     symbols: &'a Symbols,
@@ -16,12 +17,12 @@ pub struct Assignment<'a, B> {
 }
 
 impl<'a, B: Number> Assignment<'a, B> {
-    /// No values yet, for the names in `symbols`.
+    /// An assignment for the names in `symbols`, without values.
     pub fn new(symbols: &'a Symbols) -> Self {
         Assignment { symbols, values: vec![[None; TERMS]; symbols.len()] }
     }
 
-    /// Gives the `order`-th time derivative of a symbol a value (0 for the symbol itself).
+    /// Sets the value of the `order`-th time derivative of a symbol; order 0 is the symbol itself.
     pub fn set(&mut self, id: SymbolId, order: u8, value: B) {
         if let Some(slot) = self.values.get_mut(id.0).and_then(|known| known.get_mut(usize::from(order))) {
             *slot = Some(value);

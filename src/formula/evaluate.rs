@@ -1,112 +1,24 @@
 //! The value of a formula at a state, over any number.
 //!
-//! Where things move, a number is a Taylor series in time ([`Series`]), and a dot or `d/dt` shifts it. How many
-//! derivatives are known is part of such a number, and a plain number knows none ([`Moving`]): a derivative that
-//! nobody supplied is [`Unavailable`], never zero.
+//! Where things move, a number is a Taylor series in time ([`Series`](crate::scalar::Series)); an overdot or `d/dt`
+//! shifts the series. [`Environment`] supplies the values of symbols.
 
-use nalgebra::{DMatrix, Matrix3, Vector3};
-use num_dual::Dual;
+use nalgebra::{DMatrix, Vector3};
 
-use crate::scalar::{Number, Primal, RunningError, Series};
+use crate::scalar::Number;
 
-use super::symbols::{Kind, SymbolId, Symbols};
-use super::tree::{Expr, Function, Index, IndexId, LeftOut, Node, Sign, Term};
+pub use super::environment::{Body, Differentiable, Environment, Unavailable, differentiate};
+use super::ids::{Index, IndexId, SymbolId};
+use super::symbols::Kind;
+use super::tree::{Excluded, Expr, Function, Node, Sign, Term};
 use super::value::Value;
 
-/// Why a formula has no value at a state.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unavailable {
-    /// Nothing gives this symbol a value.
-    Symbol(SymbolId),
-    /// A derivative of this order is not known.
-    Derivative(u8),
-    /// An operation that is not defined: the inverse of a matrix of more than three rows.
-    Operation(&'static str),
-}
-
-/// A number that may know its own time derivative.
-pub trait Moving: Number {
-    /// The time derivative, if it is known.
-    fn rate(&self) -> Option<Self> {
-        None
-    }
-    /// Forgets all but so many terms: the value and its derivatives.
-    fn truncate(&mut self, _terms: usize) {}
-}
-
-impl<B: Number> Moving for Series<B> {
-    fn rate(&self) -> Option<Self> {
-        (self.known() > 1).then(|| self.derivative())
-    }
-    fn truncate(&mut self, terms: usize) {
-        Series::truncate(self, terms);
-    }
-}
-
-impl<B: Number> Moving for Primal<B> {}
-impl Moving for f64 {}
-impl Moving for RunningError {}
-impl<B: Number> Moving for Dual<B> {}
-
-/// Where symbols get their values.
-pub trait Environment<D: Moving> {
-    /// The table that the formula was read with.
-    fn symbols(&self) -> &Symbols;
-    /// The value of a symbol, for given values of its indices.
-    fn symbol(&self, id: SymbolId, indices: &[u8]) -> Result<Value<D>, Unavailable>;
-    /// The same where no more than so many terms of it are used; there may be more.
-    fn symbol_to(&self, id: SymbolId, indices: &[u8], _terms: usize) -> Result<Value<D>, Unavailable> {
-        self.symbol(id, indices)
-    }
-    /// The derivative of a symbol, of an order above 0, of which no more than so many terms are used.
-    fn rate_to(&self, id: SymbolId, indices: &[u8], order: u8, terms: usize) -> Result<Value<D>, Unavailable> {
-        let mut value = self.symbol_to(id, indices, terms.saturating_add(order.into()))?;
-        differentiate(&mut value, order)?;
-        Ok(value)
-    }
-    /// The derivative of a formula, where numbers know none of their own and this knows how to get it.
-    fn derivative(
-        &self,
-        _order: u8,
-        _formula: &Expr,
-        _indices: &[(IndexId, u8)],
-    ) -> Option<Result<Value<D>, Unavailable>> {
-        None
-    }
-    /// How many values an index takes here.
-    fn count(&self, index: IndexId) -> Result<u8, Unavailable> {
-        let entry = &self.symbols().indices[index.0];
-        entry.count.map_or(Ok(entry.upper), |count| Err(Unavailable::Symbol(count)))
-    }
-    /// The integral over a continuum of what `body` gives at the point at hand. The integrand itself comes with it where it
-    /// has no letter that stands for an index.
-    fn integral(
-        &self,
-        region: SymbolId,
-        _integrand: Option<&Expr>,
-        _body: Body<'_, D>,
-    ) -> Result<Value<D>, Unavailable> {
-        Err(Unavailable::Symbol(region))
-    }
-    /// What `body` tends to as the part of a continuum at hand shrinks to its point.
-    fn shrinking(&self, region: SymbolId, _body: Body<'_, D>) -> Result<Value<D>, Unavailable> {
-        Err(Unavailable::Symbol(region))
-    }
-    /// How many particles lie in the part of a continuum at hand.
-    fn count_within(&self, region: SymbolId) -> Result<u8, Unavailable> {
-        Err(Unavailable::Symbol(region))
-    }
-    /// The matrix that an elementary rotation's symbol stands for, at an angle.
-    fn rotation(&self, id: SymbolId, _angle: D) -> Result<Matrix3<D>, Unavailable> {
-        Err(Unavailable::Symbol(id))
-    }
-}
-
-/// A formula to be evaluated at one place after another.
-pub type Body<'b, D> = &'b mut dyn FnMut() -> Result<Value<D>, Unavailable>;
-
 /// Evaluates a formula whose free indices have the values `free`.
-pub fn evaluate<D: Moving>(
+///
+/// # Errors
+/// [`Unavailable`] where the environment has no value or no derivative of a symbol, or where an operation is not
+/// defined for the shapes at hand.
+pub fn evaluate<D: Differentiable>(
     expr: &Expr,
     environment: &impl Environment<D>,
     free: &[(IndexId, u8)],
@@ -114,12 +26,12 @@ pub fn evaluate<D: Moving>(
     evaluate_to(ALL, expr, environment, free)
 }
 
-/// As many terms as are known.
+/// The number of terms that asks for all that are known.
 pub const ALL: usize = usize::MAX;
 
-/// The same where no more than `terms` of the result are used: its value and derivatives. What is not differentiated any
-/// further is then not known any further, and products are short.
-pub fn evaluate_to<D: Moving>(
+/// As [`evaluate`], but computes only the first `terms` terms of the result: the value and `terms - 1` derivatives.
+/// Fewer terms make products of series cheaper.
+pub fn evaluate_to<D: Differentiable>(
     terms: usize,
     expr: &Expr,
     environment: &impl Environment<D>,
@@ -155,14 +67,14 @@ pub fn constant_exponent(expr: &Expr) -> Option<f64> {
 struct Evaluator<'a, D, E> {
     environment: &'a E,
     indices: Vec<(IndexId, u8)>,
-    /// How many terms are used of what is evaluated.
+    /// The number of terms of the result that are used.
     terms: usize,
     number: std::marker::PhantomData<D>,
 }
 
 type Evaluated<T> = Result<T, Unavailable>;
 
-impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
+impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
     fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         Ok(match &expr.node {
             Node::Number(text) => Value::Scalar(constant(literal(text).ok_or(Unavailable::Operation("a number"))?)),
@@ -308,7 +220,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
     fn sum_over(
         &mut self,
         index: IndexId,
-        except: &[LeftOut],
+        except: &[Excluded],
         within: Option<SymbolId>,
         body: &Expr,
     ) -> Evaluated<Value<D>> {
@@ -340,15 +252,15 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    /// The values that a Σ keeps: from the first to the last, without those of the list.
-    fn kept(&self, except: &[LeftOut], upper: u8) -> Evaluated<(u8, u8, Vec<u8>)> {
+    /// The range of a Σ: its first value, its last value, and the values in between that are excluded.
+    fn kept(&self, except: &[Excluded], upper: u8) -> Evaluated<(u8, u8, Vec<u8>)> {
         let (mut first, mut last, mut out) = (1, upper, Vec::new());
         for left_out in except {
             match left_out {
-                LeftOut::Value(index) => out.push(self.index(*index)?),
-                LeftOut::From(index) => last = last.min(self.index(*index)?.saturating_sub(1)),
-                LeftOut::UpTo(index) => first = first.max(self.index(*index)?.saturating_add(1)),
-                LeftOut::Last(count) => last = last.min(upper.saturating_sub(*count)),
+                Excluded::Value(index) => out.push(self.index(*index)?),
+                Excluded::From(index) => last = last.min(self.index(*index)?.saturating_sub(1)),
+                Excluded::UpTo(index) => first = first.max(self.index(*index)?.saturating_add(1)),
+                Excluded::Last(count) => last = last.min(upper.saturating_sub(*count)),
             }
         }
         Ok((first, last, out))
@@ -416,7 +328,7 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    /// A symbol for given values of its indices; of a family that was put together, the member of that name.
+    /// A symbol for these values of its indices. For an assembled family it is the member of that name.
     fn member(&self, id: SymbolId, indices: &[u8], dots: u8) -> Evaluated<Value<D>> {
         let symbols = self.environment.symbols();
         let entry = symbols.entry(id);
@@ -439,7 +351,8 @@ impl<D: Moving, E: Environment<D>> Evaluator<'_, D, E> {
         }
     }
 
-    /// The norm of a vector; of a number its absolute value, or where its sign does not matter the number itself.
+    /// The norm of a vector, or the absolute value of a number. Where the sign does not matter, it is the number
+    /// itself.
     fn norm(&mut self, inner: &Expr, sign_matters: bool) -> Evaluated<D> {
         match self.value(inner)? {
             Value::Scalar(x) => Ok(if sign_matters { x.abs() } else { x }),
@@ -481,21 +394,6 @@ fn added<D: Number>(total: &mut Value<D>, value: &Value<D>, sign: Sign) -> Evalu
 
 fn constant<D: Number>(value: f64) -> D {
     D::from(value)
-}
-
-/// Takes the time derivative so many times.
-pub fn differentiate<D: Moving>(value: &mut Value<D>, order: u8) -> Evaluated<()> {
-    for _ in 0..order {
-        let mut known = true;
-        value.for_each(|entry| match entry.rate() {
-            Some(rate) => *entry = rate,
-            None => known = false,
-        });
-        if !known {
-            return Err(Unavailable::Derivative(order));
-        }
-    }
-    Ok(())
 }
 
 fn call<D: Number>(function: Function, x: D) -> D {

@@ -1,22 +1,23 @@
-//! One type for every formula, or a refusal: scalar, vector or matrix, and which indices are free.
+//! The type check of formulas: scalar, vector or matrix, and the free indices.
 //!
-//! [`bind`] is the check: it makes every implied sum explicit (an index that a product repeats is summed over), and
-//! refuses a vector added to a scalar, two terms with different free indices, a product of two vectors side by side.
-//! It runs before any number is computed.
+//! [`bind`] makes every implied sum explicit: an index that a product repeats is summed over. It rejects a vector
+//! added
+//! to a scalar, terms with different free indices, and two vectors side by side. It runs before any number is
+//! computed.
 
 use crate::source::{Fault, Span};
 
 use super::symbols::{Kind, Symbols};
 use super::tree::{Expr, Index, IndexId, Node};
 
-/// What kind of value a formula has, for each value of its free indices.
+/// The shape of a formula's value, for each value of its free indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A number.
     Scalar,
     /// A vector in three dimensions.
     Vector,
-    /// Rows and columns.
+    /// A matrix: its number of rows and of columns.
     Matrix(usize, usize),
 }
 
@@ -39,20 +40,32 @@ pub struct Type {
     pub free: Vec<IndexId>,
 }
 
-/// Types a formula and makes its implied sums explicit.
+/// Determines the type of a formula and makes its implied sums explicit.
+///
+/// # Errors
+/// Shapes that cannot be combined ([`Code::ShapeMismatch`](crate::code::Code::ShapeMismatch)) and indices that do not
+/// match ([`Code::IndexMismatch`](crate::code::Code::IndexMismatch)), each at its term.
 pub fn bind(expr: Expr, symbols: &Symbols) -> Result<(Expr, Type), Fault> {
     let mut expr = expr;
     let found = Binder { symbols, summed: Vec::new() }.bind(&mut expr)?;
     Ok((expr, found))
 }
 
-/// The shape of a formula that may still hold implied sums; faults as [`bind`] does, indices aside.
+/// The shape of a formula that may contain implied sums.
+///
+/// # Errors
+/// As [`bind`], except for free indices that differ.
 pub fn shape_of(expr: &Expr, symbols: &Symbols) -> Result<Shape, Fault> {
     let mut copy = expr.clone();
     Binder { symbols, summed: Vec::new() }.shape(&mut copy)
 }
 
-/// Whether two members of an equation can be compared: the same type, but that 0 is any zero and 1 any unit matrix.
+/// Checks that two members of an equation have the same type. The literal 0 is a zero of any shape, and the literal 1
+/// is
+/// any unit matrix.
+///
+/// # Errors
+/// Different shapes, or different free indices.
 pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Result<(), Fault> {
     for ((literal, _), (_, found)) in [(a, b), (b, a)] {
         let unit = matches!(&literal.node, Node::Number(text) if text == "1");
@@ -62,19 +75,19 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
     }
     let span = a.0.span.to(b.0.span);
     if a.1.shape != b.1.shape {
-        let message = format!("{} is set against {}", a.1.shape.noun(), b.1.shape.noun());
-        return Err(Fault::new(span, message));
+        let message = format!("{} cannot be compared with {}", a.1.shape.noun(), b.1.shape.noun());
+        return Err(Fault::shape(span, message));
     }
     let lacks = |one: &Type, other: &Type| one.free.iter().any(|letter| !other.free.contains(letter));
     let strangers = lacks(a.1, b.1) && lacks(b.1, a.1);
     if strangers || components(&a.1.free, symbols) != components(&b.1.free, symbols) {
-        return Err(Fault::new(span, "the free indices of the two sides do not match"));
+        return Err(Fault::index(span, "the two sides have different free indices"));
     }
     Ok(())
 }
 
-/// A matrix set against something with two free component indices, `R_{ab} = (…)`, means its entries: it is given the
-/// indices in the order in which the other side prints them.
+/// The entries of a matrix that is compared with a formula of two free component indices, as in `R_{ab} = (…)`. The
+/// indices are in the order in which the other side prints them.
 pub fn entries_of(matrix: (&Expr, &Type), other: (&Expr, &Type), symbols: &Symbols) -> Option<(Expr, Type)> {
     let free = components(&other.1.free, symbols);
     let (Shape::Matrix(3, 3), Shape::Scalar, [_, _]) = (matrix.1.shape, other.1.shape, free.as_slice()) else {
@@ -111,7 +124,7 @@ pub fn entries_of(matrix: (&Expr, &Type), other: (&Expr, &Type), symbols: &Symbo
 
 struct Binder<'a> {
     symbols: &'a Symbols,
-    /// Indices that an enclosing Σ sums over.
+    /// The indices of the enclosing Σ.
     summed: Vec<IndexId>,
 }
 
@@ -120,14 +133,17 @@ impl Binder<'_> {
         self.bind(expr).map(|found| found.shape)
     }
 
-    /// The labels that are free in a scalar; it may have no other free indices.
+    /// The free labels of a scalar, which may have no other free index.
     fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
         let found = self.bind(expr)?;
         if found.shape != Shape::Scalar {
-            return Err(Fault::new(expr.span, format!("{what} must be a scalar, and this is {}", found.shape.noun())));
+            return Err(Fault::shape(
+                expr.span,
+                format!("{what} must be a scalar, but this is {}", found.shape.noun()),
+            ));
         }
         if found.free.iter().any(|letter| !self.is_label(*letter)) {
-            return Err(Fault::new(expr.span, format!("{what} has a free index")));
+            return Err(Fault::index(expr.span, format!("{what} has a free index")));
         }
         Ok(found.free)
     }
@@ -157,9 +173,9 @@ impl Binder<'_> {
                     (Kind::Vector, slots, given) if slots == given => Shape::Vector,
                     (Kind::Matrix, slots, given) if slots == given => Shape::Matrix(3, 3),
                     (Kind::Rotation, ..) => {
-                        return Err(Fault::new(span, format!("{} wants its angle in parentheses", entry.name)));
+                        return Err(Fault::new(span, format!("{} needs its angle in parentheses", entry.name)));
                     }
-                    _ => return Err(Fault::new(span, format!("{} wants its indices", entry.name))),
+                    _ => return Err(Fault::index(span, format!("{} needs its indices", entry.name))),
                 };
                 let letters = self.letters(indices);
                 let free = self.contract(letters, expr)?;
@@ -184,14 +200,14 @@ impl Binder<'_> {
                         None => first = Some(found),
                         Some(first) if first.shape != found.shape => {
                             let (a, b) = (found.shape.noun(), first.shape.noun());
-                            return Err(Fault::new(term.expr.span, format!("{a} is added to {b}")));
+                            return Err(Fault::shape(term.expr.span, format!("{a} cannot be added to {b}")));
                         }
                         Some(first)
                             if components(&first.free, self.symbols) != components(&found.free, self.symbols) =>
                         {
-                            return Err(Fault::new(
+                            return Err(Fault::index(
                                 term.expr.span,
-                                "the free indices of this term do not match those of the terms before it",
+                                "this term has other free indices than the terms before it",
                             ));
                         }
                         Some(known) => first = Some(Type { free: union(&known.free, &found.free), ..*known }),
@@ -205,8 +221,11 @@ impl Binder<'_> {
                 for factor in factors {
                     let found = self.bind(factor)?;
                     shape = product(shape, found.shape).ok_or_else(|| {
-                        Fault::new(factor.span, format!("{} cannot follow {}", found.shape.noun(), shape.noun()))
-                            .help("two vectors are multiplied by \\cdot or \\times")
+                        Fault::shape(
+                            factor.span,
+                            format!("{} cannot be multiplied by {}", shape.noun(), found.shape.noun()),
+                        )
+                        .help("multiply two vectors with \\cdot or \\times")
                     })?;
                     letters.extend(found.free);
                 }
@@ -222,15 +241,18 @@ impl Binder<'_> {
                 let labels = self.scalar(b, "an exponent")?;
                 let found = self.bind(a)?;
                 if found.shape != Shape::Scalar {
-                    return Err(Fault::new(span, format!("{} has no such power", found.shape.noun())));
+                    return Err(Fault::shape(span, format!("{} cannot have this power", found.shape.noun())));
                 }
                 if found.free.iter().any(|letter| !self.is_label(*letter)) {
-                    return Err(Fault::new(span, "a power of something with a free index: is it summed over?")
-                        .help("write the sum, \\sum_a, or both factors"));
+                    return Err(Fault::ambiguous(
+                        span,
+                        "a power of a term with a free index may or may not be summed over that index",
+                    )
+                    .help("write the sum, \\sum_a, or both factors"));
                 }
                 Ok(Type { free: union(&found.free, &labels), ..found })
             }
-            Node::Root(_, a) => self.scalar(a, "what stands under a root").map(|free| Type { free, ..scalar }),
+            Node::Root(_, a) => self.scalar(a, "the radicand").map(|free| Type { free, ..scalar }),
             Node::Call(function, a) => {
                 let what = format!("the argument of \\{}", function.name());
                 self.scalar(a, &what).map(|free| Type { free, ..scalar })
@@ -246,7 +268,7 @@ impl Binder<'_> {
             Node::Norm(a) => {
                 let found = self.bind(a)?;
                 match found.shape {
-                    Shape::Matrix(..) => Err(Fault::new(span, "the norm of a matrix is not read")),
+                    Shape::Matrix(..) => Err(Fault::unsupported(span, "the norm of a matrix is not supported")),
                     _ => Ok(Type { shape: Shape::Scalar, ..found }),
                 }
             }
@@ -254,8 +276,8 @@ impl Binder<'_> {
                 let (left, right) = (self.bind(a)?, self.bind(b)?);
                 for (side, found) in [(&*a, &left), (&*b, &right)] {
                     if found.shape != Shape::Vector {
-                        let message = format!("this must be a vector, and is {}", found.shape.noun());
-                        return Err(Fault::new(side.span, message));
+                        let message = format!("this must be a vector, but it is {}", found.shape.noun());
+                        return Err(Fault::shape(side.span, message));
                     }
                 }
                 let is_cross = matches!(expr.node, Node::Cross(..));
@@ -269,7 +291,7 @@ impl Binder<'_> {
                 let mut free = Vec::new();
                 for row in rows {
                     if row.len() != columns {
-                        return Err(Fault::new(span, "the rows of this matrix are not equally long"));
+                        return Err(Fault::shape(span, "the rows of this matrix have different lengths"));
                     }
                     for entry in row {
                         free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
@@ -283,7 +305,7 @@ impl Binder<'_> {
                 let indices = [*index];
                 let found = self.bind(a)?;
                 if found.shape != Shape::Vector {
-                    return Err(Fault::new(span, format!("{} has no components", found.shape.noun())));
+                    return Err(Fault::shape(span, format!("{} has no components", found.shape.noun())));
                 }
                 let letters = found.free.into_iter().chain(self.letters(&indices)).collect();
                 let free = self.contract(letters, expr)?;
@@ -293,14 +315,14 @@ impl Binder<'_> {
                 let found = self.bind(a)?;
                 match found.shape {
                     Shape::Matrix(rows, columns) => Ok(Type { shape: Shape::Matrix(columns, rows), free: found.free }),
-                    other => Err(Fault::new(span, format!("{} has no transpose or inverse", other.noun()))),
+                    other => Err(Fault::shape(span, format!("{} has no transpose or inverse", other.noun()))),
                 }
             }
             Node::Entry(a, row, column) => {
                 let indices = [*row, *column];
                 let found = self.bind(a)?;
                 if !matches!(found.shape, Shape::Matrix(..)) {
-                    return Err(Fault::new(span, "indices on something that is not a matrix"));
+                    return Err(Fault::shape(span, "two indices need a matrix"));
                 }
                 let letters = self.letters(&indices);
                 let free = self.contract(letters, expr)?;
@@ -315,7 +337,7 @@ impl Binder<'_> {
                     return found;
                 }
                 if self.summed.contains(index) {
-                    return Err(Fault::new(span, "this index is summed over already"));
+                    return Err(Fault::index(span, "this index is already summed over"));
                 }
                 // What bounds the sum is as free as what stands in it.
                 let bounds: Vec<Index> = except.iter().filter_map(|left_out| left_out.index()).collect();
@@ -328,12 +350,12 @@ impl Binder<'_> {
         }
     }
 
-    /// Whether a letter labels things, and so is never summed over by repetition.
+    /// Whether a letter is a label of particles, which is never summed over by repetition.
     fn is_label(&self, letter: IndexId) -> bool {
         self.symbols.indices[letter.0].labels
     }
 
-    /// Wraps `expr` in a sum for every component index that occurs twice; returns the free ones, in order.
+    /// Wraps `expr` in a sum for every component index that occurs twice. Returns the free indices, in order.
     fn contract(&self, mut letters: Vec<IndexId>, expr: &mut Expr) -> Result<Vec<IndexId>, Fault> {
         letters.sort();
         let mut free = Vec::new();
@@ -355,17 +377,17 @@ impl Binder<'_> {
 
     fn thrice(&self, index: IndexId, span: Span) -> Fault {
         let letter = &self.symbols.indices[index.0].letter;
-        Fault::new(span, format!("the index {letter} occurs more than twice in this term"))
+        Fault::index(span, format!("the index {letter} occurs more than twice in this term"))
             .help(format!("if it is summed over, write \\sum_{letter}"))
     }
 }
 
-/// The indices among these that count components, not things.
+/// The component indices among these, without labels.
 fn components(free: &[IndexId], symbols: &Symbols) -> Vec<IndexId> {
     free.iter().copied().filter(|letter| !symbols.indices[letter.0].labels).collect()
 }
 
-/// All indices of both, in order.
+/// The union of two lists of indices, in order.
 pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     let mut all: Vec<IndexId> = a.iter().chain(b).copied().collect();
     all.sort();
@@ -373,7 +395,7 @@ pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     all
 }
 
-/// The shape of two things side by side.
+/// The shape of a product of two factors; `None` if it is not defined.
 fn product(a: Shape, b: Shape) -> Option<Shape> {
     match (a, b) {
         (Shape::Scalar, other) | (other, Shape::Scalar) => Some(other),

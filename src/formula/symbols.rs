@@ -1,22 +1,22 @@
-//! The table of names: what each symbol of a document is, as far as reading and evaluating a formula needs to know.
+//! The symbol table: the name, the kind and the indices of each symbol of a document.
 //!
-//! A name is a base (with its accents), the tokens of its subscript and its primes; overdots and powers are not part of
-//! it. A subscript that holds declared index letters makes the name a family: `\hat e_a` stands for three vectors, and
-//! then `\hat e_2` and `\hat e_b` are found as well. What a symbol *means* (a coordinate, the Lagrangian, …) is not
-//! known here; `check` keeps that beside the table, by [`SymbolId`].
+//! A name is a base (with its accents), the tokens of its subscript, and its primes. Overdots and powers are not part
+//! of
+//! a name. A subscript with declared index letters makes the name a family: `\hat e_a` stands for three vectors, and
+//! `\hat e_2` and `\hat e_b` are found as well. The meaning of a symbol (a coordinate, the Lagrangian, …) is not
+//! stored
+//! here; `check` stores it by [`SymbolId`].
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
 use crate::suggest;
 
-use super::tree::{Index, IndexId};
+use super::ids::{Index, IndexId};
 
-/// A symbol, by its place in the table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct SymbolId(pub usize);
+pub use super::ids::SymbolId;
 
-/// What kind of thing a name stands for.
+/// The kind of value that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A number.
@@ -25,11 +25,11 @@ pub enum Kind {
     Vector,
     /// A matrix of three rows and columns.
     Matrix,
-    /// A function of the user's that gives a matrix: an elementary rotation of one angle.
+    /// A rotation about one axis: a function of one angle whose value is a 3×3 matrix.
     Rotation,
 }
 
-/// A name as printed: what identifies a symbol.
+/// A name as printed, which identifies a symbol.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Name {
     /// The letter or command with its accents, in one spelling: `M`, `\lambda`, `\hat{e}`.
@@ -75,31 +75,31 @@ impl fmt::Display for Name {
 /// One symbol.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Its name; for a family, with the letters it was declared with.
+    /// The name; of a family, with the index letters of its declaration.
     pub name: Name,
-    /// What it stands for, for each value of its indices.
+    /// The kind of value, for each value of the indices.
     pub kind: Kind,
-    /// For each token of the subscript that is an index slot: its position and the letter it was declared with.
+    /// The index slots of the subscript: the position of each token, and the letter in the declaration.
     pub slots: Vec<(usize, IndexId)>,
-    /// Whether it is known to be an angle, which settles where the argument of a cosine ends.
+    /// Whether it is declared as an angle. The argument of a function without parentheses ends after an angle.
     pub angle: bool,
     /// Whether it varies with time or is the time itself.
     pub varies: bool,
-    /// What may stand behind it in parentheses without a change of meaning: the `\vec{r}` of `\rho(\vec r)`.
+    /// The argument that may follow in parentheses without a change of meaning: the `\vec{r}` of `\rho(\vec r)`.
     pub argument: Option<Name>,
-    /// Whether it is introduced by its square: `\omega_{eff}^2 = …`, and stands for that.
+    /// Whether it is defined by its square, `\omega_{eff}^2 = …`, and stands for the square.
     pub squared: bool,
-    /// The members of a family that was put together from names of their own: λ₁, λ₂, λ₃ for λ_a.
+    /// The members of an assembled family, such as λ₁, λ₂, λ₃ for λ_a.
     pub members: Vec<SymbolId>,
-    /// The dimension of a continuum that can be integrated over: 3 for a volume, 2 for an area, 1 for a length.
+    /// The dimension of a continuum: 3 for a volume, 2 for an area, 1 for a length; `None` for anything else.
     pub measure: Option<u8>,
-    /// The density of such a continuum, which a mass element `dm` carries.
+    /// The density of the continuum, used for a mass element `dm`.
     pub density: Option<SymbolId>,
-    /// Along what the components of a vector are taken, where that was declared.
+    /// The axes of a vector's components, if they are declared.
     pub components: Option<Components>,
 }
 
-/// Along what the components of a vector are taken.
+/// The axes of a vector's components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Components {
     /// Along three unit vectors, a family with one slot: `\omega_a` is **ω** · **ê**_a.
@@ -113,15 +113,15 @@ pub enum Components {
 pub struct IndexEntry {
     /// The letter, as LaTeX.
     pub letter: String,
-    /// It runs from 1 to this, or to at most this where a count is named.
+    /// The largest value; the smallest is 1. If `count` is given, the largest possible value.
     pub upper: u8,
-    /// The symbol of the number that it runs to, where that is not fixed.
+    /// The symbol of the largest value, if it is not a fixed number.
     pub count: Option<SymbolId>,
-    /// Whether it labels things (particles), and is never summed over by repetition.
+    /// Whether it is a label of particles, which is never summed over by repetition.
     pub labels: bool,
 }
 
-/// The names of a document.
+/// The symbol table of a document.
 #[derive(Clone, Debug, Default)]
 pub struct Symbols {
     entries: Vec<Entry>,
@@ -130,60 +130,61 @@ pub struct Symbols {
     pub indices: Vec<IndexEntry>,
     /// The name of the independent variable, `t` unless declared.
     pub time: Option<Name>,
-    /// Whether an unknown name becomes a real number (formulas without a file) or is refused (documents).
+    /// Whether an unknown name is added as a real number (formulas without a file). If false, it is a fault
+    /// (documents).
     pub open: bool,
-    /// The index that names without one are given where they are not known: (2.19) said for each particle.
+    /// The index that is added to unknown names without one, as in an equation for each particle.
     pub for_each: Option<IndexId>,
-    /// Names that were understood without being declared, and what they were taken for: `r_i` for |r⃗_i|.
+    /// Names that were understood without a declaration, with their meaning: `r_i` for |r⃗_i|.
     pub derived: BTreeMap<String, String>,
 }
 
 impl Symbols {
-    /// An empty, closed table whose independent variable is `t`.
+    /// An empty table that rejects unknown names. The independent variable is `t`.
     pub fn new() -> Self {
         Symbols { time: Some(Name::plain("t")), ..Symbols::default() }
     }
 
-    /// An open table: every letter is a real number, and `t` is the time.
+    /// An empty table that adds every unknown letter as a real number. The independent variable is `t`.
     pub fn open() -> Self {
         Symbols { open: true, ..Symbols::new() }
     }
 
-    /// Declares an index letter that runs from 1 to `upper` and is summed over where a product repeats it.
+    /// Declares a component index from 1 to `upper`, which is summed over where a product repeats it.
     pub fn add_index(&mut self, letter: &str, upper: u8) -> IndexId {
         self.indices.push(IndexEntry { letter: letter.to_owned(), upper, count: None, labels: false });
         IndexId(self.indices.len() - 1)
     }
 
-    /// Declares a letter that labels things: `count` of them, where that is a symbol, and at most `upper`.
+    /// Declares a label of particles, from 1 to the value of the symbol `count`, and to `upper` at most.
     pub fn add_label(&mut self, letter: &str, upper: u8, count: Option<SymbolId>) -> IndexId {
         self.indices.push(IndexEntry { letter: letter.to_owned(), upper, count, labels: true });
         IndexId(self.indices.len() - 1)
     }
 
-    /// Whether two letters run over the same values of the same things.
+    /// Whether two index letters have the same range and both are labels, or neither.
     pub fn same_range(&self, a: IndexId, b: IndexId) -> bool {
         let (a, b) = (&self.indices[a.0], &self.indices[b.0]);
         a.upper == b.upper && a.count == b.count && a.labels == b.labels
     }
 
-    /// The most values that the slots of a symbol take, slot by slot.
+    /// The largest value of each index slot of a symbol.
     pub fn extents(&self, id: SymbolId) -> Vec<u8> {
         self.entry(id).slots.iter().map(|(_, letter)| self.indices[letter.0].upper).collect()
     }
 
-    /// The index that a subscript token names.
+    /// The index letter that a subscript token names.
     pub fn index(&self, token: &str) -> Option<IndexId> {
         self.indices.iter().position(|index| index.letter == token).map(IndexId)
     }
 
-    /// Adds a symbol; `None` when the name is taken.
+    /// Adds a symbol; `None` if the name exists.
     pub fn add(&mut self, name: Name, kind: Kind) -> Option<SymbolId> {
         let slots = self.slots(&name.subscript);
         self.add_family(name, kind, slots)
     }
 
-    /// Adds a symbol with these slots; `None` when the name is taken.
+    /// Adds a symbol with these index slots; `None` if the name exists.
     pub fn add_family(&mut self, name: Name, kind: Kind, slots: Vec<(usize, IndexId)>) -> Option<SymbolId> {
         if self.exact.contains_key(&name) {
             return None;
@@ -206,8 +207,8 @@ impl Symbols {
         Some(id)
     }
 
-    /// The tokens of a subscript that are index letters, with their places. A letter inside of a word is none, though
-    /// it be declared: `r_{cm}`, `L_{orb}`. A word is letters of one case that are not indices all of them.
+    /// The index letters of a subscript, with their positions. A declared letter inside a word is no index: `r_{cm}`,
+    /// `L_{orb}`. A word is a run of letters of one case, at least one of which is no index.
     pub fn slots(&self, subscript: &[String]) -> Vec<(usize, IndexId)> {
         let letter_case = |token: &String| match token.as_bytes() {
             [byte] if byte.is_ascii_lowercase() => Some(false),
@@ -224,13 +225,13 @@ impl Symbols {
         slots
     }
 
-    /// Lets a name be unknown again, so that another text may introduce it; the symbol keeps its place in the table.
+    /// Removes a name, so that another text may define it. The symbol keeps its position in the table.
     pub fn forget(&mut self, id: SymbolId) {
         self.exact.remove(&self.entries[id.0].name);
         self.entries[id.0].name = Name::plain("");
     }
 
-    /// Along what the components of a vector are taken, where that was declared.
+    /// The axes of a vector's components, if they are declared.
     pub fn components_of(&self, id: SymbolId) -> Option<Components> {
         self.entry(id).components
     }
@@ -240,7 +241,7 @@ impl Symbols {
         &self.entries[id.0]
     }
 
-    /// The symbol's entry, to complete it.
+    /// The symbol's entry, mutable.
     pub fn entry_mut(&mut self, id: SymbolId) -> &mut Entry {
         &mut self.entries[id.0]
     }
@@ -250,12 +251,12 @@ impl Symbols {
         self.entries.iter().enumerate().map(|(i, entry)| (SymbolId(i), entry))
     }
 
-    /// How many symbols there are.
+    /// The number of symbols.
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// Whether there are none.
+    /// Whether the table has no symbols.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
@@ -270,7 +271,9 @@ impl Symbols {
         self.iter().find_map(|(id, entry)| self.member(entry, name).map(|indices| (id, indices)))
     }
 
-    /// The whole family of that base, without its indices: `R` for `R_{ab}`, but not `M` for the many `M_i`.
+    /// The family of component indices with this base, written without indices: `R` for `R_{ab}`, but not `M` for
+    /// `M_i`,
+    /// whose index is a label.
     pub fn find_whole(&self, base: &str) -> Option<SymbolId> {
         self.iter()
             .find(|(_, entry)| {
@@ -282,8 +285,9 @@ impl Symbols {
             .map(|(id, _)| id)
     }
 
-    /// Finds a name as [`Symbols::find`] does, or else puts its family together from the names of all its members,
-    /// or else finds it with the index that is meant for each.
+    /// Finds a name as [`Symbols::find`] does, with the index of [`Symbols::for_each`] added first. If it is not
+    /// found, it
+    /// is assembled as a family from the names of all its members.
     pub fn find_or_assemble(&mut self, name: &Name) -> Option<(SymbolId, Vec<Index>)> {
         // A name that has the letter, or is known with another index, needs none.
         let own = |letter: &IndexId| name.subscript.contains(&self.indices[letter.0].letter);
@@ -297,7 +301,7 @@ impl Symbols {
         self.find(name).or_else(|| self.assemble(name))
     }
 
-    /// `\lambda_a` beside λ₁, λ₂ and λ₃: a family of which each member is a name of its own, all of one kind.
+    /// Adds `\lambda_a` where λ₁, λ₂ and λ₃ are declared: a family of separate names, all of one kind.
     fn assemble(&mut self, name: &Name) -> Option<(SymbolId, Vec<Index>)> {
         let slots = self.slots(&name.subscript);
         let [(at, letter)] = slots.as_slice() else { return None };
@@ -355,7 +359,7 @@ impl Symbols {
         Some(indices)
     }
 
-    /// The declared name most like `name`, for "did you mean".
+    /// The declared name nearest to `name`, for "did you mean".
     pub fn nearest(&self, name: &Name) -> Option<String> {
         let names: Vec<String> = self.entries.iter().map(|entry| entry.name.to_string()).collect();
         suggest::nearest(&name.to_string(), names.iter().map(String::as_str)).map(str::to_owned)

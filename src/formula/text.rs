@@ -1,11 +1,11 @@
-//! The reading of a formula in plain words: every product, every argument and every power spelled out.
+//! A formula as readable Unicode text, with every product, argument and power explicit.
 //!
-//! This is what an author looks at to see whether the reader understood: `λ_1·θ̈ = λ_1·φ̇²·sin(θ)·cos(θ) − …`.
+//! The author reads it to see whether the formula was understood: `λ_1·θ̈ = λ_1·φ̇²·sin(θ)·cos(θ) − …`.
 
 use super::symbols::Symbols;
-use super::tree::{Expr, Index, LeftOut, Node, Sign, Statement};
+use super::tree::{Excluded, Expr, Index, Node, Sign, Statement};
 
-/// A statement in plain words.
+/// A statement as text.
 pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
     let mut text = String::new();
     for (at, member) in statement.members.iter().enumerate() {
@@ -20,7 +20,7 @@ pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
     text
 }
 
-/// A formula in plain words.
+/// A formula as text.
 pub fn formula(expr: &Expr, symbols: &Symbols) -> String {
     Writer { symbols }.write(expr, 0)
 }
@@ -29,7 +29,7 @@ struct Writer<'a> {
     symbols: &'a Symbols,
 }
 
-/// How tightly a node binds: sums 1, products 2, powers 3, all else 4.
+/// The binding strength of a node: 1 for sums, 2 for products, 3 for powers, 4 for anything else.
 fn binding(node: &Node, symbols: &Symbols) -> u8 {
     match node {
         Node::Symbol { id, .. } if symbols.entry(*id).squared => 3,
@@ -132,12 +132,12 @@ impl Writer<'_> {
         }
     }
 
-    fn left_out(&self, left_out: LeftOut) -> String {
+    fn left_out(&self, left_out: Excluded) -> String {
         match left_out {
-            LeftOut::Value(index) => format!("≠{}", self.index(index)),
-            LeftOut::From(index) => format!("<{}", self.index(index)),
-            LeftOut::UpTo(index) => format!(">{}", self.index(index)),
-            LeftOut::Last(count) => format!("…−{count}"),
+            Excluded::Value(index) => format!("≠{}", self.index(index)),
+            Excluded::From(index) => format!("<{}", self.index(index)),
+            Excluded::UpTo(index) => format!(">{}", self.index(index)),
+            Excluded::Last(count) => format!("…−{count}"),
         }
     }
 
@@ -149,7 +149,7 @@ impl Writer<'_> {
     }
 }
 
-/// A LaTeX name as people say it: Greek letters as letters, accents as marks.
+/// A LaTeX name as Unicode: Greek letters as letters, accents as combining marks.
 pub fn plain(latex: &str) -> String {
     let mut text = String::new();
     let mut rest = latex;

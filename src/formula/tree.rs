@@ -1,19 +1,22 @@
-//! The tree of a formula, and the statements that a display makes of formulas.
+//! The formula tree, and the statements of a display.
 //!
-//! Two trees are equal when they say the same thing in the same order; where they stand ([`Expr::span`]) does not
-//! count. Sums and products are flat lists, as authors write them, so that a single term or factor can be pointed at,
-//! dropped or changed.
+//! Two trees are equal if their nodes are equal in the same order; their places ([`Expr::span`]) are not compared.
+//! Sums
+//! and products are flat lists, as authors write them, so that a single term or factor can be shown, removed or
+//! changed.
 
 use crate::source::Span;
 
-use super::symbols::SymbolId;
+pub use super::ids::{Index, IndexId};
 
-/// A formula, and the bytes of the display that it was read from.
+use super::ids::SymbolId;
+
+/// A formula with its place.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// What it says.
+    /// The node.
     pub node: Node,
-    /// Where it was read.
+    /// The bytes of the display that it was read from.
     pub span: Span,
 }
 
@@ -28,23 +31,23 @@ impl PartialEq for Expr {
 pub enum Node {
     /// A literal, as written: `2`, `0.25`.
     Number(String),
-    /// The circle constant, where π is not declared to be something else.
+    /// The circle constant π, unless π is a declared symbol.
     Pi,
     /// The base of the natural logarithm, as the base of a power.
     Euler,
-    /// A symbol, with values for the indices of a family, `dots` times differentiated by time.
-    /// A family of one or two indices without any stands for the whole vector or matrix.
+    /// A symbol with its indices, differentiated `dots` times with respect to time.
+    /// A family of one or two indices that is written without them is the whole vector or matrix.
     Symbol {
-        /// Which symbol.
+        /// The symbol.
         id: SymbolId,
-        /// Its indices, one for each slot of the family; empty for a plain symbol.
+        /// The indices, one for each slot of the family; empty for a plain symbol.
         indices: Vec<Index>,
         /// The number of overdots.
         dots: u8,
     },
     /// `a + b − c`; a lone negative term is a negation.
     Sum(Vec<Term>),
-    /// Factors side by side; at most one is a vector, matrices multiply in order.
+    /// A product of factors; at most one is a vector. Matrices are multiplied in order.
     Product(Vec<Expr>),
     /// `a / b`.
     Quotient(Box<Expr>, Box<Expr>),
@@ -54,9 +57,9 @@ pub enum Node {
     Root(u32, Box<Expr>),
     /// A named elementary function.
     Call(Function, Box<Expr>),
-    /// A declared function of the user's, applied.
+    /// A declared rotation with its argument.
     Apply(SymbolId, Vec<Expr>),
-    /// `dⁿ/dtⁿ` of a formula.
+    /// `dⁿ/dtⁿ` of a formula: the order n, and the formula.
     TimeDerivative(u8, Box<Expr>),
     /// Absolute value of a scalar, norm of a vector.
     Norm(Box<Expr>),
@@ -70,35 +73,35 @@ pub enum Node {
     Transpose(Box<Expr>),
     /// `M⁻¹` of a matrix.
     Inverse(Box<Expr>),
-    /// One entry of a matrix that is not a plain symbol: `(R^{-1})_{bc}`.
+    /// One entry of a matrix that is no plain symbol, `(R^{-1})_{bc}`: the matrix, the row and the column.
     Entry(Box<Expr>, Index, Index),
-    /// Levi-Civita's ε.
+    /// The Levi-Civita symbol ε.
     Epsilon([Index; 3]),
-    /// Kronecker's δ.
+    /// The Kronecker symbol δ.
     Delta([Index; 2]),
     /// A sum over an index, written (Σ) or implied by repetition.
     SumOver {
-        /// The index summed over.
+        /// The summation index.
         index: IndexId,
         /// Whether it is implied by repetition.
         implied: bool,
-        /// The values that it leaves out.
-        except: Vec<LeftOut>,
-        /// The continuum in whose part at hand the particles summed over lie: `\sum_{\vec r_i \in V(\vec r)}`.
+        /// The excluded values of the index.
+        except: Vec<Excluded>,
+        /// The continuum that contains the particles of the sum: `\sum_{\vec r_i \in V(\vec r)}`.
         within: Option<SymbolId>,
-        /// What is summed.
+        /// The summand.
         body: Box<Expr>,
     },
     /// `\int_V … d^3r` over a declared continuum.
     Integral(SymbolId, Box<Expr>),
-    /// `\lim_{V(\vec r) \to 0}`: as the part of a continuum around a point of it shrinks.
+    /// `\lim_{V(\vec r) \to 0}`: the limit as a part of a continuum shrinks to its point.
     Shrinking(SymbolId, Box<Expr>),
     /// One component of a vector along the fixed axes.
     Component(Box<Expr>, Index),
 }
 
 impl Node {
-    /// `\sum_{index}` of something, over all values.
+    /// `\sum_{index}` of `body`, over all values.
     pub fn over(index: IndexId, body: Expr) -> Node {
         Node::SumOver { index, implied: false, except: Vec::new(), within: None, body: Box::new(body) }
     }
@@ -109,9 +112,9 @@ impl Node {
 pub struct Term {
     /// Added or subtracted.
     pub sign: Sign,
-    /// Where the sign was printed, if it was.
+    /// The place of the sign, if it is printed.
     pub sign_span: Option<Span>,
-    /// What is added or subtracted.
+    /// The term without its sign.
     pub expr: Expr,
 }
 
@@ -140,43 +143,30 @@ impl Sign {
     }
 }
 
-/// An index: a letter that runs, or a value (from 1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Index {
-    /// A declared index letter.
-    Letter(IndexId),
-    /// A fixed value.
-    Fixed(u8),
-}
-
-/// Values that a Σ leaves out of those of its index.
+/// Values of the summation index that a Σ excludes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LeftOut {
-    /// This one: the i of `\sum_{j \neq i}`.
+pub enum Excluded {
+    /// This value: the i of `\sum_{j \neq i}`.
     Value(Index),
-    /// This one and all above: the i of `\sum_{j < i}`.
+    /// This value and all above: the i of `\sum_{j < i}`.
     From(Index),
-    /// This one and all below: the i of `\sum_{j > i}`, the 1 of `\sum_{j=2}^{n}`.
+    /// This value and all below: the i of `\sum_{j > i}`, the 1 of `\sum_{j=2}^{n}`.
     UpTo(Index),
-    /// The last so many: one of them in `\sum_{j=1}^{n-1}`.
+    /// This number of last values: 1 in `\sum_{j=1}^{n-1}`.
     Last(u8),
 }
 
-impl LeftOut {
-    /// The index that bounds it, if there is one.
+impl Excluded {
+    /// The index that bounds the sum, if there is one.
     pub fn index(self) -> Option<Index> {
         match self {
-            LeftOut::Value(index) | LeftOut::From(index) | LeftOut::UpTo(index) => Some(index),
-            LeftOut::Last(_) => None,
+            Excluded::Value(index) | Excluded::From(index) | Excluded::UpTo(index) => Some(index),
+            Excluded::Last(_) => None,
         }
     }
 }
 
-/// A declared index letter, by its place in [`super::Symbols::indices`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct IndexId(pub usize);
-
-/// The elementary functions that a formula may call by name.
+/// The elementary functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "each is the function of its name")]
 pub enum Function {
@@ -220,13 +210,13 @@ impl Function {
         Self::ALL.iter().find(|(_, name)| *name == command).map(|(function, _)| *function)
     }
 
-    /// Its usual name, which is also its LaTeX command.
+    /// The usual name, which is also the LaTeX command without its backslash.
     pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(function, _)| *function == self).map_or("", |(_, name)| *name)
     }
 }
 
-/// How two members of a chain are related.
+/// The relation between two members of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "each is the relation of its name")]
 pub enum Relation {
@@ -260,20 +250,20 @@ impl Relation {
     }
 }
 
-/// One statement of a display: a chain of formulas with a relation between each two.
+/// One statement of a display: a chain of formulas with a relation between neighbours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
     /// The formulas, one or more.
     pub members: Vec<Expr>,
-    /// The relations between them and where each stands; one fewer than the members.
+    /// The relations between the members, with their places; one fewer than the members.
     pub relations: Vec<(Relation, Span)>,
-    /// Whether the display adds that the last member "is constant".
+    /// The place of "is constant" after the last member, if the display says so.
     pub constant: Option<Span>,
-    /// The branch of a `±` that this reading takes.
+    /// The sign that `±` stands for in this reading.
     pub branch: Option<Sign>,
     /// The row of the display, from 1.
     pub row: usize,
-    /// All of it.
+    /// The whole statement.
     pub span: Span,
 }
 
@@ -302,7 +292,7 @@ impl Expr {
         Expr::new(Node::Sum(vec![plus, minus]), span)
     }
 
-    /// The symbol, if the formula is one, without indices or dots.
+    /// The symbol, if the formula is a symbol without indices and dots.
     pub fn as_plain_symbol(&self) -> Option<SymbolId> {
         match &self.node {
             Node::Symbol { id, indices, dots: 0 } if indices.is_empty() => Some(*id),
@@ -355,7 +345,7 @@ impl Expr {
         }
     }
 
-    /// The same, to change them.
+    /// As [`Expr::children`], mutable.
     pub fn children_mut(&mut self) -> Vec<&mut Expr> {
         match &mut self.node {
             Node::Number(_) | Node::Pi | Node::Euler | Node::Symbol { .. } | Node::Epsilon(_) | Node::Delta(_) => {
@@ -379,7 +369,7 @@ impl Expr {
         }
     }
 
-    /// The sums over all pairs that are written under one Σ, as `\sum_{i<j}`: where, and over which letters.
+    /// The sums over pairs that are written under one Σ, as `\sum_{i<j}`: the place and the two index letters.
     pub fn pair_sums(&self) -> Vec<(Span, [IndexId; 2])> {
         let mut found = Vec::new();
         self.walk(&mut |expr| {
@@ -394,7 +384,7 @@ impl Expr {
         found
     }
 
-    /// Whether a letter stands on a symbol, a component, an entry, ε or δ in it.
+    /// Whether an index letter occurs on a symbol, a component, an entry, ε or δ.
     pub fn has_letter(&self, letter: IndexId) -> bool {
         let letter = Index::Letter(letter);
         let mut found = false;
@@ -411,7 +401,7 @@ impl Expr {
         found
     }
 
-    /// Calls `visit` on this formula and on all inside it, outermost first.
+    /// Calls `visit` on this formula and on all formulas inside it, the outermost first.
     pub fn walk<'a>(&'a self, visit: &mut impl FnMut(&'a Expr)) {
         visit(self);
         for child in self.children() {
@@ -419,7 +409,7 @@ impl Expr {
         }
     }
 
-    /// Puts other symbols in the places of those in it.
+    /// Replaces each symbol by `other` of it.
     pub fn rename(&mut self, other: &impl Fn(SymbolId) -> SymbolId) {
         if let Node::Symbol { id, .. } | Node::Apply(id, _) = &mut self.node {
             *id = other(*id);
@@ -427,7 +417,7 @@ impl Expr {
         self.children_mut().into_iter().for_each(|child| child.rename(other));
     }
 
-    /// Every symbol in it, each once, in order of first appearance, with the most dots it carries.
+    /// Every symbol of the formula, once, in order of first occurrence, with its largest number of dots.
     pub fn symbols(&self) -> Vec<(SymbolId, u8)> {
         let mut found: Vec<(SymbolId, u8)> = Vec::new();
         self.walk(&mut |expr| {

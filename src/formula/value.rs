@@ -1,4 +1,4 @@
-//! What a formula evaluates to: a number, a vector in three dimensions, or a matrix, over any number.
+//! The value of a formula: a number, a vector in three dimensions, or a matrix, over any number type.
 
 use nalgebra::{DMatrix, Vector3};
 
@@ -30,7 +30,7 @@ impl<D: Number> Clone for Value<D> {
 }
 
 impl<D: Number> Value<D> {
-    /// Its numbers: one, three, or row by row.
+    /// The numbers of the value: one, three, or a matrix row by row.
     pub fn entries(&self) -> Vec<D> {
         match self {
             Value::Scalar(value) => vec![*value],
@@ -48,7 +48,7 @@ impl<D: Number> Value<D> {
         }
     }
 
-    /// What the k-th entry is called, for messages: `component 2`, `entry (1,3)`; nothing for a number.
+    /// The name of the k-th entry in messages: `component 2`, `entry (1,3)`; `None` for a number.
     pub fn entry_name(shape: Shape, k: usize) -> Option<String> {
         match shape {
             Shape::Scalar => None,
@@ -66,7 +66,7 @@ impl<D: Number> Value<D> {
         }
     }
 
-    /// The same of other numbers, each made of one of these.
+    /// The value with `f` applied to every number, which may change the number type.
     pub fn each<E: Number>(&self, f: impl Fn(&D) -> E) -> Value<E> {
         match self {
             Value::Scalar(value) => Value::Scalar(f(value)),
@@ -77,7 +77,7 @@ impl<D: Number> Value<D> {
         }
     }
 
-    /// Changes every number in it.
+    /// Applies `f` to every number in place.
     pub fn for_each(&mut self, f: impl FnMut(&mut D)) {
         match self {
             Value::Scalar(value) => std::iter::once(value).for_each(f),
@@ -86,7 +86,7 @@ impl<D: Number> Value<D> {
         }
     }
 
-    /// The sum, where both have the same shape.
+    /// The sum; `None` if the shapes differ.
     pub fn plus(self, other: Self) -> Option<Self> {
         match (self, other) {
             (Value::Scalar(a), Value::Scalar(b)) => Some(Value::Scalar(a + b)),
@@ -96,7 +96,7 @@ impl<D: Number> Value<D> {
         }
     }
 
-    /// Adds another value, or takes it away; false, and nothing is done, where the shapes differ.
+    /// Adds or subtracts another value in place. Returns false and changes nothing if the shapes differ.
     pub fn add(&mut self, other: &Self, sign: Sign) -> bool {
         let put = |a: &mut D, b: D| match sign {
             Sign::Plus => *a += b,
@@ -113,7 +113,7 @@ impl<D: Number> Value<D> {
         true
     }
 
-    /// Multiplies by what stands beside it; false, and nothing is done, where there is no such product.
+    /// Multiplies by the next factor in place. Returns false and changes nothing if the product is not defined.
     pub fn multiply(&mut self, other: Self) -> bool {
         match (&mut *self, other) {
             (Value::Scalar(a), Value::Scalar(b)) => *a *= b,
@@ -131,7 +131,7 @@ impl<D: Number> Value<D> {
         true
     }
 
-    /// The inverse of a matrix of up to three rows, by Cramer's rule.
+    /// The inverse of a square matrix of up to three rows, by Cramer's rule; `None` for any other value.
     pub fn inverse(&self) -> Option<Self> {
         let Value::Matrix(m) = self else { return None };
         let n = m.nrows();

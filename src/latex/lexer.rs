@@ -1,7 +1,7 @@
-//! Text to tokens. Total: every byte ends up in a token or in white space.
+//! The lexer: text to tokens. It cannot fail.
 //!
-//! Commands that only set spacing, size or style leave no token, but for the spaces that an author uses to end the
-//! argument of a function (`\cos\theta\,p_\psi`) or to set statements apart (`\quad`).
+//! Commands for size and style give no token. Spaces give one, since they may end the argument of a function
+//! (`\cos\theta\,p_\psi`) or separate statements (`\quad`).
 
 use crate::source::Span;
 
@@ -10,7 +10,7 @@ use crate::source::Span;
 pub struct Token {
     /// What it is.
     pub kind: TokenKind,
-    /// Where it stands; after macro expansion, where the macro was called.
+    /// The place; after macro expansion, the place of the call.
     pub span: Span,
 }
 
@@ -45,12 +45,12 @@ pub enum TokenKind {
     Other(char),
 }
 
-/// The spaces that mean something.
+/// The spaces with a meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Space {
     /// Ends the argument of a function.
     Thin,
-    /// Sets statements apart.
+    /// Separates statements.
     Wide,
 }
 
@@ -86,7 +86,7 @@ const IGNORED: [&str; 28] = [
     "normalsize",
 ];
 
-/// Cuts a text into tokens.
+/// The tokens of a text.
 pub fn tokens(text: &str) -> Vec<Token> {
     let mut tokens = Vec::with_capacity(text.len() / 2);
     let mut chars = text.char_indices().peekable();

@@ -1,15 +1,17 @@
 //! The author's own commands: `\newcommand`, `\def` and the `macros` of a claims file.
 //!
-//! Expansion works on tokens; what a macro produces carries the bytes of the call, so that a fault inside it points at
-//! what the author wrote there.
+//! Expansion works on tokens. The tokens of a macro's body carry the place of the call, so that a fault is shown
+//! where
+//! the author wrote the call.
 
 use std::collections::HashMap;
 
+use crate::code::Code;
 use crate::source::{Fault, Span};
 
 use super::lexer::{Token, TokenKind, tokens};
 
-/// How many tokens expansion may produce before it is taken to be endless.
+/// The most tokens of one expansion; more is taken to be endless.
 const LARGEST_EXPANSION: usize = 100_000;
 
 /// Commands with their bodies.
@@ -19,12 +21,12 @@ pub struct Macros {
 }
 
 impl Macros {
-    /// Defines `name` (with its backslash) to take `arguments` and stand for `body`.
+    /// Defines the macro `name` (with its backslash), its number of arguments and its body.
     pub fn define(&mut self, name: &str, arguments: usize, body: &str) {
         self.bodies.insert(name.to_owned(), (arguments, tokens(body)));
     }
 
-    /// How many arguments a body refers to: the largest `#n` in it.
+    /// The number of arguments of a body: the largest `#n` in it.
     pub fn arguments_of(body: &str) -> usize {
         let parameters = tokens(body).into_iter().filter_map(|token| match token.kind {
             TokenKind::Parameter(n) => Some(usize::from(n)),
@@ -34,6 +36,9 @@ impl Macros {
     }
 
     /// Replaces every call in `input`.
+    ///
+    /// # Errors
+    /// A call without all its arguments, and an expansion without end.
     pub fn expand(&self, input: Vec<Token>) -> Result<Vec<Token>, Fault> {
         if self.bodies.is_empty() {
             return Ok(input);
@@ -52,15 +57,21 @@ impl Macros {
             };
             let mut values = Vec::with_capacity(*arguments);
             for n in 1..=*arguments {
-                let missing =
-                    || Fault::new(token.span, format!("{name} wants {arguments} arguments; number {n} is missing"));
+                let missing = || {
+                    Fault::new(token.span, format!("{name} needs {arguments} arguments, and argument {n} is missing"))
+                        .code(Code::UnknownCommand)
+                };
                 values.push(argument(&mut pending).ok_or_else(missing)?);
             }
             let expansion: Vec<Token> = substitute(body, &values, token.span);
             produced += expansion.len() + 1;
             if produced > LARGEST_EXPANSION {
-                return Err(Fault::new(token.span, format!("{name} expands to too much, or without end"))
-                    .help("a macro may not call itself"));
+                return Err(Fault::new(
+                    token.span,
+                    format!("the macro {name} expands without end, or to too many tokens"),
+                )
+                .code(Code::UnknownCommand)
+                .help("a macro must not call itself"));
             }
             pending.extend(expansion.into_iter().rev());
         }

@@ -1,8 +1,9 @@
-//! Which name a typeset item is: its base with accents, its subscript, its primes, its overdots.
+//! Names in the layout: the base with its accents, the subscript, the primes, and the overdots.
 //!
-//! One name has one spelling here however it was typed: `\vec{r_i}` is `\vec{r}_i`, `p_{\psi}` is `p_\psi`,
-//! `T_{\mathrm{rot}}` is `T_{rot}`, `\dot{\hat{e}_a}` is `\dot{\hat e}_a`, `x^\prime` is `x'`. Overdots and powers are
-//! not part of a name.
+//! Each name has one spelling: `\vec{r_i}` is `\vec{r}_i`, `p_{\psi}` is `p_\psi`, `T_{\mathrm{rot}}` is `T_{rot}`,
+//! `\dot{\hat{e}_a}` is `\dot{\hat e}_a`, `x^\prime` is `x'`. Overdots (`overdots`) and powers are not part
+//! of a
+//! name.
 
 use crate::formula::symbols::Name;
 use crate::formula::tree::Sign;
@@ -10,7 +11,8 @@ use crate::formula::tree::Sign;
 use super::layout::{Delimiter, Item, Layout, layout};
 use super::lexer::{Space, TokenKind, tokens};
 use super::macros::Macros;
-use super::old_forms::renewed;
+use super::normalize::normalized;
+use super::overdots;
 
 /// A name as it was printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,11 +21,11 @@ pub struct Printed<'a> {
     pub name: Name,
     /// The number of overdots.
     pub dots: u8,
-    /// What stands above the line, if it is not a prime.
+    /// The superscript, if it is no prime.
     pub sup: Option<&'a Item>,
 }
 
-/// Reads an item as a name, if it is one. `branch` is the sign that `\pm` stands for in a subscript.
+/// The name that an item is, if it is one. `branch` is the sign of `\pm` in a subscript.
 pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
     match &item.layout {
         Layout::Letter(c) => Some(plain(c.to_string())),
@@ -34,11 +36,9 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
         },
         Layout::Accent(command, inner) => {
             let mut inner = printed(inner, branch).filter(|inner| inner.sup.is_none())?;
-            match command.as_str() {
-                "\\dot" => inner.dots += 1,
-                "\\ddot" => inner.dots += 2,
-                "\\dddot" => inner.dots += 3,
-                accent => inner.name.base = format!("{accent}{{{}}}", inner.name.base),
+            match overdots::order(command) {
+                Some(order) => inner.dots += order,
+                None => inner.name.base = format!("{command}{{{}}}", inner.name.base),
             }
             Some(inner)
         }
@@ -76,9 +76,9 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
     }
 }
 
-/// A name alone, as a claims file or a command line gives it, with its overdots.
+/// The name that a whole text is, as in a claims file or on a command line, with the number of its overdots.
 pub fn parse(text: &str) -> Option<(Name, u8)> {
-    let items = layout(&renewed(tokens(text)), text.len());
+    let items = layout(&normalized(tokens(text)), text.len());
     let item = match items.as_slice() {
         [only] => only,
         [difference, rest] => {
@@ -93,13 +93,12 @@ pub fn parse(text: &str) -> Option<(Name, u8)> {
     Some((printed.name, printed.dots))
 }
 
-/// Whether two texts spell one name.
+/// Whether two texts are the same name.
 pub fn same(a: &str, b: &str) -> bool {
     a == b || parse(a).is_some_and(|name| Some(name) == parse(b))
 }
 
-/// Whether a text has the letters of a name in it one after the other, whatever their accents and braces: what a
-/// misprint leaves of the name.
+/// Whether a text contains the letters of a name in their order, without regard to accents and braces.
 pub fn mentions(text: &str, name: &str, macros: &Macros) -> bool {
     let letters = |text: &str| -> Vec<TokenKind> {
         let all = printed_kinds(text, macros);
@@ -109,7 +108,7 @@ pub fn mentions(text: &str, name: &str, macros: &Macros) -> bool {
     !name.is_empty() && text.windows(name.len()).any(|part| part == name)
 }
 
-/// Whether a name is all of a side of something in a text, so that it may be introduced there; its square may be.
+/// Whether a name, or its square, is a whole side of a relation in a text, so that the text may define it.
 pub fn is_a_side(text: &str, name: &str, macros: &Macros) -> bool {
     let is_relation = |kind: &TokenKind| match kind {
         TokenKind::Other(c) => *c == '=',
@@ -146,7 +145,7 @@ fn is_wide(kind: &TokenKind) -> bool {
     matches!(kind, TokenKind::Space(Space::Wide))
 }
 
-/// The tokens of a text with its macros written out; `\begin{matrix}` and `\text{for}` have no names in them.
+/// The tokens of a text with its macros expanded, without the words of `\begin{matrix}` and `\text{for}`.
 fn printed_kinds(text: &str, macros: &Macros) -> Vec<TokenKind> {
     let tokens = tokens(text);
     let tokens = macros.expand(tokens.clone()).unwrap_or(tokens);
@@ -164,22 +163,28 @@ fn printed_kinds(text: &str, macros: &Macros) -> Vec<TokenKind> {
     marked.filter_map(|(is_word, kind)| (!is_word).then_some(kind)).collect()
 }
 
-/// A name alone, as a claims file declares it, whose overdots are part of it: `\dot{\vec v}` for a symbol of its own.
+/// The name that a declaration is, with its overdots as a part of it: `\dot{\vec v}` as a separate symbol.
 pub fn parse_decorated(text: &str) -> Option<Name> {
     let (name, dots) = parse(text)?;
     with_dots(&name, dots)
 }
 
-/// The name with up to three overdots in its base.
+/// The name with up to three overdots in its base; `None` for more.
 pub fn with_dots(name: &Name, dots: u8) -> Option<Name> {
-    let accent = match dots {
-        0 => return Some(name.clone()),
-        1 => "\\dot",
-        2 => "\\ddot",
-        3 => "\\dddot",
-        _ => return None,
-    };
+    if dots == 0 {
+        return Some(name.clone());
+    }
+    let accent = overdots::accent(dots)?;
     Some(Name { base: format!("{accent}{{{}}}", name.base), ..name.clone() })
+}
+
+/// A name without its accents: `r_1` for `\vec{r}_1`.
+pub(super) fn unaccented(name: &Name) -> Name {
+    let mut base = name.base.as_str();
+    while let Some((_, inner)) = base.strip_suffix('}').and_then(|base| base.split_once('{')) {
+        base = inner;
+    }
+    Name { base: base.to_owned(), ..name.clone() }
 }
 
 fn plain(base: String) -> Printed<'static> {
@@ -202,7 +207,7 @@ fn prime_marks(sup: &Item) -> Option<u8> {
     }
 }
 
-/// Appends the tokens of a subscript; `None` where it holds something that no name does.
+/// Appends the tokens of a subscript; `None` if it is not the subscript of a name.
 fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Option<()> {
     match &item.layout {
         Layout::Letter(c) | Layout::Other(c) => tokens.push(c.to_string()),
@@ -225,8 +230,10 @@ fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Opt
         Layout::Text(word) => tokens.extend(word.chars().map(String::from)),
         Layout::Accent(..) | Layout::Style(..) => {
             let inner = printed(item, branch).filter(|inner| inner.sup.is_none())?;
-            let dots = ["", "\\dot", "\\ddot", "\\dddot"].get(usize::from(inner.dots))?;
-            tokens.push(if inner.dots == 0 { inner.name.to_string() } else { format!("{dots}{{{}}}", inner.name) });
+            tokens.push(match inner.dots {
+                0 => inner.name.to_string(),
+                dots => format!("{}{{{}}}", overdots::accent(dots)?, inner.name),
+            });
         }
         Layout::Scripts { nucleus, sub, sup: None, primes } => {
             subscript(nucleus, branch, tokens)?;
@@ -249,7 +256,7 @@ fn glyph(sign: Sign) -> &'static str {
     }
 }
 
-/// Whether a command is a letter that can name something.
+/// Whether a command is a letter, such as `\theta`.
 pub fn is_letter(command: &str) -> bool {
     const LETTERS: [&str; 46] = [
         "alpha",

@@ -1,31 +1,32 @@
-//! A display to its statements: rows, commas, `\Rightarrow`, chains of relations, ± branches, "is constant".
+//! The statements of a display: rows, commas, `\Rightarrow`, chains of relations, branches of ±, "is constant".
 //!
-//! Rows, `\quad`, commas between statements and arrows set statements apart; a row that starts with a relation
-//! continues the one before. A statement with `±` is read twice, top signs with top signs. A name that is not known and
-//! stands alone is *introduced* by the statement ([`super::introductions`]).
+//! Rows, `\quad`, commas and arrows separate statements. A row that starts with a relation continues the row before.
+//! A
+//! statement with `±` is read twice: once with all upper signs, once with all lower signs. An unknown name that is a
+//! whole member is defined by the statement ([`super::definitions`]).
 
 use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
-use super::introductions::{Introduced, New, Place, Unknown};
-use super::layout::{Item, Layout};
+use super::definitions::{DefinedSymbol, New, Place, Unknown};
+use super::layout::{Item, Layout, typeset_items};
 use super::lexer::Space;
 use super::macros::Macros;
 use super::names;
-use super::reader::{Reader, typeset_items};
+use super::reader::Reader;
 
-/// A display, read.
+/// The result of reading a display.
 #[derive(Clone, Debug, Default)]
 pub struct Reading {
-    /// Its statements in order, or why one of them cannot be read.
+    /// The statements in order; a fault for one that cannot be read.
     pub statements: Vec<Result<Statement, Fault>>,
-    /// The symbols that its statements introduce, in the order in which they were added to the table.
-    pub introduced: Vec<Introduced>,
+    /// The symbols that the statements define, in the order in which they were added to the symbol table.
+    pub introduced: Vec<DefinedSymbol>,
 }
 
-/// A display is read this often while it goes on introducing names that its own statements use.
+/// The most times that a display is read again because its statements defined further names.
 const ROUNDS: usize = 8;
 
 /// Reads a display: the text between its delimiters.
@@ -63,7 +64,7 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
             Ok((statement, news)) => {
                 for (member, new) in news {
                     if let Some((symbol, formula)) = new.add(symbols) {
-                        reading.introduced.push(Introduced { symbol, statement: *at, member, formula });
+                        reading.introduced.push(DefinedSymbol { symbol, statement: *at, member, formula });
                     }
                 }
                 results[*at] = Some(Ok(statement));
@@ -82,14 +83,14 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
     reading
 }
 
-/// A statement as items: members with the relation before each (none before the first).
+/// A statement as items: each member with the relation before it; the first has none.
 struct Piece<'a> {
     links: Vec<Link<'a>>,
     constant: Option<Span>,
     row: usize,
 }
 
-/// The relation before a member and where it stands; none before the first.
+/// The relation before a member and its place; `None` before the first.
 type Printed = Option<(Relation, Span)>;
 
 struct Link<'a> {
@@ -97,7 +98,7 @@ struct Link<'a> {
     items: Vec<&'a Item>,
 }
 
-/// The rows of a display; an `aligned` or `split` that is all of it is opened.
+/// The rows of a display, or of the `aligned` or `split` environment that is the whole display.
 fn rows(items: &[Item]) -> Vec<Vec<&Item>> {
     let significant: Vec<&Item> =
         items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','))).collect();
@@ -115,7 +116,7 @@ fn rows(items: &[Item]) -> Vec<Vec<&Item>> {
         .collect()
 }
 
-/// Cuts a row into statements and appends them.
+/// Divides a row into statements and appends them.
 fn split<'a>(items: Vec<&'a Item>, row: usize, pieces: &mut Vec<Piece<'a>>) {
     let mut current: Option<Piece<'a>> = None;
     let mut starts_row = true;
@@ -190,8 +191,9 @@ fn split<'a>(items: Vec<&'a Item>, row: usize, pieces: &mut Vec<Piece<'a>>) {
     pieces.extend(current);
 }
 
-/// Whether a row goes on with the formula of the row before: that one ends with an operator, or this one starts with
-/// a sign and is not an equation of its own.
+/// Whether a row continues the formula of the row before: that row ends with an operator, or this row starts with a
+/// sign
+/// and has no relation.
 fn continues(items: &[&Item], before: Option<&Piece<'_>>) -> bool {
     let Some(before) = before else { return false };
     let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
@@ -287,7 +289,7 @@ impl Piece<'_> {
         spans.reduce(Span::to).unwrap_or_default()
     }
 
-    /// The statement with the names that it introduces, each with its member. Where it cannot be read, nothing is.
+    /// The statement, and the symbols that it defines with the position of their members.
     fn read(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<(Statement, Vec<(usize, New)>), Fault> {
         let span = self.span();
         let links: Vec<(Printed, Vec<Item>)> = self
@@ -352,8 +354,8 @@ impl Piece<'_> {
                     .zip([&types[pair - 1], &types[pair]])
                     .all(|(member, of)| of.shape == Shape::Vector || member.is_zero());
             if is_order && !differ && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
-                let message = format!("“{}” between things that are no numbers", relation.glyph());
-                return Err(Fault::new(place, message));
+                let message = format!("“{}” needs a number on both sides", relation.glyph());
+                return Err(Fault::shape(place, message));
             }
         }
         for (place, letters) in members.iter().flat_map(Expr::pair_sums) {
@@ -362,8 +364,8 @@ impl Piece<'_> {
             };
             if let Some(letter) = letters.iter().find(|letter| is_free(letter)) {
                 let letter = &symbols.indices[letter.0].letter;
-                let message = format!("this sums over pairs, and {letter} is free in this equation");
-                return Err(Fault::new(place, message).help("write a Σ for each letter that is summed over"));
+                let message = format!("this is a sum over pairs, but {letter} is free in this equation");
+                return Err(Fault::index(place, message).help("write a Σ for each letter that is summed over"));
             }
         }
         let statement = Statement { members, relations, constant: self.constant, branch, row: self.row, span };

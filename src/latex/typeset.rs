@@ -1,13 +1,13 @@
-//! A formula back to LaTeX, so that it reads back as the same formula.
+//! The writer of formulas as LaTeX that is read back as the same formula.
 //!
-//! Arguments of functions are enclosed, but for a lone angle; factors are set apart by a thin space where they could run
-//! together, and a product within a product keeps its parentheses: the text is unambiguous before it is pretty.
+//! The text is unambiguous first, and short second. The argument of a function is in parentheses unless it is one
+//! angle.
+//! A thin space separates factors, and a product within a product keeps its parentheses.
 
 use crate::formula::symbols::Symbols;
-use crate::formula::tree::{Expr, Index, LeftOut, Node, Sign};
+use crate::formula::tree::{Excluded, Expr, Index, Node, Sign};
 
-use super::names;
-use super::reader::unaccented;
+use super::names::{self, unaccented};
 
 /// Typesets a formula.
 pub fn typeset(expr: &Expr, symbols: &Symbols) -> String {
@@ -130,11 +130,11 @@ impl Typesetter<'_> {
                     let separator =
                         if clauses.is_empty() && within.is_none() { String::new() } else { format!(", {letter}") };
                     let clause = match left_out {
-                        LeftOut::Value(other) => format!("\\neq {}", self.index(*other)),
-                        LeftOut::From(other) => format!("< {}", self.index(*other)),
-                        LeftOut::UpTo(Index::Fixed(value)) => format!("= {}", value + 1),
-                        LeftOut::UpTo(other) => format!("> {}", self.index(*other)),
-                        LeftOut::Last(less) => {
+                        Excluded::Value(other) => format!("\\neq {}", self.index(*other)),
+                        Excluded::From(other) => format!("< {}", self.index(*other)),
+                        Excluded::UpTo(Index::Fixed(value)) => format!("= {}", value + 1),
+                        Excluded::UpTo(other) => format!("> {}", self.index(*other)),
+                        Excluded::Last(less) => {
                             let entry = &self.symbols.indices[index.0];
                             let count = entry.count.map(|count| self.symbols.entry(count).name.to_string());
                             upper = format!("^{{{} - {less}}}", count.unwrap_or_else(|| entry.upper.to_string()));
@@ -161,7 +161,7 @@ impl Typesetter<'_> {
         }
     }
 
-    /// The argument of a function: enclosed, unless it is a symbol known to be an angle, which ends it anyway.
+    /// The argument of a function: in parentheses, unless it is a symbol declared as an angle.
     fn argument(&self, argument: &Expr) -> String {
         let text = self.bare(argument);
         let entry = argument.as_plain_symbol().map(|id| self.symbols.entry(id));
@@ -172,7 +172,7 @@ impl Typesetter<'_> {
         }
     }
 
-    /// What an operator acts on to the end of the term.
+    /// The operand of an operator that acts to the end of the term.
     fn body(&self, body: &Expr) -> String {
         match &body.node {
             Node::Sum(_) => format!("\\left({}\\right)", self.bare(body)),

@@ -1,4 +1,4 @@
-//! The one thing that a mechanical system must say about itself: L(q, q̇, t), as a Rust function over any number.
+//! The definition of a mechanical system: its Lagrangian L(q, q̇, t) as a Rust function over any number.
 
 use nalgebra::Matrix3;
 use num_dual::Dual;

@@ -1,7 +1,7 @@
-//! Linear equations with a mass matrix: solved over any number, refused with the condition number when singular.
+//! Linear equations with a mass matrix, over any number. A singular or ill-conditioned matrix is an error.
 //!
-//! Numbers that have no size, those of a field, cannot be pivoted by it: for them there is Cramer's rule, which also keeps
-//! the degrees of what comes out low.
+//! Elements of a prime field have no magnitude to choose pivots by. For them there is Cramer's rule, which also keeps
+//! the degrees of the solution low.
 
 use nalgebra::{DMatrix, DVector, Dyn, Matrix3};
 use num_dual::linalg::LU;
@@ -9,7 +9,7 @@ use num_dual::linalg::LU;
 use crate::scalar::Number;
 use crate::{Error, Result};
 
-/// Beyond this condition number (of the equilibrated matrix) no digit of a solution could be trusted far enough.
+/// The largest condition number, of the equilibrated matrix, with which linear equations are solved.
 pub const MAX_CONDITION: f64 = 1e10;
 
 /// The ratio of the largest singular value to the smallest, after rows and columns are divided by √|M_ii|: a change
@@ -51,9 +51,9 @@ fn is_surely_well_conditioned(matrix: &DMatrix<f64>) -> bool {
 /// How linear equations are solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinearSolver {
-    /// By elimination with exchange of rows, after a look at the condition number: for real numbers.
+    /// Gaussian elimination with partial pivoting, after a check of the condition number: for real numbers.
     PartialPivoting,
-    /// By Cramer's rule, looking at no values: for numbers that have no size.
+    /// Cramer's rule, which looks at no values: for elements of a prime field.
     CramersRule,
 }
 

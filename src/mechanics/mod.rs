@@ -1,8 +1,8 @@
 //! Lagrangian mechanics by automatic differentiation: accelerations, momenta, energy, the Hamiltonian, from L alone.
 //!
-//! A [`Lagrangian`] is a Rust function L(q, q̇, t), generic in the number. From it follow the Euler–Lagrange equations, the
-//! generalized momenta pᵢ = ∂L/∂q̇ᵢ, the energy Σ pᵢ q̇ᵢ − L, the Hamiltonian, time derivatives along a motion, the cyclic
-//! coordinates and the effective potential. No closed form is typed in anywhere.
+//! A [`Lagrangian`] is a Rust function L(q, q̇, t), generic in the number. From it follow the Euler–Lagrange equations,
+//! the generalized momenta pᵢ = ∂L/∂q̇ᵢ, the energy Σ pᵢ q̇ᵢ − L, the Hamiltonian, time derivatives along a motion, the
+//! cyclic coordinates and the effective potential. No closed form is typed in anywhere.
 //!
 //! There are two ways to evaluate them:
 //!
@@ -15,9 +15,9 @@
 //!
 //! # Example: simulate a top from its Lagrangian
 //!
-//! The heavy symmetric top has the Euler angles φ, θ, ψ as coordinates. L depends on neither φ, ψ nor the time, so p_φ, p_ψ
-//! and the energy are conserved. The example integrates one second with the classical Runge–Kutta method and measures how far
-//! they drift.
+//! The heavy symmetric top has the Euler angles φ, θ, ψ as coordinates. L depends on neither φ, ψ nor the time, so p_φ,
+//! p_ψ and the energy are conserved. The example integrates one second with the classical Runge–Kutta method and
+//! measures how far they drift.
 //!
 //! ```
 //! use onshell::mechanics::{AccelerationEvaluator, System};

@@ -1,19 +1,21 @@
-//! Addresses: how a claims file names an equation of the notes.
+//! Addresses: the ways in which a claims file names an equation of the notes.
 //!
 //! A printed number (`6.72`), a label, a snippet in backticks, `` every `…` ``, a name (`#veff`); with `row 2`,
 //! `part 1`, `step 3` after it; ranges `A .. B` and lists `A, B`.
 
 use std::sync::Arc;
 
-use super::document::{Display, Notes};
+use super::display::Display;
+use super::document::Notes;
 use super::json::{LONGEST, Spanned, place_in_string};
-use super::scan::is_number;
-use super::spelling::plain;
+use super::normalize::normalized;
+use super::tex_scanner::is_number;
+use crate::code::Code;
 use crate::source::{Fault, Source, Span};
 use crate::suggest;
 use crate::{Error, Result};
 
-/// An address as written, and what it names.
+/// An address as it is written, and the equations that it names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Address {
     /// As written.
@@ -48,7 +50,7 @@ pub struct Point {
     pub span: Span,
 }
 
-/// What a point names in the notes.
+/// The place in the notes that a point names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The display, as its position in `notes.equations`.
@@ -61,7 +63,7 @@ pub struct Place {
     pub step: Option<usize>,
 }
 
-/// How a display is named.
+/// The ways to name a display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
     /// By its printed number: `6.72`.
@@ -81,7 +83,7 @@ impl Address {
     pub fn parse(written: &Spanned<String>, source: &Source) -> Result<Address, Fault> {
         let text = &written.value;
         if text.len() > LONGEST {
-            return Err(Fault::new(written.span, format!("no address is longer than {LONGEST} bytes")));
+            return Err(invalid(written.span, format!("this address has more than {LONGEST} bytes")));
         }
         let place = |part: Span| place_in_string(&source.text, written.span, part);
         let mut items = Vec::new();
@@ -95,13 +97,13 @@ impl Address {
             match (points.next(), points.next(), points.next()) {
                 (Some(one), None, _) => items.push(Item::One(one)),
                 (Some(from), Some(to), None) => items.push(Item::Range(from, to)),
-                _ => return Err(Fault::new(place(member), "a range has two ends").help("as in `3.52 .. 3.56`")),
+                _ => return Err(invalid(place(member), "a range must have two ends").help("as in `3.52 .. 3.56`")),
             }
         }
         Ok(Address { text: text.clone(), span: written.span, items })
     }
 
-    /// The one point it names, when it is neither list nor range.
+    /// The point, if the address is neither a list nor a range.
     pub fn single(&self) -> Option<&Point> {
         match self.items.as_slice() {
             [Item::One(point)] => Some(point),
@@ -109,7 +111,7 @@ impl Address {
         }
     }
 
-    /// The displays it names, as positions in `notes.equations`, in the order of the address.
+    /// The displays that the address names, as positions in `notes.equations`, in the order of the address.
     ///
     /// `source` is the claims file, for the place of an error.
     pub fn resolve(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<usize>> {
@@ -120,7 +122,10 @@ impl Address {
         Ok(found)
     }
 
-    /// What it names, row, part and step with it, in the order of the address. A range is one of whole equations.
+    /// The places that the address names, with row, part and step, in the order of the address.
+    ///
+    /// # Errors
+    /// A range with a row, a part or a step, and a point that names no equation or several.
     pub fn lookup(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<Place>> {
         let partial = |point: &&Point| point.row.or(point.part).or(point.step).is_some();
         let mut places = Vec::new();
@@ -129,7 +134,7 @@ impl Address {
                 Item::One(point) => (point.row, point.part, point.step),
                 Item::Range(from, to) => {
                     if let Some(point) = [from, to].into_iter().find(partial) {
-                        return Err(Error::at(source, point.span, "a range is one of whole equations")
+                        return Err(not_found(source, point.span, "a range must consist of whole equations")
                             .help("leave out `row`, `part` and `step`, or name each part by itself"));
                     }
                     (None, None, None)
@@ -149,8 +154,8 @@ impl Item {
             Item::Range(from, to) => {
                 let (first, last) = (from.one(notes, source)?, to.one(notes, source)?);
                 if last < first {
-                    return Err(Error::at(source, from.span.to(to.span), "this range ends before it begins")
-                        .help("the first end stands earlier in the notes"));
+                    return Err(not_found(source, from.span.to(to.span), "this range ends before it begins")
+                        .help("write the end that comes first in the notes first"));
                 }
                 Ok((first..=last).collect())
             }
@@ -162,11 +167,14 @@ impl Point {
     fn one(&self, notes: &Notes, source: &Arc<Source>) -> Result<usize> {
         match self.resolve(notes, source)?.as_slice() {
             [one] => Ok(*one),
-            _ => Err(Error::at(source, self.span, "a range begins and ends with one equation")),
+            _ => Err(not_found(source, self.span, "each end of a range must be one equation")),
         }
     }
 
-    /// The displays it names: one, or several for `every`.
+    /// The displays that the point names: one, or several for `every`.
+    ///
+    /// # Errors
+    /// No such display, or several without `every`.
     pub fn resolve(&self, notes: &Notes, source: &Arc<Source>) -> Result<Vec<usize>> {
         let (found, every) = match &self.target {
             Target::Number(id) | Target::Label(id) | Target::Name(id) => (notes.find(id), false),
@@ -180,8 +188,8 @@ impl Point {
             count => {
                 let shown: Vec<String> = found.iter().take(4).map(|&i| candidate(&notes.equations[i])).collect();
                 let more = if count > 4 { ", …" } else { "" };
-                Err(Error::at(source, self.span, format!("{count} displays match {}", self.named()))
-                    .help(format!("they are {}{more}; say more, or `every`", shown.join(", "))))
+                Err(not_found(source, self.span, format!("{count} displays match {}", self.named()))
+                    .help(format!("they are {}{more}; use a longer snippet, or `every`", shown.join(", "))))
             }
         }
     }
@@ -198,22 +206,30 @@ impl Point {
     fn missing(&self, notes: &Notes, source: &Arc<Source>) -> Error {
         let path = &notes.source.path;
         let message = match &self.target {
-            Target::Number(id) => format!("no equation ({id}) in {path}"),
+            Target::Number(id) => format!("{path} has no equation ({id})"),
             Target::Label(id) => format!("no equation in {path} has the label {id}"),
             Target::Name(id) => format!("no equation in {path} is named {id}"),
             Target::Snippet(snippet) | Target::EverySnippet(snippet) => {
                 format!("no display in {path} contains `{snippet}`")
             }
         };
-        let error = Error::at(source, self.span, message);
+        let error = not_found(source, self.span, message);
         match &self.target {
-            Target::Snippet(_) | Target::EverySnippet(_) => error.help("copy it from the notes as it is printed there"),
+            Target::Snippet(_) | Target::EverySnippet(_) => error.help("copy the LaTeX from the notes"),
             Target::Number(id) | Target::Label(id) | Target::Name(id) => match closest(notes, id) {
                 Some(closest) => error.help(format!("did you mean {closest}?")),
                 None => error.help("the notes have no numbers, labels or names; use a snippet in backticks"),
             },
         }
     }
+}
+
+fn invalid(span: Span, message: impl Into<String>) -> Fault {
+    Fault::new(span, message).code(Code::EquationAddress)
+}
+
+fn not_found(source: &Arc<Source>, span: Span, message: impl Into<String>) -> Error {
+    Error::at(source, span, message).with_code(Code::EquationAddress)
 }
 
 /// The number, label or name nearest to `id`.
@@ -233,8 +249,8 @@ fn chapter(id: &str) -> Option<(&str, u64)> {
 }
 
 fn containing(notes: &Notes, snippet: &str) -> Vec<usize> {
-    let snippet = plain(snippet);
-    let contains = |display: &Display| plain(&display.text).contains(&snippet);
+    let snippet = normalized(snippet);
+    let contains = |display: &Display| normalized(&display.text).contains(&snippet);
     (0..notes.equations.len()).filter(|&i| contains(&notes.equations[i])).collect()
 }
 
@@ -286,14 +302,14 @@ fn point(text: &str, span: Span, place: &dyn Fn(Span) -> Span) -> Result<Point, 
         let count: Option<usize> = count.parse().ok().filter(|&n| n > 0);
         if count.is_none() || slot.is_some() {
             return Err(
-                Fault::new(here, format!("`{word}` takes one number, from 1")).help("as in `6.72 row 2 part 1`")
+                invalid(here, format!("`{word}` needs one number, counted from 1")).help("as in `6.72 row 2 part 1`")
             );
         }
         *slot = count;
         rest = front.trim_end();
     }
     point.target = target(rest).ok_or_else(|| {
-        Fault::new(here, format!("`{rest}` is no address"))
+        invalid(here, format!("`{rest}` is not an address of an equation"))
             .help("write a number (6.72), a label, a name (#veff), or LaTeX in backticks; `row`, `part`, `step` follow in this order")
     })?;
     Ok(point)
@@ -306,7 +322,7 @@ fn target(rest: &str) -> Option<Target> {
     };
     if let Some(snippet) = body.strip_prefix('`') {
         let snippet = snippet.strip_suffix('`')?.trim();
-        let usable = !plain(snippet).is_empty() && !snippet.contains('`');
+        let usable = !normalized(snippet).is_empty() && !snippet.contains('`');
         let target = if every { Target::EverySnippet } else { Target::Snippet };
         return usable.then(|| target(snippet.to_owned()));
     }

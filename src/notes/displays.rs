@@ -1,12 +1,14 @@
-//! From displays as found to displays as numbered: tags, labels, numbers printed beside, and neighbours that belong
-//! together.
+//! The numbering of displays: tags, labels, numbers printed beside a display, and neighbouring displays with one
+//! number.
 //!
-//! Two copies of the file are at hand: the text as it is, and `clean`, the same bytes with everything that is no
-//! formula overwritten by spaces. A display's text is cut from the second, so that every place in it stays true.
+//! There are two copies of the file: the text as it is, and `clean`, in which spaces replace everything that is no
+//! formula.
+//! The text of a display comes from `clean`, so that a place in it is also a place in the file.
 
-use super::document::{Display, Numbered};
+use super::display::{Display, Numbered};
+
 use super::rows;
-use super::scan::{self, Delimiter, Name, Raw};
+use super::tex_scanner::{self, Delimiter, Name, RawDisplay};
 use crate::source::{Fault, Span};
 
 /// Overwrites `spans` by spaces, line ends kept.
@@ -20,9 +22,9 @@ pub(super) fn blank<'a>(clean: &mut [u8], spans: impl IntoIterator<Item = &'a Sp
     }
 }
 
-/// A display with what is printed in and beside it, before neighbours are joined.
+/// A display with its number and labels, before neighbours are joined.
 struct Piece {
-    raw: Raw,
+    raw: RawDisplay,
     /// With an inline tail, as in `$$x = 1$$ , $y = 2$ (2.7)`.
     body: Span,
     number: Option<Numbered>,
@@ -33,12 +35,20 @@ struct Piece {
     continues: bool,
     /// Whether it holds nothing but its number.
     bare: bool,
-    /// Where the next display may begin to be a neighbour.
+    /// The byte after which the next display may begin as a neighbour.
     end: usize,
 }
 
-/// Joins, numbers and cuts out the displays.
-pub(super) fn assemble(source: &str, clean: Vec<u8>, raws: Vec<Raw>, names: Vec<Name>) -> Result<Vec<Display>, Fault> {
+/// Joins and numbers the displays, and extracts their texts.
+///
+/// # Errors
+/// A display with two numbers, and a name without a display.
+pub(super) fn assemble(
+    source: &str,
+    clean: Vec<u8>,
+    raws: Vec<RawDisplay>,
+    names: Vec<Name>,
+) -> Result<Vec<Display>, Fault> {
     let mut work = Work { source, clean };
     let mut pieces = Vec::new();
     let mut names = names.into_iter().peekable();
@@ -53,8 +63,8 @@ pub(super) fn assemble(source: &str, clean: Vec<u8>, raws: Vec<Raw>, names: Vec<
         }
     }
     if let Some(name) = names.next() {
-        return Err(Fault::new(name.span, format!("no display follows to be named {}", name.id))
-            .help("the name stands before the display"));
+        return Err(Fault::notes(name.span, format!("no display follows the name {}", name.id))
+            .help("put the name before its display"));
     }
     work.numbers_inside(&mut pieces);
     Ok(work.join(pieces))
@@ -67,7 +77,7 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// The pieces of one display: one, or the row groups of an `align` with several numbers.
-    fn pieces(&mut self, raw: Raw, next: usize, pieces: &mut Vec<Piece>) -> Result<(), Fault> {
+    fn pieces(&mut self, raw: RawDisplay, next: usize, pieces: &mut Vec<Piece>) -> Result<(), Fault> {
         let rows = self.rows(raw);
         let (tags, labels) = self.tags(raw.body);
         let carries = |row: &Span| tags.iter().chain(&labels).any(|n| row.contains(n.span));
@@ -76,7 +86,7 @@ impl Work<'_> {
         {
             for group in self.groups(rows, &tags, &labels) {
                 let own = |all: &[Numbered]| all.iter().filter(|n| group.contains(n.span)).cloned().collect();
-                let raw = Raw { span: group, body: group, delimiter: Delimiter::Rows };
+                let raw = RawDisplay { span: group, body: group, delimiter: Delimiter::Rows };
                 pieces.push(self.piece(raw, group.end, own(&tags), own(&labels))?);
             }
             return Ok(());
@@ -86,7 +96,7 @@ impl Work<'_> {
     }
 
     /// The rows of a display whose rows may be numbered one by one; also of an `align` that stands within `$$`.
-    fn rows(&self, raw: Raw) -> Option<Vec<Span>> {
+    fn rows(&self, raw: RawDisplay) -> Option<Vec<Span>> {
         if raw.delimiter == Delimiter::Rows {
             return Some(rows::split(&self.clean, raw.body));
         }
@@ -94,11 +104,11 @@ impl Work<'_> {
         if self.clean[raw.body.start..inside].iter().any(|b| !b.is_ascii_whitespace()) {
             return None;
         }
-        let (name, start) = scan::begin(self.source, inside)?;
+        let (name, start) = tex_scanner::begin(self.source, inside)?;
         let closing = format!("\\end{{{name}}}");
         let body = self.source[raw.body.range()].trim_end().strip_suffix(&closing)?;
         let end = raw.body.start + body.len();
-        (scan::environment(name) == Some(Delimiter::Rows) && start <= end)
+        (tex_scanner::environment(name) == Some(Delimiter::Rows) && start <= end)
             .then(|| rows::split(&self.clean, Span::new(start, end)))
     }
 
@@ -127,7 +137,7 @@ impl Work<'_> {
     fn continues(&self, span: Span) -> bool {
         // Whole characters only were overwritten, so the text is still UTF-8; where it is long, its start will do.
         let text = &self.clean[span.range()];
-        let start = scan::skip_space(text, 0);
+        let start = tex_scanner::skip_space(text, 0);
         rows::starts_with_relation(&String::from_utf8_lossy(&text[start..text.len().min(start + 80)]))
     }
 
@@ -141,16 +151,18 @@ impl Work<'_> {
                 continue;
             }
             let bytes = &self.clean[..body.end];
-            let word = scan::word_end(bytes, i);
+            let word = tex_scanner::word_end(bytes, i);
             let star = usize::from(bytes.get(word) == Some(&b'*'));
-            let argument = scan::skip_space(bytes, word + star);
+            let argument = tex_scanner::skip_space(bytes, word + star);
             let mut end = (word).max(i + 2);
             let command = &self.source[i + 1..word];
             match command {
                 "tag" | "label" | "eqno" | "leqno" | "intertext" | "shortintertext" => {
-                    let group = scan::short_group(bytes, argument);
+                    let group = tex_scanner::short_group(bytes, argument);
                     let bare = || {
-                        scan::number(self.source, argument).map(|(_, end)| end).filter(|_| command.ends_with("eqno"))
+                        tex_scanner::number(self.source, argument)
+                            .map(|(_, end)| end)
+                            .filter(|_| command.ends_with("eqno"))
                     };
                     if let Some(close) = group.or_else(bare) {
                         let inside = self.source[argument + 1..close - 1].trim();
@@ -173,7 +185,13 @@ impl Work<'_> {
         (tags, labels)
     }
 
-    fn piece(&mut self, raw: Raw, next: usize, tags: Vec<Numbered>, labels: Vec<Numbered>) -> Result<Piece, Fault> {
+    fn piece(
+        &mut self,
+        raw: RawDisplay,
+        next: usize,
+        tags: Vec<Numbered>,
+        labels: Vec<Numbered>,
+    ) -> Result<Piece, Fault> {
         let mut tags = tags.into_iter();
         let mut piece = Piece {
             raw,
@@ -186,9 +204,9 @@ impl Work<'_> {
             end: raw.span.end,
         };
         if let (Some(first), Some(second)) = (&piece.number, tags.next()) {
-            return Err(Fault::new(
+            return Err(Fault::notes(
                 second.span,
-                format!("a second number, {}, in the display ({})", second.id, first.id),
+                format!("the display ({}) has a second number, {}", first.id, second.id),
             )
             .help("number rows one by one in an align environment, or give each equation its own display"));
         }
@@ -201,10 +219,10 @@ impl Work<'_> {
         Ok(piece)
     }
 
-    /// A display that is only `(2.2)` is a number that lost its equation.
+    /// Records the number of a display that is only `(2.2)`.
     fn bare_number(&mut self, piece: &mut Piece) {
-        let start = scan::skip_space(&self.clean[..piece.body.end], piece.body.start);
-        let Some((id, end)) = scan::number(self.source, start).filter(|(_, end)| *end <= piece.body.end) else {
+        let start = tex_scanner::skip_space(&self.clean[..piece.body.end], piece.body.start);
+        let Some((id, end)) = tex_scanner::number(self.source, start).filter(|(_, end)| *end <= piece.body.end) else {
             return;
         };
         if piece.number.is_none() && self.clean[end..piece.body.end].iter().all(u8::is_ascii_whitespace) {
@@ -218,7 +236,7 @@ impl Work<'_> {
     /// A number printed after the display, with the inline tail that leads to it.
     fn number_after(&mut self, piece: &mut Piece, next: usize) {
         let after = piece.raw.span.end;
-        let direct = scan::skip_space(&self.clean[..next], after);
+        let direct = tex_scanner::skip_space(&self.clean[..next], after);
         if let Some(number) = self.number_ending_line(direct, next) {
             piece.end = number.span.end;
             piece.number = Some(number);
@@ -240,8 +258,8 @@ impl Work<'_> {
 
     /// The number at `at`, when its line ends with it.
     fn number_ending_line(&self, at: usize, next: usize) -> Option<Numbered> {
-        let (id, end) = scan::number(self.source, at)?;
-        let alone = end <= next && scan::ends_line(&self.clean, end);
+        let (id, end) = tex_scanner::number(self.source, at)?;
+        let alone = end <= next && tex_scanner::ends_line(&self.clean, end);
         alone.then(|| Numbered { id: id.to_owned(), span: Span::new(at, end) })
     }
 
@@ -258,7 +276,7 @@ impl Work<'_> {
                 b' ' | b'\t' | b'\r' => {}
                 b',' | b';' | b'.' => apart = true,
                 b'$' => {
-                    let close = scan::inline(bytes, i, false)?;
+                    let close = tex_scanner::inline(bytes, i, false)?;
                     signs.push(Sign { at: i, comma: !apart });
                     signs.push(Sign { at: close, comma: false });
                     (apart, i) = (false, close);
@@ -296,7 +314,7 @@ impl Work<'_> {
     fn number_inside(&self, body: Span) -> Option<(Numbered, Span)> {
         let (text, trimmed) = (&self.clean[body.range()], self.clean[body.range()].trim_ascii_end());
         let open = trimmed.iter().rposition(|&b| b == b'(')?;
-        let (id, end) = scan::number(self.source, body.start + open)?;
+        let (id, end) = tex_scanner::number(self.source, body.start + open)?;
         let dotted =
             id.split_once('.').is_some_and(|(a, b)| is_digits(a) && is_digits(b.trim_end_matches(char::is_alphabetic)));
         let before = &text[..open];
@@ -309,7 +327,7 @@ impl Work<'_> {
         })
     }
 
-    /// Joins neighbours, and cuts out the texts.
+    /// Joins neighbouring displays, and extracts the texts.
     fn join(mut self, pieces: Vec<Piece>) -> Vec<Display> {
         let mut lines = Lines::default();
         let mut displays = Vec::new();
@@ -324,7 +342,7 @@ impl Work<'_> {
         displays
     }
 
-    /// Whether nothing but space stands between, and the second may belong to the first.
+    /// Whether only white space is between two displays, and the second may belong to the first.
     fn neighbours(&self, a: &Piece, b: &Piece) -> bool {
         let gap = a.end..b.raw.span.start;
         a.number.is_none()
@@ -335,7 +353,7 @@ impl Work<'_> {
             && self.source.as_bytes()[gap].iter().all(|b| b.is_ascii_whitespace() || *b == b'>')
     }
 
-    /// Makes displays of a run of neighbours: one, if a number printed after it closes it.
+    /// Makes displays of a run of neighbours: one display, if a number is printed after the run.
     fn close(&mut self, run: &mut Vec<Piece>, lines: &mut Lines, displays: &mut Vec<Display>) {
         let all = run.last().is_some_and(|last| last.closes);
         let mut group: Vec<Piece> = Vec::new();
@@ -383,7 +401,7 @@ fn is_digits(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Counts lines on the way through a file: so many newlines before `at`.
+/// A counter of lines: the number of newlines before `at`.
 #[derive(Default)]
 struct Lines {
     at: usize,
@@ -391,7 +409,7 @@ struct Lines {
 }
 
 impl Lines {
-    /// The line of `at`, which is not before the place asked for last.
+    /// The line of `at`, which must not be before the place of the last call.
     fn line(&mut self, text: &str, at: usize) -> usize {
         self.newlines += text.as_bytes()[self.at..at].iter().filter(|&&b| b == b'\n').count();
         self.at = at;

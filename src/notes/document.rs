@@ -1,16 +1,17 @@
-//! The notes: a file with its display equations, in order, each with its place and its number.
+//! A document: a file with its display equations in order, each with its place and its number.
 
 use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
+pub use super::display::{Display, Numbered};
+use super::file::read_text;
+pub use super::macros::MacroDefinition;
 use super::references::{self, Reference};
 use super::{displays, macros, markdown, tex};
+use crate::code::Code;
 use crate::source::{Source, Span};
 use crate::{Error, Result};
-
-/// No lecture notes are larger.
-const LARGEST: u64 = 64 << 20;
 
 /// A document, and the displays in it.
 #[derive(Clone, Debug)]
@@ -23,62 +24,13 @@ pub struct Notes {
     pub macros: Vec<MacroDefinition>,
     /// Where the prose cites equations by their numbers, in order.
     pub references: Vec<Reference>,
-    /// Mathematics in the sentences, with its dollar signs.
+    /// Inline mathematics, with its dollar signs.
     pub inline: Vec<Span>,
-    /// Block-quote markers, which are no part of a sentence.
+    /// Block-quote markers, which are not part of a sentence.
     markers: Vec<Span>,
 }
 
-/// One display equation: all that one number holds, or one display without a number.
-///
-/// Several `$$…$$` that follow each other and share a number are one `Display`. Its `body` then reaches from the
-/// first to the last, and in `text` the `$$` between them are a row break, `\\`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Display {
-    /// The display with its delimiters; for a row group of an `align`, its rows.
-    pub span: Span,
-    /// The LaTeX between the delimiters.
-    pub body: Span,
-    /// The bodies that `body` was joined from; one, mostly.
-    pub parts: Vec<Span>,
-    /// The body to be read as a formula: as many bytes as `body`, so that a place in it is a place in the file.
-    ///
-    /// What is no formula (comments, `\tag`, `\label`, numbers, block-quote markers, definitions of macros) is
-    /// overwritten by spaces, and a blank line between two rows by a row break, `\\`.
-    pub text: String,
-    /// The printed number, without its parentheses.
-    pub number: Option<Numbered>,
-    /// Labels, as in `\label{…}`, and names, as `#veff`.
-    pub labels: Vec<Numbered>,
-    /// The line in which the display starts, from 1.
-    pub line: usize,
-}
-
-/// A number, a label or a name, and where it stands.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Numbered {
-    /// What it says.
-    pub id: String,
-    /// Where.
-    pub span: Span,
-}
-
-/// A command that the notes define.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MacroDefinition {
-    /// Its name, with the backslash.
-    pub name: String,
-    /// How many arguments it takes.
-    pub arguments: usize,
-    /// What the first argument is when it is left out.
-    pub default: Option<String>,
-    /// What it stands for.
-    pub body: String,
-    /// The whole definition.
-    pub span: Span,
-}
-
-/// How a document is written.
+/// The format of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Markdown, or plain text with `$$…$$`.
@@ -88,7 +40,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// By the extension of a file.
+    /// The format by the extension of a file.
     pub fn of(path: &Path) -> Option<Kind> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "md" | "markdown" | "txt" => Some(Kind::Markdown),
@@ -102,12 +54,14 @@ impl Notes {
     /// Reads the file at `path`, known in messages as `shown_as`.
     pub fn read(path: &Path, shown_as: &str) -> Result<Notes> {
         let Some(kind) = Kind::of(path) else {
-            return Err(Error::new(format!("{shown_as} is not a kind of notes that onshell reads"))
+            return Err(Error::new(format!("{shown_as} does not have the extension of notes"))
                 .help("notes are .md, .markdown, .txt or .tex"));
         };
         let source = read_text(path, shown_as)?;
         if source.text.trim_start_matches('\u{feff}').trim().is_empty() {
-            return Err(Error::new(format!("{shown_as} is empty")).help("there is nothing in it to check"));
+            return Err(Error::new(format!("{shown_as} is empty"))
+                .with_code(Code::NotesFile)
+                .help("it has no equations to check"));
         }
         Notes::parse(source, kind)
     }
@@ -148,7 +102,7 @@ impl Notes {
         (0..self.equations.len()).filter(|&i| carries(&self.equations[i])).collect()
     }
 
-    /// Where the prose says `quote`: word for word, but for white space, dollar signs and block-quote markers.
+    /// The places of `quote` in the prose, without regard to white space, dollar signs and block-quote markers.
     pub fn find_quote(&self, quote: &str) -> Vec<Span> {
         let counts = |c: char| !c.is_whitespace() && c != '$';
         let needle: String = quote.chars().filter(|&c| counts(c)).collect();
@@ -168,32 +122,5 @@ impl Notes {
         }
         let found = prose.match_indices(&needle);
         found.map(|(at, _)| Span::new(places[at], places[at + needle.len() - 1] + 1)).collect()
-    }
-}
-
-/// Reads a text file: too large, unreadable and not UTF-8 are errors.
-pub(super) fn read_text(path: &Path, shown_as: &str) -> Result<Arc<Source>> {
-    let failed = |error: std::io::Error| Error::new(format!("cannot read {shown_as}: {error}"));
-    let about = std::fs::metadata(path).map_err(failed)?;
-    if about.is_dir() {
-        return Err(Error::new(format!("cannot read {shown_as}: it is a folder")));
-    }
-    if !about.is_file() {
-        return Err(Error::new(format!("cannot read {shown_as}: it is not a regular file")));
-    }
-    if about.len() > LARGEST {
-        let size = about.len() >> 20;
-        return Err(Error::new(format!("{shown_as} has {size} MB; the most that is read is {} MB", LARGEST >> 20)));
-    }
-    let bytes = std::fs::read(path).map_err(failed)?;
-    match String::from_utf8(bytes) {
-        Ok(text) => Ok(Arc::new(Source::new(shown_as, text))),
-        Err(error) => {
-            let at = error.utf8_error().valid_up_to();
-            let bytes = error.as_bytes();
-            let line = bytes[..at].iter().filter(|&&b| b == b'\n').count() + 1;
-            Err(Error::new(format!("{shown_as} is not UTF-8: byte {at} (0x{:02x}, line {line})", bytes[at]))
-                .help("save the file as UTF-8"))
-        }
     }
 }

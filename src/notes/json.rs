@@ -1,8 +1,8 @@
-//! JSON that knows where every value stands.
+//! JSON values with their places in the text.
 //!
-//! serde_json reads; its raw values borrow from the text, so the place of each follows from its address. What
-//! serde_json lets pass and a claims file cannot afford is refused here: a key given twice, a `"\theta"` that JSON
-//! reads as a tab and "heta", values nested without end.
+//! serde_json reads the text. Its raw values borrow from the text, so their places follow from their addresses. Some
+//! valid
+//! JSON is rejected here: a key given twice, a `"\theta"`, which JSON reads as a tab and "heta", and deep nesting.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -10,18 +10,19 @@ use std::fmt;
 use serde::de::{MapAccess, Visitor};
 use serde_json::value::RawValue;
 
+use crate::code::Code;
 use crate::source::{Fault, Span};
 
-/// How deep values may nest.
+/// The most levels of nesting.
 const DEEPEST: usize = 64;
 
-/// No key and no address is longer.
+/// The most bytes of a key and of an address.
 pub(super) const LONGEST: usize = 4096;
 
-/// A thing and where it stands.
+/// A value and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spanned<T> {
-    /// The thing.
+    /// The value.
     pub value: T,
     /// Its place in the file; for a JSON string, with the quotes.
     pub span: Span,
@@ -33,13 +34,13 @@ impl<T> Spanned<T> {
         Spanned { value, span }
     }
 
-    /// Another thing at the same place.
+    /// Another value at the same place.
     pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Spanned<U> {
         Spanned { value: f(self.value), span: self.span }
     }
 }
 
-/// A JSON value and where it stands.
+/// A JSON value and its place.
 pub type Json = Spanned<Value>;
 
 /// A JSON value.
@@ -60,7 +61,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// What it is, for messages.
+    /// The name of its kind in messages.
     pub fn kind(&self) -> &'static str {
         match self {
             Value::Null => "null",
@@ -73,18 +74,21 @@ impl Value {
     }
 }
 
-/// Reads one JSON value, the whole of `text`. A byte-order mark before it is passed over.
+/// Reads one JSON value, which must be the whole of `text`. A byte-order mark before it is ignored.
+///
+/// # Errors
+/// Faults of the class [`Code::Json`] at their places.
 pub fn read(text: &str) -> Result<Json, Fault> {
     let start = text.len() - text.trim_start_matches('\u{feff}').len();
     if text[start..].trim().is_empty() {
-        return Err(Fault::new(Span::at(text.len()), "the file is empty").help("a claims file is a JSON object: { … }"));
+        return Err(invalid(Span::at(text.len()), "the file is empty").help("a claims file is a JSON object: { … }"));
     }
     escapes(text)?;
     let raw = serde_json::from_str::<&RawValue>(&text[start..]).map_err(|error| syntax(text, start, &error))?;
     value(text, raw, 0)
 }
 
-/// The place in the file of the bytes `part` of a string whose token, or whose part, stands at `token`.
+/// The place in the file of the bytes `part` of a string whose token, or a part of it, is at `token`.
 ///
 /// An escape such as `\\` is two bytes in the file and one in the string.
 pub fn place_in_string(text: &str, token: Span, part: Span) -> Span {
@@ -122,7 +126,12 @@ fn escape_at(raw: &str) -> (usize, usize) {
     }
 }
 
-/// Escapes that LaTeX in JSON falls prey to.
+/// A fault of the class [`Code::Json`].
+fn invalid(span: Span, message: impl Into<String>) -> Fault {
+    Fault::new(span, message).code(Code::Json)
+}
+
+/// Rejects escapes that LaTeX in JSON is often misread by.
 fn escapes(text: &str) -> Result<(), Fault> {
     let bytes = text.as_bytes();
     let (mut i, mut within) = (0, false);
@@ -156,30 +165,30 @@ fn escape(text: &str, at: usize) -> Result<(), Fault> {
             let code = text.get(at + 2..at + 6).and_then(|hex| u32::from_str_radix(hex, 16).ok());
             return match code {
                 Some(code) if code >= 0x20 => Ok(()),
-                Some(_) => Err(Fault::new(Span::new(at, at + 6), "a control character in a string")
-                    .help("LaTeX has none; leave it out")),
+                Some(_) => Err(invalid(Span::new(at, at + 6), "this string contains a control character")
+                    .help("remove it; LaTeX does not need it")),
                 None => Err(no_escape(span, &word)),
             };
         }
         _ => return Err(no_escape(span, &word)),
     };
-    let message = format!("\"\\{word}\" — JSON read \"\\{letter}\" as {name}");
-    Err(Fault::new(span, message).help(format!("write \"\\\\{word}\"")))
+    let message = format!("JSON reads the \"\\{letter}\" of \"\\{word}\" as {name}");
+    Err(invalid(span, message).help(format!("write \"\\\\{word}\"")))
 }
 
 fn no_escape(span: Span, word: &str) -> Fault {
-    Fault::new(span, format!("\"\\{word}\" — JSON knows no such escape")).help(format!("write \"\\\\{word}\""))
+    invalid(span, format!("\"\\{word}\" is not an escape of JSON")).help(format!("write \"\\\\{word}\""))
 }
 
-/// serde_json's complaint at its place, in our words.
+/// The fault for an error of serde_json, at its place.
 fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
     let offset = offset(&text[start..], error.line(), error.column()) + start;
     let full = error.to_string();
     let message = full.split(" at line ").next().unwrap_or(&full);
     if error.is_eof() {
         let end = text.trim_end().len();
-        return Fault::new(Span::at(end), "the file is cut off: it ends in the middle of a value")
-            .help("close what is open: a string by `\"`, a list by `]`, an object by `}`");
+        return invalid(Span::at(end), "the file ends in the middle of a value")
+            .help("close each string with `\"`, each list with `]` and each object with `}`");
     }
     let mut end = (offset + 1).min(text.len());
     while !text.is_char_boundary(end) {
@@ -188,14 +197,14 @@ fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
     let span = Span::new(offset, end);
     let after_comma = text[..offset].trim_end().ends_with(',') && text[offset..].starts_with(['}', ']']);
     match message {
-        _ if after_comma => Fault::new(span, "a comma before the closing bracket").help("leave the comma out"),
-        "trailing characters" => Fault::new(span, "something stands after the end of the JSON value")
-            .help("a claims file is one object; is a `}` too early?"),
+        _ if after_comma => invalid(span, "a comma stands before the closing bracket").help("remove the comma"),
+        "trailing characters" => invalid(span, "text follows the end of the JSON value")
+            .help("a claims file is one object; look for a `}` that closes it too early"),
         "control character (\\u0000-\\u001F) found while parsing a string" => {
-            Fault::new(span, "a line break or another control character within a string")
-                .help("a JSON string stands on one line; is its closing `\"` missing?")
+            invalid(span, "this string contains a line break or another control character")
+                .help("write the string on one line; its closing `\"` may be missing")
         }
-        _ => Fault::new(span, format!("this is not JSON: {message}")),
+        _ => invalid(span, format!("this is not JSON: {message}")),
     }
 }
 
@@ -214,11 +223,14 @@ fn value(text: &str, raw: &RawValue, depth: usize) -> Result<Json, Fault> {
     let token = raw.get();
     let unreadable = |error: serde_json::Error| {
         let full = error.to_string();
-        Fault::new(span, format!("this is not JSON: {}", full.split(" at line ").next().unwrap_or(&full)))
+        invalid(span, format!("this is not JSON: {}", full.split(" at line ").next().unwrap_or(&full)))
     };
     if depth >= DEEPEST && token.starts_with(['[', '{']) {
-        return Err(Fault::new(Span::new(span.start, span.start + 1), format!("values nest deeper than {DEEPEST}"))
-            .help("a claims file needs five levels"));
+        return Err(invalid(
+            Span::new(span.start, span.start + 1),
+            format!("values are nested more than {DEEPEST} levels deep"),
+        )
+        .help("a claims file needs five levels"));
     }
     let value = match token.as_bytes().first() {
         Some(b'n') => Value::Null,
@@ -247,22 +259,23 @@ fn object(
     let mut object = Vec::with_capacity(entries.len());
     for (key, item) in entries {
         let span = place(text, key);
-        let name: String = serde_json::from_str(key.get()).map_err(|_| Fault::new(span, "this key is no text"))?;
+        let name: String =
+            serde_json::from_str(key.get()).map_err(|_| invalid(span, "this key is not a valid text"))?;
         if name.len() > LONGEST {
-            let message = format!("this key has {} bytes; no key is longer than {LONGEST}", name.len());
-            return Err(Fault::new(span, message));
+            let message = format!("this key has {} bytes; the limit is {LONGEST}", name.len());
+            return Err(invalid(span, message));
         }
         if let Some(first) = seen.insert(name.clone(), span) {
             let line = text[..first.start].matches('\n').count() + 1;
-            return Err(Fault::new(span, format!("the key \"{name}\" is given twice; first in line {line}"))
-                .help("JSON would silently keep the last: join the two"));
+            return Err(invalid(span, format!("the key \"{name}\" is given twice; first in line {line}"))
+                .help("join the two; JSON would keep only the last"));
         }
         object.push((Spanned::new(name, span), value(text, item, depth + 1)?));
     }
     Ok(object)
 }
 
-/// Where a raw value stands: it borrows from `text`.
+/// The place of a raw value, which borrows from `text`.
 fn place(text: &str, raw: &RawValue) -> Span {
     let start = raw.get().as_ptr() as usize - text.as_ptr() as usize;
     Span::new(start, start + raw.get().len())

@@ -1,14 +1,15 @@
 //! Displays in Markdown: `$$…$$`, math fences, bare `\[…\]` and bare environments.
 //!
-//! pulldown-cmark says where code, fences and block quotes are. The displays themselves are found by an own scan,
-//! because notes have blank lines, `_` and `*` in them that CommonMark would not let stand.
+//! pulldown-cmark finds code, fences and block quotes. The displays themselves are found by a separate scan, because
+//! they
+//! contain blank lines, `_` and `*`, which have another meaning in CommonMark.
 
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
 
-use super::scan::{self, Delimiter, Raw, Scan};
+use super::tex_scanner::{self, Delimiter, RawDisplay, ScannedText};
 use crate::source::{Fault, Span};
 
-/// What CommonMark says about the file.
+/// The structure of the file by CommonMark.
 #[derive(Default)]
 struct Structure {
     /// Code, and math fences, in order.
@@ -31,9 +32,9 @@ enum BlockKind {
 }
 
 /// Finds the displays of a Markdown file.
-pub(super) fn scan(text: &str) -> Result<Scan, Fault> {
+pub(super) fn scan(text: &str) -> Result<ScannedText, Fault> {
     let structure = structure(text);
-    let mut found = Scan::default();
+    let mut found = ScannedText::default();
     displays(text, &structure, &mut found)?;
     found.markers = markers(text, structure.quotes, &found.raws);
     Ok(found)
@@ -72,7 +73,7 @@ fn structure(text: &str) -> Structure {
     structure
 }
 
-fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), Fault> {
+fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Result<(), Fault> {
     let bytes = text.as_bytes();
     let mut blocks = structure.blocks.iter().peekable();
     // Once no `\]` follows, none follows later: without this, many unclosed `\[` would be quadratic.
@@ -83,7 +84,7 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
         if let Some(block) = blocks.next_if(|block| block.span.start == i) {
             match block.kind {
                 BlockKind::Math(body) => {
-                    display(text, Raw { span: block.span, body, delimiter: Delimiter::Whole }, found)?
+                    display(text, RawDisplay { span: block.span, body, delimiter: Delimiter::Whole }, found)?
                 }
                 _ => found.blank.push(block.span),
             }
@@ -95,27 +96,27 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
                 // A fenced block ends a display that was never closed.
                 let fence = structure.fences.partition_point(|&start| start < i);
                 let limit = structure.fences.get(fence).copied().unwrap_or(text.len());
-                let Some(close) = scan::find_unescaped(&text[..limit], i + 2, b"$$") else {
+                let Some(close) = tex_scanner::find_unescaped(&text[..limit], i + 2, b"$$") else {
                     return Err(unclosed(text, i, found));
                 };
                 pair(text, i, close, found)?
             }
             b'$' => found.inline(bytes, i, true),
             b'<' if bytes[i..].starts_with(b"<!--") => {
-                let Some(close) = scan::find(text, i + 4, "-->") else {
-                    return Err(Fault::new(Span::new(i, i + 4), "this comment is never closed")
+                let Some(close) = tex_scanner::find(text, i + 4, "-->") else {
+                    return Err(Fault::notes(Span::new(i, i + 4), "this comment is never closed")
                         .help("add `-->`; without it the rest of the file is a comment"));
                 };
-                found.names.extend(scan::name_in(text, Span::new(i + 4, close))?);
+                found.names.extend(tex_scanner::name_in(text, Span::new(i + 4, close))?);
                 found.blank.push(Span::new(i, close + 3));
                 close + 3
             }
             b'\\' if bytes[i..].starts_with(b"\\[") => {
-                match brackets_close.then(|| scan::find_unescaped(text, i + 2, b"\\]")).flatten() {
+                match brackets_close.then(|| tex_scanner::find_unescaped(text, i + 2, b"\\]")).flatten() {
                     Some(close) => pair(text, i, close, found)?,
                     // In Markdown, `\[` is also how a mere bracket is written.
                     None if alone(bytes, i) => {
-                        return Err(Fault::new(Span::new(i, i + 2), "this `\\[` is never closed")
+                        return Err(Fault::notes(Span::new(i, i + 2), "this `\\[` is never closed")
                             .help("add `\\]` after the equation"));
                     }
                     None => {
@@ -124,25 +125,29 @@ fn displays(text: &str, structure: &Structure, found: &mut Scan) -> Result<(), F
                     }
                 }
             }
-            b'\\' => match scan::begin(text, i).and_then(|(n, end)| Some((n, end, scan::environment(n)?))) {
-                Some((name, inside, delimiter)) => scan::environment_display(text, i, inside, name, delimiter, found)?,
-                None => i + 2,
-            },
+            b'\\' => {
+                match tex_scanner::begin(text, i).and_then(|(n, end)| Some((n, end, tex_scanner::environment(n)?))) {
+                    Some((name, inside, delimiter)) => {
+                        tex_scanner::environment_display(text, i, inside, name, delimiter, found)?
+                    }
+                    None => i + 2,
+                }
+            }
             _ => i + 1,
         };
     }
     Ok(())
 }
 
-/// Takes note of the display between two-byte delimiters at `open` and `close`; the position after it.
-fn pair(text: &str, open: usize, close: usize, found: &mut Scan) -> Result<usize, Fault> {
+/// Records the display between two-byte delimiters at `open` and `close`. Returns the position after it.
+fn pair(text: &str, open: usize, close: usize, found: &mut ScannedText) -> Result<usize, Fault> {
     let (span, body) = (Span::new(open, close + 2), Span::new(open + 2, close));
-    display(text, Raw { span, body, delimiter: Delimiter::Pair }, found)?;
+    display(text, RawDisplay { span, body, delimiter: Delimiter::Pair }, found)?;
     Ok(span.end)
 }
 
-/// Takes note of a display, and of the TeX comments in it.
-fn display(text: &str, raw: Raw, found: &mut Scan) -> Result<(), Fault> {
+/// Records a display, and the TeX comments in it.
+fn display(text: &str, raw: RawDisplay, found: &mut ScannedText) -> Result<(), Fault> {
     // The renderers look for the closing delimiter first, so that it ends a comment, too.
     let text = &text[..raw.body.end];
     let mut i = raw.body.start;
@@ -157,29 +162,27 @@ fn display(text: &str, raw: Raw, found: &mut Scan) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Whether the two bytes at `at` are all that their line holds.
+/// Whether the two bytes at `at` are alone on their line.
 fn alone(bytes: &[u8], at: usize) -> bool {
     let mut before = bytes[..at].iter().rev().take_while(|&&b| b != b'\n');
-    before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && scan::ends_line(bytes, at + 2)
+    before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && tex_scanner::ends_line(bytes, at + 2)
 }
 
-fn unclosed(text: &str, at: usize, found: &Scan) -> Fault {
+fn unclosed(text: &str, at: usize, found: &ScannedText) -> Fault {
     let help = match found.raws.last() {
         Some(last) => {
             let line = text[..last.span.start].matches('\n').count() + 1;
-            format!(
-                "add `$$` after the equation; or an earlier display lacks its own: the one before begins in line {line}"
-            )
+            format!("add `$$` after the equation, or close an earlier display; the one before begins in line {line}")
         }
-        None => "add `$$` after the equation; a dollar sign in prose is written `\\$`".to_owned(),
+        None => "add `$$` after the equation, or write a dollar sign in prose as `\\$`".to_owned(),
     };
-    Fault::new(Span::new(at, at + 2), "this `$$` is never closed").help(help)
+    Fault::notes(Span::new(at, at + 2), "this `$$` is never closed").help(help)
 }
 
 /// The `>` at line starts inside block quotes.
 ///
 /// A line of a display that begins outside of a quote keeps its `>`: there it is a relation.
-fn markers(text: &str, quotes: Vec<(usize, usize)>, raws: &[Raw]) -> Vec<Span> {
+fn markers(text: &str, quotes: Vec<(usize, usize)>, raws: &[RawDisplay]) -> Vec<Span> {
     let mut found = Vec::new();
     let mut starts: Vec<usize> = quotes.iter().map(|q| q.0).collect();
     let mut ends: Vec<usize> = quotes.iter().map(|q| q.1).collect();

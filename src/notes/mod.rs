@@ -1,26 +1,36 @@
-//! A derivation on disk: the notes as the author typeset them, and the claims beside them.
+//! Documents: the notes as the author wrote them, and the claims file beside them.
 //!
-//! [`Notes`] finds the display equations of a Markdown or TeX file and keeps the byte range of everything: of the
-//! display, of its number, of its labels. It reads no mathematics. [`Claims`] is the JSON file that says what the
-//! symbols are and what the equations claim; its LaTeX stays text here, each piece with its place. An [`Address`]
-//! ties the two together.
+//! [`Notes`] are the display equations of a Markdown or TeX file, each with the byte range of the display, of its
+//! number
+//! and of its labels. [`Claims`] are the contents of the JSON file that declares the symbols and states what the
+//! equations
+//! claim. An [`Address`] in the claims file names an equation of the notes. LaTeX stays text here; no mathematics is
+//! read.
 //!
-//! Everything here is linear in the size of the file and never recurses on what the file nests.
+//! This folder may import [`crate::source`], [`crate::code`], [`crate::error`] and [`crate::suggest`]. It does not
+//! know
+//! LaTeX formulas, mechanics or verdicts.
+//!
+//! Reading takes time linear in the size of a file, and does not recurse on its nesting.
 
 pub mod address;
 pub mod claims;
+mod display;
 mod displays;
 pub mod document;
+mod file;
 pub mod json;
 mod macros;
 mod markdown;
+pub mod normalize;
 pub mod references;
 mod rows;
-mod scan;
-pub mod spelling;
 mod tex;
+mod tex_scanner;
 
 pub use address::{Address, Item, Place, Point, Target};
 pub use claims::{Claim, Claims, Sentence, Spanned, claims_beside};
-pub use document::{Display, Kind, MacroDefinition, Notes, Numbered};
+pub use display::{Display, Numbered};
+pub use document::{Kind, Notes};
+pub use macros::MacroDefinition;
 pub use references::Reference;

@@ -1,14 +1,15 @@
-//! References: where the prose cites an equation by its number.
+//! References: the places where the prose cites an equation by its number.
 //!
-//! A number in parentheses may be anything. It is taken for a reference where it is written as the document writes the
-//! numbers of its equations; a number without a point in it, only after a word such as "eq.".
+//! A number in parentheses is a reference if it has the form of the document's equation numbers. A number without a
+//! point
+//! is one only after a word such as "eq.".
 
 use std::collections::HashSet;
 
-use super::scan;
+use super::tex_scanner;
 use crate::source::{Source, Span};
 
-/// The prose cites an equation: `(6.73)`, `eq. (6.73)`.
+/// A reference to an equation: `(6.73)`, `eq. (6.73)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reference {
     /// The number, without its parentheses.
@@ -19,13 +20,14 @@ pub struct Reference {
     pub line: usize,
 }
 
-/// How far the `\)` of inline mathematics may be.
+/// The most bytes up to the `\)` of inline mathematics.
 const INLINE: usize = 1024;
 
-/// The references in `prose`: the file, with all that is no prose overwritten by spaces. `numbers` are those that the
-/// document gives to its equations.
+/// The references in `prose`, which is the file with spaces in place of everything that is no prose. `numbers` are
+/// the
+/// equation numbers of the document.
 pub(super) fn all<'a>(prose: &[u8], source: &Source, numbers: impl Iterator<Item = &'a str>) -> Vec<Reference> {
-    let styles: HashSet<String> = numbers.filter(|number| scan::is_number(number)).map(style).collect();
+    let styles: HashSet<String> = numbers.filter(|number| tex_scanner::is_number(number)).map(style).collect();
     let mut references = Vec::new();
     if styles.is_empty() {
         return references;
@@ -38,7 +40,7 @@ pub(super) fn all<'a>(prose: &[u8], source: &Source, numbers: impl Iterator<Item
                 i += ahead.windows(2).position(|pair| pair == b"\\)").unwrap_or(0) + 2;
             }
             b'(' => {
-                let found = scan::number(&source.text, i).filter(|(number, _)| {
+                let found = tex_scanner::number(&source.text, i).filter(|(number, _)| {
                     styles.contains(&style(number)) && (number.contains('.') || follows_word(&prose[..i]))
                 });
                 if let Some((number, end)) = found {

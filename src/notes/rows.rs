@@ -1,6 +1,6 @@
-//! The rows of a display: where `\\` or a blank line breaks them, and which of them one number holds together.
+//! The rows of a display, which `\\` or a blank line separates.
 
-use super::scan;
+use super::tex_scanner;
 use crate::source::Span;
 
 /// The rows of `body` in `text`, without the `\\` between them.
@@ -30,7 +30,7 @@ pub(super) fn split(text: &[u8], body: Span) -> Vec<Span> {
     rows
 }
 
-/// The position after the star and the space that a `\\` may take.
+/// The position after the optional star and length of a `\\`.
 fn after_break(bytes: &[u8], at: usize) -> usize {
     let at = at + usize::from(bytes.get(at) == Some(&b'*'));
     let length = || bytes[at + 1..].iter().take(40).position(|&b| b == b']');
@@ -42,9 +42,9 @@ fn after_break(bytes: &[u8], at: usize) -> usize {
 
 /// Writes a row break, `\\`, over the first blank line between two rows of `body`.
 ///
-/// TeX lets no blank line stand in a display. Converters that print rows with blank lines between them mean rows, and
-/// what stands in two paragraphs is no product. Within braces, an environment or `\left … \right` nothing is written.
-/// A line that holds nothing but a comment or a `\tag` is not blank.
+/// TeX allows no blank line in a display, but some converters print blank lines between rows. Nothing is written
+/// within
+/// braces, an environment or `\left … \right`. A line with only a comment or a `\tag` is not blank.
 pub(super) fn mark_blank_lines(clean: &mut [u8], source: &str, body: Span) {
     let source = source.as_bytes();
     let is_blank = |clean: &[u8], start: usize| {
@@ -88,7 +88,7 @@ pub(super) fn mark_blank_lines(clean: &mut [u8], source: &str, body: Span) {
             b'{' => depth += 1,
             b'}' => depth = depth.saturating_sub(1),
             b'\\' => {
-                let word = scan::word_end(&clean[..body.end], i);
+                let word = tex_scanner::word_end(&clean[..body.end], i);
                 match &clean[i + 1..word] {
                     b"begin" | b"left" => depth += 1,
                     b"end" | b"right" => depth = depth.saturating_sub(1),
@@ -102,7 +102,7 @@ pub(super) fn mark_blank_lines(clean: &mut [u8], source: &str, body: Span) {
     }
 }
 
-/// Whether `text` starts with a relation, alignment marks aside: it goes on with what stands before it.
+/// Whether `text` starts with a relation, alignment marks aside, and so continues the row before.
 pub(super) fn starts_with_relation(text: &str) -> bool {
     let text = text.trim_start_matches(|c: char| c.is_whitespace() || c == '&');
     let text = match text.strip_prefix("{}") {
@@ -146,5 +146,5 @@ pub(super) fn starts_with_relation(text: &str) -> bool {
         "\\lesssim",
         "\\gtrsim",
     ];
-    text.starts_with('\\') && RELATIONS.contains(&&text[..scan::word_end(text.as_bytes(), 0)])
+    text.starts_with('\\') && RELATIONS.contains(&&text[..tex_scanner::word_end(text.as_bytes(), 0)])
 }

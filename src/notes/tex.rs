@@ -1,15 +1,16 @@
-//! Displays in a TeX file: a small scan that knows comments, verbatim text and mathematics, and nothing else.
+//! Displays in a TeX file. The scan knows only comments, verbatim text and mathematics.
 
-use super::scan::{self, Delimiter, Raw, Scan};
+use super::macros;
+use super::tex_scanner::{self, Delimiter, RawDisplay, ScannedText};
 use crate::source::{Fault, Span};
 
-/// Environments whose text is no TeX.
+/// Environments with verbatim text.
 const VERBATIM: &[&str] = &["verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment", "filecontents"];
 
 /// Finds the displays of a TeX file.
-pub(super) fn scan(text: &str) -> Result<Scan, Fault> {
+pub(super) fn scan(text: &str) -> Result<ScannedText, Fault> {
     let bytes = text.as_bytes();
-    let mut found = Scan::default();
+    let mut found = ScannedText::default();
     let mut i = 0;
     while i < bytes.len() {
         i = match bytes[i] {
@@ -29,8 +30,8 @@ pub(super) fn scan(text: &str) -> Result<Scan, Fault> {
     Ok(found)
 }
 
-/// What starts with the backslash at `at`; the position after it, or `None` where the document ends.
-fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fault> {
+/// Reads the command at `at`. Returns the position after it, or `None` at the end of the document.
+fn command(text: &str, at: usize, found: &mut ScannedText) -> Result<Option<usize>, Fault> {
     let bytes = text.as_bytes();
     if bytes[at..].starts_with(b"\\[") {
         return pair(text, at, b"\\]", found).map(Some);
@@ -38,14 +39,14 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
     if bytes[at..].starts_with(b"\\end{document}") {
         return Ok(None);
     }
-    if let Some((name, inside)) = scan::begin(text, at) {
-        if let Some(delimiter) = scan::environment(name) {
-            return scan::environment_display(text, at, inside, name, delimiter, found).map(Some);
+    if let Some((name, inside)) = tex_scanner::begin(text, at) {
+        if let Some(delimiter) = tex_scanner::environment(name) {
+            return tex_scanner::environment_display(text, at, inside, name, delimiter, found).map(Some);
         }
         if VERBATIM.contains(&name) {
             let closing = format!("\\end{{{name}}}");
-            let Some(end) = scan::find(text, inside, &closing) else {
-                return Err(Fault::new(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
+            let Some(end) = tex_scanner::find(text, inside, &closing) else {
+                return Err(Fault::notes(Span::new(at, inside), format!("\\begin{{{name}}} is never closed"))
                     .help(format!("add {closing}; without it the rest of the file is not read")));
             };
             found.blank.push(Span::new(at, end));
@@ -53,7 +54,7 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
         }
         return Ok(Some(inside));
     }
-    let word = scan::word_end(bytes, at);
+    let word = tex_scanner::word_end(bytes, at);
     let defines = matches!(&text[at + 1..word], "def" | "newcommand" | "renewcommand" | "providecommand");
     Ok(Some(match &text[at + 1..word] {
         "" => at + 2,
@@ -66,19 +67,19 @@ fn command(text: &str, at: usize, found: &mut Scan) -> Result<Option<usize>, Fau
             end
         }
         // The `\begin{equation}` in the body of a macro opens nothing.
-        _ if defines => super::macros::definition(text, at).map_or(word, |definition| definition.span.end),
+        _ if defines => macros::definition(text, at).map_or(word, |definition| definition.span.end),
         _ => word,
     }))
 }
 
 /// The display whose two-byte opening stands at `open`.
-fn pair(text: &str, open: usize, closing: &[u8], found: &mut Scan) -> Result<usize, Fault> {
+fn pair(text: &str, open: usize, closing: &[u8], found: &mut ScannedText) -> Result<usize, Fault> {
     let bytes = text.as_bytes();
     let mut i = open + 2;
     while i < bytes.len() {
         if bytes[i..].starts_with(closing) {
             let span = Span::new(open, i + 2);
-            found.raws.push(Raw { span, body: Span::new(open + 2, i), delimiter: Delimiter::Pair });
+            found.raws.push(RawDisplay { span, body: Span::new(open + 2, i), delimiter: Delimiter::Pair });
             return Ok(i + 2);
         }
         match bytes[i] {
@@ -88,6 +89,6 @@ fn pair(text: &str, open: usize, closing: &[u8], found: &mut Scan) -> Result<usi
         }
     }
     let opening = &text[open..open + 2];
-    Err(Fault::new(Span::new(open, open + 2), format!("this `{opening}` is never closed"))
+    Err(Fault::notes(Span::new(open, open + 2), format!("this `{opening}` is never closed"))
         .help(format!("add `{}` after the equation", String::from_utf8_lossy(closing))))
 }

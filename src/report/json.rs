@@ -6,6 +6,9 @@ use crate::Error;
 use crate::check::kinds::compare::Answer;
 use crate::check::{Counterexample, Document, Equation, Finding, Formula, Inherited, Misfit, Repair, Report};
 use crate::formula::text::plain;
+use crate::source::{Source, Span};
+
+use super::code;
 
 /// The whole report.
 pub fn report(report: &Report, errors: &[Error]) -> Value {
@@ -20,33 +23,73 @@ pub fn report(report: &Report, errors: &[Error]) -> Value {
     })
 }
 
-/// What could not be checked at all.
-pub(super) fn error(error: &Error) -> Value {
-    let place = error.place().map(|(source, span)| (source.path.clone(), source.line_column(span.start)));
-    json!({
-        "message": error.message(),
-        "help": error.advice(),
-        "path": place.as_ref().map(|(path, _)| path),
-        "line": place.as_ref().map(|(_, (line, _))| line),
-        "column": place.as_ref().map(|(_, (_, column))| column),
-    })
+/// An error. Its place is left out where it is not about a place in a file.
+pub fn error(error: &Error) -> Value {
+    let mut fields = Map::new();
+    fields.insert("code".to_owned(), json!(code::of_error(error)));
+    fields.insert("message".to_owned(), json!(error.message()));
+    fields.insert("help".to_owned(), json!(error.advice()));
+    if let Some((source, span)) = error.place() {
+        let (line, column) = source.line_column(span.start);
+        fields.insert("path".to_owned(), json!(source.path));
+        fields.insert("file".to_owned(), json!(source.path));
+        fields.insert("line".to_owned(), json!(line));
+        fields.insert("column".to_owned(), json!(column));
+        fields.insert("span".to_owned(), self::span(source, span));
+    }
+    Value::Object(fields)
+}
+
+/// The whole output of a command that ended with an error.
+pub fn failure(error: &Error) -> Value {
+    json!({ "schema": 1, "error": self::error(error) })
+}
+
+/// A range of bytes of a file, with the place of its first byte.
+fn span(source: &Source, span: Span) -> Value {
+    let (line, column) = source.line_column(span.start);
+    json!({ "start": span.start, "end": span.end, "line": line, "column": column })
 }
 
 fn document(document: &Document) -> Value {
-    json!({
-        "path": document.path,
-        "claims": document.claims,
-        "inferred": document.inferred,
-        "unnumbered": document.unnumbered,
-        "equations": document.equations.iter().map(equation).collect::<Vec<_>>(),
-        "sentences": document.sentences.iter().map(equation).collect::<Vec<_>>(),
-    })
+    let of = |item: &Equation| equation(document, item);
+    let mut fields = Map::new();
+    fields.insert("path".to_owned(), json!(document.path));
+    if let Some(claims) = &document.claims {
+        fields.insert("claims".to_owned(), json!(claims));
+    }
+    fields.insert("inferred".to_owned(), json!(document.inferred));
+    fields.insert("unnumbered".to_owned(), json!(document.unnumbered));
+    fields.insert("equations".to_owned(), document.equations.iter().map(of).collect());
+    fields.insert("sentences".to_owned(), document.sentences.iter().map(of).collect());
+    Value::Object(fields)
 }
 
-fn equation(equation: &Equation) -> Value {
-    let mut fields = fields(&equation.latex, &equation.reading, &equation.finding, equation.ok);
-    fields.insert("id".to_owned(), json!(equation.id));
-    fields.insert("line".to_owned(), json!(equation.line));
+/// The column at which an item begins on its line: that of its source, if this begins there too.
+fn column(source: &Source, line: usize, latex: &str) -> usize {
+    let text = source.text.lines().nth(line.saturating_sub(1)).unwrap_or_default();
+    let first = latex.lines().next().unwrap_or_default();
+    let ahead = match text.find(first).filter(|_| !first.is_empty()) {
+        Some(at) => &text[..at],
+        None => &text[..text.len() - text.trim_start().len()],
+    };
+    ahead.chars().count() + 1
+}
+
+fn equation(document: &Document, equation: &Equation) -> Value {
+    let source = &document.source;
+    let column = column(source, equation.line, &equation.latex);
+    let placed = |mut fields: Map<String, Value>, finding: &Finding| {
+        fields.insert("id".to_owned(), json!(equation.id));
+        fields.insert("code".to_owned(), json!(code::of_finding(finding)));
+        fields.insert("file".to_owned(), json!(source.path));
+        fields.insert("line".to_owned(), json!(equation.line));
+        fields.insert("column".to_owned(), json!(column));
+        fields.insert("span".to_owned(), span(source, finding.span));
+        fields
+    };
+    let fields = fields(&equation.latex, &equation.reading, &equation.finding, equation.ok);
+    let mut fields = placed(fields, &equation.finding);
     if let Some(because) = &equation.because {
         fields.insert("because".to_owned(), json!(because));
     }
@@ -56,10 +99,8 @@ fn equation(equation: &Equation) -> Value {
     }
     if !equation.parts.is_empty() {
         let parts = equation.parts.iter().map(|part| {
-            let mut fields = self::fields(&part.latex, &part.reading, &part.finding, part.ok);
-            fields.insert("id".to_owned(), json!(equation.id));
-            fields.insert("line".to_owned(), json!(equation.line));
-            Value::Object(fields)
+            let fields = self::fields(&part.latex, &part.reading, &part.finding, part.ok);
+            Value::Object(placed(fields, &part.finding))
         });
         fields.insert("parts".to_owned(), parts.collect());
     }
@@ -133,11 +174,8 @@ fn number(value: f64) -> Value {
 pub fn answer(answer: &Answer) -> Value {
     json!({
         "schema": 1,
-        "equal": match answer.finding.verdict {
-            verdict if verdict.passes() => Some(true),
-            crate::check::Verdict::Refuted => Some(false),
-            _ => None,
-        },
+        "equal": super::answer::equal(answer),
+        "code": code::of_finding(&answer.finding),
         "verdict": answer.finding.verdict.word(),
         "message": answer.finding.message,
         "readings": answer.readings,

@@ -1,8 +1,22 @@
-//! Verdicts for people and for machines: a terminal's text, JSON, and the diagnostics of errors.
+//! Reports for people and for machines: text that fits a terminal, diagnostics with the lines of a file, and JSON.
 //!
-//! This room only shows; what is shown was decided in [`crate::check`].
+//! This folder decides nothing. It prints what [`crate::check`] found: [`text`] a check, [`mutants`] a run of mutation
+//! testing, [`answer`] a comparison of two formulas, each as JSON too ([`json`]); [`diagnostic`] one error, and
+//! [`explain`] a verdict or a code. A [`Style`] says how wide a line may be. It may know `check`, `formula`, `source`,
+//! `error` and `code`; nothing but `cli` and `testing` may know it.
 
+pub mod answer;
+pub mod code;
+mod crop;
 pub mod diagnostic;
+mod excerpt;
+pub mod explain;
 pub mod json;
 pub mod mutants;
+pub mod style;
+pub mod suggestion;
 pub mod text;
+mod wrap;
+
+pub use style::Style;
+pub(crate) use wrap::wrap;

@@ -1,4 +1,4 @@
-//! What became of mutants, for a terminal and for machines.
+//! What became of mutants, for people and for machines.
 
 use serde_json::{Value, json};
 
@@ -6,56 +6,96 @@ use crate::Error;
 use crate::check::mutation::{Mutants, Mutated, Repairs, Survivor};
 use crate::source::Source;
 
-/// A line an equation, and every survivor at its place.
-pub fn text(documents: &[Mutated]) -> String {
+use super::style::{Style, columns};
+use super::wrap::wrap;
+
+/// A list has so many columns for the numbers of equations.
+const WIDEST_NUMBER: usize = 12;
+
+/// The report for people: every survivor at its place, the rest counted; `verbose` lists every equation.
+pub fn text(documents: &[Mutated], verbose: bool, style: Style) -> String {
     let mut text = String::new();
+    let mut tell = |first: &str, line: &str, indent: usize| {
+        text.push_str(&(wrap(first, line, indent, style.width) + "\n"));
+    };
     for document in documents {
-        text.push_str(&format!("{}\n", document.path));
-        let width = document.equations.iter().map(|equation| equation.id.chars().count()).max().unwrap_or(0).min(32);
-        for equation in &document.equations {
-            text.push_str(&format!("  {}\n", line(equation, width)));
+        match verbose {
+            true => {
+                tell(&document.path, "", 2);
+                let ids = document.equations.iter().map(|equation| columns(&equation.id));
+                let width = ids.max().unwrap_or(0).min(WIDEST_NUMBER);
+                for equation in &document.equations {
+                    let first = format!("  {} {:<width$}  ", mark(equation), equation.id);
+                    tell(&first, &line(equation), 8);
+                }
+            }
+            false => tell(&format!("{}: ", document.path), &counted(document), 2),
         }
         for equation in &document.equations {
             for survivor in &equation.survivors {
-                text.push_str(&format!("  {}\n", slip(&document.source, equation, "survived", survivor)));
+                tell("  ", &slip(&document.source, equation, "survived", survivor), 6);
             }
         }
-        text.push('\n');
+        if verbose {
+            tell("", "", 0);
+        }
     }
     let total = Totals::of(documents);
     if let Some(Repairs { tried, first, offered, .. }) = total.repairs.filter(|repairs| repairs.tried > 0) {
         for document in documents {
             for equation in &document.equations {
                 for missed in equation.repairs.iter().flat_map(|repairs| &repairs.missed) {
-                    text.push_str(&format!("{}\n", slip(&document.source, equation, "not mended", missed)));
+                    tell("", &slip(&document.source, equation, "not corrected", missed), 4);
                 }
             }
         }
         let share = |count: usize| 100.0 * count as f64 / tried as f64;
-        text.push_str(&format!(
-            "of {tried} slips that were noticed the first suggestion mends {first} ({:.1} %), one of three {offered} ({:.1} %)\n",
+        let line = format!(
+            "of {tried} detected mistakes the first suggestion corrects {first} ({:.1}\u{a0}%), one of three {offered} ({:.1}\u{a0}%)",
             share(first),
             share(offered)
-        ));
+        );
+        tell("", &line, 2);
     }
-    text.push_str(&format!(
-        "{} mutants: {} refuted, {} refused, {} equivalent, {} survived\n",
-        total.mutants, total.refuted, total.refused, total.equivalent, total.survivors
-    ));
+    if !verbose {
+        tell("", "", 0);
+    }
+    tell("", &figures([total.mutants, total.refuted, total.refused, total.equivalent, total.survivors]), 2);
     text
 }
 
-fn line(equation: &Mutants, width: usize) -> String {
-    let id = &equation.id;
+/// How many mutants there are, and what became of them.
+fn figures([mutants, refuted, refused, equivalent, survived]: [usize; 5]) -> String {
+    format!(
+        "{mutants}\u{a0}mutants: {refuted}\u{a0}refuted, {refused}\u{a0}refused, {equivalent}\u{a0}equivalent, {survived}\u{a0}survived"
+    )
+}
+
+/// A document in one line.
+fn counted(document: &Mutated) -> String {
+    let own = Totals::of(std::slice::from_ref(document));
+    let figures = figures([own.mutants, own.refuted, own.refused, own.equivalent, own.survivors]);
+    match document.equations.iter().filter(|equation| equation.left_out.is_some()).count() {
+        0 => figures,
+        1 => format!("{figures}; 1 equation was left out"),
+        n => format!("{figures}; {n} equations were left out"),
+    }
+}
+
+fn mark(equation: &Mutants) -> &'static str {
     match &equation.left_out {
-        Some(why) => format!("· {id:<width$}  left out: {why}"),
+        Some(_) => "·",
+        None if equation.survivors.is_empty() => "✓",
+        None => "✗",
+    }
+}
+
+fn line(equation: &Mutants) -> String {
+    match &equation.left_out {
+        Some(why) => format!("left out: {why}"),
         None => {
-            let mark = if equation.survivors.is_empty() { "✓" } else { "✗" };
-            let (all, survivors) = (equation.count(), equation.survivors.len());
-            format!(
-                "{mark} {id:<width$}  {all:>4} mutants: {} refuted, {} refused, {} equivalent, {survivors} survived",
-                equation.refuted, equation.refused, equation.equivalent
-            )
+            let survived = equation.survivors.len();
+            figures([equation.count(), equation.refuted, equation.refused, equation.equivalent, survived])
         }
     }
 }
@@ -74,9 +114,9 @@ fn slip(source: &Source, equation: &Mutants, fate: &str, survivor: &Survivor) ->
 
 fn change(old: &str, new: &str) -> String {
     match (old, new.trim()) {
-        ("", new) => format!("“{new}” put in"),
+        ("", new) => format!("“{new}” added"),
         (old, "") => format!("“{old}” left out"),
-        (old, new) => format!("“{new}” for “{old}”"),
+        (old, new) => format!("“{new}” in place of “{old}”"),
     }
 }
 
@@ -87,7 +127,7 @@ struct Totals {
     refused: usize,
     equivalent: usize,
     survivors: usize,
-    /// If that was asked for.
+    /// What the suggestions correct, where that was asked for.
     repairs: Option<Repairs>,
 }
 
@@ -130,7 +170,7 @@ pub fn json(documents: &[Mutated], errors: &[Error]) -> Value {
     })
 }
 
-/// How many noticed slips are mended.
+/// How many detected mistakes the suggestions correct.
 fn counts(repairs: &Repairs) -> Value {
     json!({ "noticed": repairs.tried, "first": repairs.first, "offered": repairs.offered })
 }

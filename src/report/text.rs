@@ -1,158 +1,209 @@
-//! The report for a terminal: a line an equation, and a diagnostic for each that is not as expected.
+//! The report of a check, for people: failures in full, passes counted, and a summary in the last line.
 
-use crate::check::kinds::definitions::SIGN_ASIDE;
-use crate::check::{Document, Equation, Finding, Part, Report, Verdict};
+use std::collections::BTreeMap;
 
+use crate::check::{Document, Equation, Finding, Report, Verdict};
+use crate::code::Code;
+
+use super::code;
 use super::diagnostic;
+use super::style::{Colour, Style, columns};
+use super::wrap::wrap;
 
-/// The whole report; `verbose` adds how each statement was read and what was inferred.
-pub fn report(report: &Report, verbose: bool, colour: bool) -> String {
+/// A list has so many columns for the numbers of equations. A longer name of a sentence moves the rest of its line.
+const WIDEST_NUMBER: usize = 12;
+
+/// The column that the lists of a report begin at.
+const INDENT: usize = 2;
+
+/// The whole report; `verbose` lists every equation, how it was read, and what was inferred.
+pub fn report(report: &Report, verbose: bool, style: Style) -> String {
     let mut text = String::new();
     for document in &report.documents {
-        text.push_str(&self::document(document, verbose, colour));
+        let shown = if verbose { listed(document, style) } else { counted(document, style) };
+        text.push_str(&shown);
+    }
+    if !verbose && !report.documents.is_empty() {
         text.push('\n');
     }
+    let mut code = None;
     for document in &report.documents {
         let own = |item: &&Equation| !item.ok && item.finding.follows_from.is_none();
-        for item in document.equations.iter().chain(&document.sentences).filter(own) {
-            text.push_str(&unexpected(document, item, colour));
+        for item in items(document).filter(own) {
+            text.push_str(&diagnostic::unexpected(document, item, style));
             text.push_str("\n\n");
+            code = code.or(Some(code::of_item(item)));
         }
     }
-    text.push_str(&summary(report));
+    text.push_str(&wrap("", &summary(report), INDENT, style.width));
     text.push('\n');
+    text.push_str(&code.map(|code| code_hint(code, style)).unwrap_or_default());
     text
 }
 
-fn document(document: &Document, verbose: bool, colour: bool) -> String {
-    let mut text = match &document.claims {
-        Some(claims) => format!("{}  (claims: {claims})\n", document.path),
-        None => format!("{}  (no claims)\n", document.path),
+/// The line that says how to look up a code.
+pub fn code_hint(code: &str, style: Style) -> String {
+    wrap("", &format!("For more information about a code, try: onshell\u{a0}explain\u{a0}{code}"), 0, style.width)
+        + "\n"
+}
+
+/// Equations, and then sentences.
+fn items(document: &Document) -> impl Iterator<Item = &Equation> {
+    document.equations.iter().chain(&document.sentences)
+}
+
+/// A document in one line; below it what is wrong because something else is.
+fn counted(document: &Document, style: Style) -> String {
+    // What is as it should be comes first, and then the best verdict.
+    let mut counts: BTreeMap<(bool, usize), (Verdict, usize)> = BTreeMap::new();
+    for item in items(document) {
+        let verdict = item.finding.verdict;
+        counts.entry((!item.ok, verdict.severity())).or_insert((verdict, 0)).1 += 1;
+    }
+    let mut told: Vec<String> = Vec::new();
+    for ((wrong, _), (verdict, count)) in counts {
+        let ok = !wrong;
+        let expectation = match (ok, verdict.passes()) {
+            (true, true) | (false, false) => "",
+            (true, false) => " as expected",
+            (false, true) => " against expectation",
+        };
+        let count = self::count(count, verdict) + &expectation.replace(' ', "\u{a0}");
+        told.push(style.paint(&count, colour(verdict, ok)));
+    }
+    if told.is_empty() {
+        told.push("nothing to check".to_owned());
+    }
+    let unnumbered = unnumbered(document).map(|line| format!("; {line}")).unwrap_or_default();
+    let without = if document.claims.is_none() { "; there is no claims file for it" } else { "" };
+    let line = format!("{}{unnumbered}{without}", told.join(", "));
+    let mut text = wrap(&format!("{}: ", document.path), &line, INDENT, style.width) + "\n";
+    let width = number_width(document);
+    for item in items(document).filter(|item| !item.ok && item.finding.follows_from.is_some()) {
+        text.push_str(&self::line(item, width, style));
+    }
+    text
+}
+
+/// A document with a line for each equation and sentence, how it was read, and what was inferred.
+fn listed(document: &Document, style: Style) -> String {
+    let claims = match &document.claims {
+        Some(claims) => format!("(claims: {claims})"),
+        None => "(no claims file)".to_owned(),
     };
-    if verbose {
-        document.inferred.iter().for_each(|line| text.push_str(&format!("    {line}\n")));
-    }
-    let longest = document.equations.iter().chain(&document.sentences).map(|item| item.id.chars().count()).max();
-    let width = longest.unwrap_or(0).min(32);
+    let mut text = wrap(&format!("{}  ", document.path), &claims, INDENT, style.width) + "\n";
+    let mut tell = |line: &str| text.push_str(&(wrap("    ", line, 6, style.width) + "\n"));
+    document.inferred.iter().for_each(|line| tell(line));
+    let width = number_width(document);
     for item in &document.equations {
-        text.push_str(&line(item, width, colour));
-        if verbose {
-            text.push_str(&details(item, width));
-        }
+        text.push_str(&line(item, width, style));
+        text.push_str(&details(item, style));
     }
-    match document.unnumbered {
-        0 => {}
-        1 => text.push_str("  1 display without a number was not checked\n"),
-        n => text.push_str(&format!("  {n} displays without a number were not checked\n")),
+    if let Some(line) = unnumbered(document) {
+        text.push_str(&(wrap("  ", &line, 4, style.width) + "\n"));
     }
     if !document.sentences.is_empty() {
         text.push_str("  sentences\n");
         for item in &document.sentences {
-            text.push_str(&line(item, width, colour));
-            if verbose {
-                text.push_str(&details(item, width));
-            }
-        }
-    }
-    text
-}
-
-fn line(item: &Equation, width: usize, colour: bool) -> String {
-    let finding = &item.finding;
-    let mark = if item.ok { "✓" } else { "✗" };
-    let verdict = paint(&format!("{:<10}", finding.verdict.word()), finding.verdict, item.ok, colour);
-    let mut text = format!("  {mark} {:<width$}  {verdict}  ", item.id);
-    match (&item.because, item.ok) {
-        (Some(because), true) => text.push_str(&format!("as expected: {because}")),
-        _ => text.push_str(&summary_of(finding)),
-    }
-    if item.parts.len() > 1 {
-        text.push_str(&format!(" ({} parts)", item.parts.len()));
-        // What one part leaves open is not swallowed by the others.
-        let leaves_open = |part: &Part| part.finding.message.contains(SIGN_ASIDE);
-        if item.ok && !finding.message.contains(SIGN_ASIDE) && item.parts.iter().any(leaves_open) {
-            text.push_str(" · nothing checks the sign of a definition in it");
+            text.push_str(&line(item, width, style));
+            text.push_str(&details(item, style));
         }
     }
     text.push('\n');
     text
 }
 
+/// How many have a verdict.
+fn count(count: usize, verdict: Verdict) -> String {
+    let plural = match verdict {
+        Verdict::Definition | Verdict::Law if count != 1 => "s",
+        _ => "",
+    };
+    format!("{count}\u{a0}{verdict}{plural}")
+}
+
+/// The displays that were not checked.
+fn unnumbered(document: &Document) -> Option<String> {
+    match document.unnumbered {
+        0 => None,
+        1 => Some("1 display without a number was not checked".to_owned()),
+        n => Some(format!("{n} displays without a number were not checked")),
+    }
+}
+
+/// How wide the numbers of a document are.
+fn number_width(document: &Document) -> usize {
+    items(document).map(|item| columns(&item.id)).max().unwrap_or(0).min(WIDEST_NUMBER)
+}
+
+fn line(item: &Equation, width: usize, style: Style) -> String {
+    let finding = &item.finding;
+    let mark = if item.ok { "✓" } else { "✗" };
+    let verdict = style.paint(&format!("{:<10}", finding.verdict.word()), colour(finding.verdict, item.ok));
+    let mut text = match (&item.because, item.ok) {
+        (Some(because), true) => format!("as expected: {because}"),
+        _ => summary_of(finding),
+    };
+    if item.parts.len() > 1 {
+        text.push_str(&format!(" ({}\u{a0}parts)", item.parts.len()));
+        // What one part leaves open is said of the whole.
+        let leaves_open = |finding: &Finding| finding.code == Code::DefinitionUpToSign;
+        if item.ok && !leaves_open(finding) && item.parts.iter().any(|part| leaves_open(&part.finding)) {
+            text.push_str(" · nothing checks the sign of a definition in it");
+        }
+    }
+    let first = format!("  {mark} {}{}  {verdict}  ", item.id, " ".repeat(width.saturating_sub(columns(&item.id))));
+    wrap(&first, &text, 8, style.width) + "\n"
+}
+
+/// A message, with the figures of what passes.
 fn summary_of(finding: &Finding) -> String {
     let mut text = finding.message.clone();
     if finding.verdict.passes() && finding.points > 0 {
-        text.push_str(&format!(" · {} states", finding.points));
+        text.push_str(&format!(" ·\u{a0}{}\u{a0}states", finding.points));
         if let Some(residual) = finding.max_residual {
-            text.push_str(&format!(" · residual {residual:.0e}"));
+            text.push_str(&format!(" ·\u{a0}residual\u{a0}{residual:.0e}"));
         }
         if let Some(power) = finding.false_accept_log2 {
-            text.push_str(&format!(" · false with probability below 2^{:.0}", power.ceil()));
+            text.push_str(&format!(" ·\u{a0}false with probability below 2^{:.0}", power.ceil()));
         }
     }
     text
 }
 
-fn details(item: &Equation, width: usize) -> String {
-    let indent = " ".repeat(width + 6);
+/// How an equation and its parts were read.
+fn details(item: &Equation, style: Style) -> String {
+    let indent = 6;
     let mut text = String::new();
+    let mut tell = |inside: usize, line: &str| {
+        let first = " ".repeat(indent + inside);
+        text.push_str(&(wrap(&first, line, indent + inside + 2, style.width) + "\n"));
+    };
     if item.parts.is_empty() {
-        text.push_str(&format!("{indent}{}\n", item.reading));
+        tell(0, &item.reading);
         if let Some(reason) = &item.finding.not_certified_because {
-            text.push_str(&format!("{indent}not certified because of {reason}\n"));
+            tell(0, &format!("not certified because of {reason}"));
         }
     }
     for part in &item.parts {
-        text.push_str(&format!("{indent}{}  {}\n", part.finding.verdict.word(), part.reading));
-        text.push_str(&format!("{indent}  {}\n", summary_of(&part.finding)));
+        tell(0, &format!("{}:\u{a0} {}", part.finding.verdict.word(), part.reading));
+        tell(2, &summary_of(&part.finding));
         if let Some(reason) = &part.finding.not_certified_because {
-            text.push_str(&format!("{indent}  not certified because of {reason}\n"));
+            tell(2, &format!("not certified because of {reason}"));
         }
     }
     if item.ok {
-        for note in diagnostic::evidence(&item.finding) {
-            text.push_str(&format!("{indent}{note}\n"));
-        }
+        diagnostic::evidence(&item.finding).iter().for_each(|note| tell(0, note));
     }
     text
-}
-
-fn unexpected(document: &Document, item: &Equation, colour: bool) -> String {
-    // Each part that is not as expected speaks for itself; a whole that was expected to fail speaks alone.
-    let own = item.parts.iter().filter(|part| !part.ok && part.finding.follows_from.is_none());
-    let findings: Vec<&Finding> = own.map(|part| &part.finding).collect();
-    let findings = if findings.is_empty() { vec![&item.finding] } else { findings };
-    let shown = findings.into_iter().map(|finding| {
-        let title = match (&item.because, finding.verdict.passes()) {
-            (Some(because), true) => format!("({}) passes, and was expected not to: {because}", item.id),
-            (Some(because), false) => {
-                format!("({}) is {}: {}; expected otherwise: {because}", item.id, finding.verdict, finding.message)
-            }
-            (None, _) => format!("({}) is {}: {}", item.id, finding.verdict, finding.message),
-        };
-        let label = match finding.verdict {
-            Verdict::Refuted => "this does not hold",
-            Verdict::Unreadable => "this",
-            _ => "",
-        };
-        let verdict = diagnostic::verdict(&title, label, &document.source, finding, colour);
-        let fit = finding.fit.as_ref().map(|fit| diagnostic::fit(fit, &document.source, colour));
-        std::iter::once(verdict).chain(fit).collect::<Vec<_>>().join("\n\n")
-    });
-    let repairs = item.repairs.iter().enumerate();
-    let repairs = repairs.map(|(at, repair)| match &repair.shared {
-        // Shown once.
-        Some(shared) if shared.mends.first() != Some(&item.id) => diagnostic::mended_as_well(shared, colour),
-        _ => diagnostic::repair(repair, at == 0, &document.source, colour),
-    });
-    let elsewhere = (!item.elsewhere.is_empty()).then(|| diagnostic::elsewhere(&item.id, &item.elsewhere, colour));
-    shown.chain(repairs).chain(elsewhere).collect::<Vec<_>>().join("\n\n")
 }
 
 fn summary(report: &Report) -> String {
     let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
     let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();
-    let counts: Vec<String> =
-        report.counts().into_iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
+    let counts = report.counts();
+    let counts = Verdict::ALL.iter().filter_map(|verdict| Some((verdict, *counts.get(verdict.word())?)));
+    let counts: Vec<String> = counts.map(|(verdict, count)| self::count(count, *verdict)).collect();
     let verdict = match (report.unexpected(), report.items().next()) {
         (_, None) => "nothing was checked".to_owned(),
         (0, _) => "all as expected".to_owned(),
@@ -171,11 +222,10 @@ fn summary(report: &Report) -> String {
     format!("{equations}, {sentences}{counts} — {verdict}")
 }
 
-fn paint(text: &str, verdict: Verdict, ok: bool, colour: bool) -> String {
-    let code = match (ok, verdict.passes()) {
-        (true, true) => "32",
-        (true, false) => "33",
-        (false, _) => "31",
-    };
-    if colour { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_owned() }
+fn colour(verdict: Verdict, ok: bool) -> Colour {
+    match (ok, verdict.passes()) {
+        (true, true) => Colour::Green,
+        (true, false) => Colour::Yellow,
+        (false, _) => Colour::Red,
+    }
 }

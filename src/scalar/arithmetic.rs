@@ -1,5 +1,5 @@
-//! How a type becomes a number: [`Arithmetic`] asks for a dozen functions, the macro `dual_number!` turns them into a
-//! full [`num_dual::DualNum`] with all that it stands on.
+//! The functions that a new number must have ([`Arithmetic`]), and the macro `dual_number!` that derives all operators
+//! and traits of a [`num_dual::DualNum`] from them.
 
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -122,7 +122,8 @@ pub(crate) fn power_by_squaring<D: Arithmetic>(base: D, n: i32) -> D {
     }
 }
 
-/// Makes a type with [`Arithmetic`] a [`num_dual::DualNum`]: `dual_number!(RunningError)`, `dual_number!(Series<B: Number>)`.
+/// Makes a type with [`Arithmetic`] a [`num_dual::DualNum`]: `dual_number!(RunningError)`, `dual_number!(Series<B:
+/// Number>)`.
 macro_rules! dual_number {
     ($name:ident $(<$b:ident: $bound:path>)?) => {
         const _: () = {

@@ -1,9 +1,19 @@
-//! Numbers to evaluate on. Each is a [`num_dual::DualNum`], so that one Rust function of mechanics, or one formula read
-//! from the notes, runs over all of them: `f64` and num-dual's own dual numbers, a Taylor series in time ([`Series`]),
-//! one value of it ([`Primal`]), a value that remembers its rounding ([`RunningError`]), a node of a graph ([`Symbol`]).
+//! The numbers on which Lagrangians and formulas are evaluated.
 //!
-//! A new number implements the dozen functions of [`Arithmetic`] and calls the macro `dual_number!`; nothing else.
-//! This floor knows nothing of mechanics, formulas or files.
+//! Each is a [`num_dual::DualNum`], so that one generic Rust function runs over all of them:
+//!
+//! - `f64`, and the dual numbers of num-dual (forward-mode automatic differentiation);
+//! - [`Series`]: a truncated Taylor series in time;
+//! - [`Primal`]: the value of a series without its derivatives;
+//! - [`RunningError`]: a value with a running bound on its rounding error;
+//! - [`Symbol`]: a node of an expression graph, for tracing a function ([`Graph::record`]);
+//! - [`Modular`]: an element of a prime field, for polynomial identity testing ([`prime_field`]).
+//!
+//! A new number implements the functions of [`Arithmetic`] and calls the macro `dual_number!`; nothing else.
+//! [`simplify_all`] shortens traced expressions, and [`rational`] finds the exact constant that an `f64` was written
+//! for.
+//!
+//! This folder imports the crate's error type, and knows nothing of mechanics, formulas or files.
 
 pub use num_dual::DualNum;
 

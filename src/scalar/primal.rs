@@ -1,15 +1,14 @@
-//! A number of which its value at an instant is wanted, and nothing of how it varies.
+//! The primal value of a series: its first coefficient without the derivatives.
 //!
-//! Most of what is evaluated is never differentiated: then a [`Series`](super::Series) carries six coefficients to use
-//! one. An [`Primal`] is its first coefficient alone, and every operation rounds as that of a series does, so that what
-//! is computed in either way is the same number.
+//! Most values are never differentiated, and a [`Series`](super::Series) would carry six coefficients to use one. Every
+//! operation on a [`Primal`] rounds as the same operation on a series does, so that both give the same number.
 
 use std::fmt;
 
 use super::arithmetic::{dual_number, power_by_squaring};
 use super::{Arithmetic, Function, Number};
 
-/// The value of a series.
+/// The value of a series, without its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Primal<B>(pub B);
 

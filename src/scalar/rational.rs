@@ -1,8 +1,8 @@
-//! What exact number is meant by an `f64`: a short decimal, the simplest_rational fraction that rounds to it, or a simple part
-//! of π.
+//! Rational reconstruction: the exact constant that an `f64` was written for. It is a short decimal, the simplest
+//! fraction that rounds to it, or a simple multiple of π.
 //!
-//! A third cannot be written as an `f64`, and a formula that says 1/3 means a third. Where numbers are exact (the prime
-//! field, the normal form of what was derived) constants are therefore read by this one rule.
+//! 1/3 has no exact `f64`, and a formula that prints 1/3 means the fraction. Exact arithmetic (the prime field, the
+//! normal form of derived formulas) reads all constants by this rule.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ pub struct Ratio {
     pub denominator: u64,
 }
 
-/// The exact number that an `f64` stands for.
+/// The exact constant that an `f64` was written for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ExactConstant {
     /// A fraction.
@@ -82,7 +82,7 @@ fn gcd(mut a: u128, mut b: u128) -> u128 {
     a.max(1)
 }
 
-/// What an `f64` stands for; `None` for what is not finite, or so large or small that it means no simple number.
+/// The exact constant that an `f64` was written for. `None` for a number that is not finite, or too large or small.
 pub fn exact_constant(x: f64) -> Option<ExactConstant> {
     let part = simplest_rational(x / PI).filter(|part| part.denominator <= PARTS_OF_PI && part.numerator != 0);
     // π times a fraction may be off by a rounding
@@ -99,7 +99,7 @@ fn near(x: f64) -> Option<Ratio> {
         .find(|part| part.denominator <= PARTS_OF_PI && part.numerator != 0)
 }
 
-/// Decimals of so many digits are what they say. Longer ones may be what is left of a fraction.
+/// A decimal of at most this many significant digits is taken literally. A longer one may be a rounded fraction.
 pub const SHORT_DECIMAL_DIGITS: usize = 12;
 
 /// The decimal that is the shortest to round to `x`, if it is short.

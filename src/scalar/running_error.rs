@@ -1,7 +1,8 @@
-//! A value that remembers how large its rounding error may be: what residuals are scaled with.
+//! A value with a running bound on its rounding error (running error analysis: Wilkinson 1986; Higham, *Accuracy and
+//! Stability of Numerical Algorithms*, section 3.3).
 //!
-//! Two sides of an equation are compared on the scale of the terms that met in their sums, not of what was left after
-//! they cancelled. [`RunningError`] carries that scale along: magnitudes of terms add, so a cancellation is remembered.
+//! Two sides of an equation are compared on the scale of the terms in their sums, not of the result after cancellation.
+//! [`RunningError`] carries that scale: the magnitudes of terms add.
 //!
 //! # Why a number carries a magnitude
 //!
@@ -16,10 +17,10 @@ use num_dual::Dual64;
 use super::arithmetic::dual_number;
 use super::{Arithmetic, Function};
 
-/// A real value and the size of its rounding error in units of the machine's epsilon.
+/// A real value, and the size of its rounding error in units of the machine epsilon.
 ///
-/// A quotient by a number that is nothing but rounding (sin² + cos² − 1) is undefined, hence NaN, and not large; so is
-/// the sine of an angle whose rounding is not small beside a turn.
+/// A quotient by a number that may be rounding error alone (such as sin² + cos² − 1) is NaN. So is the sine of an angle
+/// whose rounding error is not small compared with a turn.
 ///
 /// Constants and inputs have magnitude |value|; for a sum the magnitudes add, for a product it is |a|·mb + |b|·ma, for
 /// a function |f(x)| + |f′(x)|·mx. The magnitude is never below |value|.

@@ -160,7 +160,8 @@ impl<B: Number> Series<B> {
         if length >= known {
             return;
         }
-        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from itself.
+        // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from
+        // itself.
         let nothing = self.coefficients[0] * B::zero();
         #[allow(clippy::eq_op)]
         if nothing != nothing {

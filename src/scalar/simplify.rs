@@ -1,10 +1,10 @@
-//! Shorter expressions for the same functions: polynomials in atoms, with sin² + cos² = 1.
+//! Simplification of traced expressions: polynomials in atoms, with sin² + cos² = 1.
 //!
 //! A Lagrangian that starts from rotation matrices computes ½ λ₁ (θ̇² + φ̇² sin² θ) in some hundred operations, with
-//! cancellations between them. Multiplied out over its *atoms* (inputs, sines, cosines, whatever is no sum or product)
-//! and with every sin² replaced by 1 − cos², a polynomial is in normal form: two that are equal as polynomials on the
-//! circle are equal term by term, and one that vanishes is 0. The normal form is then written down again with common
-//! factors out, and taken only if that is less work than the original.
+//! cancellations between them. An expression is multiplied out over its *atoms*: inputs, sines, cosines and everything
+//! else that is not a sum or a product. Every sin² becomes 1 − cos². The polynomial is then in normal form: two
+//! polynomials that are equal on the circle are equal term by term. The normal form is written with common factors
+//! taken out, and is used only if it costs less than the original.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -296,7 +296,8 @@ pub fn simplify_all(outputs: &[Symbol]) -> Vec<Symbol> {
     try_simplify(outputs, &[]).unwrap_or_else(|| outputs.to_vec())
 }
 
-/// [`simplify_all`] where the values `beside` are computed too, whose parts cost nothing; `None` if there is no such way.
+/// [`simplify_all`] where the values `beside` are computed too, whose parts cost nothing; `None` if there is no such
+/// way.
 pub fn try_simplify(outputs: &[Symbol], beside: &[Symbol]) -> Option<Vec<Symbol>> {
     let mut needed: Vec<u32> = Vec::new();
     let mut seen: HashSet<u32> = HashSet::new();

@@ -1,11 +1,10 @@
-//! A number that is a node of a graph: run a function over [`Symbol`]s once, and what it computes is written down.
+//! Tracing: a function that runs over [`Symbol`]s records its operations as an expression graph.
 //!
 //! The graph is *hash-consed*: equal expressions are one node. While it grows, constants are folded and the identities
 //! that hold without assumptions are used (x·0, x·1, x+0, x−x, −(−x), order of commuting operands). A quotient is
 //! written as a product with a reciprocal, so that differentiating it costs no quotient rule.
 //!
-//! A graph knows no values; code that branches on one cannot be traced. That is recorded as a fault, and
-//! [`Graph::record`] returns it as an error.
+//! A graph has no values, so code that branches on a value cannot be traced. [`Graph::record`] returns an error then.
 
 use std::cell::RefCell;
 use std::cmp::Ordering;

@@ -1,6 +1,6 @@
 //! The heavy symmetric top: a body with λ₁ = λ₂, turning about a fixed point in a uniform gravitational field.
 //!
-//! From first principles: the orientation is a product of three elementary rotations (notes 5.63), the angular velocity
+//! The orientation is a product of three elementary rotations (notes 5.63), the angular velocity
 //! comes from the turning axes by differentiation, T = ½ Σ λₐ ωₐ², and the height of the centre of mass is read off the
 //! third axis.
 

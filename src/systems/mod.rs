@@ -1,4 +1,10 @@
-//! Named systems, a file each, and the open registry in which a claims file's `"system"` is looked up.
+//! Mechanical systems, each a Lagrangian in its own file, and the registry that finds them by name.
+//!
+//! A claims file's `"system"` is looked up in a [`Registry`]. No file here contains a closed form that is checked
+//! elsewhere: a rigid body starts from its rotation matrix. Units are the caller's, used consistently; angles are in
+//! radians.
+//!
+//! This folder imports `mechanics` and `scalar`.
 //!
 //! # Why a system contains no closed form
 //!

@@ -32,7 +32,7 @@ fn a_wrong_member_between_two_that_agree_is_named_once() {
     let found = chain(latex);
     assert!(found.parts.is_empty(), "one slip, one finding: {:?}", found.parts);
     assert_eq!(about(latex, &found.finding), "a^2 + 2ab - b^2");
-    assert!(found.finding.message.contains("“a^2 + 2·a·b − b^2” alone is wrong"), "{}", found.finding.message);
+    assert!(found.finding.message.contains("only “a^2 + 2·a·b − b^2” is wrong here"), "{}", found.finding.message);
     let right = "(a+b)^2 = a^2 + 2ab + b^2 = a(a + 2b) + b^2".to_owned();
     assert_eq!(mended(latex, &found), Some((right, false)));
     // The twin: where the two beside it do not agree, there is a slip in each step.
@@ -48,7 +48,11 @@ fn a_slip_that_is_carried_on_is_one_slip() {
     let found = chain(latex);
     assert!(found.parts.is_empty(), "one slip, one finding: {:?}", found.parts);
     assert_eq!((about(latex, &found.finding), found.finding.carried), ("(a+b)^2 = a^2 + 2ab - b^2", 2));
-    assert!(found.finding.message.contains("the rest of the chain follows from it"), "{}", found.finding.message);
+    assert!(
+        found.finding.message.contains("the rest of the chain follows from this mistake"),
+        "{}",
+        found.finding.message
+    );
     // The step is mended, and what follows is not: that is said, too.
     let step = "(a+b)^2 = a^2 + 2ab + b^2 = a^2 + b(2a - b) = a(a + 2b) - b^2".to_owned();
     assert_eq!(mended(latex, &found), Some((step, true)));
@@ -74,11 +78,7 @@ fn a_chain_that_comes_back_has_one_slip_and_what_was_made_of_it() {
     let found = chain(latex);
     assert!(found.parts.is_empty(), "{:?}", found.parts);
     assert_eq!(about(latex, &found.finding), "a^2 + 2ab - b^2");
-    assert!(
-        found.finding.message.contains("alone is wrong here, and what follows from it"),
-        "{}",
-        found.finding.message
-    );
+    assert!(found.finding.message.contains("and what follows from it are wrong here"), "{}", found.finding.message);
 }
 
 #[test]
@@ -106,13 +106,17 @@ fn members_agree_on_shell_where_links_are_judged_so() {
     let latex = r"\ddot\theta = \frac{g}{l} \sin\theta = -\frac{mgl}{ml^2} \sin\theta";
     let found = equation(&pendulum(), &[latex], json!({}));
     assert_eq!(about(latex, &found.finding), r"\frac{g}{l} \sin\theta");
-    assert!(found.finding.message.contains("alone is wrong"), "{}", found.finding.message);
+    assert!(
+        found.finding.message.contains("is wrong here, because the members before and after agree"),
+        "{}",
+        found.finding.message
+    );
 }
 
 #[test]
 fn what_cannot_be_told_of_a_link_names_no_member() {
     // ≈ without a limit cannot be read, and nothing is said of what follows from what.
     let found = equation(&numbers(), &["(a+b)^2 = a^2 + 2ab - b^2 = a(a + 2b) - b^2 \\approx a^2"], json!({}));
-    assert!(!found.finding.message.contains("follows from it"), "{}", found.finding.message);
+    assert!(!found.finding.message.contains("follows from this mistake"), "{}", found.finding.message);
     assert_eq!(found.finding.carried, 0);
 }

@@ -104,8 +104,8 @@ fn solutions_are_all_of_them_and_each_once() {
         (r"x_{\pm} = b \pm \sqrt{b^2 + c}", "does not satisfy"),
         (r"x_{\pm} = b \pm 2\sqrt{b^2 - c}", "does not satisfy"),
         (r"x_{\pm} = -b \pm \sqrt{b^2 - c}", "does not satisfy"),
-        (r"x_{+} = b + \sqrt{b^2 - c}", "2 real solutions, and 1"),
-        (r"x_{-} = b - \sqrt{b^2 - c}", "2 real solutions, and 1"),
+        (r"x_{+} = b + \sqrt{b^2 - c}", "2 real solutions, but the notes give 1"),
+        (r"x_{-} = b - \sqrt{b^2 - c}", "2 real solutions, but the notes give 1"),
         (r"x_{+} = b + \sqrt{b^2 - c} , \quad x_{-} = \sqrt{b^2 - c} + b", "same solution"),
     ] {
         let (found, message) = solves(wrong);
@@ -295,7 +295,7 @@ fn an_erratum_fails_as_printed_and_passes_as_corrected() {
     assert!(!erratum(FREQUENCY_SQUARED, "-g", "- g"));
     assert!(!erratum(FREQUENCY_SQUARED, "-g", "g"));
     let absent = error(&pendulum(), &[wrong], json!({ "erratum": { "for": "= h", "read": "= -g" } }));
-    assert!(absent.contains("stands 0 times") && absent.contains("claims.json:"), "{absent}");
+    assert!(absent.contains("occurs 0 times") && absent.contains("claims.json:"), "{absent}");
 }
 
 #[test]

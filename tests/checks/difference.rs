@@ -152,10 +152,11 @@ fn a_report_shows_it_of_what_was_not_expected() {
         Report { documents: vec![found] }
     };
     let [unexpected, expected] = [json!({}), json!({ "expect": "refuted", "because": "the sign" })].map(claimed);
+    let wide = report::Style::new(200, false);
     let says = |text: String| text.contains("left side − right side = −2·m·l·g·sin(θ)") && text.contains("derived: ");
-    assert!(says(report::text::report(&unexpected, false, false)));
-    assert!(says(report::text::report(&expected, true, false)));
-    assert!(!says(report::text::report(&expected, false, false)));
+    assert!(says(report::text::report(&unexpected, false, wide)));
+    assert!(says(report::text::report(&expected, true, wide)));
+    assert!(!says(report::text::report(&expected, false, wide)));
     for found in [unexpected, expected] {
         let item = report::json::report(&found, &[])["documents"][0]["equations"][0].clone();
         reads_as(item["difference"]["latex"].as_str().expect("JSON always has it"), r"-2 m g l \sin\theta");

@@ -29,7 +29,7 @@ fn a_hypothesis_in_other_words_is_no_result() {
     let claim = |latex: &str| equation(&pendulum(), &[latex], json!({ "assume": r"\dot\theta = 0" })).finding;
     for latex in [r"2\dot\theta = 0", r"\theta \dot\theta = 0", r"-\dot\theta = \dot\theta^2"] {
         let found = claim(latex);
-        assert!(found.verdict == Undecided || found.message.contains("assumptions alone"), "{latex}: {found:?}");
+        assert!(found.verdict == Undecided || found.message.contains("hypotheses alone"), "{latex}: {found:?}");
     }
     assert_eq!(outcome(&claim(r"E = U")), Verified);
     assert_eq!(claim(r"2\dot\theta = 1").verdict, Refuted);
@@ -274,7 +274,7 @@ fn what_is_constant_holds_what_it_is_made_of() {
     };
     let found = of(r"U = \frac12 k x^2");
     assert!(found.iter().all(|equation| equation.ok), "{found:?}");
-    assert!(found[0].finding.message.contains("each slip in it breaks (2)"), "{:?}", found[0]);
+    assert!(found[0].finding.message.contains("each change makes (2) fail"), "{:?}", found[0]);
     // The twins: a slip; and a term that no rate notices.
     assert!(!of(r"U = k x^2")[1].ok);
     let free = of(r"U = \frac12 k x^2 - \frac12 k m^2");
@@ -287,7 +287,7 @@ fn what_is_known_of_a_name_is_only_that_it_is_constant() {
         let found = document(&pendulum(), &numbered(displays), &Default::default(), None).unwrap();
         found.equations.into_iter().next().unwrap().finding
     };
-    let open = "nothing else checks K: a factor in it would not be noticed";
+    let open = "no other equation tests K, so a wrong factor in it would pass";
     let energy = r"K = \frac12 l^2 \dot\theta^2 - gl\cos\theta = \text{const}";
     let found = of(&[energy]);
     assert!(found.verdict.passes() && found.message.ends_with(open), "{found:?}");
@@ -304,7 +304,7 @@ fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
         let notes = numbered(&[display, "s^2 = a^2 + 2ab + b^2", "p (a + b) = a^2 b + a b^2"]);
         let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
         let report = onshell::check::Report { documents: vec![found] };
-        onshell::report::text::report(&report, false, false)
+        onshell::report::text::report(&report, true, onshell::report::Style::new(300, false))
     };
     let says = "nothing checks the sign of a definition in it";
     let open = line(r"(a - b)^2 = a^2 - 2ab + b^2 , \quad p = ab , \quad s = a + b");

@@ -177,7 +177,7 @@ fn a_definition_that_only_a_law_uses_is_held_by_what_follows_from_the_law() {
     let power = r"m \dot x \ddot x + k x \dot x = - b \dot x^2";
     let found = of(r"\gamma = \frac{b}{2m}", power);
     assert!(found.iter().all(|equation| equation.ok), "{found:?}");
-    assert!(message(&found[0]).ends_with("each slip in it breaks (3)"), "{}", message(&found[0]));
+    assert!(message(&found[0]).ends_with("each change makes (3) fail"), "{}", message(&found[0]));
     // The twins: the definition is wrong; and what follows from the law does not say what γ is.
     assert!(!of(r"\gamma = \frac{b}{m}", power)[2].ok);
     let loose = of(r"\gamma = \frac{b}{2m}", r"\frac{d}{dt} x^2 = 2 x \dot x");
@@ -204,5 +204,5 @@ fn what_a_display_of_laws_says_of_a_name_is_checked_as_a_definition() {
     // The twins: a slip in it; and what is called a law by itself, and is none.
     assert!(of("1", r"p = 2 m \dot x").iter().any(|equation| !equation.ok));
     let called = of("1 part 2", r"p = m \dot x");
-    assert!(called[0].parts[1].finding.message.contains("this is no law"), "{called:?}");
+    assert!(called[0].parts[1].finding.message.contains("this is not a law"), "{called:?}");
 }

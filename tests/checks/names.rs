@@ -133,7 +133,7 @@ fn a_definition_in_other_words_pins_nothing() {
         let found = check(&claims, &[definition, again]);
         let finding = &found.equations[0].finding;
         assert_eq!(finding.verdict, Undecided, "{definition}, {again}: {}", finding.message);
-        assert!(finding.message.contains("(2) says the same in other words"), "{}", finding.message);
+        assert!(finding.message.contains("(2) only repeats the definition"), "{}", finding.message);
         assert_eq!(outcome(&found.equations[1].finding), Verified, "{again}");
     }
     // Beside an equation that takes a step it does no harm; and what takes a step pins.
@@ -167,7 +167,7 @@ fn members_of_a_family_are_defined_again_by_other_letters() {
 fn what_does_not_hold_pins_no_definition() {
     let found = check(&numbers(), &["s = a + b", "s(a - b) = a^2 + b^2"]);
     assert_eq!(found.equations[0].finding.verdict, Undecided);
-    assert!(found.equations[0].finding.message.contains("nothing that holds uses it"), "{:?}", found.equations[0]);
+    assert!(found.equations[0].finding.message.contains("no passing equation uses"), "{:?}", found.equations[0]);
     assert_eq!(verdicts(&numbers(), &["s = a + b", "s(a - b) = a^2 - b^2"]), [Definition, Verified]);
 }
 
@@ -205,7 +205,7 @@ fn a_definition_differentiated_pins_nothing() {
         let found = check(&claims, &[definition, again]);
         let finding = &found.equations[0].finding;
         assert_eq!(finding.verdict, Undecided, "{definition}, {again}: {}", finding.message);
-        assert!(finding.message.contains("(2) says the same in other words"), "{}", finding.message);
+        assert!(finding.message.contains("(2) only repeats the definition"), "{}", finding.message);
         assert_eq!(outcome(&found.equations[1].finding), Verified, "{again}");
     }
     // The twins: what says more of the rate pins, at the end of a chain too.
@@ -252,7 +252,7 @@ fn the_word_for_a_matrix_has_no_names_in_it() {
     // The twin: a name that stands in what cannot be read.
     let blamed = check(&claims, &[r"s = a \foo + b", "3 s = 2b"]);
     let message = &blamed.equations[1].finding.message;
-    assert!(message.contains("(1), where it stands"), "{message}");
+    assert!(message.contains("its definition may be in (1)"), "{message}");
 }
 
 #[test]

@@ -131,7 +131,7 @@ fn the_report_shows_the_terms_on_their_line() {
     let notes = crate::support::numbered(&[&motion(["-", "-", "-"])]);
     let found = crate::support::document(&claims, &notes, &onshell::systems::Registry::standard(), None).unwrap();
     let report = Report { documents: vec![found] };
-    let text = report::text::report(&report, false, false);
+    let text = report::text::report(&report, false, report::Style::PLAIN);
     assert_eq!(text.matches("should be -1 times as large").count(), 2, "{text}");
     let json = report::json::report(&report, &[]);
     let terms = json["documents"][0]["equations"][0]["terms"].as_array().unwrap().clone();

@@ -7,7 +7,7 @@ use onshell::check::Verdict::{Law, Unreadable, Verified};
 use onshell::check::document::units::conflicts;
 use onshell::check::model::Model;
 use onshell::formula::symbols::{Kind, Name, Symbols};
-use onshell::formula::units::{Affine, Dimension, Survey, parse};
+use onshell::formula::units::{Affine, Dimension, UnitCheck, parse};
 use onshell::formula::{Expr, Node};
 use onshell::latex::{Macros, names, read_display};
 use onshell::notes::Claims;
@@ -164,8 +164,8 @@ fn terms_that_agree_in_pairs_and_not_together_do_not_agree() {
     let [_, x] = ["u", "x"].map(|name| symbols.add(Name::plain(name), Kind::Scalar).unwrap());
     let mut messages = |display: &str| -> Vec<String> {
         let reading = read_display(display, &mut symbols, &Macros::default());
-        let mut survey = Survey::new(&symbols);
-        survey.ledger.require_equal(&Affine::of(x), &Affine::known(Dimension::LENGTH)).unwrap();
+        let mut survey = UnitCheck::new(&symbols);
+        survey.inference.require_equal(&Affine::of(x), &Affine::known(Dimension::LENGTH)).unwrap();
         survey.statement(reading.statements[0].as_ref().unwrap()).into_iter().map(|found| found.message).collect()
     };
     // u is dimensionless by itself, or the root of a length: never both.
@@ -262,15 +262,15 @@ fn an_integral_multiplies_by_its_region() {
     let span = Span::default();
     let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span);
     let integral = Expr::new(Node::Integral(region, Box::new(symbol(density))), span);
-    let mut survey = Survey::new(&symbols);
+    let mut survey = UnitCheck::new(&symbols);
     for (id, unit) in [(region, "m^3"), (density, "kg/m^3")] {
-        survey.ledger.require_equal(&Affine::of(id), &Affine::known(parse(unit).unwrap())).unwrap();
+        survey.inference.require_equal(&Affine::of(id), &Affine::known(parse(unit).unwrap())).unwrap();
     }
     let found = survey.dimension(&integral).unwrap().unwrap();
-    assert!(survey.ledger.clone().require_equal(&found, &Affine::known(parse("kg").unwrap())).is_ok());
-    assert!(survey.ledger.clone().require_equal(&found, &Affine::known(parse("kg/m").unwrap())).is_err());
+    assert!(survey.inference.clone().require_equal(&found, &Affine::known(parse("kg").unwrap())).is_ok());
+    assert!(survey.inference.clone().require_equal(&found, &Affine::known(parse("kg/m").unwrap())).is_err());
     // And so the mass that is equal to it is found.
-    survey.ledger.require_equal(&Affine::of(mass), &found).unwrap();
+    survey.inference.require_equal(&Affine::of(mass), &found).unwrap();
     assert_eq!(survey.words(&Affine::of(mass)), "kg");
 }
 
@@ -351,7 +351,7 @@ fn a_law_whose_units_are_off_is_named_as_such_wherever_it_is_given() {
             .collect::<Vec<_>>()
     };
     let off = report(json!({ "units": "off" }));
-    assert_eq!(off[0], (Law, "taken for granted: the force, whose units are not checked".to_owned()));
+    assert_eq!(off[0], (Law, "assumed, not checked: the force, whose units are not checked".to_owned()));
     let checked = report(json!({}));
     assert_eq!(checked[0].0, Unreadable, "{checked:?}");
     assert!(checked[0].1.contains("“b·x”"), "{checked:?}");
@@ -360,7 +360,7 @@ fn a_law_whose_units_are_off_is_named_as_such_wherever_it_is_given() {
     let notes = numbered(&[r"m \ddot x = -k x - b x", r"\ddot x = -\frac{k x + b x}{m}"]);
     let found = document(&claims, &notes, &Registry::standard(), None).unwrap();
     let message = &found.equations[1].finding.message;
-    assert!(message.contains("given the force, whose units are not checked"), "{message}");
+    assert!(message.contains("by the law “the force” (its units are not checked)"), "{message}");
 }
 
 #[test]

@@ -51,7 +51,7 @@ fn a_damaged_definition_is_named_and_the_rest_is_judged() {
         let found = verdicts(&run);
         assert_eq!(words(&found), ["unreadable", "unreadable", "verified", "unreadable"], "{name}: {}", run.out);
         for (_, message) in [&found[1], &found[3]] {
-            assert!(message.contains("(1), where it stands, cannot be read"), "{name}: {message}");
+            assert!(message.contains("its definition may be in (1), which cannot be read"), "{name}: {message}");
         }
         assert_eq!(run.json()["documents"][0]["equations"][0]["line"], 2, "{name}");
     }
@@ -112,5 +112,5 @@ fn displays_that_lack_the_same_names_do_not_blame_each_other() {
     assert!(found[1].contains("not declared; declare"), "{found:?}");
     // The twin: a side of its own is what introduces a name, though another is lacking beside it.
     let found = of("side", "p = m v + b");
-    assert!(found[0].contains("p is not declared: (2), where it stands, cannot be read"), "{found:?}");
+    assert!(found[0].contains("p is not declared; its definition may be in (2), which cannot be read"), "{found:?}");
 }

@@ -81,7 +81,7 @@ fn adds_up(report: &Value) -> Result<(), String> {
 #[test]
 fn of_an_identity_no_slip_survives() {
     let desk = desk("mutate-identity", SQUARE, json!({}));
-    let run = mutate(&desk, &[]);
+    let run = mutate(&desk, &["-v"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
     assert!(run.out.contains("✓ 1 ") && !run.out.contains("survived at"), "{}", run.out);
     // Not for want of slips: nine terms and factors, each with a few.
@@ -94,9 +94,9 @@ fn of_an_identity_no_slip_survives() {
 fn a_range_that_hides_a_slip_is_told_by_the_slip_at_its_place() {
     // Where x is positive, its cube is not negative either.
     let narrow = with_range("mutate-range", NOT_NEGATIVE, "> 0", json!({}));
-    let run = mutate(&narrow, &[]);
+    let run = mutate(&narrow, &["-v"]);
     assert_eq!(run.code, 1, "{}{}", run.out, run.err);
-    let cube = "(2) survived at notes.md:4:3: “3” for “2”".to_owned();
+    let cube = "(2) survived at notes.md:4:3: “3” in place of “2”".to_owned();
     assert!(run.out.contains("✗ 2 ") && run.out.contains(&cube), "{}", run.out);
     let report_of = |desk: &Desk| survivors(&report(desk));
     let slip = ("2".to_owned(), "3".to_owned());
@@ -219,11 +219,15 @@ fn what_is_expected_not_to_pass_is_left_out_and_so_is_what_does_not() {
     let wrong = "$$\n(x + a)^2 = x^2 + a^2\n\\tag{3}\n$$\n";
     let notes = format!("{SQUARE}\n{wrong}");
     let expected = json!({ "3": { "expect": "refuted", "because": "the mixed term is lost" } });
-    for (equations, why) in [(expected, "it is expected not to pass"), (json!({}), "it does not pass")] {
+    for (equations, why) in
+        [(expected, "the claims file expects the equation not to pass"), (json!({}), "the equation does not pass")]
+    {
         let desk = desk("mutate-left-out", &notes, equations);
-        let run = mutate(&desk, &[]);
+        let run = mutate(&desk, &["-v"]);
         assert_eq!(run.code, 0, "{}{}", run.out, run.err);
         assert!(run.out.contains(&format!("· 3  left out: {why}")), "{}", run.out);
+        let brief = mutate(&desk, &[]);
+        assert!(brief.out.contains("; 1 equation was left out\n"), "{}", brief.out);
         let found = self::equations(&report(&desk));
         assert_eq!((&found[1]["left_out"], &found[1]["mutants"]), (&json!(why), &json!(0)));
         // The twin: the sound one is not.

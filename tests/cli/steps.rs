@@ -36,17 +36,17 @@ fn one_slip_is_one_error_and_the_others_say_where_it_is() {
     let run = desk("steps-text", &json!("1..4")).onshell(&["check", "notes.md"]);
     assert_eq!(run.code, 1, "{}{}", run.out, run.err);
     for wanted in [
-        "error: (1) is refuted",
-        "✗ 2  refuted     it follows from (1), which is refuted: mend that",
-        "✗ 3  refuted     it follows from (2), and so from (1), which is refuted: mend that",
+        "error[sides-differ]: (1) is refuted",
+        "✗ 2  refuted     this step is correct, but it builds on the mistake in (1); fix (1)",
+        "✗ 3  refuted     this step is correct, but it builds on (2), and so on the mistake in (1); fix (1)",
         "3 are not as expected, 2 because they follow from another",
     ] {
         assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
     }
-    assert_eq!(run.out.matches("error: ").count(), 1, "{}", run.out);
+    assert_eq!(run.out.matches("error[sides-differ]: ").count(), 1, "{}", run.out);
     // The twin: without the key each has its own.
     let alone = desk("steps-none", &json!(["1, 4"])).onshell(&["check", "notes.md"]);
-    assert_eq!((alone.code, alone.out.matches("error: ").count()), (1, 3), "{}", alone.out);
+    assert_eq!((alone.code, alone.out.matches("error[sides-differ]: ").count()), (1, 3), "{}", alone.out);
 }
 
 #[test]
@@ -65,9 +65,9 @@ fn machines_are_told_from_which_equation() {
 #[test]
 fn a_derivation_that_is_none_is_refused_at_its_place() {
     for (steps, wanted) in [
-        (json!("1"), "one display is no derivation"),
-        (json!("1, 2, 1"), "(1) is a step of this derivation twice"),
-        (json!("1, 2 part 1"), "a step of a derivation is a whole display"),
+        (json!("1"), "a derivation needs at least two displays"),
+        (json!("1, 2, 1"), "(1) occurs twice in this derivation"),
+        (json!("1, 2 part 1"), "a step of a derivation must be a whole display"),
         (json!("1..7"), "no equation (7)"),
         (json!([["1", "2"]]), "\"steps\" is a string"),
         (json!([]), "\"steps\" is an empty list"),
@@ -86,9 +86,10 @@ fn a_step_of_a_chain_is_offered_and_left_to_the_author() {
     desk.write("notes.json", json!({ "notes": "notes.md", "constants": { "a, b": "> 0" } }).to_string());
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
     assert_eq!((run.code, desk.read("notes.md")), (1, chain.to_owned()));
-    for wanted in
-        ["the rest of the chain follows from it", "This step would be certified, and the rest is left to mend"]
-    {
+    for wanted in [
+        "the rest of the chain follows from this mistake",
+        "This step would be certified; the rest of the chain needs an edit as well",
+    ] {
         assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
     }
     let found = desk.onshell(&["check", "notes.md", "--format", "json"]).json();
@@ -119,15 +120,15 @@ fn what_two_wrong_equations_stand_on_is_mended_and_not_they() {
     desk.write("notes.json", claims.to_string());
     desk.write("notes.md", notes(r"\dot m u +", "-"));
     let run = desk.onshell(&["check", "notes.md"]);
-    assert!(run.out.contains("In (1), on which (2), (3) and (4) stand"), "{}", run.out);
-    assert!(run.out.contains("the edit of (1) that is shown at (2) mends this as well"), "{}", run.out);
+    assert!(run.out.contains("(2), (3) and (4) use (1); with this edit of (1), all of them would hold"), "{}", run.out);
+    assert!(run.out.contains("the edit of (1) that is shown for (2) corrects this too"), "{}", run.out);
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
     assert_eq!(desk.read("notes.md"), notes(r"-\dot m u +", "-"));
     // The twin: one that holds speaks for the law.
     desk.write("notes.md", notes(r"\dot m u +", "+"));
     let run = desk.onshell(&["check", "notes.md"]);
-    assert!(run.code == 1 && !run.out.contains("In (1)"), "{}", run.out);
+    assert!(run.code == 1 && !run.out.contains("with this edit of (1)"), "{}", run.out);
 }
 
 #[test]
@@ -149,7 +150,7 @@ fn what_nothing_vouches_for_is_left_to_the_author() {
     desk.write("notes.md", notes("-", ""));
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
     assert_eq!((run.code, desk.read("notes.md")), (1, notes("-", "")), "the law may be wrong as well: {}", run.out);
-    assert!(run.out.contains("nothing that holds stands on (1): the slip may be there"), "{}", run.out);
+    assert!(run.out.contains("no passing equation uses (1), so the mistake may be in (1)"), "{}", run.out);
     // The twin: where another equation holds by the law, it is vouched for.
     let period = "$$ \\ddot x = -\\frac{k}{m} x \\tag{3} $$\n";
     desk.write("notes.md", notes("-", period));
@@ -180,7 +181,11 @@ fn what_is_left_to_the_author_holds_nothing_else_back() {
     desk.write("notes.md", notes("\\frac{ab}{b - a}"));
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
     assert_eq!((run.code, desk.read("notes.md")), (1, notes("\\frac{b - a}{ab}")), "{}{}", run.out, run.err);
-    assert!(run.err.contains("(2): its repair is left to you, as nothing that holds stands on (1)"), "{}", run.err);
+    assert!(
+        run.err.contains("(2) was not edited: no passing equation uses (1), so the mistake may be in (1)"),
+        "{}",
+        run.err
+    );
 }
 
 #[test]
@@ -204,7 +209,11 @@ fn an_equation_is_not_made_to_agree_with_a_definition_that_nothing_pins() {
     desk.write("notes.md", notes(r"\sin", r"\cos", ""));
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
     assert_eq!((run.code, desk.read("notes.md")), (1, notes(r"\sin", r"\cos", "")), "{}", run.out);
-    assert!(run.err.contains("(4): its repair is left to you, as nothing that holds stands on (1)"), "{}", run.err);
+    assert!(
+        run.err.contains("(4) was not edited: no passing equation uses (1), so the mistake may be in (1)"),
+        "{}",
+        run.err
+    );
     // The twin: another equation does.
     let pinned = "$$ W^2 = \\Omega^2 (1 - \\cos^2\\lambda) \\tag{5} $$\n";
     desk.write("notes.md", notes(r"\sin", r"\cos", pinned));
@@ -232,8 +241,8 @@ fn nothing_is_chosen_between_two_displays_that_could_be_wrong_and_nothing_is_mul
     desk.write("notes.json", claims.to_string());
     desk.write("notes.md", notes(""));
     let run = desk.onshell(&["check", "notes.md"]);
-    assert!(run.out.contains(r"did you mean “m_i \,” put in? In (1)"), "{}", run.out);
-    assert!(!run.out.contains("“0” for “1”"), "{}", run.out);
+    assert!(run.out.contains(r"did you mean to add “m_i \,”? (2), (3) and (4) use (1)"), "{}", run.out);
+    assert!(!run.out.contains("“0” in place of “1”"), "{}", run.out);
     // The twin: as it should be it stays as it is.
     desk.write("notes.md", notes("m_i "));
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);

@@ -79,18 +79,31 @@ impl Desk {
         self.write(name, text.replace(from, to));
     }
 
-    /// Runs the program in the folder.
+    /// Runs the program in the folder, in lines so wide that none is wrapped.
     pub fn onshell(&self, arguments: &[&str]) -> Run {
         self.onshell_on(None, arguments)
     }
 
     /// Runs it on that many threads.
     pub fn onshell_on(&self, threads: Option<usize>, arguments: &[&str]) -> Run {
+        self.run(threads, Some("2000"), arguments)
+    }
+
+    /// Runs it with this value of `COLUMNS`, or without that variable.
+    pub fn onshell_in_columns(&self, columns: Option<&str>, arguments: &[&str]) -> Run {
+        self.run(None, columns, arguments)
+    }
+
+    fn run(&self, threads: Option<usize>, columns: Option<&str>, arguments: &[&str]) -> Run {
         let mut command = Command::new(env!("CARGO_BIN_EXE_onshell"));
         command.args(arguments).current_dir(&self.0).stdin(Stdio::null());
         if let Some(threads) = threads {
             command.env("RAYON_NUM_THREADS", threads.to_string());
         }
+        match columns {
+            Some(columns) => command.env("COLUMNS", columns),
+            None => command.env_remove("COLUMNS"),
+        };
         let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("onshell can be run");
         let (mut out, mut err) = (child.stdout.take().expect("piped"), child.stderr.take().expect("piped"));
         let reading = std::thread::spawn(move || {

@@ -92,7 +92,7 @@ impl Typo {
             Verdict::Unreadable if equation.finding.message.is_empty() => Err("refused without a reason".into()),
             Verdict::Unreadable => Ok(()),
             Verdict::Refuted => stands(equation, &notes, paper),
-            Verdict::Undecided if self.unpinned && equation.finding.message.starts_with("introduces") => Ok(()),
+            Verdict::Undecided if self.unpinned && equation.finding.message.starts_with("defines") => Ok(()),
             _ => Err(Failed::from(format!("neither refuted nor unreadable: {}", describe(equation)))),
         }
     }

@@ -156,7 +156,7 @@ fn keys() {
     }
     assert!(refused(&with("\"equations\": { \"6.1\": { \"units\": \"on\" } }")).0.contains("off"));
     assert!(refused("{ \"equations\": {} }").0.contains("needs \"notes\""));
-    assert!(refused("[]").0.contains("is an object, not a list"));
+    assert!(refused("[]").0.contains("must be an object, not a list"));
 }
 
 #[test]

@@ -35,7 +35,7 @@ fn what_is_small() {
         (r#""small": "x", "order": "1""#, "is a number", "\"1\""),
         (r#""small": "x,""#, "a name is missing", "\"x,\""),
         (r#""small": []"#, "empty list", "[]"),
-        (r#""units": "on""#, "it is one of \"off\"", "\"on\""),
+        (r#""units": "on""#, "use one of \"off\"", "\"on\""),
         (r#""for each": ["i"]"#, "is a string", "[\"i\"]"),
     ] {
         let (error, place) = refused(&equation(text));

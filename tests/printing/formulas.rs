@@ -1,6 +1,6 @@
 //! Random formulas: of numbers alone, and of vectors, matrices and indices too.
 
-use onshell::formula::tree::{Index, IndexId, LeftOut, Sign};
+use onshell::formula::tree::{Excluded, Index, IndexId, Sign};
 use onshell::formula::{Expr, Function, Kind, Node, SymbolId, Symbols, Term};
 use onshell::latex::names;
 use onshell::source::Span;
@@ -182,11 +182,11 @@ fn entry(inverse: bool, i: Index, j: Index) -> Expr {
 fn particles(body: Expr) -> impl Strategy<Value = Expr> {
     let except = prop_oneof![
         2 => Just(vec![]),
-        1 => (1..=4u8).prop_map(|value| vec![LeftOut::Value(Index::Fixed(value))]),
-        1 => Just(vec![LeftOut::Value(Index::Letter(J))]),
-        1 => Just(vec![LeftOut::From(Index::Letter(J))]),
-        1 => Just(vec![LeftOut::UpTo(Index::Letter(J)), LeftOut::Value(Index::Fixed(2))]),
-        1 => Just(vec![LeftOut::UpTo(Index::Fixed(1)), LeftOut::Last(1)]),
+        1 => (1..=4u8).prop_map(|value| vec![Excluded::Value(Index::Fixed(value))]),
+        1 => Just(vec![Excluded::Value(Index::Letter(J))]),
+        1 => Just(vec![Excluded::From(Index::Letter(J))]),
+        1 => Just(vec![Excluded::UpTo(Index::Letter(J)), Excluded::Value(Index::Fixed(2))]),
+        1 => Just(vec![Excluded::UpTo(Index::Fixed(1)), Excluded::Last(1)]),
     ];
     let within = prop_oneof![Just(None), Just(Some(CONTINUUM))];
     (except, within, any::<bool>()).prop_map(move |(except, within, sums)| {

@@ -21,7 +21,7 @@ fn introduced_with(latex: &str, symbols: &mut Symbols) -> Vec<String> {
             panic!("{latex} is refused: {} at {}", fault.message, &latex[fault.span.range()]);
         }
     }
-    let words = |new: &onshell::latex::Introduced| {
+    let words = |new: &onshell::latex::DefinedSymbol| {
         assert!(new.symbol.0 >= known);
         let name = &symbols.entry(new.symbol).name;
         format!("{name}: {}", text::formula(&new.formula, symbols)).replace('\u{20d7}', "")

@@ -1,10 +1,12 @@
 //! What a prime field can decide, and what it says.
 
+use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{IndexId, text};
 use crate::scalar::Modular;
 use crate::scalar::prime_field::Modulus;
 
+use crate::check::certificate::negligible_terms;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::state::residual;
@@ -20,7 +22,7 @@ pub enum Certificate {
     /// Not decided, and why.
     Open(String),
     /// Not decided, and this term in it is too small for numbers to decide.
-    Unseen(String),
+    NegligibleTerm(String),
     /// It is none, although numbers do not show it.
     Differs,
     /// It is none where families have so many members.
@@ -35,17 +37,16 @@ impl Certificate {
                 Finding { verdict: Verdict::Certified, false_accept_log2: Some(log2), ..finding }
             }
             Certificate::Open(reason) => Finding { not_certified_because: Some(reason), ..finding },
-            Certificate::Unseen(term) => {
-                let message = format!("“{term}” is too small beside the other terms to be seen");
-                Finding { verdict: Verdict::Undecided, message, ..finding }
+            Certificate::NegligibleTerm(term) => {
+                finding.replaced(Code::TermTooSmall, Verdict::Undecided, negligible_terms::message(&term))
             }
             Certificate::Differs => {
-                let message = "the two sides differ by less than numbers show: as an identity it is false".to_owned();
-                Finding { verdict: Verdict::Refuted, message, ..finding }
+                let message = "the two sides differ by less than rounding error; exact arithmetic shows the difference";
+                finding.replaced(Code::DiffersAsIdentity, Verdict::Refuted, message)
             }
             Certificate::DiffersFor(size) => {
-                let message = format!("as an identity it is false: it fails for {size} members");
-                Finding { verdict: Verdict::Refuted, message, ..finding }
+                let message = format!("this fails for {size} members; exact arithmetic shows the difference");
+                finding.replaced(Code::FailsForFamilySize, Verdict::Refuted, message)
             }
         }
     }
@@ -89,7 +90,7 @@ impl Claim for Link {
 
 pub(crate) fn unavailable(reason: &Unavailable, model: &Model) -> String {
     match reason {
-        Unavailable::Symbol(id) => format!("{} has no exact value", text::plain(&model.name(*id))),
+        Unavailable::Symbol(id) => format!("{}, which has no exact value", text::plain(&model.name(*id))),
         Unavailable::Derivative(_) => "a derivative that is not known".to_owned(),
         Unavailable::Operation(what) => (*what).to_owned(),
     }

@@ -30,10 +30,10 @@ use crate::scalar::prime_field::{FirstPrime, Modulus, SecondPrime, evaluate_at_p
 use crate::scalar::{Modular, rational};
 
 use crate::check::certificate::claim::{Certificate, Claim, Differences};
-use crate::check::certificate::family_growth::Growing;
+use crate::check::certificate::family_growth::GrowthAnalysis;
+use crate::check::certificate::negligible_terms;
 use crate::check::certificate::signs::is_never_zero;
-use crate::check::certificate::solved::{OTHER_WAYS, Solved, Sums};
-use crate::check::certificate::unseen;
+use crate::check::certificate::solved::{OTHER_WAYS, Solved, SumHypotheses};
 use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
@@ -55,10 +55,10 @@ const POINTS: std::ops::RangeInclusive<usize> = 2..=6;
 const ATTEMPTS: u32 = 64;
 
 /// The reason to ask a second field.
-const TOO_LARGE: &str = "coefficients that could be as large as the field";
+const TOO_LARGE: &str = "coefficients that may be larger than the prime";
 
 /// Why a claim about families of any size stays open.
-const HOW_IT_GROWS: &str = "sums over families, of which numbers of members were tried that do not tell of all";
+const HOW_IT_GROWS: &str = "sums over families, where the numbers of members that were tried do not decide all others";
 
 /// So many values of whole numbers are tried, one after the other.
 const WHOLES: usize = 32;
@@ -70,8 +70,8 @@ const MOST_ROOTS: u32 = 5;
 pub fn certify(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>) -> Certificate {
     match decide(&[&link.lhs, &link.rhs], context, ensemble, link) {
         // the agreement of numbers stands alone
-        Certificate::Open(reason) => match unseen::unseen_inside(link, &ensemble.states) {
-            Some(term) => Certificate::Unseen(term),
+        Certificate::Open(reason) => match negligible_terms::inside(link, &ensemble.states) {
+            Some(term) => Certificate::NegligibleTerm(term),
             None => Certificate::Open(reason),
         },
         decided => decided,
@@ -86,17 +86,17 @@ pub(crate) fn decide(
     claim: &impl Claim,
 ) -> Certificate {
     if sizes::counts(context.model).is_empty() {
-        return decide_by((&ensemble.projection, Some(&Sums::default())), formulas, context, ensemble, claim);
+        return decide_by((&ensemble.projection, Some(&SumHypotheses::default())), formulas, context, ensemble, claim);
     }
-    let mut growing = Growing::new(context.model, &ensemble.rules);
+    let mut growing = GrowthAnalysis::new(context.model, &ensemble.rules);
     let sums = growing.obeys(&ensemble.projection);
     let grows = growing.of_difference(formulas).filter(|growth| claim.free().is_some() || *growth == 0);
-    let told_apart = growing.told_apart(formulas, claim.free().unwrap_or_default());
+    let distinguished = growing.distinguished_members(formulas, claim.free().unwrap_or_default());
     let mut reason = HOW_IT_GROWS.to_owned();
     // One thing, or two, may be too few for anything to be defined. Hypotheses that are not solved for few are not for more.
     let attempts: &[u32] = if ensemble.projection.equalities().next().is_none() { &[1, 3] } else { &[1] };
     for least in attempts.iter().copied() {
-        let (Some(growth), least) = (grows, told_apart.max(least)) else { break };
+        let (Some(growth), least) = (grows, distinguished.max(least)) else { break };
         let most = least + growth;
         if most > sizes::MOST {
             break;
@@ -116,7 +116,7 @@ pub(crate) fn decide(
 /// vanishes modulo two primes has coefficients that their product divides. With the hypotheses that are sums over members; not
 /// given, where none may be solved.
 fn decide_by(
-    (projection, sums): (&Projection<'_>, Option<&Sums>),
+    (projection, sums): (&Projection<'_>, Option<&SumHypotheses>),
     formulas: &[&Expr],
     context: &Context<'_>,
     ensemble: &Ensemble<'_>,
@@ -125,25 +125,26 @@ fn decide_by(
     let sides = projection.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]).collect::<Vec<_>>();
     let generality = Generality::of(formulas, context.model, &projection.rules);
     let hypotheses = Generality::of(&sides, context.model, &projection.rules);
-    let (Some(generality), Some(Generality::Themselves)) = (generality, hypotheses) else {
+    let (Some(generality), Some(Generality::GivenParticles)) = (generality, hypotheses) else {
         return Certificate::Open(PRINCIPAL_AXES.to_owned());
     };
-    let found = reached(formulas, projection)
-        .and_then(|reached| wholes(projection, &reached).ok_or_else(|| "whole numbers of so many values".to_owned()));
-    let wholes = match found {
-        Ok(wholes) => wholes,
+    let found = all_symbols(formulas, projection).and_then(|symbols| {
+        integer_values(projection, &symbols).ok_or_else(|| "integers with too many values".to_owned())
+    });
+    let integer_values = match found {
+        Ok(integer_values) => integer_values,
         Err(reason) => return Certificate::Open(reason),
     };
     let context = (context, generality, sums);
     let states = (projection, ensemble);
     let one = Modular::<FirstPrime>::most_bits();
-    match decide_in::<FirstPrime>(&wholes, context, states, claim, one) {
+    match decide_in::<FirstPrime>(&integer_values, context, states, claim, one) {
         Certificate::Open(reason) if reason == TOO_LARGE => {}
         decided => return decided,
     }
     let both = one + Modular::<SecondPrime>::most_bits();
-    match decide_in::<FirstPrime>(&wholes, context, states, claim, both) {
-        Certificate::Identity(first) => match decide_in::<SecondPrime>(&wholes, context, states, claim, both) {
+    match decide_in::<FirstPrime>(&integer_values, context, states, claim, both) {
+        Certificate::Identity(first) => match decide_in::<SecondPrime>(&integer_values, context, states, claim, both) {
             Certificate::Identity(second) => Certificate::Identity(first.max(second)),
             decided => decided,
         },
@@ -153,8 +154,8 @@ fn decide_by(
 
 /// Decides over one field, where coefficients have no more than so many bits.
 fn decide_in<F: Modulus>(
-    wholes: &[Vec<(usize, f64)>],
-    (context, generality, sums): (&Context<'_>, Generality, Option<&Sums>),
+    integer_values: &[Vec<(usize, f64)>],
+    (context, generality, sums): (&Context<'_>, Generality, Option<&SumHypotheses>),
     (projection, ensemble): (&Projection<'_>, &Ensemble<'_>),
     claim: &impl Claim,
     most_bits: f64,
@@ -171,8 +172,8 @@ fn decide_in<F: Modulus>(
         ensemble.bases.iter().any(|base| whole.iter().all(|(at, x)| place(*at).is_some_and(|at| base[at] == *x)))
     };
     let mut draw = Sampler::new(context.options.seed, &format!("{}/{}/field", context.topic, ensemble.mode.on_shell));
-    let (mut worst, least) = (f64::NEG_INFINITY, POINTS.start().div_ceil(wholes.len()));
-    for whole in wholes {
+    let (mut worst, least) = (f64::NEG_INFINITY, POINTS.start().div_ceil(integer_values.len()));
+    for whole in integer_values {
         let found = match generality {
             // hypotheses are of the particles
             Generality::AnyTensor => Err(PRINCIPAL_AXES.to_owned()),
@@ -193,7 +194,7 @@ fn decide_in<F: Modulus>(
             (Certificate::Open(large), Some(_)) if large == TOO_LARGE => return Certificate::Open(large),
             (_, Some(reason)) => return Certificate::Open(reason),
             (Certificate::Differs, None) if !was_drawn(whole) => {
-                let open = || Certificate::Open("a value of a whole number at which no state was drawn".to_owned());
+                let open = || Certificate::Open("an integer value at which no state was drawn".to_owned());
                 let other = size(whole).filter(|_| whole.len() == counts.len());
                 return other.map_or_else(open, Certificate::DiffersFor);
             }
@@ -213,7 +214,7 @@ fn at_points<F: Modulus>(
 ) -> Certificate {
     let (mut log2, mut finest) = (0.0, 1);
     for points in 1..=*POINTS.end() {
-        let differences = || solved.scene().and_then(|mut state| claim.differences(&mut state));
+        let differences = || solved.draw_state().and_then(|mut state| claim.differences(&mut state));
         match at_one_point(&differences, solved.is_free(), draw.seed(), &mut finest, most_bits) {
             Certificate::Identity(bound) => log2 += bound,
             other => return other,
@@ -222,17 +223,17 @@ fn at_points<F: Modulus>(
             return Certificate::Identity(log2);
         }
     }
-    Certificate::Open("its degree is too high for this field".to_owned())
+    Certificate::Open("a degree that is too high for the prime field".to_owned())
 }
 
 /// All values that the whole numbers of a base can have, together, of those that are reached; none if they are too many. A
 /// field knows of such a number no more than one value at a time.
-fn wholes(projection: &Projection<'_>, reached: &[SymbolId]) -> Option<Vec<Vec<(usize, f64)>>> {
+fn integer_values(projection: &Projection<'_>, symbols: &[SymbolId]) -> Option<Vec<Vec<(usize, f64)>>> {
     let counts: Vec<SymbolId> = projection.model.symbols.indices.iter().filter_map(|index| index.count).collect();
     let mut all = vec![Vec::new()];
     for (at, slot) in projection.slots.iter().enumerate() {
         let Range::Integer { low, high } = &slot.range else { continue };
-        if !slot.symbol.is_some_and(|symbol| counts.contains(&symbol) || reached.contains(&symbol)) {
+        if !slot.symbol.is_some_and(|symbol| counts.contains(&symbol) || symbols.contains(&symbol)) {
             continue;
         }
         let values = *low..=last(high, *low);
@@ -249,22 +250,22 @@ fn wholes(projection: &Projection<'_>, reached: &[SymbolId]) -> Option<Vec<Vec<(
 ///
 /// # Errors
 /// Why the claim cannot be decided over a field, as far as its formulas show.
-pub(crate) fn reached(formulas: &[&Expr], projection: &Projection<'_>) -> Result<Vec<SymbolId>, String> {
+pub(crate) fn all_symbols(formulas: &[&Expr], projection: &Projection<'_>) -> Result<Vec<SymbolId>, String> {
     let model = projection.model;
-    let of_conditions = projection.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
+    let of_hypotheses = projection.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
     let of_rules = projection.rules.iter().flat_map(|rule| rule.action.formulas());
     let divided_by_zero = |rule: &Rule| match &rule.action {
-        Action::Follows { formula: Expr { node: Node::Quotient(_, coefficient), .. }, .. } => {
+        Action::EquationOfMotion { formula: Expr { node: Node::Quotient(_, coefficient), .. }, .. } => {
             !is_never_zero(model, coefficient)
         }
         // Their determinant.
-        Action::Together(_) => true,
+        Action::Coupled(_) => true,
         _ => false,
     };
     if projection.rules.iter().any(divided_by_zero) {
-        return Err("a law whose coefficient may vanish".to_owned());
+        return Err("a law whose leading coefficient may be 0".to_owned());
     }
-    let mut waiting: Vec<&Expr> = formulas.iter().copied().chain(of_conditions).chain(of_rules).collect();
+    let mut waiting: Vec<&Expr> = formulas.iter().copied().chain(of_hypotheses).chain(of_rules).collect();
     let (mut seen, mut reason): (Vec<SymbolId>, Option<&str>) = (Vec::new(), None);
     while let Some(formula) = waiting.pop() {
         let mut symbols = Vec::new();
@@ -272,7 +273,7 @@ pub(crate) fn reached(formulas: &[&Expr], projection: &Projection<'_>) -> Result
             Node::Number(digits)
                 if digits.chars().filter(char::is_ascii_digit).count() > rational::SHORT_DECIMAL_DIGITS =>
             {
-                reason = reason.or(Some("a number of so many digits"));
+                reason = reason.or(Some("a number with too many digits"));
             }
             Node::Integral(..) => reason = reason.or(Some("an integral")),
             Node::Shrinking(..) => reason = reason.or(Some("a limit")),

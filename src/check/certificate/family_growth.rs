@@ -1,7 +1,13 @@
 //! The number of family sizes that decides for all sizes, found from the formulas.
 //!
-//! A quotient by a sum is a further denominator. A formula that is not a quotient of sums, such as the root of one,
-//! has no such number. With `j < i` the polynomial below is one in the gaps between the k labels.
+//! SumHypotheses over labels, multiplied and added, are sums over tuples of labels, and so is a difference A − B of such formulas
+//! over one denominator. Of what each tuple gives nothing is known but which members it looks at. Let all members but k be
+//! alike. Then the difference depends on n as a polynomial, of a degree of at most the number of labels in the longest tuple,
+//! counting explicit powers of n: the *growth*. If it vanishes at one more number n ≥ k than the growth says, it vanishes
+//! for all n ≥ k; and a sum over tuples is put together from its values where all members but few are alike, k of them being
+//! told apart at most, k not above the growth. With `j < i` the polynomial is one in the gaps between the k labels, and vanishes
+//! likewise. Members that are named, `m_1`, labels that are free and ends that a Σ leaves out are told apart from the
+//! others in any case. So N + 1 numbers of members, from these on, tell for a growth of N.
 //!
 //! # How many numbers of particles decide for all
 //!
@@ -17,10 +23,11 @@
 use rustc_hash::FxHashMap;
 
 use crate::formula::evaluate::constant_exponent;
-use crate::formula::tree::LeftOut;
 use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
 
-use crate::check::certificate::solved::Sums;
+use crate::check::certificate::growth::Growth;
+use crate::check::certificate::named_members::NamedMembers;
+use crate::check::certificate::solved::SumHypotheses;
 use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
@@ -33,92 +40,8 @@ const DEEPEST: usize = 64;
 /// So many derivatives of a hypothesis that holds throughout are looked at.
 const DERIVATIVES: u8 = 3;
 
-/// A sum over tuples of labels over a product of sums.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Growth {
-    /// The most labels in a tuple; and the same, where the letters that are free in it may stand for the member that a
-    /// hypothesis is solved for.
-    above: [u32; 2],
-    /// The denominators.
-    below: Vec<Below>,
-}
-
-/// A denominator.
-#[derive(Clone, Debug, PartialEq)]
-struct Below {
-    formula: Expr,
-    growth: u32,
-    times: u32,
-}
-
-impl Growth {
-    fn of(above: [u32; 2]) -> Option<Self> {
-        Some(Growth { above, below: Vec::new() })
-    }
-
-    fn is_none(&self) -> bool {
-        self.above == [0; 2] && self.below.is_empty()
-    }
-
-    fn raised(mut self, by: [u32; 2]) -> Self {
-        self.above = [self.above[0] + by[0], self.above[1] + by[1]];
-        self
-    }
-
-    /// Over one denominator.
-    fn plus(mut self, other: Self) -> Self {
-        let lacks = |all: &[Below], of: &Below| {
-            let has = all.iter().find(|known| known.formula == of.formula).map_or(0, |known| known.times);
-            of.times.saturating_sub(has)
-        };
-        let more = |all: &[Below], others: &[Below]| others.iter().map(|of| of.growth * lacks(all, of)).sum::<u32>();
-        let (own, others) = (more(&self.below, &other.below), more(&other.below, &self.below));
-        self.above = [0, 1].map(|k| (self.above[k] + own).max(other.above[k] + others));
-        for of in other.below {
-            match self.below.iter_mut().find(|known| known.formula == of.formula) {
-                Some(known) => known.times = known.times.max(of.times),
-                None => self.below.push(of),
-            }
-        }
-        self
-    }
-
-    fn times(mut self, other: Self) -> Self {
-        self = self.raised(other.above);
-        for of in other.below {
-            match self.below.iter_mut().find(|known| known.formula == of.formula) {
-                Some(known) => known.times += of.times,
-                None => self.below.push(of),
-            }
-        }
-        self
-    }
-
-    /// Divided by a formula of some growth, so often.
-    fn over(mut self, formula: &Expr, divisor: Growth, times: u32) -> Self {
-        for Below { formula, growth, times: often } in divisor.below {
-            let often = often * times;
-            // What divides both is cancelled.
-            let shared = self.below.iter_mut().find(|known| known.formula == formula);
-            let cancelled = shared.map_or(0, |known| {
-                let cancelled = known.times.min(often);
-                known.times -= cancelled;
-                cancelled
-            });
-            self = self.raised([growth * (often - cancelled); 2]);
-        }
-        self.below.retain(|known| known.times > 0);
-        // A divisor has no free letters, unless it has no growth.
-        let [growth, _] = divisor.above;
-        if growth == 0 {
-            return self;
-        }
-        self.times(Growth { above: [0; 2], below: vec![Below { formula: formula.clone(), growth, times }] })
-    }
-}
-
 /// The growth of formulas under rules and hypotheses.
-pub(crate) struct Growing<'a> {
+pub(crate) struct GrowthAnalysis<'a> {
     model: &'a Model,
     rules: &'a [Rule],
     /// Families of which one member is what a hypothesis about a sum makes of it.
@@ -131,11 +54,11 @@ pub(crate) struct Growing<'a> {
     in_parts: bool,
 }
 
-impl<'a> Growing<'a> {
+impl<'a> GrowthAnalysis<'a> {
     /// Under these rules, and under no other hypotheses.
     pub fn new(model: &'a Model, rules: &'a [Rule]) -> Self {
         let (solved, zeros) = (Vec::new(), Vec::new());
-        Growing { model, rules, solved, known: FxHashMap::default(), depth: 0, zeros, in_parts: false }
+        GrowthAnalysis { model, rules, solved, known: FxHashMap::default(), depth: 0, zeros, in_parts: false }
     }
 
     /// Lets hypotheses hold that are solved for numbers of the state, as they were for states in numbers; and says which of
@@ -143,18 +66,18 @@ impl<'a> Growing<'a> {
     ///
     /// One that sums over members, once, is solved for a number of one of them, and what that is then is such a sum. All
     /// others may be about each member by itself, or about no member.
-    pub fn obeys(&mut self, projection: &Projection<'_>) -> Option<Sums> {
+    pub fn obeys(&mut self, projection: &Projection<'_>) -> Option<SumHypotheses> {
         let mut sums = Vec::new();
         for (at, hypothesis) in projection.equalities() {
-            let growth = self.of_hypothesis(hypothesis).filter(|growth| growth.below.is_empty())?;
-            match (growth.above[0], self.free_labels(&hypothesis.free)) {
+            let growth = self.of_hypothesis(hypothesis).filter(|growth| growth.denominators.is_empty())?;
+            match (growth.numerator[0], self.free_labels(&hypothesis.free)) {
                 (0, 0 | 1) => {}
                 (1, 0) if sums.is_empty() => sums.push(at),
                 _ => return None,
             }
         }
         if !sums.is_empty() {
-            let symbols = projection.progress.plan.iter().filter_map(|(_, slot)| projection.slots[*slot].symbol);
+            let symbols = projection.record.plan.iter().filter_map(|(_, slot)| projection.slots[*slot].symbol);
             self.solved = symbols.filter(|id| self.is_counted(*id)).collect();
             for (_, Hypothesis { lhs, rhs, throughout, .. }) in projection.equalities() {
                 self.zeros.extend(
@@ -166,7 +89,7 @@ impl<'a> Growing<'a> {
             }
             self.known.clear();
         }
-        Some(Sums { hypotheses: sums, families: self.solved.clone() })
+        Some(SumHypotheses { hypotheses: sums, families: self.solved.clone() })
     }
 
     /// Whether a symbol is a family whose members are counted.
@@ -183,14 +106,13 @@ impl<'a> Growing<'a> {
 
     /// How the difference of two formulas grows, both over one denominator; none, if that is not known.
     pub fn of_difference(&mut self, sides: &[&Expr]) -> Option<u32> {
-        Some(self.of_sum(sides.iter().copied(), 0)?.above[0])
+        Some(self.of_sum(sides.iter().copied(), 0)?.numerator[0])
     }
 
     /// How many members are told apart from the others: those that stand for free letters, those from the first to the last
     /// that is named, those that a Σ leaves out at the end, and one that a hypothesis is solved for.
-    pub fn told_apart(&self, formulas: &[&Expr], free: &[IndexId]) -> u32 {
-        let mut named = Named { model: self.model, rules: self.rules, seen: Vec::new(), first: 0, last: 0 };
-        formulas.iter().for_each(|formula| named.follow(formula));
+    pub fn distinguished_members(&self, formulas: &[&Expr], free: &[IndexId]) -> u32 {
+        let named = NamedMembers::of(formulas, self.model, self.rules);
         let solved = u32::from(!self.solved.is_empty());
         u32::from(named.first) + u32::from(named.last) + self.free_labels(free) as u32 + solved
     }
@@ -249,7 +171,7 @@ impl<'a> Growing<'a> {
             Node::Inverse(inner) => plain(self.of(inner, dots)?),
             Node::SumOver { index, within: None, body, .. } => {
                 let growth = self.of(body, dots)?;
-                Some(if self.counts(*index) { summed(growth, is_closed(expr)) } else { growth })
+                Some(if self.counts(*index) { growth.summed(is_closed(expr)) } else { growth })
             }
             Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) => None,
         }
@@ -341,8 +263,8 @@ impl<'a> Growing<'a> {
                 Action::Equals(formula) if dots == 0 || rule.throughout => self.of(formula, dots)?,
                 Action::Equals(_) | Action::Symmetric { .. } => Growth::default(),
                 Action::Parallel(along) => self.of(along, dots).filter(Growth::is_none)?,
-                Action::Follows { order, formula } if dots >= *order => self.of(formula, dots - order)?,
-                Action::Follows { .. } => Growth::default(),
+                Action::EquationOfMotion { order, formula } if dots >= *order => self.of(formula, dots - order)?,
+                Action::EquationOfMotion { .. } => Growth::default(),
                 Action::Union(_) if self.in_parts => Growth::default(),
                 Action::Union(parts) => {
                     self.in_parts = true;
@@ -350,14 +272,14 @@ impl<'a> Growing<'a> {
                     self.in_parts = false;
                     growth?
                 }
-                Action::Together(_) => return None,
+                Action::Coupled(_) => return None,
             });
         }
         let own = match model.meaning(id) {
             Some(Meaning::Defined(formula)) => self.of(formula, dots)?,
             Some(Meaning::Particles(ParticleQuantity::InertiaTensor, label, masses, positions)) => {
                 let moment = self.of_product(&[masses, positions, positions], dots)?;
-                if self.counts(*label) { summed(moment, true) } else { moment }
+                if self.counts(*label) { moment.summed(true) } else { moment }
             }
             Some(Meaning::Rigid(at)) => match model.rigid[*at].about {
                 Some(about) => self.of_symbol(about, dots)?,
@@ -368,78 +290,6 @@ impl<'a> Growing<'a> {
             _ => Growth::default(),
         };
         Some(all.plus(own))
-    }
-}
-
-/// A sum over members is one over those that are free, and what is left of it for the one that a hypothesis is solved for.
-/// Where no letter is left free, none stands for that.
-fn summed(mut growth: Growth, is_closed: bool) -> Growth {
-    let [free, any] = growth.above;
-    let sum = (free + 1).max(any);
-    growth.above = [sum, if is_closed { sum } else { any + 1 }];
-    growth
-}
-
-/// The members that formulas name, through definitions and rules.
-struct Named<'a> {
-    model: &'a Model,
-    rules: &'a [Rule],
-    seen: Vec<SymbolId>,
-    /// The highest one.
-    first: u8,
-    /// How many of the last a Σ leaves out.
-    last: u8,
-}
-
-impl Named<'_> {
-    fn follow(&mut self, formula: &Expr) {
-        let indices = &self.model.symbols.indices;
-        let is_counted = |letter: &IndexId| indices[letter.0].count.is_some();
-        let mut symbols = Vec::new();
-        formula.walk(&mut |expr| match &expr.node {
-            Node::Symbol { id, indices, .. } => {
-                symbols.push(*id);
-                for (index, (_, letter)) in indices.iter().zip(&self.model.symbols.entry(*id).slots) {
-                    if let (Index::Fixed(value), true) = (index, is_counted(letter)) {
-                        self.first = self.first.max(*value);
-                    }
-                }
-            }
-            Node::SumOver { index, except, .. } if is_counted(index) => {
-                for left_out in except {
-                    match (left_out, left_out.index()) {
-                        (LeftOut::Last(last), _) => self.last = self.last.max(*last),
-                        (_, Some(Index::Fixed(value))) => self.first = self.first.max(value),
-                        _ => {}
-                    }
-                }
-            }
-            _ => {}
-        });
-        symbols.into_iter().for_each(|id| self.visit(id));
-    }
-
-    fn visit(&mut self, id: SymbolId) {
-        if self.seen.contains(&id) {
-            return;
-        }
-        self.seen.push(id);
-        let (model, rules) = (self.model, self.rules);
-        model.symbols.entry(id).members.iter().for_each(|member| self.visit(*member));
-        for rule in rules.iter().filter(|rule| rule.symbol == id) {
-            if let Action::Union(parts) = &rule.action {
-                parts.iter().for_each(|part| self.follow(part));
-            }
-            rule.action.formulas().into_iter().for_each(|formula| self.follow(formula));
-        }
-        match model.meaning(id) {
-            Some(Meaning::Defined(formula)) => self.follow(formula),
-            Some(Meaning::Particles(_, _, masses, positions)) => {
-                self.follow(masses);
-                self.follow(positions);
-            }
-            _ => {}
-        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::check::certificate::solved::{NOT_SOLVED, OTHER_WAYS, Solved, Step};
 use crate::check::certificate::zeros::Zeros;
 use crate::check::model::claim::Hypothesis;
-use crate::check::model::states::Row;
+use crate::check::model::state_cache::Row;
 use crate::check::sample::projection::Projection;
 use crate::formula::{Kind, Relation, SymbolId};
 use crate::scalar::Modular;
@@ -122,8 +122,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     fn candidates(&self, wanted: &[Row]) -> Vec<Vec<usize>> {
         let matters = |slot: &usize| wanted.iter().any(|row| !self.is_idle(*row, *slot));
         if let [row] = wanted {
-            let known =
-                self.projection.progress.plan.iter().filter(|(planned, _)| planned == row).map(|(_, slot)| *slot);
+            let known = self.projection.record.plan.iter().filter(|(planned, _)| planned == row).map(|(_, slot)| *slot);
             let open = known.chain((1..self.anywhere.len()).rev()).filter(|slot| self.is_open(*slot)).take(CANDIDATES);
             return open.collect::<Vec<_>>().into_iter().filter(matters).map(|slot| vec![slot]).collect();
         }

@@ -38,14 +38,14 @@ impl Claim for Solutions<'_> {
         for branch in self.branches {
             let found = state.now(branch, &[]).map_err(|reason| unavailable(&reason, state.model()))?;
             let Value::Scalar(root) = found else {
-                return Err("a solution that is no number".to_owned());
+                return Err("a solution that is not a scalar".to_owned());
             };
             all.extend(self.with(root, state)?);
         }
         if self.all_of_them {
             let higher = self.degree_exceeds(self.branches.len(), state)?;
             if !higher.iter().all(|difference| difference.vanishes()) {
-                return Err("solutions that are counted among real numbers of the declared range only".to_owned());
+                return Err("solutions that are counted only among the real numbers of the declared range".to_owned());
             }
             all.extend(higher);
         }

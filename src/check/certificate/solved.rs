@@ -22,7 +22,8 @@ use crate::notes::claims::Range;
 use crate::scalar::Modular;
 use crate::scalar::prime_field::Modulus;
 
-use crate::check::model::states::{Reach, Row};
+use crate::check::model::sampling::Spread;
+use crate::check::model::state_cache::Row;
 use crate::check::sample::projection::Projection;
 use crate::check::sample::sampler::Sampler;
 use crate::check::state::generic_body::{Generality, GenericBody};
@@ -32,16 +33,16 @@ use crate::check::state::sampled_state::SampledState;
 
 /// Hypotheses that are sums over members, by their places, and the families that they are solved for.
 #[derive(Default)]
-pub(crate) struct Sums {
+pub(crate) struct SumHypotheses {
     pub hypotheses: Vec<usize>,
     pub families: Vec<SymbolId>,
 }
 
 pub(crate) const NOT_SOLVED: &str =
-    "hypotheses that are not linear in a number of their own, so that they are not solved exactly";
+    "hypotheses that are not linear in any symbol, so that they cannot be solved exactly";
 
 /// Why a claim stays open of whose hypotheses one solution alone was looked at.
-pub(crate) const OTHER_WAYS: &str = "hypotheses that may be met in more than one way";
+pub(crate) const OTHER_WAYS: &str = "hypotheses that may have more than one solution";
 
 /// The determinant of one number, or of three columns.
 pub(crate) fn determinant<F: Modulus>(columns: &[Vec<Modular<F>>]) -> Modular<F> {
@@ -72,7 +73,7 @@ pub(crate) struct Solved<'s, 'm, F> {
     pub(crate) may_vanish: bool,
     /// Whether the hypotheses hold.
     pub(crate) obeys: bool,
-    /// What stands in for particles whose principal axes are spoken of; not by the hypotheses.
+    /// What stands in for particles whose principal axes are stated of; not by the hypotheses.
     generality: Generality,
     /// Numbers that obey no hypothesis: there nothing is at rest by accident.
     pub(crate) anywhere: Vec<f64>,
@@ -91,7 +92,7 @@ pub(crate) struct Step {
 impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     /// States that obey no hypotheses.
     pub fn without_hypotheses(projection: &'s Projection<'m>, whole: Vec<(usize, f64)>) -> Self {
-        let mut anywhere = Sampler::new(1, "anywhere").base(&projection.slots, Reach::Declared);
+        let mut anywhere = Sampler::new(1, "anywhere").base(&projection.slots, Spread::Declared);
         whole.iter().for_each(|(at, value)| anywhere[*at] = *value);
         let (plan, idle) = (Vec::new(), RefCell::default());
         Solved {
@@ -100,7 +101,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
             plan,
             may_vanish: false,
             obeys: false,
-            generality: Generality::Themselves,
+            generality: Generality::GivenParticles,
             anywhere,
             idle,
             field: PhantomData,
@@ -119,7 +120,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
 
     /// Whether hypotheses that are sums over members are solved for numbers of these families, and the others for none of
     /// other families.
-    pub fn moves(&self, sums: &Sums) -> bool {
+    pub fn moves(&self, sums: &SumHypotheses) -> bool {
         let Projection { model, slots, .. } = self.projection;
         let is_known = |at: &usize| slots[*at].symbol.is_some_and(|id| sums.families.contains(&id));
         let is_single = |at: &usize| slots[*at].symbol.is_none_or(|id| model.symbols.entry(id).slots.is_empty());
@@ -129,19 +130,19 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     }
 
     /// The state at the point at hand.
-    pub fn scene(&self) -> Result<SampledState<'m, Modular<F>>, String> {
+    pub fn draw_state(&self) -> Result<SampledState<'m, Modular<F>>, String> {
         let mut base = self.drawn();
         // That the rows are linear, so that this is the only way, is seen at every point anew.
         for step in &self.plan {
             self.put_if_linear(&mut base, step)?.ok_or(NOT_SOLVED)?;
         }
-        let mut scene = self.state(&base)?;
-        scene.set_body(GenericBody::drawn(self.generality));
+        let mut state = self.state(&base)?;
+        state.set_body(GenericBody::drawn(self.generality));
         if !self.obeys {
-            return Ok(scene);
+            return Ok(state);
         }
-        let rows = self.projection.rows(&scene);
-        if rows.iter().all(|(_, value)| value.vanishes()) { Ok(scene) } else { Err(NOT_SOLVED.to_owned()) }
+        let rows = self.projection.rows(&state);
+        if rows.iter().all(|(_, value)| value.vanishes()) { Ok(state) } else { Err(NOT_SOLVED.to_owned()) }
     }
 
     pub(crate) fn drawn_at(&self, at: usize) -> Modular<F> {

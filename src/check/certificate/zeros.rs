@@ -7,7 +7,7 @@ use crate::scalar::prime_field::Modulus;
 use crate::scalar::{DualNum, Modular};
 
 use crate::check::certificate::solved::{Solved, Step, determinant};
-use crate::check::model::states::Row;
+use crate::check::model::state_cache::Row;
 use crate::check::sample::sampler::contains;
 use crate::check::state::numbers;
 

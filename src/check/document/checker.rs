@@ -22,11 +22,11 @@ use crate::{Error, Result, suggest};
 use crate::check::document::names::{shown, symbol};
 use crate::check::document::units::Units;
 use crate::check::hypotheses::components;
-use crate::check::hypotheses::rule::{Action, Rule, reaches};
+use crate::check::hypotheses::rule::{Action, Rule, depends_through_rules};
 use crate::check::kinds::limit::Towards;
 use crate::check::kinds::{continuum, small};
 use crate::check::model::Model;
-use crate::check::model::claim::{Hypothesis, Law, Link, Lost, is_equality};
+use crate::check::model::claim::{Hypothesis, Law, Link, Unread, is_equality};
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::{Context, Options};
@@ -108,11 +108,11 @@ impl Checker<'_> {
         let found = continuum::check(link, context)?;
         if !known && found.verdict.passes() {
             let message = format!(
-                "({}) does not say what {} is for particles",
+                "({}) does not define {} for particles; name the equation that does",
                 of.text,
                 text::formula(&link.lhs, &self.model.symbols)
             );
-            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+            return Ok(context.finding(Code::WrongReference, Verdict::Undecided, message));
         }
         Ok(found)
     }
@@ -127,10 +127,10 @@ impl Checker<'_> {
             statements.flat_map(|s| s.relations.iter().map(|(relation, _)| *relation)).collect();
         let plain = |relation: &Relation| is_equality(*relation) || *relation == Relation::Approximately;
         if !claim.small.is_empty() && !relations.contains(&Relation::Approximately) {
-            return Some("there is no ≈ here, and only that holds for what is \"small\"");
+            return Some("there is no ≈ here, and \"small\" needs one; write ≈, or remove \"small\"");
         }
         let inequality = claim.exactly_when.is_empty() || !relations.iter().all(plain);
-        (!inequality).then_some("there is no inequality here that could be true \"exactly when\" something else is")
+        (!inequality).then_some("there is no inequality here, and \"true exactly when\" needs one; write one, or remove \"true exactly when\"")
     }
 
     /// The alternatives of a claim that holds exactly when one of them does.
@@ -154,8 +154,11 @@ impl Checker<'_> {
                 None => (self.symbol(name)?, Vec::new()),
             };
             if let Some(Meaning::Defined(_)) = self.model.meaning(symbol) {
-                return Err(at(format!("{} is defined already, and cannot mean something else here", name.value))
-                    .help("claim it of another name, or give the meaning to what it is defined by"));
+                return Err(at(format!(
+                    "{} is defined already, so \"where\" cannot give it another meaning",
+                    name.value
+                ))
+                .help("use another name, or give the meaning to a name in its definition"));
             }
             let letters = indices.iter().filter_map(|index| match index {
                 Index::Letter(letter) => Some(*letter),
@@ -165,14 +168,19 @@ impl Checker<'_> {
             let parts: Vec<&str> = meaning.value.split("\\cup").map(str::trim).collect();
             let action = if parts.len() > 1 {
                 if !matches!(letters.as_slice(), [letter] if self.model.symbols.indices[letter.0].labels) {
-                    return Err(at(format!("{} is no family, and cannot be joined of several", name.value)));
+                    return Err(at(format!(
+                        "{} is not a family of symbols, and \\cup joins families only",
+                        name.value
+                    ))
+                    .help("give it an index that runs over labels"));
                 }
                 let part = |part: &&str| self.formula(&Spanned::new((*part).to_owned(), meaning.span));
                 Action::Union(parts.iter().map(part).collect::<Result<_>>()?)
             } else {
                 let formula = self.formula(meaning)?;
-                if reaches(self.model, &rules, &formula, symbol) {
-                    return Err(at(format!("{} cannot mean something that it is part of", name.value)));
+                if depends_through_rules(self.model, &rules, &formula, symbol) {
+                    return Err(at(format!("the meaning of {0} contains {0} itself", name.value))
+                        .help("write the meaning without this name"));
                 }
                 Action::Equals(formula)
             };
@@ -183,7 +191,7 @@ impl Checker<'_> {
 
     /// The laws of the claims file, as hypotheses; and those that a display takes with it that cannot be read, each with
     /// what is wrong.
-    pub fn laws(&self) -> Result<(Vec<Law>, Vec<Lost>)> {
+    pub fn laws(&self) -> Result<(Vec<Law>, Vec<Unread>)> {
         let (mut laws, mut lost) = (Vec::new(), Vec::new());
         for (name, what) in &self.claims.laws {
             match self.declared_law(name, what) {
@@ -208,9 +216,9 @@ impl Checker<'_> {
         let mut hypotheses = Vec::new();
         for statement in &statements {
             if statement.relations.is_empty() {
-                let message = format!("“{}” is no law", what.value);
+                let message = format!("“{}” is not an equation, so it cannot be a law", what.value);
                 return Err(Error::at(&self.claims.source, what.span, message)
-                    .help("a law is an equation, by its number or as LaTeX; give each law a name of its own"));
+                    .help("give the number of an equation, or the equation as LaTeX; each law has its own name"));
             }
             hypotheses.extend(self.links(statement)?.into_iter().map(|link| Hypothesis::of(link, true)));
         }
@@ -253,7 +261,11 @@ impl Checker<'_> {
                 let missing = Missing::Equation(shown(&self.notes.equations[display]));
                 Err(Error::at(&self.claims.source, what.span, message).lacking(Some(missing)))
             }
-            None => Err(Error::at(&self.claims.source, what.span, format!("({}) has no such part", what.value))),
+            None => Err(Error::at(
+                &self.claims.source,
+                what.span,
+                format!("({}) is a part that the display does not have", what.value),
+            )),
         }
     }
 
@@ -275,15 +287,15 @@ impl Checker<'_> {
         let statements = self.statements(latex).map_err(|error| {
             let names = self.claims.conditions.iter().map(|(name, _)| name.value.as_str());
             match suggest::nearest(&latex.value, names) {
-                Some(near) => error.help(format!("did you mean the hypothesis \"{near}\"?")),
+                Some(near) => error.help(format!("did you mean \"{near}\", which is under \"conditions\"?")),
                 None => error,
             }
         })?;
         for statement in statements {
             if statement.relations.is_empty() {
-                let message = format!("“{}” is no hypothesis", latex.value);
+                let message = format!("“{}” is not a hypothesis", latex.value);
                 return Err(Error::at(&self.claims.source, latex.span, message)
-                    .help("write a relation, \\dot\\theta = 0, or the name of one of the \"hypotheses\""));
+                    .help("write a relation such as \\dot\\theta = 0, or a name that is under \"conditions\""));
             }
             into.extend(self.links(&statement)?.into_iter().map(|link| Hypothesis::of(link, throughout)));
         }
@@ -328,7 +340,8 @@ impl Checker<'_> {
 
     /// The first statement of an equation, as a link between its first two members.
     pub fn target(&self, address: &Spanned<String>) -> Result<Link> {
-        let nowhere = || Error::at(&self.claims.source, address.span, format!("there is no ({})", address.value));
+        let nowhere =
+            || Error::at(&self.claims.source, address.span, format!("the notes have no equation ({})", address.value));
         match self.display(&address.value).ok_or_else(nowhere)?.statements.first() {
             Some(Ok(Statement { members, relations, .. })) if members.len() > 1 => {
                 self.link(&members[0], relations[0].0, &members[1])
@@ -351,8 +364,8 @@ impl Checker<'_> {
     /// `x \to a`.
     pub fn limit(&self, latex: &Spanned<String>) -> Result<(SymbolId, Towards)> {
         let wrong = || {
-            Error::at(&self.claims.source, latex.span, format!("“{}” is no limit", latex.value))
-                .help("write \\omega_3 \\to \\infty")
+            Error::at(&self.claims.source, latex.span, format!("“{}” is not a limit", latex.value))
+                .help("write a name, \\to, and a number or \\infty, such as \\omega_3 \\to \\infty")
         };
         let arrow = ["\\to", "\\rightarrow"].into_iter().find_map(|arrow| latex.value.split_once(arrow));
         let (variable, end) = arrow.ok_or_else(wrong)?;

@@ -124,9 +124,9 @@ pub(crate) fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> R
     for erratum in errata {
         let found = text.matches(&erratum.printed.value).count();
         if found != erratum.times {
-            let message = format!("“{}” stands {found} times in this equation", erratum.printed.value);
+            let message = format!("“{}” occurs {found} times in this equation", erratum.printed.value);
             return Err(Error::at(&claims.source, erratum.printed.span, message)
-                .help("quote more of it, or say how often with \"times\""));
+                .help("quote it as the notes have it, quote more of it, or give the number with \"times\""));
         }
         text = text.replace(&erratum.printed.value, &erratum.read.value);
     }
@@ -195,10 +195,10 @@ impl Pending<'_> {
                     circle[..length].iter().map(|at| self.definitions[*at].0.value.as_str()).collect();
                 let message = match others.as_slice() {
                     [] => format!("{} is defined by itself", name.value),
-                    others => format!("{} is defined by itself, by way of {}", name.value, others.join(", ")),
+                    others => format!("{} is defined by itself, through {}", name.value, others.join(", ")),
                 };
                 return Err(Error::at(&self.claims.source, body.span, message)
-                    .help("say what one of them is without the others"));
+                    .help("define one of these names without the others"));
             }
         }
         Ok(())
@@ -245,7 +245,7 @@ impl Pending<'_> {
         match (lost.is_empty(), wrong) {
             (true, Some(error)) => Err(error),
             (none, _) => {
-                model.lost.extend(lost);
+                model.unread_names.extend(lost);
                 Ok(!none)
             }
         }
@@ -282,8 +282,9 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
     let error = |message: String| Error::at(&claims.source, latex.span, message);
     let square = latex.value.trim().strip_suffix("^2").or(latex.value.trim().strip_suffix("^{2}"));
     let name = names::parse_decorated(square.unwrap_or(&latex.value)).ok_or_else(|| {
-        error(format!("{} is not the name of a symbol", latex.value))
-            .help("a name is a letter or a Greek command, with accents, a subscript, primes: \\hat{e}_a, p_\\psi")
+        error(format!("{} is not the name of a symbol", latex.value)).help(
+            "a name is a letter or a Greek command; accents, a subscript and primes are allowed, as in \\hat{e}_a",
+        )
     })?;
     let mut symbols = model.symbols.clone();
     let formula =
@@ -294,22 +295,29 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
         Shape::Scalar => Kind::Scalar,
         Shape::Vector => Kind::Vector,
         Shape::Matrix(3, 3) => Kind::Matrix,
-        Shape::Matrix(..) => return Err(error(format!("{shown} cannot be defined as a matrix of this size"))),
+        Shape::Matrix(..) => {
+            return Err(error(format!(
+                "the definition of {shown} is a matrix, and only 3×3 matrices are supported here"
+            )));
+        }
     };
     let id = symbols
         .add(name, kind)
-        .ok_or_else(|| error(format!("{shown} is declared twice")).help("keep one of the two"))?;
+        .ok_or_else(|| error(format!("{shown} is declared twice")).help("remove one of the two declarations"))?;
     let own: Vec<IndexId> = symbols.entry(id).slots.iter().map(|(_, letter)| *letter).collect();
     if let Some(stray) = found.free.iter().find(|letter| !own.contains(letter)) {
         let letter = &symbols.indices[stray.0].letter;
-        return Err(error(format!("{letter} is free in this definition, and {shown} does not have it")));
+        return Err(error(format!("the index {letter} is free in this definition, and {shown} does not have it"))
+            .help("give the name this index, or sum over the index"));
     }
     if let Some((_, [letter, _])) =
         formula.pair_sums().iter().find(|(_, pair)| own.iter().any(|own| pair.contains(own)))
     {
         let letter = &symbols.indices[letter.0].letter;
-        return Err(error(format!("{shown} has an index that its definition sums over in pairs with {letter}"))
-            .help("write a Σ for each letter that is summed over"));
+        return Err(error(format!(
+            "an index of {shown} is also summed over in its definition, in pairs with {letter}"
+        ))
+        .help("write one Σ for each index that is summed over"));
     }
     symbols.entry_mut(id).varies = true;
     symbols.entry_mut(id).squared = square.is_some();

@@ -1,7 +1,7 @@
 //! Another text read with the names that a document gives.
 
 use crate::formula::{Expr, Relation, Statement, text};
-use crate::latex::{Introduced, Macros, Reading};
+use crate::latex::{DefinedSymbol, Macros, Reading};
 use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
@@ -15,7 +15,7 @@ pub(crate) fn read(checker: &Checker<'_>, macros: &Macros, at: usize, text: &str
             |read: &Statement| defined(read, introduced).is_some_and(|d| Some(d) == defined(original, introduced));
         let here = reading.statements.iter().position(|read| read.as_ref().is_ok_and(shared));
         if let Some(statement) = here {
-            reading.introduced.push(Introduced { statement, ..introduced.clone() });
+            reading.introduced.push(DefinedSymbol { statement, ..introduced.clone() });
         }
     }
     reading
@@ -48,12 +48,13 @@ pub(crate) fn lost(checker: &Checker<'_>, reading: &Reading, reference: &Reading
         let kept = members(reading);
         let missing = members(reference).into_iter().find(|member| !kept.contains(member));
         let missing = missing.map_or_else(String::new, |member| {
-            format!("; {} does not stand here", text::formula(&member, &checker.model.symbols))
+            format!("; {} is missing here", text::formula(&member, &checker.model.symbols))
         });
-        return Some(format!("{source} has {had} “{}” in this equation, and this print {has}{missing}", fewer.glyph()));
+        return Some(format!("this equation has {had} “{}” in {source}, and {has} here{missing}", fewer.glyph()));
     }
     let constants = |reading: &Reading| reading.statements.iter().flatten().filter(|s| s.constant.is_some()).count();
-    (constants(reading) < constants(reference)).then(|| format!("{source} says that something is constant here"))
+    (constants(reading) < constants(reference))
+        .then(|| format!("{source} says that a quantity is constant, and this print does not"))
 }
 
 /// Whether two readings say the same, wherever it stands.
@@ -63,7 +64,7 @@ pub(crate) fn reads_alike(a: &Reading, b: &Reading) -> bool {
 }
 
 /// The member that introduces a name, and the member that defines it.
-pub(crate) fn defined<'a>(statement: &'a Statement, introduced: &Introduced) -> Option<(&'a Expr, &'a Expr)> {
+pub(crate) fn defined<'a>(statement: &'a Statement, introduced: &DefinedSymbol) -> Option<(&'a Expr, &'a Expr)> {
     let beside = introduced.member.checked_sub(1).unwrap_or(1);
     Some((statement.members.get(introduced.member)?, statement.members.get(beside)?))
 }

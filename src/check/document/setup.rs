@@ -75,7 +75,7 @@ pub(crate) fn with_checker<T>(
     let (laws, lost_laws) = plain.laws()?;
     let lacks_a_name = |error: &Error| plain.cause(error.missing()).is_some();
     let known = units::declared(claims, &model, &lacks_a_name)?;
-    (model.laws, model.lost_laws) = (laws, lost_laws);
+    (model.laws, model.unread_laws) = (laws, lost_laws);
     let units = units::of_document(claims, &model, &known, &readings, &assigned)?.map(Arc::new);
     let checker =
         Checker { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units };
@@ -95,8 +95,8 @@ fn repeated_numbers(notes: &Notes) -> Result<()> {
     match repeated(notes).first() {
         None => Ok(()),
         Some((number, line)) => {
-            let message = format!("the number ({}) is used a second time, after line {line}", number.id);
-            Err(Error::at(&notes.source, number.span, message).help("give each equation a number of its own"))
+            let message = format!("the number ({}) is used twice: on line {line}, and here", number.id);
+            Err(Error::at(&notes.source, number.span, message).help("give each equation its own number"))
         }
     }
 }
@@ -108,8 +108,9 @@ pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option
         unsupported(claims, address, claim)?;
         for at in address.resolve(notes, &claims.source)? {
             if assigned[at].replace(claim).is_some() {
-                let message = "a second claim for the same equation";
-                return Err(Error::at(&claims.source, address.span, message).help("put all keys under one address"));
+                let message = "this equation has two claims";
+                return Err(Error::at(&claims.source, address.span, message)
+                    .help("put all keys of the equation under one address"));
             }
         }
     }
@@ -136,16 +137,12 @@ pub(crate) fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> 
         ("from", claim.from.first().map(|a| a.span)),
     ];
     if let Some((key, span)) = spans.into_iter().find_map(|(key, span)| Some((key, span?))) {
-        return Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported yet")));
+        return Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported")));
     }
     let partial = address.single().is_some_and(|p| p.row.is_some() || p.part.is_some() || p.step.is_some());
     if partial {
-        return Err(Error::at(
-            &claims.source,
-            address.span,
-            "claims about a part of an equation are not supported yet",
-        )
-        .help("claim it of the whole equation"));
+        return Err(Error::at(&claims.source, address.span, "claims about a part of an equation are not supported")
+            .help("make the claim about the whole equation"));
     }
     Ok(())
 }

@@ -50,7 +50,7 @@ impl Checker<'_> {
             [] => mismatch.message,
             names => format!("{}; units inferred from {}", mismatch.message, names.join(", ")),
         };
-        Some(Finding::new(Code::NotSupported, Verdict::Unreadable, mismatch.span.shifted(offset), message))
+        Some(Finding::new(Code::UnitMismatch, Verdict::Unreadable, mismatch.span.shifted(offset), message))
     }
 }
 

@@ -10,7 +10,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::formula::units::{Affine, Dimension, Mismatch, Ratio, Survey, parse};
+use crate::formula::units::{Affine, Dimension, Mismatch, Ratio, UnitCheck, parse};
 use crate::formula::{Expr, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Claims};
@@ -59,7 +59,7 @@ pub struct Contradiction {
 
 /// All that a document says of its units.
 pub struct Units<'a> {
-    survey: Survey<'a>,
+    survey: UnitCheck<'a>,
     /// The definitions of the claims file that do not fit.
     pub contradictions: Vec<Contradiction>,
 }
@@ -73,7 +73,7 @@ impl<'a> Units<'a> {
         readings: &[Reading],
         trust: &[Trust],
     ) -> Units<'a> {
-        let mut units = Units { survey: Survey::new(&model.symbols), contradictions: Vec::new() };
+        let mut units = Units { survey: UnitCheck::new(&model.symbols), contradictions: Vec::new() };
         units.declarations(model, declared);
         let introduced: BTreeSet<SymbolId> =
             readings.iter().flat_map(|reading| reading.introduced.iter().map(|i| i.symbol)).collect();
@@ -85,7 +85,7 @@ impl<'a> Units<'a> {
         }
         for (display, reading) in readings.iter().enumerate() {
             if trust.get(display).is_none_or(|trust| *trust == Trust::Sound) {
-                units.survey.ledger.origin = Some(display);
+                units.survey.inference.origin = Some(display);
                 for statement in reading.statements.iter().flatten() {
                     units.survey.statement(statement);
                 }
@@ -95,11 +95,11 @@ impl<'a> Units<'a> {
     }
 
     fn declarations(&mut self, model: &Model, declared: &[(SymbolId, Dimension)]) {
-        let ledger = &mut self.survey.ledger;
+        let inference = &mut self.survey.inference;
         let mut know = |symbol: SymbolId, dimension: Dimension| {
             let unit = Affine::known(dimension);
             // What is declared comes first; a default that contradicts it gives way.
-            ledger.require_equal(&Affine::of(symbol), &unit).is_ok()
+            inference.require_equal(&Affine::of(symbol), &unit).is_ok()
         };
         for (symbol, dimension) in declared {
             // A name that is introduced by its square stands for the square.
@@ -127,12 +127,12 @@ impl<'a> Units<'a> {
         let default = model.symbols.time.as_ref().is_some_and(|name| name.to_string() == "t");
         if let (Some(time), true) = (self.survey.time(), default) {
             let seconds = Affine::known(Dimension::TIME);
-            self.survey.ledger.require_equal(&Affine::of(time), &seconds).ok();
+            self.survey.inference.require_equal(&Affine::of(time), &seconds).ok();
         }
         for (family, entry) in model.symbols.iter() {
             for member in &entry.members {
                 // Members of different units leave the family without one.
-                self.survey.ledger.require_equal(&Affine::of(family), &Affine::of(*member)).ok();
+                self.survey.inference.require_equal(&Affine::of(family), &Affine::of(*member)).ok();
             }
         }
     }
@@ -144,9 +144,9 @@ impl<'a> Units<'a> {
             Err(mismatch) => return self.contradictions.push(Contradiction { symbol, message: mismatch.message }),
         };
         let own = Affine::of(symbol);
-        if self.survey.ledger.require_equal(&own, &found).is_err() {
+        if self.survey.inference.require_equal(&own, &found).is_err() {
             let (own, found) = (self.survey.words(&own), self.survey.words(&found));
-            let message = format!("this is {found}, and what it defines is {own}");
+            let message = format!("the formula is {found}, and the name is {own}");
             self.contradictions.push(Contradiction { symbol, message });
         }
     }
@@ -237,8 +237,9 @@ pub(crate) fn declared(
         })?;
         let earlier = declared.iter().find(|(known, _)| *known == symbol);
         if let Some((_, other)) = earlier.filter(|(_, other)| *other != dimension) {
-            let message = format!("{} is {other} already", model.name(symbol));
-            return Err(Error::at(&claims.source, latex.span, message).help("all members of a family have one unit"));
+            let message = format!("{} already has the unit {other}", model.name(symbol));
+            return Err(Error::at(&claims.source, latex.span, message)
+                .help("declare one unit for a name; all members of a family have the same unit"));
         }
         declared.push((symbol, dimension));
     }

@@ -32,7 +32,7 @@ impl<'a> Damage<'a> {
             Missing::Equation(id) => return Some(format!("({id}) cannot be read")),
             Missing::Name(name) => name,
         };
-        if let Some((_, cause)) = model.lost.iter().find(|(lost, _)| names::same(lost, name)) {
+        if let Some((_, cause)) = model.unread_names.iter().find(|(lost, _)| names::same(lost, name)) {
             return Some(cause.clone());
         }
         let lacks = |fault: &&Fault| matches!(&fault.missing, Some(Missing::Name(own)) if names::same(own, name));
@@ -43,7 +43,7 @@ impl<'a> Damage<'a> {
             let has_it = if faults.iter().any(is_own) { names::mentions } else { names::is_a_side };
             !faults.iter().any(lacks) && has_it(text, name, &model.macros)
         })?;
-        Some(format!("({}), where it stands, cannot be read", shown(&self.notes.equations[*display])))
+        Some(format!("its definition may be in ({}), which cannot be read", shown(&self.notes.equations[*display])))
     }
 }
 

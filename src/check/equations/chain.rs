@@ -68,13 +68,14 @@ impl Checker<'_> {
             let mut finding = steps[n].finding.clone();
             let named = |at: usize| text::formula(&statement.members[at], &self.model.symbols);
             if returns {
-                finding.message.push_str(&format!("; “{}” alone is wrong here", named(wrong)));
-                finding.message.push_str(match carried {
-                    0 => ": what stands before it and after it agrees",
-                    _ => ", and what follows from it: after that the chain is as it was before",
-                });
+                let what = match carried {
+                    0 => "is wrong here",
+                    _ => "and what follows from it are wrong here",
+                };
+                let only = format!("; only “{}” {what}, because the members before and after agree", named(wrong));
+                finding.message.push_str(&only);
             } else if carried > 0 {
-                finding.message.push_str("; the rest of the chain follows from it");
+                finding.message.push_str("; the rest of the chain follows from this mistake");
             }
             // What was right so far is not to be mended.
             if returns || before > 0 && link(steps, before - 1) {

@@ -39,15 +39,15 @@ impl Checker<'_> {
     fn unjudgeable(&self, error: Error, span: Span) -> Result<Finding, Error> {
         match self.cause(error.missing()) {
             Some(cause) => {
-                let message = format!("it cannot be judged: {}; {cause}", error.message());
-                Ok(Finding::new(Code::NotSupported, Verdict::Unreadable, span, message))
+                let message = format!("this cannot be checked: {}; {cause}", error.message());
+                Ok(Finding::new(Code::DependsOnUnreadable, Verdict::Unreadable, span, message))
             }
             // What is wrong at every state is wrong with this claim alone.
             None if error.place().is_none() => Ok(Finding::new(
                 Code::NotDecided,
                 Verdict::Undecided,
                 span,
-                format!("it cannot be judged: {}", error.message()),
+                format!("this cannot be checked: {}", error.message()),
             )),
             None => Err(error),
         }
@@ -56,13 +56,13 @@ impl Checker<'_> {
     /// What is found without a law that is lost. A pass stays one, since a law only adds to what holds, but for a
     /// sentence that asks for a counterexample.
     pub fn without_lost_laws(&self, mut equation: Equation, sentence: Option<&Sentence>) -> Equation {
-        let Some((law, cause)) = self.model.lost_laws.first() else { return equation };
+        let Some((law, cause)) = self.model.unread_laws.first() else { return equation };
         let wants_failure = sentence.is_some_and(|sentence| matches!(sentence.test, Test::NotAlways(_)));
         let withdraw = |finding: &mut Finding, ok: &mut bool| {
             let fails = matches!(finding.verdict, Verdict::Refuted | Verdict::Domain | Verdict::Undecided);
             if fails || wants_failure {
-                let message = format!("it cannot be judged without {law}: {cause}");
-                *finding = Finding::new(Code::NotSupported, Verdict::Unreadable, finding.span, message);
+                let message = format!("this cannot be checked without {law}: {cause}");
+                *finding = Finding::new(Code::DependsOnUnreadable, Verdict::Unreadable, finding.span, message);
                 *ok = false;
             }
         };

@@ -2,7 +2,7 @@
 
 use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
-use crate::latex::{Introduced, Macros, Reading, read_display};
+use crate::latex::{DefinedSymbol, Macros, Reading, read_display};
 use crate::notes::Display;
 use crate::notes::claims::{Claim, Holds};
 use crate::source::{Fault, Span};
@@ -21,7 +21,7 @@ use crate::check::judge::{identity, term_fit};
 use crate::check::kinds::{conserved, exactly_when, limit};
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::meaning::Meaning;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::vacuity::tautology;
 use crate::check::verdict::Verdict;
@@ -65,9 +65,9 @@ impl Checker<'_> {
             let edits: Vec<String> =
                 claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
             let verdict = match (failed, as_expected) {
-                (true, true) => "as corrected it passes".to_owned(),
-                (true, false) => format!("as corrected it does not pass: {}", worst(&mended).message),
-                (false, _) => "but as printed it is not wrong".to_owned(),
+                (true, true) => "the corrected equation passes".to_owned(),
+                (true, false) => format!("the corrected equation does not pass: {}", worst(&mended).message),
+                (false, _) => "the printed equation is not wrong, so remove the erratum".to_owned(),
             };
             because = Some(format!("{}; {verdict}", edits.join(", ")));
         }
@@ -116,7 +116,7 @@ impl Checker<'_> {
             if let Ok(read) = statement {
                 let name = text::plain(&symbols.entry(new.symbol).name.to_string());
                 let span = read.members.get(new.member).map_or(read.span, |member| member.span);
-                *statement = Err(Fault::new(span, format!("{name} is named here, and is not known")));
+                *statement = Err(Fault::new(span, format!("{name} is defined only here, so it is unknown")));
             }
         }
         reading
@@ -133,7 +133,7 @@ impl Checker<'_> {
     ) -> Result<Vec<Part>> {
         if let Some(reason) = &claim.skip {
             let finding =
-                Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
+                Finding::new(Code::Skipped, Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
             return Ok(vec![self.part(finding, String::new())]);
         }
         let hypotheses = self.hypotheses(claim)?;
@@ -157,8 +157,9 @@ impl Checker<'_> {
             return Err(Error::at(
                 &self.claims.source,
                 limit.span,
-                "there is no ≈ in this equation, and only that has a limit",
-            ));
+                "there is no ≈ in this equation, and \"limit\" needs one",
+            )
+            .help("write ≈, or remove \"limit\""));
         }
         if let (Some(message), true) = (
             self.lacks_a_relation(claim, reading.statements.iter().flatten()),
@@ -166,7 +167,7 @@ impl Checker<'_> {
         ) {
             let span = self.notes.equations[display].body;
             return Ok(vec![
-                self.part(Finding::new(Code::NotSupported, Verdict::Unreadable, span, message), String::new()),
+                self.part(Finding::new(Code::ClaimDoesNotFit, Verdict::Unreadable, span, message), String::new()),
             ]);
         }
         let mut units_agree = true;
@@ -176,7 +177,8 @@ impl Checker<'_> {
                 Err(fault) => {
                     let mut finding = unreadable(fault, offset);
                     if let Some(cause) = self.cause(fault.missing.as_ref()) {
-                        finding.message = format!("{}: {cause}", fault.message);
+                        finding.code = Code::DependsOnUnreadable;
+                        finding.message = format!("{}; {cause}", fault.message);
                     }
                     parts.push(self.part(finding, String::new()));
                     continue;
@@ -200,7 +202,7 @@ impl Checker<'_> {
                 on_shell,
                 topic: &topic,
                 span,
-                reach: Reach::Declared,
+                spread: Spread::Declared,
                 local: &local,
             };
             if let Some(finding) = context.unclear(&statement.members.iter().collect::<Vec<_>>()) {
@@ -211,15 +213,19 @@ impl Checker<'_> {
                 parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
                 continue;
             }
-            let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|i| i.statement == at).collect();
+            let introduced: Vec<&DefinedSymbol> = reading.introduced.iter().filter(|i| i.statement == at).collect();
             parts.extend(self.statement(statement, &introduced, claim, &context)?);
         }
         if units_agree {
             self.whole(reading, claim, (&hypotheses, &local), offset, topic, &mut parts)?;
         }
         if parts.is_empty() {
-            let finding =
-                Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::at(offset), "nothing says what this should mean");
+            let finding = Finding::new(
+                Code::NoClaim,
+                Verdict::Unclaimed,
+                Span::at(offset),
+                "nothing is claimed of this display; add a claim to the claims file",
+            );
             parts.push(self.part(finding, String::new()));
         }
         Ok(parts)
@@ -235,7 +241,7 @@ impl Checker<'_> {
     fn statement(
         &self,
         statement: &Statement,
-        introduced: &[&Introduced],
+        introduced: &[&DefinedSymbol],
         claim: &Claim,
         context: &Context<'_>,
     ) -> Result<Vec<Part>> {
@@ -258,7 +264,7 @@ impl Checker<'_> {
                 }
                 continue;
             }
-            let here: Vec<&&Introduced> = introduced.iter().filter(|i| i.member == at + 1).collect();
+            let here: Vec<&&DefinedSymbol> = introduced.iter().filter(|i| i.member == at + 1).collect();
             if !here.is_empty() {
                 for introduced in here.into_iter().filter(|_| last && !says_more) {
                     findings.push(self.definition(introduced, context)?);
@@ -269,8 +275,8 @@ impl Checker<'_> {
             if let (true, Some(dropped), None) = (last, &claim.dropping, &claim.also_equals) {
                 let dropped = self.formula(dropped)?;
                 if is_made_of(&dropped, &link.lhs) {
-                    let message = "what is dropped is made of the left side, so nothing is checked";
-                    findings.push(context.finding(Code::NotDecided, Verdict::Undecided, message));
+                    let message = "\"dropping\" contains the left side, so nothing is checked; drop other terms";
+                    findings.push(context.finding(Code::Circular, Verdict::Undecided, message));
                     continue;
                 }
                 link.rhs = with_dropped(&link.rhs, &dropped);
@@ -288,15 +294,17 @@ impl Checker<'_> {
                     Finding {
                         span,
                         ..context.finding(
-                            Code::NotSupported,
+                            Code::NeedsLimitOrSmall,
                             Verdict::Unreadable,
-                            "approximately, but when? Name the \"limit\", or what is \"small\"",
+                            "≈ needs a `limit` or a `small` quantity in the claims file",
                         )
                     }
                 }
-                (Relation::Proportional, _) => {
-                    context.finding(Code::NotSupported, Verdict::Unreadable, "∝ is not checked yet")
-                }
+                (Relation::Proportional, _) => context.finding(
+                    Code::NotSupported,
+                    Verdict::Unreadable,
+                    "∝ is not supported; write an equation with a constant",
+                ),
                 (relation, _) if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
                     exactly_when::check(&link, &self.alternatives(claim)?, &context)?
                 }
@@ -326,8 +334,8 @@ impl Checker<'_> {
             parts.push(self.part(finding, reading.clone()));
         }
         if statement.relations.is_empty() && statement.constant.is_none() {
-            let message = "a formula without a relation claims nothing";
-            parts.push(self.part(context.finding(Code::NotSupported, Verdict::Unreadable, message), reading.clone()));
+            let message = "a formula without a relation claims nothing; write an equation, or use `skip`";
+            parts.push(self.part(context.finding(Code::NoRelation, Verdict::Unreadable, message), reading.clone()));
         }
         if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
             let what = format!("{} is constant", text::formula(last, &self.model.symbols));
@@ -339,7 +347,7 @@ impl Checker<'_> {
     }
 
     /// Whether a link says of a formula what the display says by naming it, or the same in another order.
-    pub(crate) fn only_repeats(&self, link: &Link, introduced: &[Introduced]) -> bool {
+    pub(crate) fn only_repeats(&self, link: &Link, introduced: &[DefinedSymbol]) -> bool {
         let names: Vec<SymbolId> = introduced.iter().map(|new| new.symbol).collect();
         let is_made_of_them = |formula: &Expr| self.model.depends_on(formula, &names);
         if !is_made_of_them(&link.lhs) {
@@ -361,5 +369,6 @@ fn unreadable(fault: &Fault, offset: usize) -> Finding {
         Some(help) => format!("{}; {help}", fault.message),
         None => fault.message.clone(),
     };
-    Finding::new(Code::NotSupported, Verdict::Unreadable, fault.span.shifted(offset), message)
+    let code = if fault.missing.is_some() { Code::UndeclaredName } else { Code::NotSupported };
+    Finding::new(code, Verdict::Unreadable, fault.span.shifted(offset), message)
 }

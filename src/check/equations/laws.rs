@@ -45,18 +45,19 @@ impl Checker<'_> {
                 return Ok(None);
             }
             if finding.verdict.passes() {
-                let message = format!("this is no law, it can be checked: {}", finding.message);
-                return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
+                let message =
+                    format!("this is not a law, because it can be checked: {}; remove it from `laws`", finding.message);
+                return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
             if self.model.system.is_some() {
-                let message = "where a system says how things move there are no further laws: let it be checked";
-                return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
+                let message = "the system determines the motion, so this cannot be a law; remove it from `laws`";
+                return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
         }
         if let Some(finding) = self.leaves_no_choice(&links, context)? {
             return Ok(Some(finding));
         }
-        Ok(Some(context.finding(Code::Law, Verdict::Law, format!("taken for granted: {}", law.title()))))
+        Ok(Some(context.finding(Code::Law, Verdict::Law, format!("assumed, not checked: {}", law.title()))))
     }
 
     /// What is wrong with the laws together, on the statement of one: no state obeys them, or hardly any does.
@@ -66,14 +67,18 @@ impl Checker<'_> {
         let ensemble = lawful.ensemble(lawful.mode(true, &sides), false, FEWEST)?;
         let names: Vec<&str> = self.model.laws.iter().map(|law| law.name.as_str()).collect();
         if ensemble.states.is_empty() {
-            let message = format!("no state obeys the laws ({}): they contradict each other", names.join(", "));
-            return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
+            let message =
+                format!("no sampled state satisfies the laws ({}); check them against each other", names.join(", "));
+            return Ok(Some(context.finding(Code::LawsTooStrong, Verdict::Undecided, message)));
         }
         let forced = forced_value::of_formulas(&sides, &lawful, &ensemble);
         Ok(forced.map(|symbol| {
             let name = text::plain(&self.model.name(symbol));
-            let message = format!("the laws ({}) leave {name} one value alone", names.join(", "));
-            context.finding(Code::NotDecided, Verdict::Undecided, message)
+            let message = format!(
+                "the laws ({}) allow only one value of {name}; correct them, or declare {name} a constant",
+                names.join(", ")
+            );
+            context.finding(Code::LawsTooStrong, Verdict::Undecided, message)
         }))
     }
 }

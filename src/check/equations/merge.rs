@@ -25,6 +25,7 @@ pub(crate) fn merged(findings: Vec<Finding>) -> Option<Finding> {
     let tried = findings.iter().map(|f| f.tried).max();
     // that one or the other is false is at most as probable as both together
     let false_accept = findings.iter().filter_map(|f| f.false_accept_log2).map(f64::exp2).reduce(|a, b| a + b);
+    let leaves_sign_open = findings.iter().any(|finding| finding.code == Code::DefinitionUpToSign);
     let mut messages: Vec<String> = Vec::new();
     for finding in findings.iter().filter(|finding| finding.verdict.passes()) {
         if !messages.contains(&finding.message) {
@@ -35,6 +36,9 @@ pub(crate) fn merged(findings: Vec<Finding>) -> Option<Finding> {
     if worst.verdict.passes() {
         if messages.len() <= 2 {
             worst.message = messages.join("; ");
+            if leaves_sign_open {
+                worst.code = Code::DefinitionUpToSign;
+            }
         }
         worst.points = fewest.unwrap_or(0);
         worst.max_residual = largest;

@@ -11,14 +11,14 @@ use std::sync::Arc;
 
 use crate::Result;
 use crate::formula::{Expr, SymbolId};
-use crate::latex::Introduced;
+use crate::latex::DefinedSymbol;
 use crate::scalar::RunningError;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::model::claim::{Hypothesis, Link};
-use crate::check::model::states::{Mode, Reach};
+use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 use crate::check::state::residual;
@@ -64,7 +64,7 @@ impl<'d, 'a> Pins<'d, 'a> {
     ///
     /// # Errors
     /// When the system's mass matrix is singular, or for a claim that does not fit the notes.
-    pub fn of(checker: &'d Checker<'a>, introduced: &Introduced, failing: bool) -> Result<Self> {
+    pub fn of(checker: &'d Checker<'a>, introduced: &DefinedSymbol, failing: bool) -> Result<Self> {
         let symbol = introduced.symbol;
         let (uses, _) = checker.uses(introduced)?;
         let assumed = |hypotheses: &[Hypothesis]| {
@@ -85,7 +85,7 @@ impl<'d, 'a> Pins<'d, 'a> {
                 on_shell: None,
                 topic: &id,
                 span: Span::default(),
-                reach: Reach::Declared,
+                spread: Spread::Declared,
                 local: &local,
             };
             let mut fails = None;

@@ -19,7 +19,7 @@ use crate::check::kinds::shape::{Shape, Target};
 use crate::check::kinds::{conserved, exactly_when, function_shape, limit};
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::order;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -31,11 +31,11 @@ pub(crate) fn check(checker: &Checker<'_>, at: usize, sentence: &Sentence) -> Re
     let place = match found.as_slice() {
         [only] => *only,
         [] => {
-            let message = "this sentence does not stand in the notes";
+            let message = "the notes do not contain this sentence";
             return Err(Error::at(&checker.claims.source, sentence.quote.span, message).help("quote it word for word"));
         }
         _ => {
-            let message = format!("this stands {} times in the notes", found.len());
+            let message = format!("the notes contain this {} times", found.len());
             return Err(Error::at(&checker.claims.source, sentence.quote.span, message).help("quote more of it"));
         }
     };
@@ -50,7 +50,7 @@ pub(crate) fn check(checker: &Checker<'_>, at: usize, sentence: &Sentence) -> Re
         on_shell,
         topic: &name,
         span: place,
-        reach: Reach::Declared,
+        spread: Spread::Declared,
         local: &local,
     };
     let (finding, reading) = test(checker, sentence, &context)?;
@@ -109,9 +109,9 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
         Test::Quoted => {
             let formulas = quoted(sentence);
             if formulas.is_empty() {
-                let message = "this quotes no formula, and nothing says what it claims";
+                let message = "the quote contains no formula, and the sentence has no \"claim\"";
                 return Err(Error::at(&checker.claims.source, sentence.quote.span, message)
-                    .help("say it with \"claim\", or quote the formula between its dollar signs"));
+                    .help("add \"claim\", or quote the formula with its dollar signs"));
             }
             let latex = Spanned::new(formulas, sentence.quote.span);
             let statements = checker.statements(&latex)?;
@@ -130,13 +130,17 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
             let finding = match found.verdict {
                 Verdict::Refuted => Finding {
                     verdict: Verdict::Verified,
-                    message: "a counterexample is given".into(),
+                    code: Code::NotAlways,
+                    message: "the claim does not always hold: there is a counterexample".into(),
                     not_certified_because: Some("a counterexample in numbers".into()),
                     ..found
                 },
-                verdict if verdict.passes() => {
-                    Finding { verdict: Verdict::Refuted, message: "it holds at every state".into(), ..found }
-                }
+                verdict if verdict.passes() => Finding {
+                    verdict: Verdict::Refuted,
+                    code: Code::HoldsAlways,
+                    message: "the claim holds at every sampled state".into(),
+                    ..found
+                },
                 _ => found,
             };
             Ok((finding, format!("not always: {}", reading.join("; "))))
@@ -174,10 +178,10 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
                     let message = match found {
                         Some(_) => format!("({}) does not contain {words}{others}", number.value),
                         None => {
-                            format!("({}) is not in these notes, and so does not contain {words}{others}", number.value)
+                            format!("the notes have no ({}), so it does not contain {words}{others}", number.value)
                         }
                     };
-                    context.finding(Code::SidesDiffer, Verdict::Refuted, message)
+                    context.finding(Code::WrongReference, Verdict::Refuted, message)
                 }
             };
             Ok((finding, format!("({}) contains {words}", number.value)))
@@ -199,7 +203,7 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
                 findings.push(function_shape::check(&function, variable, &shape, context));
             }
             let finding = merged(findings)
-                .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "nothing is said"));
+                .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "the sentence claims nothing"));
             Ok((finding, format!("{} of {words}", property_words(property))))
         }
         Test::Solutions { count, of, unknown } => {
@@ -254,12 +258,12 @@ fn claim(
     context: &Context<'_>,
 ) -> Result<Finding> {
     if let Some(message) = checker.lacks_a_relation(&sentence.claim, statements.iter()) {
-        return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
+        return Ok(context.finding(Code::ClaimDoesNotFit, Verdict::Unreadable, message));
     }
     if sentence.claim.units_off.is_none()
         && let Some(message) = statements.iter().find_map(|statement| checker.claimed_conflict(statement))
     {
-        return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
+        return Ok(context.finding(Code::UnitMismatch, Verdict::Unreadable, message));
     }
     let members: Vec<&Expr> = statements.iter().flat_map(|statement| &statement.members).collect();
     if let Some(finding) = context.unclear(&members) {
@@ -290,7 +294,8 @@ fn claim(
             findings.push(conserved::conserved(last, context)?);
         }
     }
-    Ok(merged(findings).unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "nothing is claimed")))
+    Ok(merged(findings)
+        .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "the sentence claims nothing")))
 }
 
 /// A function given by the number of an equation (its last member) or by LaTeX.
@@ -335,8 +340,12 @@ fn property_words(property: &Property) -> String {
 fn shapes(checker: &Checker<'_>, sentence: &Sentence, property: &Property) -> Result<Vec<(SymbolId, Shape)>> {
     let along = || {
         sentence.against.as_ref().map(|name| checker.symbol(name)).unwrap_or_else(|| {
-            Err(Error::at(&checker.claims.source, sentence.quote.span, "along which variable?")
-                .help("name it with \"against\""))
+            Err(Error::at(
+                &checker.claims.source,
+                sentence.quote.span,
+                "the variable that the function runs along is not named",
+            )
+            .help("name the variable with \"against\""))
         })
     };
     Ok(match property {
@@ -363,7 +372,7 @@ fn shapes(checker: &Checker<'_>, sentence: &Sentence, property: &Property) -> Re
                     return Err(Error::at(
                         &checker.claims.source,
                         at.span,
-                        "limits at infinity are not supported here yet",
+                        "limits at infinity are not supported here",
                     ));
                 };
                 let target = match value.value.replace(' ', "").as_str() {

@@ -2,7 +2,7 @@
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, text};
-use crate::latex::Introduced;
+use crate::latex::DefinedSymbol;
 use crate::notes::claims::Claim;
 use crate::{Error, Result};
 
@@ -30,13 +30,16 @@ impl Use {
 
 impl Checker<'_> {
     /// The verdict on a statement that introduces a symbol.
-    pub(crate) fn definition(&self, introduced: &Introduced, context: &Context<'_>) -> Result<Finding> {
+    pub(crate) fn definition(&self, introduced: &DefinedSymbol, context: &Context<'_>) -> Result<Finding> {
         let symbol = introduced.symbol;
         let (uses, restated) = self.uses(introduced)?;
         if uses.is_empty() && !restated.is_empty() {
             let name = text::plain(&self.model.name(symbol));
-            let message = format!("introduces {name}, and {} says the same in other words", restated.join(", "));
-            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+            let message = format!(
+                "defines {name}, but {} only repeats the definition, so it was not tested",
+                restated.join(", ")
+            );
+            return Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message));
         }
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
@@ -47,7 +50,7 @@ impl Checker<'_> {
     /// Says of a name that a statement introduces, and of which nothing is known but that it is constant, what that leaves open.
     pub(crate) fn only_constant(
         &self,
-        introduced: &[&Introduced],
+        introduced: &[&DefinedSymbol],
         statement: &Statement,
         found: &mut Finding,
     ) -> Result<()> {
@@ -62,13 +65,13 @@ impl Checker<'_> {
         if self.uses(first)?.0.iter().all(is_own) && self.uses_by_law(first)?.is_empty() {
             let name = text::plain(&self.model.name(first.symbol));
             found.message =
-                format!("{}; nothing else checks {name}: a factor in it would not be noticed", found.message);
+                format!("{}; no other equation tests {name}, so a wrong factor in it would pass", found.message);
         }
         Ok(())
     }
 
     /// What holds only because a law does that stands on a defined name: it would notice another definition.
-    fn uses_by_law(&self, introduced: &Introduced) -> Result<Vec<Use>> {
+    fn uses_by_law(&self, introduced: &DefinedSymbol) -> Result<Vec<Use>> {
         let model = self.model;
         let depends = |expr: &Expr| model.depends_on(expr, &[introduced.symbol]);
         let is_of_it = |c: &Hypothesis| depends(&c.lhs) || depends(&c.rhs);
@@ -97,7 +100,7 @@ impl Checker<'_> {
 
     /// The equations and sentences that use a defined name; and those that only say the definition in other words, which
     /// hold whatever the definition says.
-    pub(crate) fn uses(&self, introduced: &Introduced) -> Result<(Vec<Use>, Vec<String>)> {
+    pub(crate) fn uses(&self, introduced: &DefinedSymbol) -> Result<(Vec<Use>, Vec<String>)> {
         let symbol = introduced.symbol;
         let depends = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
         let (mut uses, mut restated, mut constant) = (Vec::new(), Vec::new(), Vec::new());
@@ -142,7 +145,7 @@ impl Checker<'_> {
                 let Ok(statement) = statement else { continue };
                 for k in 0..statement.relations.len() {
                     let defines =
-                        |i: &Introduced| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
+                        |i: &DefinedSymbol| i.statement == place && (i.member == k + 1 || k == 0 && i.member == 0);
                     if !reading.introduced.iter().any(defines) {
                         add(format!("({})", shown(&self.notes.equations[at])), (statement, k), claim)?;
                     }

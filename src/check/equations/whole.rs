@@ -5,14 +5,14 @@ use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::identity;
 use crate::check::kinds::{conserved, generates, solves};
 use crate::check::model::claim::Hypothesis;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Part;
 use crate::code::Code;
 use crate::formula::tree::Sign;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
-use crate::latex::{Introduced, Reading};
+use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::{Claim, Conserved, Holds, Solved, Spanned};
 use crate::{Error, Result};
 
@@ -40,19 +40,19 @@ impl Checker<'_> {
             on_shell,
             topic: &topic,
             span,
-            reach: Reach::Declared,
+            spread: Spread::Declared,
             local,
         };
         if let Some(solves) = &claim.solves {
             let address = match &solves.of {
                 Solved::Equation(address) => Spanned::new(address.text.clone(), address.span),
                 Solved::EquationsOfMotion(span) => {
-                    let message = "solutions of the equations of motion are not supported yet";
+                    let message = "solutions of the equations of motion are not supported";
                     return Err(Error::at(&self.claims.source, *span, message));
                 }
             };
             let [unknown] = solves.unknowns.as_slice() else {
-                return Err(Error::at(&self.claims.source, address.span, "one unknown at a time is supported"));
+                return Err(Error::at(&self.claims.source, address.span, "only one unknown is supported"));
             };
             let target = self.target(&address)?;
             let symbol = self.symbol(unknown)?;
@@ -78,7 +78,10 @@ impl Checker<'_> {
             };
             let link = self.link(&other, Relation::Equal, &printed)?;
             let finding = match self.only_repeats(&link, &reading.introduced) {
-                true => context.finding(Code::NotDecided, Verdict::Undecided, "what it also equals only restates it"),
+                true => {
+                    let message = "\"also equals\" only repeats the definition, so nothing is checked";
+                    context.finding(Code::Circular, Verdict::Undecided, message)
+                }
                 false => identity::check(&link, &context)?,
             };
             let reading =
@@ -99,7 +102,7 @@ impl Checker<'_> {
             for (what, at) in all {
                 let mut finding = conserved::conserved(&what, &context)?;
                 if let Some(at) = at {
-                    let introduced: Vec<&Introduced> =
+                    let introduced: Vec<&DefinedSymbol> =
                         reading.introduced.iter().filter(|i| i.statement == at).collect();
                     self.only_constant(&introduced, statements[at], &mut finding)?;
                 }

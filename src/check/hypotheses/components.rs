@@ -32,8 +32,8 @@ pub(crate) fn vectors(model: &Model, hypotheses: Vec<Hypothesis>) -> Vec<Hypothe
         if !all {
             whole.push(hypothesis.clone());
         } else if siblings.first().is_some_and(|(first, ..)| *first == at) {
-            let nothing = Expr::integer(0, Span::default());
-            whole.push(Hypothesis { lhs: part.vector.clone(), rhs: nothing, free: Vec::new(), ..hypothesis.clone() });
+            let zero = Expr::integer(0, Span::default());
+            whole.push(Hypothesis { lhs: part.vector.clone(), rhs: zero, free: Vec::new(), ..hypothesis.clone() });
         }
     }
     whole

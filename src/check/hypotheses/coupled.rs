@@ -1,4 +1,4 @@
-//! Laws that give the highest derivatives of several symbols together, as those of coupled bodies do.
+//! CoupledLaws that give the highest derivatives of several things together, as those of coupled bodies do.
 //!
 //! `(M + m)\ddot x + m l\ddot\theta\cos\theta = …` and `\ddot x\cos\theta + l\ddot\theta = …` are linear in both
 //! accelerations, and neither gives one of them alone.
@@ -13,7 +13,7 @@ use std::sync::Arc;
 use crate::formula::shape::{Shape, bind};
 use crate::formula::{Expr, Kind, Node, Relation, SymbolId};
 
-use crate::check::hypotheses::rule::{Action, Laws, Rule};
+use crate::check::hypotheses::rule::{Action, CoupledLaws, Rule};
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::meaning::Meaning;
 use crate::check::model::order::order;
@@ -29,7 +29,7 @@ struct Law {
 }
 
 /// Whether a hypothesis says how several numbers move.
-pub(crate) fn joins(model: &Model, hypothesis: &Hypothesis) -> bool {
+pub(crate) fn is_coupled(model: &Model, hypothesis: &Hypothesis) -> bool {
     let sides = [&hypothesis.lhs, &hypothesis.rhs];
     let moves = |symbol: &SymbolId| sides.iter().any(|side| order(model, side, *symbol).is_some_and(|order| order > 0));
     free_symbols::drawn(&sides, model).iter().filter(|symbol| is_number(model, **symbol)).filter(|s| moves(s)).count()
@@ -89,9 +89,9 @@ pub(crate) fn couple(
         let mut keep = kept.drain(..);
         owners.retain(|_| keep.next().unwrap_or(true));
         group.iter().for_each(|law| explicit[law.at] = true);
-        let together = Arc::new(Laws { unknowns, sides });
+        let together = Arc::new(CoupledLaws { unknowns, sides });
         for (symbol, _) in &together.unknowns {
-            let action = Action::Together(together.clone());
+            let action = Action::Coupled(together.clone());
             rules.push(Rule { symbol: *symbol, letters: Vec::new(), action, throughout: true });
             owners.push(group[0].at);
         }
@@ -108,7 +108,7 @@ fn laws(model: &Model, hypotheses: &[Hypothesis], rules: &[Rule], owners: &[usiz
         let hypothesis = &hypotheses[*at];
         let is_equality = matches!(hypothesis.relation, Relation::Equal | Relation::Identical);
         let moves = rules.iter().zip(owners).any(|(rule, owner)| {
-            owner == at && rule.letters.is_empty() && matches!(rule.action, Action::Follows { .. })
+            owner == at && rule.letters.is_empty() && matches!(rule.action, Action::EquationOfMotion { .. })
         });
         hypothesis.throughout
             && is_equality
@@ -153,7 +153,7 @@ fn group<'l>(laws: &'l [Law], first: &'l Law) -> Vec<&'l Law> {
 fn in_a_circle(model: &Model, rules: &[Rule], unknowns: &[(SymbolId, u8)]) -> bool {
     let formula = |symbol: SymbolId| {
         rules.iter().find_map(|rule| match &rule.action {
-            Action::Follows { formula, .. } if rule.symbol == symbol => Some(formula),
+            Action::EquationOfMotion { formula, .. } if rule.symbol == symbol => Some(formula),
             _ => None,
         })
     };

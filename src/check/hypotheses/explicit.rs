@@ -19,7 +19,7 @@ use crate::source::Span;
 
 use crate::check::hypotheses::coupled;
 use crate::check::hypotheses::motion::motion;
-use crate::check::hypotheses::rule::{Action, Rule, letters, reaches};
+use crate::check::hypotheses::rule::{Action, Rule, depends_through_rules, letters};
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::meaning::Meaning;
@@ -34,7 +34,7 @@ pub fn rules(model: &Model, local: &[Rule], hypotheses: &[Hypothesis]) -> (Vec<R
         let found = symmetry(model, hypothesis).or_else(|| parallel(model, hypothesis, &rules));
         let is_new = |rule: &Rule| !rules.iter().any(|known| known.symbol == rule.symbol);
         let moves = |hypothesis: &Hypothesis| motion(model, hypothesis).filter(is_new);
-        let outright = || Some(at).filter(|_| hypothesis.throughout && coupled::joins(model, hypothesis));
+        let outright = || Some(at).filter(|_| hypothesis.throughout && coupled::is_coupled(model, hypothesis));
         let found = found.or_else(|| value(model, hypothesis, &rules, number_of(model, hypotheses, outright()?)));
         let found = found.or_else(|| moves(hypothesis).filter(|_| hypothesis.throughout && is_equality(hypothesis)));
         let found = found.or_else(|| value(model, hypothesis, &rules, |term| free_symbol(model, term)));
@@ -102,7 +102,7 @@ fn parallel(model: &Model, hypothesis: &Hypothesis, before: &[Rule]) -> Option<R
     }
     [(&hypothesis.lhs, &hypothesis.rhs), (&hypothesis.rhs, &hypothesis.lhs)].into_iter().find_map(|(a, b)| {
         let (symbol, letters) = free_symbol(model, a)?;
-        (!reaches(model, before, b, symbol)).then(|| Rule {
+        (!depends_through_rules(model, before, b, symbol)).then(|| Rule {
             symbol,
             letters,
             action: Action::Parallel(b.clone()),
@@ -149,7 +149,7 @@ fn value(
         let Some((symbol, letters)) = free(term) else { continue };
         let others: Vec<&(Sign, Expr)> =
             terms.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, term)| term).collect();
-        if others.iter().any(|(_, other)| reaches(model, before, other, symbol)) {
+        if others.iter().any(|(_, other)| depends_through_rules(model, before, other, symbol)) {
             continue;
         }
         if before.iter().any(|rule| rule.symbol == symbol) || !same_letters(model, &letters, &others) {

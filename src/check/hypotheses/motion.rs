@@ -47,7 +47,7 @@ pub(crate) fn motion(model: &Model, hypothesis: &Hypothesis) -> Option<Rule> {
             continue;
         }
         let formula = solved(term, &rest);
-        return Some(Rule { symbol, letters, action: Action::Follows { order, formula }, throughout: true });
+        return Some(Rule { symbol, letters, action: Action::EquationOfMotion { order, formula }, throughout: true });
     }
     None
 }

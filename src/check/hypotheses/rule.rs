@@ -8,7 +8,7 @@ use crate::check::model::Model;
 
 /// As many laws as unknowns.
 #[derive(Debug)]
-pub struct Laws {
+pub struct CoupledLaws {
     /// What they are solved for: a number that varies, and which of its derivatives.
     pub unknowns: Vec<(SymbolId, u8)>,
     /// The sides of each.
@@ -43,14 +43,14 @@ pub enum Action {
     /// The part of what it was before that is parallel to a vector.
     Parallel(Expr),
     /// What follows from its derivatives below this order, all members at once: that derivative is the formula's value.
-    Follows {
+    EquationOfMotion {
         /// Which derivative.
         order: u8,
         /// Its value.
         formula: Expr,
     },
     /// What laws give it together with other symbols.
-    Together(Arc<Laws>),
+    Coupled(Arc<CoupledLaws>),
     /// The members of several families, one after the other.
     Union(Vec<Expr>),
 }
@@ -59,8 +59,10 @@ impl Action {
     /// The formulas that a symbol's value depends on by it.
     pub fn formulas(&self) -> Vec<&Expr> {
         match self {
-            Action::Equals(formula) | Action::Parallel(formula) | Action::Follows { formula, .. } => vec![formula],
-            Action::Together(laws) => laws.sides.iter().flatten().collect(),
+            Action::Equals(formula) | Action::Parallel(formula) | Action::EquationOfMotion { formula, .. } => {
+                vec![formula]
+            }
+            Action::Coupled(laws) => laws.sides.iter().flatten().collect(),
             Action::Symmetric { .. } | Action::Union(_) => Vec::new(),
         }
     }
@@ -79,17 +81,17 @@ pub(crate) fn letters(indices: &[Index]) -> Option<Vec<IndexId>> {
 }
 
 /// Whether the value of a formula depends on a symbol, through definitions and earlier rules.
-pub(crate) fn reaches(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> bool {
-    let mut reached = vec![symbol];
+pub(crate) fn depends_through_rules(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> bool {
+    let mut dependent = vec![symbol];
     // Whatever a rule builds on the symbol depends on it as well.
     loop {
         let more = rules.iter().find(|rule| {
-            !reached.contains(&rule.symbol)
-                && rule.action.formulas().into_iter().any(|formula| model.depends_on(formula, &reached))
+            !dependent.contains(&rule.symbol)
+                && rule.action.formulas().into_iter().any(|formula| model.depends_on(formula, &dependent))
         });
         match more {
-            Some(rule) => reached.push(rule.symbol),
-            None => return model.depends_on(expr, &reached),
+            Some(rule) => dependent.push(rule.symbol),
+            None => return model.depends_on(expr, &dependent),
         }
     }
 }

@@ -3,12 +3,13 @@
 use std::cell::OnceCell;
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::{Mutant, mutants_of};
 use crate::check::model::claim::Link;
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::{Outcome, gathered};
 use crate::check::state::residual;
@@ -17,7 +18,7 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// A link at states, with the values of its sides where they were needed: mutants_of share one of the two.
+/// A link at states, with the values of its sides where they were needed: mutants share one of the two.
 pub(crate) struct AtStates<'a, 'm> {
     pub(crate) link: &'a Link,
     pub(crate) states: &'a [SampledState<'m, RunningError>],
@@ -53,7 +54,7 @@ impl<'a, 'm> AtStates<'a, 'm> {
 }
 
 /// A pass stands only if the states refute every mutant that is not as true as the claim itself.
-pub(crate) fn held_against_mutants(
+pub(crate) fn tested_against_mutants(
     states: &AtStates<'_, '_>,
     context: &Context<'_>,
     mode: Mode,
@@ -80,8 +81,12 @@ pub(crate) fn held_against_mutants(
             _ => false,
         };
         if itself.iter().enumerate().any(told_apart) {
-            let message = format!("these states cannot tell it from the same claim with {}", mutant.change);
-            return Ok(Finding { message, verdict: Verdict::Undecided, ..finding });
+            let message = format!(
+                "the sampled states do not distinguish this from the same claim with {}; widen the ranges, or remove a \
+                 hypothesis",
+                mutant.change
+            );
+            return Ok(finding.replaced(Code::MutantPasses, Verdict::Undecided, message));
         }
     }
     Ok(finding)

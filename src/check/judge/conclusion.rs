@@ -16,6 +16,7 @@ use crate::check::state::residual::Point;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
+/// The finding on a claim: a failure first, then sides that are not both defined, then too little evidence.
 pub(crate) fn conclude(
     states: &AtStates<'_, '_>,
     context: &Context<'_>,
@@ -29,57 +30,81 @@ pub(crate) fn conclude(
         max_residual: (outcome.points > 0).then_some(outcome.residual),
         ..context.finding(code, verdict, message)
     };
-    let free = context.hypotheses.is_empty() && context.local.is_empty();
-    let whence = match (ensemble.mode.on_shell, free) {
-        (false, true) => "always",
-        (false, false) => "under its hypotheses",
-        (true, true) => "on shell",
-        (true, false) => "on shell, under its hypotheses",
-    };
-    let whence = &match (ensemble.mode.on_shell, context.model.laws.as_slice()) {
-        (false, _) | (_, []) => whence.to_owned(),
-        (true, laws) => {
-            let names: Vec<String> = laws.iter().map(Law::title).collect();
-            format!("{}, given {}", whence.replace("on shell", "by law"), names.join(", "))
-        }
-    };
     if let Some((failure, at)) = &outcome.failure {
-        let message = match (&failure.entry, link.relation) {
-            (Some(entry), _) => format!("fails {whence}, at {entry}"),
-            (None, Relation::Equal | Relation::Identical) => format!("the two sides differ, {whence}"),
-            (None, relation) => format!("“{}” fails, {whence}", relation.glyph()),
-        };
-        let mut finding = evidence(Code::SidesDiffer, Verdict::Refuted, message);
+        let (code, message) = refutation(link.relation, failure.entry.as_deref(), context, ensemble.mode.on_shell);
+        let mut finding = evidence(code, Verdict::Refuted, message);
         finding.max_residual = Some(failure.residual);
         finding.counterexample = Some(counterexample(link, &ensemble.states[*at], failure));
-        if let Some(mutant) = context.options.explain.then(|| meant(states, context.model)).flatten() {
+        if let Some(mutant) = context.options.explain.then(|| surviving_mutant(states, context.model)).flatten() {
             finding.message.push_str(&format!("; it would hold with {}", mutant.change));
         }
         return finding;
     }
     if let (Some((failure, at)), true) = (&outcome.one_sided, outcome.points > 0) {
-        let which = if failure.lhs.is_finite() { "right" } else { "left" };
-        let message = format!("agrees wherever both sides are defined, but the {which} side is not defined everywhere");
-        let mut finding = evidence(Code::DomainDiffers, Verdict::Domain, message);
+        let mut finding = evidence(Code::DomainDiffers, Verdict::Domain, failure.domain_message());
         finding.counterexample = Some(counterexample(link, &ensemble.states[*at], failure));
         return finding;
     }
     if outcome.doubtful > 0 {
         let message = format!(
-            "at {} of {} states the sides differ by more than rounding, and too little to call it a difference",
+            "at {} of {} sampled states the two sides differ by more than rounding error, but too little to call it a \
+             difference; choose ranges in which the terms are of similar size",
             outcome.doubtful, ensemble.tried
         );
-        return evidence(Code::NotDecided, Verdict::Undecided, message);
+        return evidence(Code::WithinRounding, Verdict::Undecided, message);
     }
     if outcome.points < FEWEST.min(context.options.points) {
-        let message = format!("only {} of {} states can tell: too few", outcome.points, ensemble.tried);
-        return evidence(Code::NotDecided, Verdict::Undecided, message);
+        let message = format!(
+            "only {} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
+            outcome.points, ensemble.tried
+        );
+        return evidence(Code::TooFewStates, Verdict::Undecided, message);
     }
-    evidence(Code::Holds, Verdict::Verified, format!("holds {whence}"))
+    evidence(Code::Holds, Verdict::Verified, confirmation(context, ensemble.mode.on_shell))
+}
+
+/// What is said of a claim that fails, with the entry at which it fails, if it has several.
+fn refutation(relation: Relation, entry: Option<&str>, context: &Context<'_>, on_shell: bool) -> (Code, String) {
+    let laws = Law::phrases(&context.model.laws);
+    let circumstances = match (on_shell, laws.is_empty(), context.has_hypotheses()) {
+        (false, _, false) => String::new(),
+        (false, _, true) => " under its hypotheses".to_owned(),
+        (true, true, false) => " on shell".to_owned(),
+        (true, true, true) => " on shell, under its hypotheses".to_owned(),
+        (true, false, false) => format!(" at a state that obeys {laws}"),
+        (true, false, true) => format!(" at a state that obeys {laws} and its hypotheses"),
+    };
+    if !matches!(relation, Relation::Equal | Relation::Identical) {
+        let at = entry.map_or_else(String::new, |entry| format!(", at {entry}"));
+        return (Code::InequalityFails, format!("“{}” fails{circumstances}{at}", relation.glyph()));
+    }
+    let message = match (on_shell && !laws.is_empty(), entry) {
+        (true, entry) => {
+            let hypotheses = if context.has_hypotheses() { " under its hypotheses" } else { "" };
+            let at = entry.map_or_else(String::new, |entry| format!(": the two sides differ at {entry}"));
+            format!("this does not follow from {laws}{hypotheses}{at}")
+        }
+        (false, Some(entry)) if circumstances.is_empty() => format!("the two sides differ at {entry}"),
+        (false, Some(entry)) => format!("the two sides differ{circumstances}, at {entry}"),
+        (false, None) => format!("the two sides differ{circumstances}"),
+    };
+    (Code::SidesDiffer, message)
+}
+
+/// What is said of a claim that holds.
+fn confirmation(context: &Context<'_>, on_shell: bool) -> String {
+    let place = match (on_shell, context.model.laws.as_slice()) {
+        (false, _) if context.has_hypotheses() => return "holds under its hypotheses".to_owned(),
+        (false, _) => return "holds always".to_owned(),
+        (true, []) => "on shell".to_owned(),
+        (true, laws) => format!("by {}", Law::phrases(laws)),
+    };
+    let hypotheses = if context.has_hypotheses() { ", under its hypotheses" } else { "" };
+    format!("holds {place}{hypotheses}")
 }
 
 /// The first mutant that holds at all states: what may have been meant.
-fn meant(states: &AtStates<'_, '_>, model: &Model) -> Option<Mutant> {
+fn surviving_mutant(states: &AtStates<'_, '_>, model: &Model) -> Option<Mutant> {
     let count = states.states.len();
     mutants_of(states.link, model).into_iter().find(|mutant| {
         let mut points = 0;

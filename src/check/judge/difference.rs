@@ -1,46 +1,44 @@
-//! The difference of the two sides of a refuted claim as a formula, beside the derived equation.
+//! The difference of the two sides of a refuted claim, as a formula, with the derived equation of motion.
 //!
-//! Both sides are evaluated over symbols at a state whose numbers are the symbols themselves, q, q̇ and the
-//! constants. [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are the
-//! derived ones. If the claim prints momenta and not velocities, the difference is written in momenta. Nothing is
-//! shown if hypotheses would have to be solved.
+//! Both sides are evaluated over [`Symbol`]s in a [`SampledState`] whose base numbers are symbols: q, q̇ and the
+//! constants. [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are the derived
+//! ones. If the claim prints momenta and not the velocities, the difference is written in these momenta.
 //!
-//! The difference is shown only if its value is that of left side minus right side at the counterexample and at all
-//! other states. So a mistake in the normal form leaves the author without a hint, and never with a wrong one.
-
-use nalgebra::DMatrix;
+//! The formula explains and decides nothing: the verdict rests on numbers. It is shown only if it is short, and if it has
+//! the value of the difference at the counterexample and at all other states. It is not shown where hypotheses would have
+//! to be solved.
 
 use crate::derive;
 use crate::derive::{Class, Letter};
 use crate::formula::evaluate::Unavailable;
-use crate::formula::{Expr, Index, IndexId, Kind, Node, SymbolId, Value, text};
+use crate::formula::{Expr, IndexId, Node, SymbolId, Value, text};
 use crate::latex::typeset;
-use crate::mechanics::{LinearSolver, solve_with};
-use crate::notes::claims::Range;
+use crate::mechanics::LinearSolver;
 use crate::scalar::{Graph, Number, RunningError, Symbol};
 
 use crate::check::certificate::decide;
+use crate::check::judge::symbolic_base::{SymbolicBase, symbol, velocities_from_momenta};
 use crate::check::model::Model;
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::meaning::{Meaning, Quantity};
 use crate::check::model::order::derivatives;
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::state::generic_body::Generality;
-use crate::check::state::numbers::{Base, Layout, Slot, slots};
+use crate::check::state::numbers::Layout;
 use crate::check::state::residual;
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::{Counterexample, Finding, Formula};
 
-/// Nobody reads a formula of more letters.
+/// The largest number of characters in a formula that is shown.
 const LONGEST: usize = 200;
 
-/// Nobody wrote a number of more digits.
+/// The largest number of digits of a number in a formula that is shown.
 const MOST_DIGITS: usize = 4;
 
-/// How near a shown formula comes to the numbers that it stands for.
+/// The largest relative error of a shown formula at a sampled state.
 const NEAR: f64 = 1e-9;
 
 /// A finding, with what is left of one side without the other if the claim is refuted.
@@ -155,21 +153,21 @@ impl<'a> Failed<'a> {
         let coordinate = acceleration(link, model).filter(|_| ensemble.mode.on_shell)?;
         let mode = Mode { on_shell: false, order: 2 };
         let fixed = &ensemble.bases[*at];
-        let alphabet = Alphabet::new(model, mode, fixed);
+        let inputs = SymbolicBase::new(model, mode, fixed);
         let record = || {
             let state = SampledState::by(
                 LinearSolver::CramersRule,
                 3,
                 model,
                 mode,
-                (&Layout::of(model, mode), &alphabet.base()),
+                (&Layout::of(model, mode), &inputs.base()),
                 &ensemble.rules,
             )
             .ok()?;
             state.euler_lagrange()?.get(coordinate).copied()
         };
         let (graph, residual) = Graph::record(record).ok()?;
-        let (left, right) = derive::equation_of_motion(&graph, residual?, &alphabet.letters).ok()?;
+        let (left, right) = derive::equation_of_motion(&graph, residual?, &inputs.letters).ok()?;
         let holds = |state: &SampledState<'_, RunningError>| match (value(&left, state), value(&right, state)) {
             (Some(a), Some(b)) => (a.value - b.value).abs() <= NEAR * (a.magnitude + b.magnitude),
             _ => false,
@@ -202,8 +200,8 @@ pub(crate) fn normal(model: &Model, ensemble: &Ensemble<'_>, link: &Link, number
 /// Whether states are made of numbers that have names, and not moved onto hypotheses.
 fn is_nameable(sides: &[&Expr], model: &Model, ensemble: &Ensemble<'_>) -> bool {
     ensemble.projection.equalities().next().is_none()
-        && decide::reached(sides, &ensemble.projection).is_ok()
-        && Generality::of(sides, model, &ensemble.rules) == Some(Generality::Themselves)
+        && decide::all_symbols(sides, &ensemble.projection).is_ok()
+        && Generality::of(sides, model, &ensemble.rules) == Some(Generality::GivenParticles)
 }
 
 /// The difference of two numbers of a state that is made of symbols, with momenta in place of their velocities: of each the
@@ -215,22 +213,22 @@ fn recorded(
     (momenta, needed): (&[(usize, SymbolId)], usize),
     numbers: &Numbers<'_>,
 ) -> Option<Expr> {
-    let mut alphabet = Alphabet::new(model, ensemble.mode, ensemble.bases.get(at)?);
-    let first = alphabet.letters.len();
+    let mut inputs = SymbolicBase::new(model, ensemble.mode, ensemble.bases.get(at)?);
+    let first = inputs.letters.len();
     let momentum = |(_, id): &(usize, SymbolId)| Letter { expr: symbol(*id, Vec::new(), 0), class: Class::Momentum };
-    alphabet.letters.extend(momenta.iter().map(momentum));
+    inputs.letters.extend(momenta.iter().map(momentum));
     let terms = if ensemble.rules.is_empty() { needed } else { ensemble.mode.order + 1 };
     let record = || {
-        let mut base = alphabet.base();
+        let mut base = inputs.base();
         let coordinates: Vec<usize> = momenta.iter().map(|(coordinate, _)| *coordinate).collect();
         let values: Vec<Symbol> = (0..momenta.len()).map(|n| Symbol::input(first + n)).collect();
-        exchange(model, ensemble.mode, &mut base, &coordinates, &values)?;
+        velocities_from_momenta(model, ensemble.mode, &mut base, &coordinates, &values)?;
         let state = ensemble.projection.state_by(LinearSolver::CramersRule, &base, terms).ok()?;
         numbers(&state)
     };
     let (graph, found) = Graph::record(record).ok()?;
     let (left, right) = found?;
-    derive::difference(&graph, left, right, &alphabet.letters).ok()
+    derive::difference(&graph, left, right, &inputs.letters).ok()
 }
 
 /// Both sides, for all values of the free indices and entry by entry.
@@ -270,110 +268,6 @@ fn is_short(formula: &Expr, model: &Model) -> bool {
         }
     });
     simple && text::formula(formula, &model.symbols).chars().count() <= LONGEST
-}
-
-fn symbol(id: SymbolId, indices: Vec<Index>, dots: u8) -> Expr {
-    Expr::new(Node::Symbol { id, indices, dots }, crate::source::Span::default())
-}
-
-/// The numbers of a base as symbols, with their names.
-struct Alphabet {
-    letters: Vec<Letter>,
-    /// What stands at each place of the base.
-    places: Vec<Place>,
-}
-
-/// What stands at a place of a base.
-enum Place {
-    /// An input. Those without a name come after all that have one, and what depends on them is not shown.
-    Input(usize),
-    /// A number of its own: how many particles there are.
-    Fixed(f64),
-}
-
-/// Inputs without a name have numbers from here on.
-const NAMELESS: usize = 1 << 20;
-
-impl Alphabet {
-    /// The names of a base of this mode; whole numbers are those of `base`.
-    fn new(model: &Model, mode: Mode, base: &[f64]) -> Self {
-        let (mut letters, mut places) = (Vec::new(), Vec::new());
-        let (mut last, mut number) = (None, 0);
-        for (at, slot) in slots(model, mode).iter().enumerate() {
-            // the numbers of one symbol follow one another, each with its derivatives
-            number = if slot.symbol == last { number + usize::from(slot.order == 0) } else { 0 };
-            last = slot.symbol;
-            places.push(match (&slot.range, letter(model, at, slot, number)) {
-                (Range::Integer { .. }, _) => Place::Fixed(base.get(at).copied().unwrap_or(f64::NAN)),
-                (_, Some(letter)) => {
-                    letters.push(letter);
-                    Place::Input(letters.len() - 1)
-                }
-                (_, None) => Place::Input(NAMELESS + at),
-            });
-        }
-        Alphabet { letters, places }
-    }
-
-    fn base(&self) -> Vec<Symbol> {
-        let number = |place: &Place| match place {
-            Place::Input(n) => Symbol::input(*n),
-            Place::Fixed(value) => Symbol::from(*value),
-        };
-        self.places.iter().map(number).collect()
-    }
-}
-
-/// The name of a number of a base: the n-th of its symbol.
-fn letter(model: &Model, at: usize, slot: &Slot, n: usize) -> Option<Letter> {
-    let Some(id) = slot.symbol else {
-        let is_time = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Time));
-        let time = model.symbols.iter().map(|(id, _)| id).find(|id| at == 0 && is_time(id))?;
-        return Some(Letter { expr: symbol(time, Vec::new(), 0), class: Class::Time });
-    };
-    let class = match (model.meaning(id)?, slot.order) {
-        (Meaning::Constant(_), _) => Class::Parameter,
-        (Meaning::Coordinate(_) | Meaning::Varying(_), 0) => Class::Coordinate,
-        (Meaning::Coordinate(_) | Meaning::Varying(_), 1) => Class::Velocity,
-        (Meaning::Coordinate(_) | Meaning::Varying(_), _) => Class::Acceleration,
-        _ => return None,
-    };
-    let is_vector = model.symbols.entry(id).kind == Kind::Vector;
-    let (mut member, axis) = if is_vector { (n / 3, n % 3) } else { (n, 0) };
-    let mut indices = Vec::new();
-    for extent in model.symbols.extents(id).iter().rev() {
-        indices.insert(0, Index::Fixed((member % usize::from(*extent)) as u8 + 1));
-        member /= usize::from(*extent);
-    }
-    let mut expr = symbol(id, indices, slot.order as u8);
-    if is_vector {
-        let span = expr.span;
-        expr = Expr::new(Node::Component(Box::new(expr), Index::Fixed(axis as u8 + 1)), span);
-    }
-    Some(Letter { expr, class })
-}
-
-/// Puts the velocities of some coordinates into a base that belong to these momenta: p = M q̇ + b. Where L is not
-/// quadratic in them this is wrong, and what comes of it is not shown.
-fn exchange(model: &Model, mode: Mode, base: &mut [Symbol], coordinates: &[usize], momenta: &[Symbol]) -> Option<()> {
-    let (Some(system), false) = (&model.system, coordinates.is_empty()) else { return Some(()) };
-    let sorted = Base::of(&Layout::of(model, mode), base);
-    let part = |order: usize| sorted.coordinates().map(|jet| jet.get(order).copied()).collect::<Option<Vec<_>>>();
-    let (q, mut v) = (part(0)?, part(1)?);
-    let parameters: Vec<Symbol> = model.parameters.iter().map(|place| sorted.constant(*place)[0]).collect();
-    coordinates.iter().for_each(|i| v[*i] = Symbol::from(0.0));
-    let at_rest = system.quantities(sorted.time, &q, &v, &parameters).momenta;
-    let mass = system.mass_matrix(sorted.time, &q, &v, &parameters);
-    let block = DMatrix::from_fn(coordinates.len(), coordinates.len(), |i, j| mass[(coordinates[i], coordinates[j])]);
-    let right = coordinates.iter().zip(momenta).map(|(i, p)| *p - at_rest[*i]).collect();
-    let velocities = solve_with(LinearSolver::CramersRule, "mass matrix", block, right).ok()?;
-    let slots = slots(model, mode);
-    for (i, velocity) in coordinates.iter().zip(velocities) {
-        let of = Some(model.coordinates[*i].symbol);
-        let place = slots.iter().position(|slot| slot.symbol == of && slot.order == 1)?;
-        base[place] = velocity;
-    }
-    Some(())
 }
 
 /// Every symbol of a claim with its dots, through definitions too.

@@ -5,8 +5,8 @@ use crate::code::Code;
 use crate::formula::Expr;
 use crate::scalar::RunningError;
 
-use crate::check::certificate::unseen;
-use crate::check::judge::at_states::{AtStates, held_against_mutants};
+use crate::check::certificate::negligible_terms;
+use crate::check::judge::at_states::{AtStates, tested_against_mutants};
 use crate::check::judge::conclusion::conclude;
 use crate::check::judge::difference;
 use crate::check::judge::trivial::trivial;
@@ -17,7 +17,7 @@ use crate::check::search::{boundary, branches, double_range, family_sizes, magni
 use crate::check::state::residual;
 use crate::check::state::residual::Point;
 use crate::check::state::sampled_state::SampledState;
-use crate::check::vacuity::premises::Emptiness;
+use crate::check::vacuity::premises::Vacuity;
 use crate::check::vacuity::{forced_value, premises, zero};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -37,9 +37,9 @@ fn judged(link: &Link, context: &Context<'_>) -> Result<Finding> {
     }
     if zero::is_its_rate(link, context)? {
         return Ok(context.finding(
-            Code::NotDecided,
+            Code::SideAlwaysZero,
             Verdict::Undecided,
-            "what is differentiated is always 0, so nothing is checked",
+            "the differentiated quantity is always 0, so nothing is checked; look for a lost symbol or dot",
         ));
     }
     match (context.on_shell, context.model.has_motion()) {
@@ -72,7 +72,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
     let mut ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok((context.no_room(&ensemble), Next::Settled));
+        return Ok((context.no_state(&ensemble), Next::Settled));
     }
     let forced = forced_value::of_claim(link, context, &ensemble);
     if !is_equality(link.relation) {
@@ -106,38 +106,44 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     let next = if open { Next::OnShell } else { Next::Settled };
     if let (Verdict::Verified, Some(symbol)) = (finding.verdict, forced) {
         let message = forced_value::message(symbol, context);
-        return Ok((Finding { verdict: Verdict::Undecided, message, ..finding }, next));
+        return Ok((finding.replaced(Code::ForcedValue, Verdict::Undecided, message), next));
     }
-    // Near misses of an inequality are inequalities too: only an equality is held against its mutants_of.
+    // Near misses of an inequality are inequalities too: only an equality is held against its mutants.
     if finding.verdict != Verdict::Verified {
         return Ok((finding, next));
     }
     if !is_equality(link.relation) {
-        let finding = Finding { not_certified_because: Some("an ordering".to_owned()), ..finding };
-        let finding = family_sizes::looked_at(link, context, mode, finding)?;
-        return Ok((worst_state::looked_at(link, context, &ensemble, finding), next));
+        let finding = Finding {
+            not_certified_because: Some("an inequality, which has no meaning modulo a prime".to_owned()),
+            ..finding
+        };
+        let finding = family_sizes::at_other_sizes(link, context, mode, finding)?;
+        return Ok((worst_state::at_worst_state(link, context, &ensemble, finding), next));
     }
     let withheld =
-        |message: String| Ok((Finding { verdict: Verdict::Undecided, message, ..finding.clone() }, Next::Settled));
-    if let Some(term) = unseen::unseen(link, &ensemble.states) {
-        return withheld(format!("“{term}” is too small beside the other terms to be seen"));
+        |code, message: String| Ok((finding.clone().replaced(code, Verdict::Undecided, message), Next::Settled));
+    if let Some(term) = negligible_terms::of_claim(link, &ensemble.states) {
+        return withheld(Code::TermTooSmall, negligible_terms::message(&term));
     }
     let special = on_shell || !context.hypotheses.is_empty();
     if special && premises::vanishes_throughout(link, &ensemble.states) {
         let place = if on_shell { "on shell" } else { "under its hypotheses" };
-        return withheld(format!("both sides vanish {place}, so nothing tells one factor from another"));
+        let message = format!(
+            "both sides are 0 {place}, so a wrong factor would not be noticed; state that each side is 0 instead"
+        );
+        return withheld(Code::SideAlwaysZero, message);
     }
-    let emptiness = premises::emptiness(link, context, on_shell)?;
-    if let Emptiness::Empty(reason) = emptiness {
-        return withheld(reason.to_owned());
+    let vacuity = premises::vacuity(link, context, on_shell)?;
+    if let Vacuity::Vacuous(code, reason) = vacuity {
+        return withheld(code, reason.to_owned());
     }
-    let mut finding = held_against_mutants(&states, context, ensemble.mode, finding)?;
+    let mut finding = tested_against_mutants(&states, context, ensemble.mode, finding)?;
     if finding.verdict == Verdict::Verified {
         if on_shell && let Some(combination) = premises::combination(link, context)? {
             finding.message.push_str(&format!(": it is {combination}"));
         }
-        if let Emptiness::Follows = emptiness {
-            finding.message.push_str("; it follows from its assumptions alone");
+        if let Vacuity::FollowsFromHypotheses = vacuity {
+            finding.message.push_str("; it follows from its hypotheses alone");
         }
         let unneeded = premises::unneeded(link, context, on_shell)?;
         if !unneeded.is_empty() {
@@ -145,8 +151,8 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         }
         drop(states);
         finding = family_sizes::certified(link, context, &ensemble, finding)?;
-        finding = family_sizes::looked_at(link, context, ensemble.mode, finding)?;
-        finding = magnitudes::looked_at(link, context, ensemble.mode, finding)?;
+        finding = family_sizes::at_other_sizes(link, context, ensemble.mode, finding)?;
+        finding = magnitudes::at_all_magnitudes(link, context, ensemble.mode, finding)?;
     }
     let next = if finding.verdict == Verdict::Refuted { Next::OnShell } else { Next::Settled };
     Ok((finding, next))

@@ -8,5 +8,6 @@ pub(crate) mod conclusion;
 pub(crate) mod difference;
 pub(crate) mod identity;
 pub(crate) mod mutants;
+pub(crate) mod symbolic_base;
 pub(crate) mod term_fit;
 pub(crate) mod trivial;

@@ -58,7 +58,7 @@ pub enum Slip {
     Structure,
 }
 
-/// All mutants_of of a link; those of a literal zero are none.
+/// All mutants of a link; those of a literal zero are none.
 pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
     let mut present: Vec<SymbolId> = Vec::new();
     for side in [&link.lhs, &link.rhs] {
@@ -90,10 +90,10 @@ pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
     left.chain(right).map(|(link, slip, change)| Mutant { link, slip, change }).chain(whole).collect()
 }
 
-/// About as many mutants_of of one claim are tried.
+/// About as many mutants of one claim are tried.
 const MOST: usize = 2_000;
 
-/// All mutants_of of one claim together have about as many nodes at most.
+/// All mutants of one claim together have about as many nodes at most.
 const LARGEST: usize = 1_000_000;
 
 struct Slips<'a> {

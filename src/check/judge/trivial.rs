@@ -16,9 +16,9 @@ use crate::check::verdict::finding::Finding;
 pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     if link.lhs == link.rhs {
         return Some(context.finding(
-            Code::NotDecided,
+            Code::SameFormula,
             Verdict::Undecided,
-            "both sides are one formula, so nothing is checked",
+            "both sides are the same formula, so nothing is checked; print the step that is claimed",
         ));
     }
     let opened = |expr: &Expr| match expr.as_plain_symbol().and_then(|id| context.model.meaning(id)) {
@@ -27,9 +27,9 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     };
     if is_equality(link.relation) && opened(&link.lhs) == opened(&link.rhs) {
         return Some(context.finding(
-            Code::Definition,
+            Code::TrueByDefinition,
             Verdict::Definition,
-            "true by definition: the claims file defines it so",
+            "true by definition: the claims file defines the symbol by this formula",
         ));
     }
     if let Some(finding) = context.unclear(&[&link.lhs, &link.rhs]) {
@@ -46,9 +46,9 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
                             && formulas::is_identity_where(&link.lhs, &link.rhs, context.local, context.model)) =>
             {
                 return Some(context.finding(
-                    Code::NotDecided,
+                    Code::RestatesHypothesis,
                     Verdict::Undecided,
-                    "it only restates what \"where\" says",
+                    "this only restates what \"where\" says, so nothing is checked; leave it out there",
                 ));
             }
             _ => {}
@@ -64,9 +64,9 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     }
     context.hypotheses.iter().any(is_hypothesis).then(|| {
         context.finding(
-            Code::NotDecided,
+            Code::RestatesHypothesis,
             Verdict::Undecided,
-            "this is one of its own hypotheses, so nothing is checked",
+            "this is one of its own hypotheses, so nothing is checked; remove that hypothesis",
         )
     })
 }

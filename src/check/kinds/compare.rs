@@ -12,7 +12,7 @@ use crate::check::judge::identity;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::model::meaning::{Meaning, Variable};
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::{Context, Options};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -43,7 +43,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let mut model = Model::empty(symbols, macros);
     for (name, _) in ranges {
         if model.symbols.find(name).is_none() {
-            return Err((2, Fault::new(Span::default(), format!("{name} is in neither formula"))));
+            return Err((2, Fault::new(Span::default(), format!("{name} occurs in neither formula"))));
         }
     }
     let mut assumed = Vec::new();
@@ -61,10 +61,10 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let readings = [text::formula(&lhs, &model.symbols), text::formula(&rhs, &model.symbols)];
     let span = Span::default();
     if lhs == rhs {
-        let finding = Finding::new(Code::Definition, Verdict::Definition, span, "both are one formula");
+        let finding = Finding::new(Code::Definition, Verdict::Definition, span, "both formulas are the same");
         return Ok(Answer { finding, readings, assumed });
     }
-    let reach = Reach::Vast;
+    let spread = Spread::WithEnds;
     let context = Context {
         model: &model,
         options,
@@ -72,7 +72,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
         on_shell: Some(false),
         topic: "equal",
         span,
-        reach,
+        spread,
         local: &[],
     };
     let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };

@@ -24,9 +24,9 @@ use crate::check::verdict::finding::Finding;
 pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if !context.model.has_motion() {
         return Ok(context.finding(
-            Code::NotDecided,
+            Code::NoMotion,
             Verdict::Undecided,
-            "nothing says how it moves: name a \"system\" or \"laws\"",
+            "nothing determines the motion; name a \"system\" or \"laws\" in the claims file",
         ));
     }
     if let Some(finding) = context.unclear(&[expr]) {
@@ -52,9 +52,9 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         Err(reason) => return Ok(context.unavailable(&reason)),
         Ok(outcome) if outcome.failure.is_none() => {
             return Ok(context.finding(
-                Code::NotDecided,
+                Code::AlwaysConstant,
                 Verdict::Undecided,
-                "it does not vary even off shell, so nothing is conserved",
+                "this is constant for any motion, so the claim tests nothing",
             ));
         }
         Ok(_) => {}
@@ -63,7 +63,7 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     let mode = on_shell.mode(true, &[&link.lhs]);
     let ensemble = on_shell.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     let states = AtStates::new(&link, &ensemble.states);
     let outcome = match states.run() {
@@ -81,7 +81,10 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
             finding.message = "constant on shell".to_owned();
             return family_sizes::certified(&link, &on_shell, &ensemble, finding);
         }
-        Verdict::Refuted => "it varies on shell; the left side is its rate".to_owned(),
+        Verdict::Refuted => {
+            finding.code = Code::NotConserved;
+            "this is not constant on shell; the left side is its rate".to_owned()
+        }
         _ => finding.message,
     };
     Ok(finding)

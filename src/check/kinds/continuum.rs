@@ -41,21 +41,21 @@ const LEFT: f64 = 0.02;
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let Some(at) = region(&link.lhs, context.model).or_else(|| region(&link.rhs, context.model)) else {
         return Ok(context.finding(
-            Code::NotSupported,
+            Code::ClaimDoesNotFit,
             Verdict::Unreadable,
-            "there is no integral over a continuum in it",
+            "there is no integral over a continuum here; remove \"continuum limit of\"",
         ));
     };
     if let Some(name) = link.lhs.as_plain_symbol()
         && link.rhs.symbols().iter().any(|(symbol, _)| *symbol == name)
     {
-        let message = format!("{} stands on both sides, so its integral says nothing of it", context.model.name(name));
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, text::plain(&message)));
+        let message = format!("{} is on both sides, so the integral does not determine it", context.model.name(name));
+        return Ok(context.finding(Code::Circular, Verdict::Undecided, text::plain(&message)));
     }
     let mode = context.mode(false, &[&link.lhs, &link.rhs]);
     let ensemble = context.ensemble(mode, false, FEWEST)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     for (tried, state) in ensemble.states.iter().enumerate() {
         match approach(link, at, state) {
@@ -66,9 +66,9 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
                     max_residual: failure.as_ref().map(|failure| failure.residual),
                     counterexample: failure.map(|failure| counterexample(link, state, &failure)),
                     ..context.finding(
-                        Code::SidesDiffer,
+                        Code::IntegralDiffers,
                         Verdict::Refuted,
-                        "the sum over ever finer cells does not become the integral",
+                        "the sum over smaller and smaller cells does not become the integral",
                     )
                 });
             }
@@ -84,12 +84,12 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
         };
         // One that holds for all other bodies as well says the same.
         if ensemble.states.iter().all(within(LEFT)) && !wide.states.iter().all(within(5.0 * LEFT)) {
-            let message = format!("these bodies cannot tell it from the same claim with {}", mutant.change);
+            let message = format!("the sampled bodies cannot tell this from the same claim with {}", mutant.change);
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
     let points = ensemble.states.len();
-    let message = "the sum over cells becomes the integral as they get smaller";
+    let message = "the sum over cells becomes the integral as the cells get smaller";
     Ok(Finding { points, tried: ensemble.tried, ..context.verified(message, "the limit of a sum") })
 }
 

@@ -12,7 +12,7 @@ use crate::code::Code;
 use crate::formula::evaluate::evaluate;
 use crate::formula::{Expr, Relation, SymbolId, text};
 
-use crate::check::judge::mutants::mutants_of;
+use crate::check::judge::mutants::{Mutant, Slip, mutants_of};
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::sample::context::Context;
@@ -23,9 +23,6 @@ use crate::check::state::residual::Point;
 use crate::check::vacuity::zero;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
-
-/// What is said of a definition of which nothing would notice the sign.
-pub const SIGN_ASIDE: &str = ", its sign aside,";
 
 /// An equation that uses a defined symbol, with the name that it is reported by.
 pub struct User<'a> {
@@ -50,30 +47,30 @@ pub fn check(
     let name = text::plain(&context.model.name(symbol));
     if users.is_empty() && by_law.is_empty() {
         return Ok(context.finding(
-            Code::NotDecided,
+            Code::DefinitionUnused,
             Verdict::Undecided,
-            format!("introduces {name}, which nothing else checks"),
+            format!("defines {name}; no other equation uses {name}, so this definition was not tested"),
         ));
     }
-    if zero::is_nothing(formula, context)? {
+    if zero::is_always_zero(formula, context)? {
         return Ok(context.finding(
-            Code::NotDecided,
+            Code::DefinitionZero,
             Verdict::Undecided,
-            format!("introduces {name}, which is always 0 as it is printed"),
+            format!("defines {name}, which is always 0 as printed; correct the definition"),
         ));
     }
     let itself = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
     let definition = Link { lhs: itself, relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
-    let mut loose: Vec<(Expr, String)> = mutants_of(&definition, context.model)
+    let mut surviving: Vec<(Expr, String)> = mutants_of(&definition, context.model)
         .into_iter()
         .filter(|mutant| mutant.link.rhs != *formula)
-        .map(|mutant| (mutant.link.rhs, mutant.change))
+        .map(|mutant| (mutant.link.rhs.clone(), change(&mutant)))
         .collect();
     let mut names: Vec<String> = Vec::new();
     let mut points = 0;
     for user in users.iter_mut() {
         // Nothing is left to be noticed.
-        if loose.is_empty() && !names.is_empty() {
+        if surviving.is_empty() && !names.is_empty() {
             break;
         }
         // The user's own check settles whether it holds always or on shell; here the mode in which it holds is used.
@@ -85,7 +82,7 @@ pub fn check(
                 continue;
             }
             points = points.max(ensemble.states.len());
-            loose.retain(|(mutant, _)| {
+            surviving.retain(|(mutant, _)| {
                 !ensemble.states.iter_mut().any(|state| {
                     let Ok(value) = evaluate(mutant, state, &[]) else { return true };
                     state.replace(symbol, value);
@@ -101,44 +98,57 @@ pub fn check(
         }
     }
     for user in by_law {
-        if loose.is_empty() || !holds_by_law(user, context.model)? {
+        if surviving.is_empty() || !holds_by_law(user, context.model)? {
             continue;
         }
-        let before = loose.len();
-        loose.retain(|(mutant, _)| !breaks_by_law(user, symbol, mutant));
-        if loose.len() < before && !names.contains(&user.id) {
+        let before = surviving.len();
+        surviving.retain(|(mutant, _)| !breaks_by_law(user, symbol, mutant));
+        if surviving.len() < before && !names.contains(&user.id) {
             names.push(user.id.clone());
         }
     }
     // A mutant that is the same formula in other words breaks nothing, and need not.
     let mode = context.mode(false, &[formula]);
     let states = context.ensemble(mode, true, context.options.points)?;
-    loose.retain(|(mutant, _)| {
+    surviving.retain(|(mutant, _)| {
         let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
         !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
     });
     // The sign of the whole is often a convention, as of a root that is only used squared.
     let whole = formula.clone().negated();
-    let signed = loose.len();
-    loose.retain(|(mutant, _)| {
+    let signed = surviving.len();
+    surviving.retain(|(mutant, _)| {
         let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: whole.clone(), free: Vec::new() };
         *mutant != whole
             && !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
     });
-    let aside = if loose.len() < signed { SIGN_ASIDE } else { "" };
-    match loose.first() {
+    let (code, except) = match surviving.len() < signed {
+        true => (Code::DefinitionUpToSign, " except of its sign"),
+        false => (Code::Definition, ""),
+    };
+    match surviving.first() {
         _ if names.is_empty() => {
-            let message = format!("introduces {name}, and nothing that holds uses it");
-            Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
+            let message = format!("defines {name}; no passing equation uses {name}, so this definition was not tested");
+            Ok(context.finding(Code::DefinitionUnused, Verdict::Undecided, message))
         }
         Some((_, change)) => {
-            let message = format!("introduces {name} loosely: nothing would notice it with {change}");
-            Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
+            let message = format!(
+                "defines {name}, but no other equation would fail {change}; use {name} once more, or put it under `define`"
+            );
+            Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message))
         }
         None => {
-            let message = format!("introduces {name}; each slip in it{aside} breaks {}", names.join(" or "));
-            Ok(Finding { points, tried: points, ..context.finding(Code::Definition, Verdict::Definition, message) })
+            let message = format!("defines {name}; each change{except} makes {} fail", names.join(" or "));
+            Ok(Finding { points, tried: points, ..context.finding(code, Verdict::Definition, message) })
         }
+    }
+}
+
+/// A change in a definition, as it continues "no other equation would fail …".
+fn change(mutant: &Mutant) -> String {
+    match mutant.change.split_once(" for ").filter(|_| mutant.slip == Slip::Number) {
+        Some((new, old)) => format!("if the {old} were a {new}"),
+        None => format!("with {}", mutant.change),
     }
 }
 

@@ -28,7 +28,8 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     let conditions: Vec<&Hypothesis> = alternatives.iter().flatten().collect();
     let restates = |c: &Hypothesis| c.lhs == link.lhs && c.relation == link.relation && c.rhs == link.rhs;
     if alternatives.iter().flatten().any(restates) {
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, "one of the conditions is the claim itself"));
+        let message = "one of the conditions is the claim itself, so nothing is checked; remove the condition";
+        return Ok(context.finding(Code::Circular, Verdict::Undecided, message));
     }
     let formulas = [&link.lhs, &link.rhs].into_iter().chain(conditions.iter().flat_map(|c| [&c.lhs, &c.rhs]));
     let formulas: Vec<_> = formulas.collect();
@@ -37,7 +38,8 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     }
     let mode = context.mode(context.on_shell.unwrap_or(context.model.has_motion()), &formulas);
     let ensemble = context.ensemble(mode, false, 2 * context.options.points)?;
-    let stated = boundary::of_link(link).into_iter().chain(conditions.iter().filter_map(|c| boundary::of_condition(c)));
+    let stated =
+        boundary::of_link(link).into_iter().chain(conditions.iter().filter_map(|c| boundary::comparison_of(c)));
     let stated: Vec<_> = stated.collect();
     let own = stated.len();
     let hypotheses = context.hypotheses.iter().filter_map(boundary::of_hypothesis);
@@ -70,8 +72,8 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
             (Some(claim), Some(_)) => {
                 let relation = text_of(link, context);
                 let message = match claim {
-                    true => format!("“{relation}” holds here, and none of the conditions does"),
-                    false => format!("“{relation}” fails here, though the conditions hold"),
+                    true => format!("“{relation}” holds at this state, but none of the conditions does"),
+                    false => format!("“{relation}” fails at this state, but the conditions hold"),
                 };
                 let side = |expr| match evaluate(expr, state, &[]) {
                     Ok(Value::Scalar(value)) => value.value().value,
@@ -83,7 +85,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
                     points: both + neither + 1,
                     tried,
                     counterexample: Some(counterexample(link, state, &failure)),
-                    ..context.finding(Code::SidesDiffer, Verdict::Refuted, message)
+                    ..context.finding(Code::ExactlyWhenFails, Verdict::Refuted, message)
                 });
             }
             _ => other += usize::from(!at_an_edge),
@@ -102,17 +104,18 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
         return Ok(refuted);
     }
     if both < FEWEST / 2 || neither < FEWEST / 2 || both + neither < other {
-        let message = format!("{both} states where it holds and {neither} where it does not are too few");
+        let message =
+            format!("too few sampled states: the claim holds at {both} and fails at {neither}; widen the ranges");
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if let Some(symbol) = forced {
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, forced_value::message(symbol, context)));
     }
     if let Some(at) = met_at.iter().position(|count| *count == 0) {
-        let message = format!("its alternative {} is met at no state, so it says nothing", at + 1);
+        let message = format!("no sampled state satisfies alternative {}; remove it, or widen the ranges", at + 1);
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
-    let message = format!("holds at {both} states, and at none of the {neither} others, as the conditions say");
+    let message = format!("holds at the {both} states that satisfy the conditions, and fails at the {neither} others");
     Ok(Finding {
         points: both + neither,
         tried,

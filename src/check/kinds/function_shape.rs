@@ -22,7 +22,7 @@ use crate::check::kinds::solves::mentions;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::{Meaning, is_angle};
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::sample::sampler::{Sampler, contains};
 use crate::check::state::residual;
@@ -50,8 +50,8 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
     for (id, dots) in formulas.iter().flat_map(|formula| formula.symbols()) {
         if dots > 0 || matches!(model.meaning(id), Some(Meaning::System(quantity)) if !is_momentum(*quantity)) {
             let shown = crate::formula::text::with_dots(&model.name(id), dots);
-            let message = format!("{shown} is not an independent number here: write it out");
-            return context.finding(Code::NotSupported, Verdict::Unreadable, message);
+            let message = format!("{shown} depends on other quantities, and must be independent here; write it out");
+            return context.finding(Code::NotIndependent, Verdict::Unreadable, message);
         }
         if !atoms.contains(&id) {
             atoms.push(id);
@@ -59,9 +59,9 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
     }
     if !function.symbols().iter().any(|(id, _)| *id == variable) && !matches!(shape, Shape::Independent) {
         return context.finding(
-            Code::NotDecided,
+            Code::VariableAbsent,
             Verdict::Undecided,
-            format!("{} does not occur in it", model.name(variable)),
+            format!("{} does not occur in the formula", model.name(variable)),
         );
     }
     let speaks_of_it = |c: &&Hypothesis| [&c.lhs, &c.rhs].into_iter().any(|side| mentions(side, variable));
@@ -70,13 +70,15 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         let name = text::plain(&model.name(variable));
         let message = match shape {
             Shape::Solutions(_) => {
-                format!("solutions are counted in the range of {name}: declare that, and assume nothing of it")
+                format!(
+                    "solutions for {name} are counted in its range; declare the range, and assume nothing about {name}"
+                )
             }
             _ => {
-                format!("{name} runs through its range, and a hypothesis fixes it: an inequality can say where it runs")
+                format!("a hypothesis fixes {name}, which must run through its range; use an inequality instead")
             }
         };
-        return context.finding(Code::NotSupported, Verdict::Unreadable, message);
+        return context.finding(Code::VariableFixed, Verdict::Unreadable, message);
     }
     let range = model.range(variable);
     let (states, tried) = states(&atoms, variable, context);
@@ -87,7 +89,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
             Look::Holds => points += 1,
             Look::Useless => {}
             Look::Open(message) => {
-                return Finding { points, tried, ..context.finding(Code::NotDecided, Verdict::Undecided, message) };
+                return Finding { points, tried, ..context.finding(Code::TooClose, Verdict::Undecided, message) };
             }
             Look::Fails { at, found, wanted, what } => {
                 let mut state: Vec<(String, f64)> =
@@ -97,16 +99,18 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
                     points: points + 1,
                     tried,
                     counterexample: Some(Counterexample { state, lhs: found, rhs: wanted, entry: None }),
-                    ..context.finding(Code::SidesDiffer, Verdict::Refuted, what)
+                    ..context.finding(Code::FunctionShapeFails, Verdict::Refuted, what)
                 };
             }
         }
     }
     if points < crate::check::sample::setting::FEWEST.min(context.options.points) {
-        let message = format!("only {points} of {tried} states obey the hypotheses and can tell");
+        let message = format!(
+            "only {points} of {tried} sampled states satisfy the hypotheses and gave a number; widen the ranges"
+        );
         return Finding { points, tried, ..context.finding(Code::NotDecided, Verdict::Undecided, message) };
     }
-    let message = format!("holds at {points} states, the special places among them");
+    let message = format!("holds at {points} sampled states, special ones included");
     Finding { points, tried, ..context.verified(message, "all values of a function") }
 }
 
@@ -164,7 +168,7 @@ fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec
         for _ in 0..12 {
             tried += 1;
             let mut state: Atoms =
-                atoms.iter().map(|id| (*id, draw.value(&model.range(*id), Reach::Declared))).collect();
+                atoms.iter().map(|id| (*id, draw.value(&model.range(*id), Spread::Declared))).collect();
             place(&mut state);
             let in_range = |state: &Atoms| state.iter().all(|(id, x)| contains(&model.range(*id), *x));
             if obey(&mut state, variable, model, &hypotheses) && in_range(&state) {

@@ -36,15 +36,17 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let model = context.model;
     if model.system.is_none() {
         return Ok(context.finding(
-            Code::NotDecided,
+            Code::NoMotion,
             Verdict::Undecided,
-            "there is no system whose motion it could generate",
+            "there is no system whose motion the formula could generate; name a \"system\"",
         ));
     }
     if let Some(name) = fixed_by_the_state(hamiltonian, model) {
-        let message = format!("it contains {}, and of that it is not printed how it depends on", text::plain(&name));
-        let message = format!("{message} coordinates and momenta: give its formula under \"define\"");
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        let message = format!(
+            "{} is not a coordinate or a momentum; give its formula in these under \"define\"",
+            text::plain(&name)
+        );
+        return Ok(context.finding(Code::NotIndependent, Verdict::Undecided, message));
     }
     // A momentum may have several names.
     let named = |wanted: Quantity| -> Vec<SymbolId> {
@@ -55,15 +57,15 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let momenta: Vec<Vec<SymbolId>> = (0..coordinates.len()).map(|k| named(Quantity::Momentum(k))).collect();
     if let Some(k) = momenta.iter().position(Vec::is_empty) {
         let coordinate = text::plain(&model.name(coordinates[k]));
-        let message = format!("the momentum of {coordinate} has no name: give it one under \"means\"");
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        let message = format!("the momentum of {coordinate} has no name; give it one under \"means\"");
+        return Ok(context.finding(Code::UndeclaredName, Verdict::Undecided, message));
     }
     // What is varied: the names of each.
     let varied: Vec<Vec<SymbolId>> = coordinates.iter().map(|id| vec![*id]).chain(momenta).collect();
     let mode = context.mode(true, &[hamiltonian]);
     let ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     let (mut points, mut worst) = (0, 0.0_f64);
     for (scene, base) in ensemble.states.iter().zip(&ensemble.bases) {
@@ -83,11 +85,13 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             let slope = match evaluate(hamiltonian, &free, &[]) {
                 Ok(Value::Scalar(value)) => value.value().eps,
                 Ok(_) => {
-                    return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, "a Hamiltonian is a number"));
+                    let message = "a Hamiltonian must be a number, and this is not one";
+                    return Ok(context.finding(Code::ShapeMismatch, Verdict::Unreadable, message));
                 }
                 Err(Unavailable::Derivative(_)) => {
-                    let message = "it is not written in coordinates and momenta: it contains velocities";
-                    return Ok(context.finding(Code::NotSupported, Verdict::Unreadable, message));
+                    let message =
+                        "a Hamiltonian must be written in coordinates and momenta, and this contains velocities";
+                    return Ok(context.finding(Code::NotIndependent, Verdict::Unreadable, message));
                 }
                 Err(reason) => return Ok(context.unavailable(&reason)),
             };
@@ -118,9 +122,9 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
                     max_residual: Some(residual),
                     counterexample: Some(counterexample),
                     ..context.finding(
-                        Code::SidesDiffer,
+                        Code::NotTheHamiltonian,
                         Verdict::Refuted,
-                        format!("Hamilton's equations from it do not give {equation}"),
+                        format!("Hamilton's equations from this formula do not give {equation}"),
                     )
                 });
             }
@@ -132,14 +136,14 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(
             Code::NotDecided,
             Verdict::Undecided,
-            format!("only {points} states can tell: too few"),
+            format!("only {points} of {} sampled states gave a number; narrow the ranges", ensemble.tried),
         ));
     }
     let finding = Finding {
         points,
         tried: ensemble.tried,
         max_residual: Some(worst),
-        ..context.finding(Code::Holds, Verdict::Verified, "Hamilton's equations from it give the motion")
+        ..context.finding(Code::Holds, Verdict::Verified, "Hamilton's equations from this formula give the motion")
     };
     let claim = Generates { hamiltonian, varied: &varied };
     Ok(decide::decide(&[hamiltonian], context, &ensemble, &claim).stamp(finding))

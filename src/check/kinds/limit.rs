@@ -25,7 +25,7 @@ use crate::scalar::{RunningError, Series};
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::mutants::{Slip, mutants_of};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::counterexample::counterexample;
@@ -108,7 +108,7 @@ fn check_in(
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
     let ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     let mut powers: Vec<f64> = Vec::new();
     let mut used: Vec<Steps<'_>> = Vec::new();
@@ -126,7 +126,7 @@ fn check_in(
                     max_residual: Some(failure.residual),
                     counterexample: steps.state(k, side).map(|state| counterexample(link, &state, &failure)),
                     ..context.finding(
-                        Code::SidesDiffer,
+                        Code::LimitNotReached,
                         Verdict::Refuted,
                         "the two sides do not approach each other in this limit",
                     )
@@ -137,7 +137,8 @@ fn check_in(
         }
     }
     if powers.len() < FEWEST.min(context.options.points) {
-        let message = format!("only {} of {} states reach the limit", powers.len(), ensemble.tried);
+        let message =
+            format!("only {} of {} sampled states reach the limit; narrow the ranges", powers.len(), ensemble.tried);
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     // Each printed term must earn its place: without it, or with a slip in it, the right side must be farther off.
@@ -150,7 +151,7 @@ fn check_in(
             |(steps, power)| matches!(steps.approach(&mutant.link, LAST), Ok(Approach::Power(other)) if other > power - 0.5),
         );
         if as_near {
-            let message = format!("these states cannot tell it from the same claim with {}", mutant.change);
+            let message = format!("the sampled states cannot tell this from the same claim with {}", mutant.change);
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }

@@ -7,7 +7,7 @@
 
 use num_dual::Dual;
 
-use crate::formula::{Environment, Expr, Moving, SymbolId, Symbols, Unavailable, Value, evaluate};
+use crate::formula::{Differentiable, Environment, Expr, SymbolId, Symbols, Unavailable, Value, evaluate};
 use crate::latex::typeset;
 use crate::notes::claims::Range;
 use crate::scalar::RunningError;
@@ -41,7 +41,7 @@ pub(crate) struct Still<'a, D> {
     values: Vec<(SymbolId, D)>,
 }
 
-impl<D: Moving> Environment<D> for Still<'_, D> {
+impl<D: Differentiable> Environment<D> for Still<'_, D> {
     fn symbols(&self) -> &Symbols {
         self.symbols
     }
@@ -53,7 +53,7 @@ impl<D: Moving> Environment<D> for Still<'_, D> {
 }
 
 /// The sides of a hypothesis at a state, the one minus the other.
-pub(crate) fn difference<D: Moving>(
+pub(crate) fn difference<D: Differentiable>(
     state: &Atoms,
     hypothesis: &Hypothesis,
     model: &Model,
@@ -64,7 +64,7 @@ pub(crate) fn difference<D: Moving>(
     Some(value_of(&hypothesis.lhs, &still)? - value_of(&hypothesis.rhs, &still)?)
 }
 
-fn value_of<D: Moving>(expr: &Expr, environment: &impl Environment<D>) -> Option<D> {
+fn value_of<D: Differentiable>(expr: &Expr, environment: &impl Environment<D>) -> Option<D> {
     match evaluate(expr, environment, &[]) {
         Ok(Value::Scalar(value)) => Some(value),
         _ => None,
@@ -208,7 +208,7 @@ impl Probe<'_> {
                 Some(finer) if finer != found => Look::Open(closer(name, what, found, finer)),
                 _ if found == *wanted => Look::Holds,
                 _ => {
-                    let what = format!("along {name} it has {found} {what}, not {wanted}");
+                    let what = format!("the function has {found} {what} along {name}, not {wanted}");
                     Look::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
                 }
             };
@@ -232,15 +232,21 @@ impl Probe<'_> {
             let step = last_value.map(|last: RunningError| clear(value - last));
             last_value = Some(value);
             match shape {
-                Shape::Rises if step.is_some_and(|step| step < 0.0) => return fails(value.value, "it falls to here"),
-                Shape::Falls if step.is_some_and(|step| step > 0.0) => return fails(value.value, "it rises to here"),
-                Shape::Positive if sign < 0.0 => return fails(value.value, "it is negative here"),
-                Shape::Negative if sign > 0.0 => return fails(value.value, "it is positive here"),
-                Shape::Rises if slope_sign < 0.0 => return fails(slope.value, "it falls here"),
-                Shape::Falls if slope_sign > 0.0 => return fails(slope.value, "it rises here"),
-                Shape::Independent if slope_sign != 0.0 => return fails(slope.value, "it changes here"),
+                Shape::Rises if step.is_some_and(|step| step < 0.0) => {
+                    return fails(value.value, "the function falls before this state");
+                }
+                Shape::Falls if step.is_some_and(|step| step > 0.0) => {
+                    return fails(value.value, "the function rises before this state");
+                }
+                Shape::Positive if sign < 0.0 => return fails(value.value, "the function is negative at this state"),
+                Shape::Negative if sign > 0.0 => return fails(value.value, "the function is positive at this state"),
+                Shape::Rises if slope_sign < 0.0 => return fails(slope.value, "the function falls at this state"),
+                Shape::Falls if slope_sign > 0.0 => return fails(slope.value, "the function rises at this state"),
+                Shape::Independent if slope_sign != 0.0 => {
+                    return fails(slope.value, "the function changes at this state");
+                }
                 Shape::Independent if has_changed(first, value) => {
-                    let what = "it has another value here than elsewhere".to_owned();
+                    let what = "the function has another value at this state".to_owned();
                     return Look::Fails { at: Some(x), found: value.value, wanted: first.value, what };
                 }
                 _ => {}
@@ -261,18 +267,20 @@ impl Probe<'_> {
             for pair in signs.windows(2).filter(dip) {
                 let (lowest, x) = lowest(pair[0].0, pair[1].0, |x| pair[0].3 * self.value(x));
                 if lowest <= 1e-13 * pair[0].1.max(pair[1].1) {
-                    let what = "it does not keep its sign here".to_owned();
+                    let what = "the function reaches zero at this state".to_owned();
                     return Look::Fails { at: Some(x), found: pair[0].3 * lowest, wanted: 0.0, what };
                 }
             }
         }
         let fails = |what: String| Look::Fails { at: None, found: 0.0, wanted: 0.0, what };
         match shape {
-            Shape::ChangesSign if !positive => fails(format!("it is nowhere positive along {name}")),
-            Shape::ChangesSign if !negative => fails(format!("it is nowhere negative along {name}")),
+            Shape::ChangesSign if !positive => fails(format!("the function is nowhere positive along {name}")),
+            Shape::ChangesSign if !negative => fails(format!("the function is nowhere negative along {name}")),
             Shape::Positive if !positive => fails(format!("it vanishes all along {name}")),
             Shape::Negative if !negative => fails(format!("it vanishes all along {name}")),
-            Shape::Rises | Shape::Falls if last_slope == 0.0 => fails(format!("it does not change along {name}")),
+            Shape::Rises | Shape::Falls if last_slope == 0.0 => {
+                fails(format!("the function does not change along {name}"))
+            }
             _ => Look::Holds,
         }
     }
@@ -337,13 +345,13 @@ impl Probe<'_> {
             let diverges = tail.iter().all(|gain| *gain > 0.0)
                 && tail.windows(2).all(|two| two[1] > 0.95 * two[0])
                 && last.1.value * wanted.signum() > 0.0;
-            return if diverges { Look::Holds } else { fails("it does not diverge there") };
+            return if diverges { Look::Holds } else { fails("the function does not diverge there") };
         }
         let errors: Vec<f64> = steps.iter().map(|(_, value)| (value.value - wanted).abs()).collect();
         let scale = wanted.abs().max(1e-3 * last.1.magnitude);
         let [.., a, b] = errors.as_slice() else { return Look::Useless };
         let approaches = *b <= 1e-9 * scale || b < &(0.95 * a) && *b < 0.05 * errors[0].max(scale);
-        if approaches { Look::Holds } else { fails("it does not tend to this value") }
+        if approaches { Look::Holds } else { fails("the function does not tend to this value") }
     }
 }
 
@@ -357,7 +365,7 @@ fn typeset_name(model: &Model, id: SymbolId) -> String {
 /// That a closer look shows another number.
 fn closer(name: &str, what: &str, found: usize, finer: usize) -> String {
     format!(
-        "along {name} one look shows {found} {what} and a closer one {finer}: they are too near each other to count"
+        "along {name} a grid shows {found} {what} and a finer grid {finer}; they are too close to count, so narrow the ranges"
     )
 }
 

@@ -17,9 +17,9 @@ use crate::scalar::RunningError;
 use crate::check::judge::mutants::mutants_of;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
-use crate::check::sample::scaled_family::Family;
+use crate::check::sample::prescribed_values::PrescribedValues;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual::{Failure, pair};
@@ -90,7 +90,10 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     let missed = missed(order);
     let families = drawn(link, small, context, on_shell)?;
     if families.len() < FEWEST.min(context.options.points) {
-        let message = format!("only {} states have small quantities that can be scaled", families.len());
+        let message = format!(
+            "only at {} sampled states can the small quantities be scaled; assume less about them",
+            families.len()
+        );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let (mut slowest, mut told) = (f64::INFINITY, 0);
@@ -104,9 +107,9 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
                     max_residual: failure.as_ref().map(|(_, failure)| failure.residual),
                     counterexample: failure.map(|(state, failure)| counterexample(link, state, &failure)),
                     ..context.finding(
-                        Code::SidesDiffer,
+                        Code::OrderDiffers,
                         Verdict::Refuted,
-                        format!("the sides differ at order {:.0} of what is small", power.max(0.0)),
+                        format!("the two sides differ at order {:.0} of the small quantities", power.max(0.0)),
                     )
                 });
             }
@@ -117,32 +120,34 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         }
     }
     if told < FEWEST.min(context.options.points) {
-        let message = format!("only {told} of {} states can tell: too few", families.len());
+        let message = format!("only {told} of {} sampled states gave a number; narrow the ranges", families.len());
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if slowest < wanted {
-        let message = format!("the error falls as the power {slowest:.1} of what is small, which tells neither way");
+        let message = format!(
+            "the error falls as the power {slowest:.1} of the small quantities, which does not decide the order"
+        );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let all_reach = |link: &Link, families: &[Shrinkage<'_>], least: f64| {
         families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
     };
-    let could_be_anything = |term: &Expr| {
+    let not_tested = |term: &Expr| {
         let words = crate::formula::text::formula(term, &context.model.symbols);
-        format!("“{words}” is smaller than the order that is claimed, and so could be anything")
+        format!("“{words}” is smaller than the claimed order, so it is not tested; remove it, or raise `order`")
     };
     // Off shell nothing makes a term small but what it is made of. One beyond the order could be anything.
     let free = drawn(link, small, context, false)?;
     for term in terms(link) {
         let alone = Link { lhs: term.clone(), rhs: Expr::integer(0, term.span), ..link.clone() };
         if !free.is_empty() && all_reach(&alone, &free, wanted) {
-            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, could_be_anything(term)));
+            return Ok(context.finding(Code::TermBeyondOrder, Verdict::Undecided, not_tested(term)));
         }
     }
     for (term, without) in omissions(&link.rhs) {
         let without = Link { lhs: link.rhs.clone(), rhs: without, ..link.clone() };
         if !free.is_empty() && all_reach(&without, &free, wanted) {
-            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, could_be_anything(&term)));
+            return Ok(context.finding(Code::TermBeyondOrder, Verdict::Undecided, not_tested(&term)));
         }
     }
     let survivors: Vec<_> = mutants_of(link, context.model)
@@ -150,20 +155,20 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         .filter(|mutant| all_reach(&mutant.link, &families, wanted))
         .collect();
     if !survivors.is_empty() {
-        let wide = Context { reach: crate::check::model::states::Reach::Beyond, ..*context };
+        let wide = Context { spread: crate::check::model::sampling::Spread::BeyondRanges, ..*context };
         let mut wide = drawn(link, small, &wide, on_shell)?;
         // Far out not every state has a family: those at which the claim itself can be seen to hold count.
         wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
         // Far out rounding may drown the last steps: what falls on the whole falls.
         let falls = |link: &Link| wide.iter().all(|family| family.falls(link, missed));
         if let Some(mutant) = survivors.iter().find(|mutant| !falls(&mutant.link)) {
-            let message = format!("these states cannot tell it from the same claim with {}", mutant.change);
+            let message = format!("the sampled states cannot tell this from the same claim with {}", mutant.change);
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
     let message = match slowest.is_finite() {
-        true => format!("holds to order {order}: the error falls as the power {slowest:.1} of what is small"),
-        false => "holds to every order of what is small".to_owned(),
+        true => format!("holds to order {order}: the error falls as the power {slowest:.1} of the small quantities"),
+        false => "holds to every order of the small quantities".to_owned(),
     };
     let points = families.len();
     Ok(Finding { points, tried: points, ..context.verified(message, "an approximation") })
@@ -222,7 +227,7 @@ fn families<'m>(
 ) -> Result<Vec<Shrinkage<'m>>> {
     let setting = context.setting(mode);
     let ensemble = context.ensemble_of(model, mode, points, "")?;
-    let mut family = Family::new(model, &setting, small);
+    let mut family = PrescribedValues::new(model, &setting, small);
     let mut found = Vec::new();
     for (state, base) in ensemble.states.iter().zip(&ensemble.bases) {
         let value = |expr: &Expr| match state.now(expr, &[]) {

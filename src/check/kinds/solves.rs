@@ -54,9 +54,9 @@ fn put_in_and_count(
     if !mentions(&target.lhs, unknown) && !mentions(&target.rhs, unknown) {
         let name = context.model.name(unknown);
         return Ok(context.finding(
-            Code::NotDecided,
+            Code::VariableAbsent,
             Verdict::Undecided,
-            format!("{name} does not occur in the equation to be solved"),
+            format!("{name} does not occur in the equation to be solved; correct the name"),
         ));
     }
     let mut formulas = vec![&target.lhs, &target.rhs];
@@ -65,7 +65,7 @@ fn put_in_and_count(
     // Where the roots are not real there is nothing to put in, so more states are drawn than are asked for.
     let mut ensemble = context.ensemble(mode, false, 3 * context.options.points)?;
     if ensemble.states.is_empty() {
-        return Ok(context.no_room(&ensemble));
+        return Ok(context.no_state(&ensemble));
     }
     let (mut points, mut residual, mut counted) = (0, 0.0_f64, 0);
     let mut used: Vec<usize> = Vec::new();
@@ -98,31 +98,40 @@ fn put_in_and_count(
         }
         for (i, a) in roots.iter().enumerate() {
             if roots[..i].iter().any(|b| residual::vanishes(*a - *b)) {
-                return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, "two branches are the same solution"));
+                return Ok(context.finding(
+                    Code::RepeatedSolution,
+                    Verdict::Refuted,
+                    "two branches are the same solution",
+                ));
             }
         }
         let all = if all_of_them { count_roots(target, unknown, state) } else { roots.len() };
         if all > roots.len() {
-            let message = format!("the equation has {all} real solutions, and {} are given", roots.len());
+            let message = format!("the equation has {all} real solutions, but the notes give {}", roots.len());
             let failure = Failure { lhs: all as f64, rhs: roots.len() as f64, residual: 1.0, entry: None };
             let counterexample = Some(counterexample(target, state, &failure));
-            return Ok(Finding { counterexample, ..context.finding(Code::SidesDiffer, Verdict::Refuted, message) });
+            return Ok(Finding {
+                counterexample,
+                ..context.finding(Code::MissingSolutions, Verdict::Refuted, message)
+            });
         }
         counted += usize::from(all == roots.len());
         points += 1;
         used.push(at);
     }
     if points < FEWEST.min(context.options.points) {
-        let message = format!("only at {points} of {} states are there real solutions", ensemble.tried);
+        let message =
+            format!("only {points} of {} sampled states have real solutions; narrow the ranges", ensemble.tried);
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if 2 * counted < points {
-        let message = format!("the roots found on the grid are the given ones at {counted} of {points} states only");
+        let message =
+            format!("the roots on the grid are the given ones at only {counted} of {points} states; narrow the ranges");
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     // The mutant of one branch may be the other; the whole is held against its mutants_of, not each branch.
     if all_of_them && let Some(change) = survivor(target, unknown, branches, context, &mut ensemble.states, &used) {
-        let message = format!("these states cannot tell it from the same solution with {change}");
+        let message = format!("the sampled states cannot tell this from the same solution with {change}");
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let number = branches.len();
@@ -130,7 +139,7 @@ fn put_in_and_count(
         true => {
             format!("{number} of {number} real solutions; all roots found on the grid at {counted} of {points} states")
         }
-        false => "put in, it satisfies the equation".to_owned(),
+        false => "this satisfies the equation".to_owned(),
     };
     let finding = Finding {
         points,
@@ -193,12 +202,12 @@ fn refuted(
     failure: &Failure,
     points: usize,
 ) -> Finding {
-    let message = "put into the equation that it should solve, it does not satisfy it";
+    let message = "this does not satisfy the equation that it should solve";
     Finding {
         points: points + 1,
         max_residual: Some(failure.residual),
         counterexample: Some(counterexample(target, state, failure)),
-        ..context.finding(Code::SidesDiffer, Verdict::Refuted, message)
+        ..context.finding(Code::NotASolution, Verdict::Refuted, message)
     }
 }
 

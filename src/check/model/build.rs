@@ -1,4 +1,4 @@
-//! The model of a claims file: its parts in the order in which they need one another.
+//! The model of a claims file, built part by part in the order in which the parts need one another.
 
 use crate::Result;
 use crate::check::model::Model;
@@ -8,7 +8,7 @@ use crate::latex::Macros;
 use crate::notes::claims::Claims;
 use crate::systems::Registry;
 
-/// Builds the model of a claims file on an empty one.
+/// Builds the model of a claims file into an empty model.
 pub(crate) fn build(claims: &Claims, empty: Model, registry: &Registry) -> Result<Model> {
     let mut builder = Builder { claims, model: empty, early: Vec::new() };
     builder.indices()?;
@@ -27,8 +27,8 @@ impl Model {
     /// Builds the model of a claims file; `macros` are those defined in the notes.
     ///
     /// # Errors
-    /// For a name that cannot be read, a system that is not there, a meaning that the system does not have, a parameter
-    /// or coordinate of the system that no symbol stands for: each at its place in the claims file.
+    /// An error at its place in the claims file, for a name that cannot be read, an unknown system, a meaning that the
+    /// system does not have, or a parameter or coordinate of the system without a declared symbol.
     pub fn new(claims: &Claims, macros: Macros, registry: &Registry) -> Result<Model> {
         let mut macros = macros;
         for (name, body) in &claims.macros {

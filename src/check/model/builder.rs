@@ -1,7 +1,6 @@
-//! The claims file's declarations made into a model: every name gets its meaning, and the system its symbols.
+//! The builder that turns the declarations of a claims file into a model: each name gets its meaning.
 //!
-//! What the claims file defines (`"define"`) is read together with the displays
-//! ([`crate::check::document::reading`]), since each may use the other.
+//! Definitions in the prose (`"define"`) are read later, together with the displays, since the two may use each other.
 
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Kind, SymbolId, text};
@@ -13,15 +12,16 @@ use crate::check::model::Model;
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::Meaning;
 
-/// A name without what only typesets it: `\lambda_{1}` and `lambda1` are the same here.
+/// A name without typesetting: `\lambda_{1}` and `lambda1` become the same.
 pub fn plain(latex: &str) -> String {
     latex.chars().filter(|c| !matches!(c, '\\' | '_' | '{' | '}' | ' ')).collect()
 }
 
+/// A model that is being built.
 pub(crate) struct Builder<'a> {
     pub(crate) claims: &'a Claims,
     pub(crate) model: Model,
-    /// Symbols that were needed, and so added, before their turn.
+    /// The symbols that were added before their turn, because an earlier declaration needs them.
     pub(crate) early: Vec<SymbolId>,
 }
 
@@ -38,25 +38,23 @@ impl Builder<'_> {
         match names::parse(&latex.value) {
             Some((name, 0)) => Ok(name),
             Some(_) => Err(self
-                .error(latex, format!("{} has a dot, and dots are not part of a name", latex.value))
-                .help("declare the symbol itself")),
-            None => Err(self
-                .error(latex, format!("{} is not the name of a symbol", latex.value))
-                .help("a name is a letter or a Greek command, with accents, a subscript, primes: \\hat{e}_a, p_\\psi")),
+                .error(latex, format!("{} has a dot, which is not part of a name", latex.value))
+                .help("declare the symbol without the dot")),
+            None => Err(self.error(latex, format!("{} is not the name of a symbol", latex.value)).help(
+                "a name is a letter or a Greek command, with accents, a subscript or primes: \\hat{e}_a, p_\\psi",
+            )),
         }
     }
 
     pub(crate) fn add(&mut self, latex: &Spanned<String>, kind: Kind, meaning: Meaning) -> Result<SymbolId> {
         let name = self.name(latex)?;
         if ["e", "d"].contains(&name.base.as_str()) && name.subscript.is_empty() {
-            self.model.inferred.push(format!("{name} is a symbol here, not a constant or a differential"));
+            self.model.inferred.push(format!("{name} is a symbol here, not Euler's number or a differential"));
         }
         let shown = name.to_string();
-        let id = self
-            .model
-            .symbols
-            .add(name, kind)
-            .ok_or_else(|| self.error(latex, format!("{shown} is declared twice")).help("keep one of the two"))?;
+        let id = self.model.symbols.add(name, kind).ok_or_else(|| {
+            self.error(latex, format!("{shown} is declared twice")).help("remove one of the two declarations")
+        })?;
         self.model.mean(id, meaning);
         Ok(id)
     }

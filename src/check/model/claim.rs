@@ -1,4 +1,4 @@
-//! Claims and hypotheses between two formulas: a [`Link`] is tested, a [`Hypothesis`] is taken for granted.
+//! Claims and hypotheses between two formulas: a [`Link`] is tested, a [`Hypothesis`] is assumed.
 
 use crate::formula::{Expr, IndexId, Relation};
 
@@ -11,49 +11,73 @@ pub struct Hypothesis {
     pub relation: Relation,
     /// Its right side.
     pub rhs: Expr,
-    /// The free indices, for all of whose values it holds.
+    /// The free indices; it holds for all their values.
     pub free: Vec<IndexId>,
-    /// Whether it holds at all times and not only at the instant.
+    /// Whether it holds at all times, so that its time derivatives vanish too, and not only at the instant.
     pub throughout: bool,
 }
 
 impl Hypothesis {
-    /// A link, taken for granted.
+    /// A link as a hypothesis.
     pub fn of(link: Link, throughout: bool) -> Self {
         let Link { lhs, relation, rhs, free } = link;
         Hypothesis { lhs, relation, rhs, free, throughout }
     }
 }
 
-/// A hypothesis about all motions that the notes make: a law.
+/// A law: hypotheses of the notes about all motions.
 #[derive(Clone, Debug)]
 pub struct Law {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// The statements that print it: the place of the display, and of the statement in it.
+    /// The statements that print it: the place of the display, and the place of the statement in it.
     pub printed: Vec<(usize, usize)>,
-    /// What it says.
+    /// The hypotheses that it makes.
     pub hypotheses: Vec<Hypothesis>,
-    /// Whether its claim switches the units off, so that its terms may be of any dimension.
+    /// Whether its claim switches the check of units off.
     pub units_off: bool,
 }
 
 impl Law {
-    /// Its name, with what the reader of a report must know beside it.
+    /// The name as a title, with a remark if its units are not checked.
     pub fn title(&self) -> String {
         if self.units_off { format!("{}, whose units are not checked", self.name) } else { self.name.clone() }
     }
+
+    /// The law within a sentence: `Newton's second law`, `Kirchhoff's law`, `the law “torque”`.
+    fn phrase(&self) -> String {
+        const KINDS: [&str; 8] = ["law", "laws", "equation", "equations", "principle", "theorem", "rule", "rules"];
+        let lower = self.name.to_lowercase();
+        let says_what_it_is = lower.split(|c: char| !c.is_alphabetic()).any(|word| KINDS.contains(&word));
+        let is_person = self.name.starts_with(char::is_uppercase) && self.name.chars().all(char::is_alphabetic);
+        let phrase = match (says_what_it_is, is_person) {
+            (true, _) => self.name.clone(),
+            (false, true) => format!("{}'s law", self.name),
+            (false, false) => format!("the law “{}”", self.name),
+        };
+        if self.units_off { format!("{phrase} (its units are not checked)") } else { phrase }
+    }
+
+    /// Laws within a sentence, joined by commas and “and”.
+    pub fn phrases(laws: &[Law]) -> String {
+        let phrases: Vec<String> = laws.iter().map(Law::phrase).collect();
+        match phrases.split_last() {
+            Some((last, [])) => last.clone(),
+            Some((last, others)) => format!("{} and {last}", others.join(", ")),
+            None => String::new(),
+        }
+    }
 }
 
-/// A name or a law that is lost with a display that cannot be read, and that display in words.
-pub type Lost = (String, String);
+/// A name or a law whose display cannot be read, and that display in words.
+pub type Unread = (String, String);
 
-/// Whether a relation says that two things are the same.
+/// Whether a relation is an equality.
 pub fn is_equality(relation: Relation) -> bool {
     matches!(relation, Relation::Equal | Relation::Identical)
 }
 
-/// A claim between two formulas.
+/// A claim between two formulas: the link of a chain.
 #[derive(Clone, Debug)]
 pub struct Link {
     /// The left side.
@@ -62,6 +86,6 @@ pub struct Link {
     pub relation: Relation,
     /// The right side.
     pub rhs: Expr,
-    /// The free indices, for all of whose values it is claimed.
+    /// The free indices; it is claimed for all their values.
     pub free: Vec<IndexId>,
 }

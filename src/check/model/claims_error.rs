@@ -1,9 +1,9 @@
-//! Errors in formulas that stand in a claims file, at their place there.
+//! Errors in formulas of a claims file, at their place there.
 
 use crate::Error;
 use crate::notes::claims::{Claims, Spanned};
 
-/// A fault in LaTeX that stands in a claims file, at its place there.
+/// An error in the LaTeX of a claims file, at its place there.
 pub fn formula_error(claims: &Claims, latex: &Spanned<String>, fault: crate::source::Fault) -> Error {
     let at = latex.value.get(fault.span.range()).filter(|part| !part.is_empty() && *part != latex.value);
     let message = match at {

@@ -1,4 +1,4 @@
-//! The declarations of a claims file made into meanings: indices, constants, functions of time, axes, continua.
+//! The meanings that the declarations of a claims file give: indices, constants, functions of time, axes, continua.
 
 use crate::check::model::builder::{Builder, plain};
 use crate::check::model::meaning::{
@@ -10,7 +10,8 @@ use crate::notes::claims::{Axes, Count, Declaration, Range, Role, Spanned};
 use crate::source::Span;
 use crate::{Error, Result};
 
-/// The most things that a count counts: three or four, so that none of the two can hide a fault.
+/// The largest number of members at which states are drawn first. The smallest is one less, so that a claim that is true
+/// for one number only fails for the other.
 const MOST_THINGS: u8 = 4;
 
 impl Builder<'_> {
@@ -18,8 +19,8 @@ impl Builder<'_> {
         for index in self.claims.declarations.iter().filter(|d| d.role == Role::Index) {
             let letter = self.name(&index.name)?.to_string();
             let wrong = || {
-                Error::at(&self.claims.source, index.range.span, "an index runs from 1 to at most 9")
-                    .help("write \"1..3\", or \"1..n\" for the labels of n things")
+                Error::at(&self.claims.source, index.range.span, "an index must run from 1 to at most 9")
+                    .help("write \"1..3\", or \"1..n\" for a family of n members")
             };
             let small = |high: &i64| u8::try_from(*high).ok().filter(|high| (1..=9).contains(high));
             match &index.range.value {
@@ -42,7 +43,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// The symbol of a count: a whole number, three or four.
+    /// The symbol of a number of members: an integer, 3 or 4.
     fn count(&mut self, latex: &Spanned<String>) -> Result<SymbolId> {
         let name = self.name(latex)?;
         if let Some((known, _)) = self.model.symbols.find(&name) {
@@ -51,7 +52,9 @@ impl Builder<'_> {
         let id = self.add(latex, Kind::Scalar, Meaning::Constant(self.model.constants.len()))?;
         let range = Range::Integer { low: 3, high: Count::Number(MOST_THINGS.into()) };
         self.model.constants.push(Variable::number(id, range));
-        self.model.inferred.push(format!("{} is a count, 3 or {MOST_THINGS} at a time", self.shown(id)));
+        self.model
+            .inferred
+            .push(format!("{} is a number of members; the sampled states have 3 or {MOST_THINGS}", self.shown(id)));
         Ok(id)
     }
 
@@ -78,7 +81,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// A number, a vector, or a family of either, that is drawn.
+    /// Adds a drawn number or vector, or a family of either.
     fn variable(&mut self, declaration: &Declaration) -> Result<()> {
         let latex = &declaration.name;
         let known = self.model.symbols.find(&self.name(latex)?).map(|(id, _)| id);
@@ -91,7 +94,7 @@ impl Builder<'_> {
         let kind = if vector { Kind::Vector } else { Kind::Scalar };
         if vector && declaration.role == Role::Coordinate {
             return Err(self
-                .error(latex, "a coordinate is a number")
+                .error(latex, "a coordinate must be a scalar")
                 .help("declare a vector under \"varies with time\" or \"constants\""));
         }
         if let Range::Rigid { .. } | Range::FixedDirection = range {
@@ -100,8 +103,8 @@ impl Builder<'_> {
         if !vector && latex.value.contains("\\hat") {
             let vector = latex.value.replacen("\\hat", "\\vec", 1);
             return Err(self
-                .error(latex, format!("{} would be a number here, and a hat marks a direction", latex.value))
-                .help(format!("declare {vector}: {} is then its direction; or name it under \"axes\"", latex.value)));
+                .error(latex, format!("{} would be a scalar here, but a hat marks a direction", latex.value))
+                .help(format!("declare {vector}, then {} is its direction; or name it under \"axes\"", latex.value)));
         }
         let (meaning, varies) = match declaration.role {
             Role::Coordinate => (Meaning::Coordinate(self.model.coordinates.len()), true),
@@ -109,14 +112,18 @@ impl Builder<'_> {
             _ => (Meaning::Varying(self.model.varying.len()), true),
         };
         if vector && range != Range::Any {
-            return Err(Error::at(&self.claims.source, declaration.range.span, "the range of a vector is \"any\""));
+            return Err(Error::at(
+                &self.claims.source,
+                declaration.range.span,
+                "the range of a vector must be \"any\"",
+            ));
         }
         let id = self.add(latex, kind, meaning)?;
         let entry = self.model.symbols.entry_mut(id);
         entry.angle = is_angle(&range);
         entry.varies = varies;
         if declaration.role == Role::Coordinate && !entry.slots.is_empty() {
-            return Err(self.error(latex, "families of coordinates are not supported yet"));
+            return Err(self.error(latex, "families of coordinates are not supported"));
         }
         let variable = Variable { symbol: id, range, numbers: self.members(id) * if vector { 3 } else { 1 } };
         match declaration.role {
@@ -127,16 +134,16 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// How many members a family has, at most; one for a plain symbol.
+    /// The largest number of members of a family; one for a plain symbol.
     fn members(&self, id: SymbolId) -> usize {
         self.model.symbols.extents(id).into_iter().map(usize::from).product()
     }
 
-    /// What is fixed in a turning frame, and the angular velocity of a frame that turns about a fixed direction.
+    /// Adds a vector that is fixed in a turning frame, or the angular velocity of a frame that turns about a fixed direction.
     fn moving_with_a_frame(&mut self, declaration: &Declaration, kind: Kind) -> Result<()> {
         let latex = &declaration.name;
         if kind != Kind::Vector {
-            return Err(self.error(latex, format!("{} must be a vector to turn", latex.value)));
+            return Err(self.error(latex, format!("{} turns with a frame, so it must be a vector", latex.value)));
         }
         match &declaration.range.value {
             Range::Rigid { turning_with, about } => {
@@ -150,7 +157,9 @@ impl Builder<'_> {
             }
             _ => {
                 if self.model.frame.is_some() {
-                    return Err(self.error(latex, "only one thing can turn").help("it is declared before this"));
+                    return Err(self
+                        .error(latex, "only one frame can turn")
+                        .help("remove this declaration, or the earlier one"));
                 }
                 let id = self.add(latex, kind, Meaning::Frame(FrameQuantity::AngularVelocity))?;
                 self.model.symbols.entry_mut(id).varies = true;
@@ -160,7 +169,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// A vector that is declared in the claims file, perhaps further down.
+    /// A vector that is declared in the claims file, possibly further down.
     fn declared<T>(&mut self, latex: &str, place: &Spanned<T>) -> Result<SymbolId> {
         let latex = Spanned::new(latex.to_owned(), place.span);
         let name = self.name(&latex)?;
@@ -181,7 +190,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Makes this the angular velocity of the document's frame; a free vector becomes that of a frame that turns anyhow.
+    /// Makes this the angular velocity of the document's frame. A free vector becomes that of a frame that turns freely.
     pub(crate) fn turning_with<T>(&mut self, latex: &str, place: &Spanned<T>) -> Result<()> {
         let id = self.declared(latex, place)?;
         match self.model.meaning(id) {
@@ -199,9 +208,12 @@ impl Builder<'_> {
                 self.model.frame = Some(Frame::Free);
                 Ok(())
             }
-            _ => Err(Error::at(&self.claims.source, place.span, format!("nothing can turn with {latex}")).help(
-                "declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one thing can turn",
-            )),
+            _ => Err(Error::at(
+                &self.claims.source,
+                place.span,
+                format!("{latex} is not the angular velocity of a frame"),
+            )
+            .help("declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one frame can turn")),
         }
     }
 
@@ -216,7 +228,7 @@ impl Builder<'_> {
                         self.three(latex, id)?;
                     } else {
                         if fixed == 3 {
-                            return Err(self.error(latex, "there are three fixed axes, and this is a fourth"));
+                            return Err(self.error(latex, "there are only three fixed axes, and this is a fourth"));
                         }
                         self.add(latex, Kind::Vector, Meaning::FixedAxis(fixed))?;
                         fixed += 1;
@@ -233,23 +245,23 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// Refuses a name of axes that is no family of three.
+    /// Rejects a name of axes that is not a family of three vectors.
     fn three(&self, latex: &Spanned<String>, id: SymbolId) -> Result<()> {
         match self.model.symbols.extents(id).as_slice() {
             [3] => Ok(()),
             _ => Err(self
-                .error(latex, format!("{} are three vectors", latex.value))
+                .error(latex, format!("{} must be a family of three vectors", latex.value))
                 .help("give the name an index that runs over \"1..3\": \\hat e_a")),
         }
     }
 
-    /// What the components of vectors are taken along, and names for them.
+    /// Adds the axes of components, and names for components.
     pub(crate) fn components(&mut self) -> Result<()> {
         for (latex, components) in &self.claims.components {
             let name = self.name(latex)?;
             match &components.value {
                 claims::Components::Along(axes) => {
-                    // Either may be introduced by the notes: they are tied to each other when both are known.
+                    // The notes may define either of them, so they are connected when both are known.
                     let axes = self.name(axes)?;
                     self.model.components.push((name, axes));
                     self.model.tie_components();

@@ -1,11 +1,11 @@
-//! The symbols on which formulas depend and that are drawn at random.
+//! The symbols that are drawn at random and on which formulas depend.
 
 use crate::formula::{Expr, SymbolId};
 
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
 
-/// The drawn symbols that formulas depend on, through definitions.
+/// The drawn symbols on which formulas depend, through definitions.
 pub(crate) fn drawn(formulas: &[&Expr], model: &Model) -> Vec<SymbolId> {
     fn collect(symbol: SymbolId, model: &Model, into: &mut Vec<SymbolId>) {
         match model.meaning(symbol) {

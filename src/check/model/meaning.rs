@@ -1,21 +1,21 @@
-//! The meanings of symbols: what gives each its value, and where drawn values lie.
+//! The meanings of symbols: what gives each its value, and the ranges of drawn values.
 
 use crate::formula::{Expr, IndexId, SymbolId};
 use crate::mechanics::rotations::Axis;
 use crate::notes::claims::{Range, SolidKind, Turning};
 
-/// What gives a symbol its value.
+/// The meaning of a symbol: what gives it its value.
 #[derive(Clone, Debug)]
 pub enum Meaning {
     /// The i-th coordinate of the system.
     Coordinate(usize),
-    /// A constant, by its place among [`Model::constants`].
+    /// A constant, by its place among [`super::Model::constants`].
     Constant(usize),
-    /// Something free that varies with time, by its place among [`Model::varying`].
+    /// A free function of time, by its place among [`super::Model::varying`].
     Varying(usize),
     /// The time.
     Time,
-    /// Something that the system determines.
+    /// A quantity that the system determines.
     System(Quantity),
     /// A formula of other symbols, and of its own indices.
     Defined(Box<Expr>),
@@ -23,21 +23,21 @@ pub enum Meaning {
     Rotation(Axis, Turning),
     /// The k-th unit vector of the fixed axes.
     FixedAxis(usize),
-    /// Something that the document's turning frame determines.
+    /// A quantity of the document's turning frame.
     Frame(FrameQuantity),
-    /// Fixed in the turning frame, by its place among [`Model::rigid`].
+    /// A vector that is fixed in the turning frame, by its place among [`super::Model::rigid`].
     Rigid(usize),
-    /// Something that point masses determine: the label that counts them, their masses, their positions.
+    /// A quantity of point masses: the label that counts them, their masses, their positions.
     Particles(ParticleQuantity, IndexId, Box<Expr>, Box<Expr>),
-    /// The part of a continuum at hand; as a number its volume, area or length.
+    /// The part of a continuum under an integral or a limit; as a number its volume, area or length.
     Region(usize),
-    /// The mass density of a continuum, at the point at hand.
+    /// The mass density of a continuum, at the point of the integral.
     Density(usize),
-    /// The point of a continuum at hand.
+    /// The point that an integral over a continuum runs over.
     Point,
 }
 
-/// What a turning frame determines.
+/// A quantity of a turning frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the quantity of its name")]
 pub enum FrameQuantity {
@@ -50,32 +50,32 @@ pub enum FrameQuantity {
 /// How a document's frame turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {
-    /// Anyhow: three Euler angles that vary freely.
+    /// Freely: three Euler angles that vary freely.
     Free,
-    /// About a direction that does not change, by an angle that varies freely.
+    /// About a constant direction, by an angle that varies freely.
     FixedDirection,
 }
 
-/// What point masses determine.
+/// A quantity of point masses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the quantity of its name")]
 pub enum ParticleQuantity {
-    /// The second derivative of the kinetic energy by the angular velocity, about the origin.
+    /// The inertia tensor about the origin: the second derivative of the kinetic energy by the angular velocity.
     InertiaTensor,
     /// The eigenvalues of the inertia tensor, ascending.
     PrincipalMoments,
-    /// Its eigenvectors, in the same order, right-handed.
+    /// The eigenvectors of the inertia tensor, in the same order, right-handed.
     PrincipalAxes,
 }
 
-/// Vectors that are fixed in the turning frame.
+/// A vector, or a family of vectors, that is fixed in the turning frame.
 #[derive(Clone, Debug)]
 pub struct Rigid {
     /// The vector or family of vectors.
     pub symbol: SymbolId,
-    /// The fixed point that they turn about; the origin, if there is none.
+    /// The fixed point about which they turn; the origin if there is none.
     pub about: Option<SymbolId>,
-    /// How many there are, at most.
+    /// The largest number of members.
     pub members: usize,
 }
 
@@ -84,30 +84,30 @@ pub struct Rigid {
 pub struct Continuum {
     /// The symbol of the region.
     pub region: SymbolId,
-    /// 3, 2 or 1.
+    /// The dimension of the region: 3, 2 or 1.
     pub dimension: u8,
-    /// The masses and positions of the particles that it can be cut into.
+    /// The families of masses and positions of the particles into which it can be divided.
     pub particles: Option<(SymbolId, SymbolId)>,
     /// Whether its density is the same everywhere.
     pub uniform: bool,
-    /// What it is made of; a box, a rectangle or a segment anywhere, if nothing is said.
+    /// The solids of which it consists. If there are none, it is a random box, rectangle or segment.
     pub solids: Vec<Piece>,
 }
 
-/// A solid of a continuum, of sizes that are formulas.
+/// A solid of a continuum, whose sizes are formulas.
 #[derive(Clone, Debug)]
 pub struct Piece {
-    /// What solid.
+    /// The kind of solid.
     pub kind: SolidKind,
-    /// Its radius, length or edges.
+    /// The radius, length or edges.
     pub sizes: Vec<Expr>,
-    /// Its center, if that is not the origin.
+    /// The center, if that is not the origin.
     pub at: Option<Expr>,
-    /// Whether it is taken away.
+    /// Whether the solid is subtracted from the others.
     pub hollow: bool,
 }
 
-/// What a system determines at a state.
+/// A quantity that a system determines at a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the quantity of its name")]
 pub enum Quantity {
@@ -117,7 +117,7 @@ pub enum Quantity {
     /// Σ p q̇ − L: the value of the Hamiltonian and, where L does not depend on time, the energy.
     Energy,
     Momentum(usize),
-    /// With the cyclic momenta held, at rest in the other coordinates.
+    /// The energy with the cyclic momenta fixed and the other coordinates at rest.
     EffectivePotential,
     /// The matrix whose rows are the body axes; its entries, for a name with two indices.
     RotationMatrix,
@@ -141,14 +141,14 @@ pub const MEANINGS: [(&str, Quantity); 10] = [
     ("space axes", Quantity::SpaceAxes),
 ];
 
-/// A constant or a free function of time, with where its values are drawn from.
+/// A constant or a free function of time, with the range of its values.
 #[derive(Clone, Debug)]
 pub struct Variable {
-    /// Its symbol.
+    /// The symbol.
     pub symbol: SymbolId,
-    /// Where its values lie.
+    /// The range of its values.
     pub range: Range,
-    /// How many numbers it is: three for a vector, times the members of a family.
+    /// The number of its numbers: three for a vector, times the members of a family.
     pub numbers: usize,
 }
 

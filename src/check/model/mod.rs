@@ -1,8 +1,12 @@
-//! What the symbols of a document mean: the claims file's declarations, tied to the system that they describe.
+//! What the symbols of a document mean: the declarations of the claims file, mapped to the system that they describe.
 //!
-//! The model is where the printed side and the derived side meet. It owns the table of names and knows for each what
-//! gives it its value: a coordinate, a parameter, something that the Lagrangian determines, a formula that the prose or
+//! The model connects the printed side with the derived side. It owns the table of names. For each name it knows what
+//! gives its value: a coordinate, a parameter, a quantity that the Lagrangian determines, or a formula that the prose or
 //! an earlier equation defines.
+//!
+//! Offers [`Model`], built by [`build`]; [`claim`], the claims and hypotheses between two formulas; [`sampling`] and
+//! [`state_cache`], which the samplers share. Knows `formula`, `latex`, `notes`, `mechanics` and `systems`, and no other
+//! folder of `check`.
 
 use std::sync::Arc;
 
@@ -12,9 +16,9 @@ use crate::latex::Macros;
 use crate::mechanics::System;
 use crate::notes::claims::Range;
 
-use crate::check::model::claim::{Law, Lost};
+use crate::check::model::claim::{Law, Unread};
 use crate::check::model::meaning::{Continuum, Frame, Meaning, Rigid, Variable};
-use crate::check::model::states::StateCache;
+use crate::check::model::state_cache::StateCache;
 
 pub(crate) mod build;
 pub(crate) mod builder;
@@ -25,8 +29,9 @@ pub(crate) mod free_symbols;
 pub(crate) mod meaning;
 pub(crate) mod order;
 pub(crate) mod particles;
+pub(crate) mod sampling;
 pub(crate) mod sizes;
-pub(crate) mod states;
+pub(crate) mod state_cache;
 pub(crate) mod system;
 
 /// The symbols of a document and what they mean.
@@ -34,42 +39,42 @@ pub(crate) mod system;
 pub struct Model {
     /// The names.
     pub symbols: Symbols,
-    /// What each means, by [`SymbolId`]; a symbol that was read and not yet explained has none.
+    /// The meaning of each, by [`SymbolId`]; none for a symbol that was read but not yet defined.
     pub meanings: Vec<Option<Meaning>>,
-    /// What is true, if the claims name a system.
+    /// The traced system, if the claims name one.
     pub system: Option<Arc<System>>,
-    /// The world's coordinates in its order; without a system, the declared ones.
+    /// The coordinates of the system in its order; without a system, the declared ones.
     pub coordinates: Vec<Variable>,
-    /// All constants; the system's parameters are among them.
+    /// All constants, with the parameters of the system among them.
     pub constants: Vec<Variable>,
-    /// The world's parameters in its order, by their places among the constants.
+    /// The parameters of the system in its order, as places among the constants.
     pub parameters: Vec<usize>,
     /// Free functions of time.
     pub varying: Vec<Variable>,
-    /// The frame that turns, if there is one.
+    /// The turning frame, if there is one.
     pub frame: Option<Frame>,
-    /// Vectors fixed in it.
+    /// The vectors that are fixed in the turning frame.
     pub rigid: Vec<Rigid>,
-    /// Vectors whose components are taken along axes that are named.
+    /// The names of vectors whose components are taken along named axes, with the names of the axes.
     pub components: Vec<(Name, Name)>,
-    /// Bodies that fill a region.
+    /// The bodies that fill a region.
     pub continua: Vec<Continuum>,
-    /// The laws that motions obey.
+    /// The laws that all motions obey.
     pub laws: Vec<Law>,
-    /// The author's commands.
+    /// The macros of the author.
     pub macros: Macros,
-    /// Names of the claims file that could not be given a meaning.
-    pub lost: Vec<Lost>,
-    /// Laws that could not be taken over.
-    pub lost_laws: Vec<Lost>,
-    /// What was inferred, for the reader of the report.
+    /// Names of the claims file whose definition stands in a display that cannot be read.
+    pub unread_names: Vec<Unread>,
+    /// Laws that stand in a display that cannot be read.
+    pub unread_laws: Vec<Unread>,
+    /// What was inferred, as shown in the report.
     pub inferred: Vec<String>,
-    /// States that were found before.
-    pub drawn: StateCache,
+    /// The sampled states that are known.
+    pub state_cache: StateCache,
 }
 
 impl Model {
-    /// The model of these names, none of which means anything yet.
+    /// The model of these names, none of which has a meaning yet.
     pub fn empty(symbols: Symbols, macros: Macros) -> Model {
         Model {
             symbols,
@@ -85,14 +90,14 @@ impl Model {
             continua: Vec::new(),
             laws: Vec::new(),
             macros,
-            lost: Vec::new(),
-            lost_laws: Vec::new(),
+            unread_names: Vec::new(),
+            unread_laws: Vec::new(),
             inferred: Vec::new(),
-            drawn: StateCache::default(),
+            state_cache: StateCache::default(),
         }
     }
 
-    /// The meaning of a symbol; a symbol that was introduced and not yet given one has none.
+    /// The meaning of a symbol, if it has one yet.
     pub fn meaning(&self, id: SymbolId) -> Option<&Meaning> {
         self.meanings.get(id.0)?.as_ref()
     }
@@ -105,17 +110,17 @@ impl Model {
         self.meanings[id.0] = Some(meaning);
     }
 
-    /// Whether anything says how things move: a system, or laws.
+    /// Whether a system or laws determine the motion.
     pub fn has_motion(&self) -> bool {
         self.system.is_some() || !self.laws.is_empty()
     }
 
     /// Whether a formula depends on one of these symbols, through definitions too.
     pub fn depends_on(&self, expr: &Expr, symbols: &[SymbolId]) -> bool {
-        expr.symbols().iter().any(|(id, _)| self.stands_on(*id, symbols))
+        expr.symbols().iter().any(|(id, _)| self.symbol_depends_on(*id, symbols))
     }
 
-    /// Whether a formula is made of drawn symbols and definitions alone, of nothing that a system or a frame determines.
+    /// Whether a formula consists of drawn symbols and definitions only, without quantities of a system or a frame.
     pub fn is_plain(&self, expr: &Expr) -> bool {
         expr.symbols().iter().all(|(id, _)| match self.meaning(*id) {
             Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Coordinate(_) | Meaning::FixedAxis(_)) => true,
@@ -124,7 +129,7 @@ impl Model {
         })
     }
 
-    fn stands_on(&self, id: SymbolId, symbols: &[SymbolId]) -> bool {
+    fn symbol_depends_on(&self, id: SymbolId, symbols: &[SymbolId]) -> bool {
         symbols.contains(&id)
             || match self.meaning(id) {
                 Some(Meaning::Defined(formula)) => self.depends_on(formula, symbols),
@@ -132,17 +137,18 @@ impl Model {
                     self.depends_on(masses, symbols) || self.depends_on(positions, symbols)
                 }
                 Some(Meaning::Rigid(at)) => self.rigid[*at].about.is_some_and(|about| symbols.contains(&about)),
-                _ => self.symbols.entry(id).members.iter().any(|member| self.stands_on(*member, symbols)),
+                _ => self.symbols.entry(id).members.iter().any(|member| self.symbol_depends_on(*member, symbols)),
             }
     }
 
-    /// Gives an introduced symbol its defining formula.
+    /// Gives a symbol its defining formula.
     pub fn define(&mut self, id: SymbolId, formula: Expr) {
         self.mean(id, Meaning::Defined(Box::new(formula)));
         self.tie_components();
     }
 
-    /// Tells the table of names along which axes the components of known vectors are taken; false while axes are missing.
+    /// Records in the table of names along which axes the components of vectors are taken. Returns false while axes are
+    /// missing.
     pub fn tie_components(&mut self) -> bool {
         let mut all = true;
         for (vector, axes) in &self.components {
@@ -162,7 +168,7 @@ impl Model {
         self.symbols.entry(id).name.to_string()
     }
 
-    /// The range that a symbol's values are drawn from when it is taken to be independent.
+    /// The range from which the values of an independent symbol are drawn.
     pub fn range(&self, id: SymbolId) -> Range {
         match self.meaning(id) {
             Some(Meaning::Coordinate(i)) => self.coordinates[*i].range.clone(),

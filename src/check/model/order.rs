@@ -1,4 +1,4 @@
-//! The orders of the highest time derivatives in a formula.
+//! The order of the highest time derivative in a formula.
 
 use crate::formula::{Expr, Node, SymbolId};
 
@@ -23,7 +23,7 @@ pub fn derivatives(expr: &Expr, model: &Model) -> usize {
     }
 }
 
-/// The order of the highest derivative of a symbol in a formula, through definitions; none if it does not occur.
+/// The order of the highest derivative of a symbol in a formula, through definitions; `None` if it does not occur.
 pub(crate) fn order(model: &Model, expr: &Expr, symbol: SymbolId) -> Option<u8> {
     let inner = expr.children().into_iter().filter_map(|child| order(model, child, symbol)).max();
     match &expr.node {

@@ -1,6 +1,6 @@
-//! Meanings that depend on particles: `inertia tensor of m_i at \vec r_i`.
+//! Meanings from point masses: `inertia tensor of m_i at \vec r_i`.
 //!
-//! The particles may be defined by the notes, so such a name is read together with the displays.
+//! The notes may define the particles themselves, so such a name is read together with the displays.
 //!
 //! # Why a family has three or four members
 //!
@@ -24,15 +24,15 @@ const QUANTITIES: [(&str, ParticleQuantity); 3] = [
     ("principal axes of ", ParticleQuantity::PrincipalAxes),
 ];
 
-/// The quantity that a meaning names, and of what; none, if it is of something else than particles.
+/// The quantity of particles that a meaning names, and the text that names the particles. `None` for another meaning.
 pub(crate) fn quantity(meaning: &Spanned<String>) -> Option<(ParticleQuantity, &str)> {
     QUANTITIES.iter().find_map(|(word, quantity)| Some((*quantity, meaning.value.strip_prefix(word)?)))
 }
 
-/// Adds a name that means something of particles.
+/// Adds a name for a quantity of particles.
 ///
 /// # Errors
-/// When the particles are not known, or the name has other indices than the quantity.
+/// If the particles are not known, or the indices of the name do not fit the quantity.
 pub(crate) fn declare(
     claims: &Claims,
     latex: &Spanned<String>,
@@ -42,7 +42,8 @@ pub(crate) fn declare(
     let Some((quantity, particles)) = quantity(meaning) else { return Ok(()) };
     let error = |place: &Spanned<String>, message: String| Error::at(&claims.source, place.span, message);
     let Some((mass, position)) = particles.split_once(" at ") else {
-        return Err(error(meaning, "of which particles?".into()).help("write \"inertia tensor of m_i at \\vec r_i\""));
+        return Err(error(meaning, "the meaning does not name the particles".into())
+            .help("write \"inertia tensor of m_i at \\vec r_i\""));
     };
     let mut symbols = model.symbols.clone();
     let mut formula = |text: &str| -> Result<(Expr, crate::formula::shape::Type)> {
@@ -55,15 +56,15 @@ pub(crate) fn declare(
     let label = match (&position.node, of_position.free.as_slice()) {
         (Node::Symbol { .. }, [label]) if symbols.indices[label.0].labels => *label,
         _ => {
-            return Err(error(meaning, "the positions are no family of vectors".into())
-                .help("a family carries a label: \"indices\": { \"i\": \"1..n\" }, \\vec r_i"));
+            return Err(error(meaning, "the positions are not a family of vectors".into())
+                .help("give the vector a label: \"indices\": { \"i\": \"1..n\" }, \\vec r_i"));
         }
     };
     use crate::formula::shape::Shape;
     let others = of_mass.free.iter().any(|letter| *letter != label);
     if of_mass.shape != Shape::Scalar || of_position.shape != Shape::Vector || others {
-        return Err(error(meaning, "these are no masses and positions of particles".into())
-            .help("as in \"inertia tensor of m_i at \\vec r_i\""));
+        return Err(error(meaning, "these are not the masses and positions of particles".into())
+            .help("write \"inertia tensor of m_i at \\vec r_i\", with scalar masses and vector positions"));
     }
     let Some((name, 0)) = names::parse(&latex.value) else {
         return Err(error(latex, format!("{} is not the name of a symbol", latex.value)));
@@ -74,15 +75,15 @@ pub(crate) fn declare(
         (ParticleQuantity::InertiaTensor, 2) | (ParticleQuantity::PrincipalMoments, 1) => Kind::Scalar,
         (ParticleQuantity::PrincipalAxes, 1) => Kind::Vector,
         _ => {
-            return Err(error(latex, format!("{name} has {slots} indices, and that does not fit")).help(
-                "the inertia tensor has two or none; principal moments and axes have one, that runs over \"1..3\"",
+            return Err(error(latex, format!("{name} has {slots} indices, which does not fit its meaning")).help(
+                "the inertia tensor has two indices or none; principal moments and axes have one, which runs over \"1..3\"",
             ));
         }
     };
     let shown = name.to_string();
     let id = symbols
         .add(name, kind)
-        .ok_or_else(|| error(latex, format!("{shown} is declared twice")).help("keep one of the two"))?;
+        .ok_or_else(|| error(latex, format!("{shown} is declared twice")).help("remove one of the two declarations"))?;
     model.symbols = symbols;
     model.mean(id, Meaning::Particles(quantity, label, Box::new(mass), Box::new(position)));
     model.tie_components();

@@ -1,14 +1,14 @@
-//! Models whose families have other numbers of members.
+//! Models whose families have another number of members.
 
 use crate::formula::{SymbolId, Symbols};
 use crate::notes::claims::{Count, Range};
 
 use crate::check::model::Model;
 
-/// There are never more members.
+/// The largest number of members of a family.
 pub(crate) const MOST: u32 = 9;
 
-/// The symbols of numbers of members.
+/// The symbols that are numbers of members.
 pub(crate) fn counts(model: &Model) -> Vec<SymbolId> {
     let mut counts: Vec<SymbolId> = model.symbols.indices.iter().filter_map(|index| index.count).collect();
     counts.sort_unstable();
@@ -16,7 +16,7 @@ pub(crate) fn counts(model: &Model) -> Vec<SymbolId> {
     counts
 }
 
-/// The same names, where families have from so many to so many members.
+/// The same model, with families of `least` to `most` members.
 pub(crate) fn resized(model: &Model, least: u32, most: u32) -> Model {
     let mut model = model.clone();
     let counts = counts(&model);

@@ -1,4 +1,4 @@
-//! The symbols of a system: its coordinates and parameters tied to declared names, and what `"means"` says.
+//! The symbols of a system: its coordinates and parameters mapped to declared names, and the meanings under `"means"`.
 
 use crate::check::model::builder::{Builder, plain};
 use crate::check::model::meaning::{Frame, FrameQuantity, MEANINGS, Meaning, Quantity};
@@ -12,14 +12,14 @@ use crate::{Error, Result, suggest};
 use std::sync::Arc;
 
 impl Builder<'_> {
-    /// Ties the declared coordinates and constants to those of the system, by name or by `"read"`.
+    /// Maps the declared coordinates and constants to those of the system, by name or by `"read"`.
     pub(crate) fn system(&mut self, registry: &Registry) -> Result<()> {
         let Some(reference) = &self.claims.system else { return Ok(()) };
         let lagrangian = registry.get(&reference.name.value).ok_or_else(|| {
             let error = self.error(&reference.name, format!("there is no system \"{}\"", reference.name.value));
             match suggest::nearest(&reference.name.value, registry.names()) {
                 Some(near) => error.help(format!("did you mean \"{near}\"?")),
-                None => error.help(format!("there are {}", registry.names().collect::<Vec<_>>().join(", "))),
+                None => error.help(format!("the systems are {}", registry.names().collect::<Vec<_>>().join(", "))),
             }
         })?;
         let system = lagrangian.trace()?;
@@ -28,7 +28,7 @@ impl Builder<'_> {
             if !known.clone().any(|name| plain(name) == plain(&target.value)) {
                 let names: Vec<&str> = known.map(String::as_str).collect();
                 return Err(self
-                    .error(target, format!("\"{}\" has no \"{}\"", system.name(), target.value))
+                    .error(target, format!("the system \"{}\" has no \"{}\"", system.name(), target.value))
                     .help(format!("it has {}", names.join(", "))));
             }
             let name = self.name(symbol)?;
@@ -75,8 +75,8 @@ impl Builder<'_> {
     }
 
     fn missing(&self, place: &Spanned<String>, what: &str, name: &str) -> Error {
-        self.error(place, format!("no declared symbol stands for the {what} {name} of \"{}\"", place.value))
-            .help(format!("declare {name}, or say which symbol it is with \"read\""))
+        self.error(place, format!("no declared symbol is the {what} {name} of \"{}\"", place.value))
+            .help(format!("declare {name}, or map it to a symbol with \"read\""))
     }
 
     pub(crate) fn means(&mut self) -> Result<()> {
@@ -95,11 +95,11 @@ impl Builder<'_> {
                 (Quantity::RotationMatrix | Quantity::AngularVelocity, _)
                 | (Quantity::BodyAxes | Quantity::SpaceAxes, _) => {
                     return Err(self
-                        .error(latex, format!("{name} has {slots} indices, and the {} has not", meaning.value))
+                        .error(latex, format!("{name} has {slots} indices, which does not fit the {}", meaning.value))
                         .help("declare the letters of its subscript under \"indices\""));
                 }
                 (_, 0) => Kind::Scalar,
-                _ => return Err(self.error(latex, format!("{name} has an index, and the {} has none", meaning.value))),
+                _ => return Err(self.error(latex, format!("{name} has an index, but the {} has none", meaning.value))),
             };
             let id = self.add(latex, kind, Meaning::System(quantity))?;
             self.model.symbols.entry_mut(id).varies = true;
@@ -107,8 +107,8 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// Meanings that need no system: `angle turned with \vec\omega`; and those of particles, which wait until these are
-    /// known.
+    /// Adds a meaning that needs no system, such as `angle turned with \vec\omega`. Returns true for these, and for
+    /// quantities of particles, which are read later.
     fn of_frame_or_particles(&mut self, latex: &Spanned<String>, meaning: &Spanned<String>) -> Result<bool> {
         if let Some(vector) = meaning.value.strip_prefix("angle turned with ") {
             self.turning_with(vector, meaning)?;
@@ -127,7 +127,7 @@ impl Builder<'_> {
 
     fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {
         let Some(system) = &self.model.system else {
-            return Err(self.error(meaning, "nothing can be known here without a system").help("name a \"system\""));
+            return Err(self.error(meaning, "this meaning needs a system").help("name one under \"system\""));
         };
         if let Some(coordinate) = meaning.value.strip_prefix("momentum of ") {
             let place =
@@ -139,7 +139,7 @@ impl Builder<'_> {
         let found = MEANINGS.iter().find(|(word, _)| *word == meaning.value).map(|(_, quantity)| *quantity);
         let quantity = found.ok_or_else(|| {
             let words: Vec<&str> = MEANINGS.iter().map(|(word, _)| *word).collect();
-            let error = self.error(meaning, format!("\"{}\" is not a meaning", meaning.value));
+            let error = self.error(meaning, format!("\"{}\" is not a known meaning", meaning.value));
             match suggest::nearest(&meaning.value, words.iter().copied()) {
                 Some(near) => error.help(format!("did you mean \"{near}\"?")),
                 None => error.help(format!("the meanings are {}, momentum of q", words.join(", "))),
@@ -155,12 +155,12 @@ impl Builder<'_> {
             _ => None,
         };
         match lacks {
-            Some(what) => Err(self.error(meaning, format!("the system \"{}\" gives no {what}", system.name()))),
+            Some(what) => Err(self.error(meaning, format!("the system \"{}\" has no {what}", system.name()))),
             None => Ok(quantity),
         }
     }
 
-    /// `p_q` is the momentum of each coordinate q, unless it is declared otherwise.
+    /// Adds `p_q` as the momentum of each coordinate q, unless it is declared.
     pub(crate) fn momenta(&mut self) {
         if self.model.system.is_none() {
             return;
@@ -185,7 +185,7 @@ impl Builder<'_> {
                 [axis] if axis == "x" || axis == "1" => Axis::X,
                 [axis] if axis == "y" || axis == "2" => Axis::Y,
                 [axis] if axis == "z" || axis == "3" => Axis::Z,
-                _ => return Err(self.error(latex, "a rotation names its axis below: \\mathbf{R}_z")),
+                _ => return Err(self.error(latex, "a rotation must name its axis as a subscript: \\mathbf{R}_z")),
             };
             self.add(latex, Kind::Rotation, Meaning::Rotation(axis, sense.value))?;
         }

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use crate::Result;
 use crate::formula::Expr;
 use crate::latex::slips::{Edit, Pool, Slip};
-use crate::latex::{Introduced, slips};
+use crate::latex::{DefinedSymbol, slips};
 use crate::notes::claims::Claim;
 
 use crate::check::certificate::formulas;
@@ -65,13 +65,13 @@ impl Checker<'_> {
     /// The same with so many pools of what may be put in, the first of which is empty.
     fn redefined_by(&self, run: &Run<'_>, at: usize, alone: bool, pools: usize) -> Result<Vec<Repair>> {
         let members = || self.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-        let used = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
+        let used = |new: &DefinedSymbol| members().any(|member| self.model.depends_on(member, &[new.symbol]));
         let others = (0..self.notes.equations.len()).filter(|other| alone && *other != at);
         for other in std::iter::once(at).chain(others) {
             let display = &self.notes.equations[other];
             let (reading, none) = (&self.readings[other], Claim::default());
             let claim = self.assigned[other].unwrap_or(&none);
-            let introduces = |new: &Introduced| other == at || used(new);
+            let introduces = |new: &DefinedSymbol| other == at || used(new);
             if claim.expect.is_some() || !claim.errata.is_empty() || !reading.introduced.iter().any(introduces) {
                 continue;
             }

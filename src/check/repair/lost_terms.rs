@@ -19,7 +19,7 @@ use std::cell::OnceCell;
 
 use crate::Result;
 use crate::formula::{Expr, Node, text};
-use crate::latex::slips::{Edit, Hole, Slip};
+use crate::latex::slips::{Edit, InsertionPoint, Slip};
 use crate::latex::{Reading, read_formula, slips, typeset};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::{DualNum, RunningError, Symbol, TERMS};
@@ -32,7 +32,7 @@ use crate::check::judge::difference;
 use crate::check::judge::difference::{entries, normal};
 use crate::check::judge::term_fit::{leaves, multiplied_out};
 use crate::check::model::claim::{Link, is_equality};
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::repair::lost_products::{Factors, NEAR, STATES, bases, constant};
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
@@ -116,7 +116,7 @@ pub(crate) fn edits(checker: &Checker<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit
         on_shell: None,
         topic: &topic,
         span: crate::source::Span::default(),
-        reach: Reach::Declared,
+        spread: Spread::Declared,
         local: &local,
     };
     let always = wrong.claim.holds.as_ref().is_some_and(|holds| holds.value == Holds::Always);
@@ -166,7 +166,7 @@ impl<'w, 'a> Lost<'w, 'a> {
     fn proposals(&self) -> Vec<Proposal> {
         let model = self.checker.model;
         let mut proposals = Vec::new();
-        for hole in slips::holes(self.wrong.text, &model.symbols, &model.macros) {
+        for hole in slips::insertion_points(self.wrong.text, &model.symbols, &model.macros) {
             let [one, two] = self.fillings(hole).map(|filling| self.reading(&hole.filled('+', filling)));
             if one.statements.iter().any(std::result::Result::is_err) {
                 if hole.slip == Slip::Term {
@@ -185,7 +185,7 @@ impl<'w, 'a> Lost<'w, 'a> {
     }
 
     /// What is put into a hole to see what the equation makes of it; a factor that is not there is 1.
-    fn fillings(&self, hole: Hole) -> [&'static str; 2] {
+    fn fillings(&self, hole: InsertionPoint) -> [&'static str; 2] {
         if hole.slip == Slip::Term { ["1", "2"] } else { ["(2)", "(3)"] }
     }
 
@@ -199,7 +199,7 @@ impl<'w, 'a> Lost<'w, 'a> {
     }
 
     /// The value that a hole must have at each state, where it enters linearly and all rows agree on it.
-    pub(crate) fn needed(&self, hole: Hole, one: &Reading, two: &Reading) -> Option<Needed> {
+    pub(crate) fn needed(&self, hole: InsertionPoint, one: &Reading, two: &Reading) -> Option<Needed> {
         let mut needed =
             Needed { row: usize::MAX, rows: 0, values: Vec::new(), slopes: Vec::new(), states: Vec::new() };
         for (at, scene) in self.ensemble.states.iter().enumerate() {
@@ -254,7 +254,7 @@ impl<'w, 'a> Lost<'w, 'a> {
 
     /// Whether a term of what is put into a hole only takes away what is printed, or is a multiple of it: then that is wrong,
     /// and nothing was lost.
-    fn undoes(&self, term: &Expr, hole: Hole, link: &Link, needed: &Needed) -> bool {
+    fn undoes(&self, term: &Expr, hole: InsertionPoint, link: &Link, needed: &Needed) -> bool {
         let Some(values) = self.values(term, &needed.states) else { return true };
         leaves(link).iter().any(|leaf| {
             let Some(printed) = self.values(&leaf.expr, &needed.states) else { return false };
@@ -286,7 +286,7 @@ impl<'w, 'a> Lost<'w, 'a> {
     }
 
     /// Whether one of these is a factor that stands beside a hole: to divide by it takes it away.
-    fn cancels(&self, divisors: &[Expr], hole: Hole) -> bool {
+    fn cancels(&self, divisors: &[Expr], hole: InsertionPoint) -> bool {
         let (symbols, macros) = (&self.checker.model.symbols, &self.checker.model.macros);
         let read = read_formula(&self.wrong.text[hole.whole.range()], &mut symbols.clone(), macros);
         let Ok(printed) = read else { return !divisors.is_empty() };
@@ -315,7 +315,7 @@ impl<'w, 'a> Lost<'w, 'a> {
     }
 
     /// The number that was left out of a product which has none.
-    fn number(&self, hole: Hole, needed: &Needed) -> Option<Proposal> {
+    fn number(&self, hole: InsertionPoint, needed: &Needed) -> Option<Proposal> {
         let (whole, first) = (&self.wrong.text[hole.whole.range()], *needed.values.first()?);
         let is_one = needed.values.iter().all(|value| (value - first).abs() <= NEAR * first.abs());
         if hole.slip == Slip::Term || !is_one || first < 0.0 || whole.contains(|c: char| c.is_ascii_digit()) {
@@ -327,12 +327,18 @@ impl<'w, 'a> Lost<'w, 'a> {
     }
 
     /// What should stand in a hole, which a reading has filled with 1: a product of powers, or a normal form.
-    pub(crate) fn formula(&self, hole: Hole, needed: &Needed, link: (&Link, usize), one: &Reading) -> Option<Found> {
+    pub(crate) fn formula(
+        &self,
+        hole: InsertionPoint,
+        needed: &Needed,
+        link: (&Link, usize),
+        one: &Reading,
+    ) -> Option<Found> {
         self.product(hole, needed, link.0).or_else(|| self.sum(hole, needed, link, one))
     }
 
     /// What should stand in a hole as a product of powers.
-    fn product(&self, hole: Hole, needed: &Needed, link: &Link) -> Option<Found> {
+    fn product(&self, hole: InsertionPoint, needed: &Needed, link: &Link) -> Option<Found> {
         let factors = self.factors.get_or_init(|| Factors::of(self.checker, self.wrong, &self.ensemble.states));
         let product = factors.fitted(&needed.states, &needed.values)?;
         if hole.slip == Slip::Factor && product.is_number() {
@@ -358,14 +364,14 @@ impl<'w, 'a> Lost<'w, 'a> {
         Some(Found { sign, latex: product.latex, cost: product.cost, sum: None })
     }
 
-    pub(crate) fn proposal(&self, hole: Hole, sign: char, latex: &str, cost: usize) -> Proposal {
+    pub(crate) fn proposal(&self, hole: InsertionPoint, sign: char, latex: &str, cost: usize) -> Proposal {
         // Of a sum that is left something was lost sooner than beside what stands alone.
         let place = usize::from(hole.beside == 1) + usize::from(sign == '-');
         Proposal { cost: 2 * cost + place, edit: hole.filled(sign, latex) }
     }
 
     /// What should stand in a hole in normal form, where the states are made of symbols.
-    fn sum(&self, hole: Hole, needed: &Needed, (link, row): (&Link, usize), one: &Reading) -> Option<Found> {
+    fn sum(&self, hole: InsertionPoint, needed: &Needed, (link, row): (&Link, usize), one: &Reading) -> Option<Found> {
         let (one, _) = self.link(one, needed.row)?;
         let off = |link: &Link, scene: &SampledState<'_, Symbol>| {
             let sides = entries(link, scene).ok()?.get(row).copied()?;

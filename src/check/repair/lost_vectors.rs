@@ -3,7 +3,7 @@
 
 use crate::formula::symbols::Entry;
 use crate::formula::{Kind, Node};
-use crate::latex::slips::{Hole, Pool};
+use crate::latex::slips::{InsertionPoint, Pool};
 use crate::latex::{names, read_formula};
 
 use crate::check::repair::lost_terms::{Lost, Proposal, is_small};
@@ -17,7 +17,7 @@ const MOST: usize = 8;
 
 impl Lost<'_, '_> {
     /// The vectors with which the equation holds at a few states, added or taken away in a hole.
-    pub(crate) fn vectors(&self, hole: Hole) -> Vec<Proposal> {
+    pub(crate) fn vectors(&self, hole: InsertionPoint) -> Vec<Proposal> {
         let mut found = Vec::new();
         for latex in self.all_vectors() {
             for sign in ['+', '-'] {
@@ -37,7 +37,7 @@ impl Lost<'_, '_> {
     }
 
     /// Multiples of the vectors that stand in the document, and not in the sum that has the hole.
-    pub(crate) fn multiples(&self, hole: Hole) -> Vec<Proposal> {
+    pub(crate) fn multiples(&self, hole: InsertionPoint) -> Vec<Proposal> {
         let printed = &self.wrong.text[hole.whole.range()];
         let directions = self.directions.get_or_init(|| self.all_directions());
         let others = directions.iter().filter(|direction| !printed.contains(direction.as_str()));
@@ -45,7 +45,7 @@ impl Lost<'_, '_> {
     }
 
     /// What was left out, if it is a multiple of this vector.
-    fn along(&self, hole: Hole, direction: &str) -> Option<Proposal> {
+    fn along(&self, hole: InsertionPoint, direction: &str) -> Option<Proposal> {
         let filling = |number: &str| self.reading(&hole.filled('+', &format!("{number} \\, {direction}")));
         let [one, two] = ["1", "2"].map(filling);
         if one.statements.iter().any(std::result::Result::is_err) {

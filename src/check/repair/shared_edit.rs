@@ -17,7 +17,7 @@ use std::cmp::{Ordering, Reverse};
 
 use crate::formula::{Expr, Node, Statement};
 use crate::latex::slips::{Edit, Pool, Slip};
-use crate::latex::{Introduced, Reading, read_display, slips};
+use crate::latex::{DefinedSymbol, Reading, read_display, slips};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Solved};
 use crate::source::Fault;
@@ -158,8 +158,8 @@ impl Checker<'_> {
     pub(crate) fn stands_on(&self, equation: usize, at: usize) -> bool {
         let is_law = self.is_law(at);
         let members = || self.readings[equation].statements.iter().flatten().flat_map(|statement| &statement.members);
-        let uses = |new: &Introduced| members().any(|member| self.model.depends_on(member, &[new.symbol]));
-        let named = |new: &Introduced| {
+        let uses = |new: &DefinedSymbol| members().any(|member| self.model.depends_on(member, &[new.symbol]));
+        let named = |new: &DefinedSymbol| {
             self.model.laws.iter().flat_map(|law| &law.hypotheses).any(|hypothesis| {
                 [&hypothesis.lhs, &hypothesis.rhs].iter().any(|side| self.model.depends_on(side, &[new.symbol]))
             })

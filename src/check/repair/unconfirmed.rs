@@ -10,7 +10,7 @@
 //! edit after the first one of the equation. `--fix` then leaves the file to the author.
 
 use crate::formula::SymbolId;
-use crate::latex::Introduced;
+use crate::latex::DefinedSymbol;
 use crate::latex::slips::Slip;
 
 use crate::check::document::checker::Checker;
@@ -117,7 +117,7 @@ impl Checker<'_> {
     fn defines_in_a_chain(&self, at: usize) -> bool {
         let reading = &self.readings[at];
         let statement =
-            |new: &Introduced| reading.statements.get(new.statement).and_then(|statement| statement.as_ref().ok());
+            |new: &DefinedSymbol| reading.statements.get(new.statement).and_then(|statement| statement.as_ref().ok());
         reading.introduced.iter().any(|new| statement(new).is_some_and(|statement| statement.members.len() > 2))
     }
 

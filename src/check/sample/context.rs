@@ -11,7 +11,7 @@ use crate::check::hypotheses::rule::Rule;
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::order::derivatives;
-use crate::check::model::states::{Mode, Reach};
+use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::sampler::Sampler;
 use crate::check::sample::setting::Setting;
@@ -45,7 +45,7 @@ pub struct Context<'a> {
     /// The bytes of the notes that the claim is about.
     pub span: Span,
     /// How far from the declared ranges its states are drawn.
-    pub reach: Reach,
+    pub spread: Spread,
     /// What symbols mean in this claim only.
     pub local: &'a [Rule],
 }
@@ -53,13 +53,13 @@ pub struct Context<'a> {
 impl<'a> Context<'a> {
     /// The mode of states on shell or off, with enough derivatives for these formulas and one more dot.
     pub fn mode(&self, on_shell: bool, formulas: &[&Expr]) -> Mode {
-        let of_conditions = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
+        let of_hypotheses = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
         let of_laws = self.model.laws.iter().flat_map(|law| &law.hypotheses).flat_map(|c| [&c.lhs, &c.rhs]);
         let of_laws = of_laws.filter(|_| on_shell);
         let of_rules = self.local.iter().flat_map(|rule| rule.action.formulas());
         // A symbol that a hypothesis or a law gives its value is differentiated as often as it is itself, and then as
         // often as the formula is.
-        let beneath = of_conditions.chain(of_laws).chain(of_rules).map(|f| derivatives(f, self.model)).max();
+        let beneath = of_hypotheses.chain(of_laws).chain(of_rules).map(|f| derivatives(f, self.model)).max();
         let needed = formulas.iter().map(|f| derivatives(f, self.model)).max();
         let stacked = on_shell && !self.model.laws.is_empty() || !self.local.is_empty();
         let needed = if stacked { needed.map(|n| n + beneath.unwrap_or(0)) } else { needed.max(beneath) };
@@ -70,7 +70,7 @@ impl<'a> Context<'a> {
 
     /// What its states obey.
     pub(crate) fn setting(&self, mode: Mode) -> Setting<'a> {
-        Setting { hypotheses: self.hypotheses, local: self.local, mode, reach: self.reach }
+        Setting { hypotheses: self.hypotheses, local: self.local, mode, spread: self.spread }
     }
 
     /// States of the claim.
@@ -78,8 +78,8 @@ impl<'a> Context<'a> {
     /// # Errors
     /// When the mass matrix is singular at all of them.
     pub fn ensemble(&self, mode: Mode, relaxed: bool, points: usize) -> Result<Ensemble<'a>> {
-        let reach = if relaxed { Reach::Beyond } else { self.reach };
-        Context { reach, ..*self }.ensemble_of(self.model, mode, points, if relaxed { "beyond" } else { "" })
+        let spread = if relaxed { Spread::BeyondRanges } else { self.spread };
+        Context { spread, ..*self }.ensemble_of(self.model, mode, points, if relaxed { "beyond" } else { "" })
     }
 
     /// States of the claim as a model has it, from a stream of their own.
@@ -114,6 +114,11 @@ impl<'a> Context<'a> {
         format!("{}/{}/{what}", self.topic, mode.on_shell)
     }
 
+    /// Whether the claim holds under hypotheses of its own, or gives symbols a meaning of its own.
+    pub(crate) fn has_hypotheses(&self) -> bool {
+        !self.hypotheses.is_empty() || !self.local.is_empty()
+    }
+
     /// A finding about this claim.
     pub fn finding(&self, code: Code, verdict: Verdict, message: impl Into<String>) -> Finding {
         Finding::new(code, verdict, self.span, message)
@@ -127,21 +132,42 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The finding that no state obeys the hypotheses.
-    pub fn no_room(&self, ensemble: &Ensemble<'_>) -> Finding {
-        let message = "no state obeys the hypotheses: they contradict each other or leave no room";
-        Finding { tried: ensemble.tried, ..self.finding(Code::NotDecided, Verdict::Undecided, message) }
+    /// The finding that no state was found that obeys the hypotheses. That is no proof that there is none.
+    pub fn no_state(&self, ensemble: &Ensemble<'_>) -> Finding {
+        let message = match ensemble.projection.record.is_stuck() {
+            true => {
+                "no state was found that obeys the hypotheses: the solver failed, or they contradict each other; check \
+                 them, or write them solved for a symbol (x = …)"
+            }
+            false => {
+                "no state was found that obeys the hypotheses: they contradict each other or the declared ranges, or \
+                 the ranges are too wide; check the hypotheses, or narrow the ranges"
+            }
+        };
+        Finding { tried: ensemble.tried, ..self.finding(Code::NoState, Verdict::Undecided, message) }
     }
 
     /// Why a formula has no value, as a finding.
     pub fn unavailable(&self, reason: &Unavailable) -> Finding {
-        let message = match reason {
+        let (code, message) = match reason {
             Unavailable::Symbol(id) => {
-                format!("nothing here gives {} a value", text::plain(&self.model.name(*id)))
+                let name = text::plain(&self.model.name(*id));
+                (
+                    Code::NoValue,
+                    format!("{name} has no value here; declare it, define it, or say under \"means\" what it is"),
+                )
             }
-            Unavailable::Derivative(_) => format!("it needs time derivatives beyond the {}th", TERMS - 1),
-            Unavailable::Operation(what) => format!("{what} cannot be evaluated"),
+            Unavailable::Derivative(_) => {
+                let most = TERMS - 1;
+                (
+                    Code::NotSupported,
+                    format!("this needs time derivatives of order above {most}, which is not supported"),
+                )
+            }
+            Unavailable::Operation(what) => {
+                (Code::NotSupported, format!("{what} cannot be evaluated; write the formula in another way"))
+            }
         };
-        self.finding(Code::NotSupported, Verdict::Unreadable, message)
+        self.finding(code, Verdict::Unreadable, message)
     }
 }

@@ -17,18 +17,19 @@ use crate::{Error, Result};
 
 use crate::check::hypotheses::rule::Rule;
 use crate::check::model::Model;
-use crate::check::model::states::{CacheKey, CachedStates, Mode};
+use crate::check::model::sampling::Mode;
+use crate::check::model::state_cache::{CacheKey, CachedStates};
 use crate::check::sample::projection::Projection;
 use crate::check::sample::sampler::{Sampler, contains};
 use crate::check::sample::setting::{FEWEST, Setting};
-use crate::check::sample::special::{Place, crowds};
+use crate::check::sample::special::{Place, of_groups};
 use crate::check::state::sampled_state::SampledState;
 
 /// More states than these are seldom asked for.
 const USUAL: usize = 128;
 
 /// Where a few states are enough, so many bases are tried before hypotheses are given up that none could be moved onto.
-const IN_HASTE: usize = 4;
+const FEW_ATTEMPTS: usize = 4;
 
 /// States that obey a setting.
 pub struct Ensemble<'m> {
@@ -56,12 +57,12 @@ impl<'m> Ensemble<'m> {
         let mut projection = Projection::new(model, setting);
         let (mut states, mut bases, mut tried) = (Vec::with_capacity(points.min(USUAL)), Vec::new(), 0);
         let mut failure: Option<Error> = None;
-        let is_in_vain = |projection: &Projection<'_>, tried: usize| {
-            projection.progress.hopeless || points < FEWEST && tried == IN_HASTE && projection.progress.is_stuck()
+        let is_given_up = |projection: &Projection<'_>, tried: usize| {
+            projection.record.hopeless || points < FEWEST && tried == FEW_ATTEMPTS && projection.record.is_stuck()
         };
-        while states.len() < points && tried < 4 * points + 32 && !is_in_vain(&projection, tried) {
+        while states.len() < points && tried < 4 * points + 32 && !is_given_up(&projection, tried) {
             tried += 1;
-            let base = draw.base(&projection.slots, setting.reach);
+            let base = draw.base(&projection.slots, setting.spread);
             match projection.project(base) {
                 Ok(Some((base, state))) => {
                     states.push(state);
@@ -104,17 +105,17 @@ impl<'m> Ensemble<'m> {
         if projection.equalities().next().is_none() || !setting.local.is_empty() {
             return find(&mut draw);
         }
-        let Setting { mode, reach, .. } = *setting;
+        let Setting { mode, spread, .. } = *setting;
         let stream = (seed, name.to_owned());
-        let wanted = CacheKey { stream, mode, reach, points, hypotheses: setting.hypotheses.to_vec() };
-        let Some(found) = model.drawn.find(&wanted) else {
+        let wanted = CacheKey { stream, mode, spread, points, hypotheses: setting.hypotheses.to_vec() };
+        let Some(found) = model.state_cache.find(&wanted) else {
             let ensemble = find(&mut draw)?;
             let Ensemble { bases, tried, projection, .. } = &ensemble;
-            let found = CachedStates { bases: bases.clone(), tried: *tried, progress: projection.progress.clone() };
-            model.drawn.keep(wanted, found);
+            let found = CachedStates { bases: bases.clone(), tried: *tried, record: projection.record.clone() };
+            model.state_cache.keep(wanted, found);
             return Ok(ensemble);
         };
-        projection.progress = found.progress.clone();
+        projection.record = found.record.clone();
         let states = found.bases.iter().map(|base| projection.measured(base)).collect::<Result<_>>()?;
         let (bases, tried) = (found.bases.clone(), found.tried);
         Ok(Ensemble { states, bases, tried, mode, rules: projection.rules.clone(), projection })
@@ -145,16 +146,16 @@ impl<'m> Ensemble<'m> {
                 places.extend([Place::Like(at, other, 1.0), Place::Like(at, other, -1.0)]);
             }
         }
-        places.extend([Place::Rest, Place::Nothing]);
-        places.extend(crowds(model, &projection.slots));
+        places.extend([Place::AtRest, Place::AllZero]);
+        places.extend(of_groups(model, &projection.slots));
         for place in places {
             // Hypotheses may exclude a state that is drawn, and not the place.
             for _ in 0..8 {
-                if projection.progress.hopeless {
+                if projection.record.hopeless {
                     break;
                 }
                 tried += 1;
-                let mut base = draw.base(&projection.slots, setting.reach);
+                let mut base = draw.base(&projection.slots, setting.spread);
                 place.set(&mut base, &projection.slots);
                 if projection.slots.iter().zip(&base).all(|(slot, value)| contains(&slot.range, *value))
                     && let Ok(Some((base, state))) = projection.project(base)

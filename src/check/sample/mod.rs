@@ -7,9 +7,10 @@
 pub(crate) mod context;
 pub(crate) mod ensemble;
 pub(crate) mod hypothesis_residual;
+pub(crate) mod newton;
 pub(crate) mod outcome;
+pub(crate) mod prescribed_values;
 pub(crate) mod projection;
 pub(crate) mod sampler;
-pub(crate) mod scaled_family;
 pub(crate) mod setting;
 pub(crate) mod special;

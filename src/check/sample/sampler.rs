@@ -11,7 +11,7 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 use crate::notes::claims::{Count, Range};
 
 use crate::check::model::meaning::is_angle;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::state::numbers::Slot;
 
 /// How far |sin| and |cos| of a drawn angle stay from zero.
@@ -55,14 +55,14 @@ impl Sampler {
     }
 
     /// A value of a range.
-    pub fn value(&mut self, range: &Range, reach: Reach) -> f64 {
-        let (small, large) = match reach {
-            Reach::Declared | Reach::Near => (0.3, 3.0),
-            Reach::Beyond => (0.1, 10.0),
-            Reach::Vast if self.unit() < 0.5 => (0.3, 3.0),
-            Reach::Vast | Reach::Wide => (1e-4, 1e4),
+    pub fn value(&mut self, range: &Range, spread: Spread) -> f64 {
+        let (small, large) = match spread {
+            Spread::Declared | Spread::OrderOne => (0.3, 3.0),
+            Spread::BeyondRanges => (0.1, 10.0),
+            Spread::WithEnds if self.unit() < 0.5 => (0.3, 3.0),
+            Spread::WithEnds | Spread::AllMagnitudes => (1e-4, 1e4),
         };
-        let relaxed = reach == Reach::Beyond;
+        let relaxed = spread == Spread::BeyondRanges;
         match range {
             Range::Positive => self.magnitude(small, large),
             Range::Negative => -self.magnitude(small, large),
@@ -71,7 +71,7 @@ impl Sampler {
                 if self.unit() < 0.5 { -size } else { size }
             }
             Range::Angle => {
-                let turns = if reach == Reach::Wide { TURNS } else { 0.5 };
+                let turns = if spread == Spread::AllMagnitudes { TURNS } else { 0.5 };
                 self.angle(-turns * std::f64::consts::TAU, turns * std::f64::consts::TAU)
             }
             Range::Interval { low, high, low_open, high_open } => {
@@ -83,22 +83,22 @@ impl Sampler {
                     let side = if *high <= 0.0 || *low < 0.0 && self.unit() < 0.5 { -1.0 } else { 1.0 };
                     return if self.unit() < 0.5 { near } else { side * far };
                 }
-                if reach == Reach::Vast && self.unit() < 0.2 {
+                if spread == Spread::WithEnds && self.unit() < 0.2 {
                     let end = if self.unit() < 0.5 { (low, low_open) } else { (high, high_open) };
                     if !end.1 {
                         return *end.0;
                     }
                 }
-                let margin = if reach == Reach::Wide { 1e-3 } else { 0.05 };
+                let margin = if spread == Spread::AllMagnitudes { 1e-3 } else { 0.05 };
                 let keep = |open: bool| if open { margin * width } else { 0.0 };
                 let (mut low, mut high) = (low + keep(*low_open), high - keep(*high_open));
-                if reach == Reach::Near && low < large && high > -large {
+                if spread == Spread::OrderOne && low < large && high > -large {
                     (low, high) = (low.max(-large), high.min(large));
                 }
                 if is_angle(range) { self.angle(low, high) } else { self.between(low, high) }
             }
             // Vectors and indices are drawn elsewhere.
-            Range::Rigid { .. } | Range::FixedDirection | Range::Labels { .. } => self.value(&Range::Any, reach),
+            Range::Rigid { .. } | Range::FixedDirection | Range::Labels { .. } => self.value(&Range::Any, spread),
             Range::Integer { low, high } => {
                 let high = last(high, *low);
                 (*low as f64 + (self.unit() * (high - low + 1) as f64).floor()).min(high as f64)
@@ -118,16 +118,16 @@ impl Sampler {
     }
 
     /// A base: a value for each slot, like ones apart from each other.
-    pub fn base(&mut self, slots: &[Slot], reach: Reach) -> Vec<f64> {
+    pub fn base(&mut self, slots: &[Slot], spread: Spread) -> Vec<f64> {
         let mut base: Vec<f64> = Vec::with_capacity(slots.len());
         for slot in slots {
             // Of a crowd of numbers none needs to be far from another, nor evenly spread in the logarithm.
-            if slot.one_of_many && slot.range == Range::Any && reach == Reach::Declared {
+            if slot.one_of_many && slot.range == Range::Any && spread == Spread::Declared {
                 let value = self.between(-2.5, 2.5);
                 base.push(value + 0.3_f64.copysign(value));
                 continue;
             }
-            let mut value = self.value(&slot.range, reach);
+            let mut value = self.value(&slot.range, spread);
             let tries = if slot.one_of_many { 0 } else { 16 };
             for _ in 0..tries {
                 let near = |other: &f64| (value - other).abs() < 0.05 * value.abs().max(other.abs());
@@ -136,7 +136,7 @@ impl Sampler {
                 if !alike.map(|(_, other)| other).any(near) {
                     break;
                 }
-                value = self.value(&slot.range, reach);
+                value = self.value(&slot.range, spread);
             }
             base.push(value);
         }
@@ -189,7 +189,7 @@ mod tests {
         let mut draw = Sampler::new(1, "test");
         for range in &ranges {
             for _ in 0..200 {
-                assert!(contains(range, draw.value(range, Reach::Declared)), "{range:?}");
+                assert!(contains(range, draw.value(range, Spread::Declared)), "{range:?}");
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::check::hypotheses::rule::Rule;
 use crate::check::model::claim::Hypothesis;
-use crate::check::model::states::{Mode, Reach};
+use crate::check::model::sampling::{Mode, Spread};
 
 /// What a claim takes for granted, and how its states are made.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub struct Setting<'c> {
     /// On shell or off, and how many derivatives.
     pub mode: Mode,
     /// How far from the declared ranges to draw.
-    pub reach: Reach,
+    pub spread: Spread,
 }
 
 /// How many states a pass needs.

@@ -19,13 +19,13 @@ pub(crate) enum Place {
     /// Many numbers so many times others, one after the other: vectors that are parallel, members that are alike.
     Follow(Vec<usize>, Vec<usize>, f64),
     /// Every rate zero.
-    Rest,
+    AtRest,
     /// The same, and every other number that may be zero.
-    Nothing,
+    AllZero,
 }
 
 /// Special places of vectors and families: each zero, its members alike, parallel to another.
-pub(crate) fn crowds(model: &Model, slots: &[Slot]) -> Vec<Place> {
+pub(crate) fn of_groups(model: &Model, slots: &[Slot]) -> Vec<Place> {
     let mut groups: Vec<(SymbolId, Vec<usize>)> = Vec::new();
     for (at, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.one_of_many && slot.order == 0) {
         let Some(symbol) = slot.symbol else { continue };
@@ -68,8 +68,8 @@ impl Place {
                     base[*at] = factor * base[*other];
                 }
             }
-            Place::Rest | Place::Nothing => {
-                let all = matches!(self, Place::Nothing);
+            Place::AtRest | Place::AllZero => {
+                let all = matches!(self, Place::AllZero);
                 for (slot, value) in slots.iter().zip(base) {
                     if slot.order > 0 || all && !slot.one_of_many && contains(&slot.range, 0.0) {
                         *value = 0.0;

@@ -12,7 +12,7 @@ use crate::scalar::{RunningError, Series, TERMS};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
-use crate::check::sample::scaled_family::Family;
+use crate::check::sample::prescribed_values::PrescribedValues;
 use crate::check::sample::setting::Setting;
 use crate::check::state::sampled_state::SampledState;
 
@@ -46,11 +46,11 @@ pub(crate) fn of_link(link: &Link) -> Option<Comparison> {
 
 /// The comparison that a hypothesis makes, if it is no equality: that holds at all states.
 pub(crate) fn of_hypothesis(hypothesis: &Hypothesis) -> Option<Comparison> {
-    (!is_equality(hypothesis.relation)).then(|| of_condition(hypothesis))?
+    (!is_equality(hypothesis.relation)).then(|| comparison_of(hypothesis))?
 }
 
 /// The comparison that the hypothesis of a claim makes, an equality too.
-pub(crate) fn of_condition(hypothesis: &Hypothesis) -> Option<Comparison> {
+pub(crate) fn comparison_of(hypothesis: &Hypothesis) -> Option<Comparison> {
     hypothesis.free.is_empty().then(|| (hypothesis.lhs.clone(), hypothesis.rhs.clone()))
 }
 
@@ -67,14 +67,14 @@ pub(crate) fn states<'m>(
     special: &Ensemble<'m>,
 ) -> Result<Vec<SampledState<'m, RunningError>>> {
     let setting =
-        Setting { hypotheses: context.hypotheses, local: context.local, mode: ensemble.mode, reach: context.reach };
+        Setting { hypotheses: context.hypotheses, local: context.local, mode: ensemble.mode, spread: context.spread };
     let mut found = Vec::new();
     for (at, (lhs, rhs)) in comparisons.iter().enumerate() {
         if comparisons[..at].contains(&comparisons[at]) {
             continue;
         }
         let difference = lhs.clone().minus(rhs.clone());
-        let mut family = Family::new(context.model, &setting, &[difference]);
+        let mut family = PrescribedValues::new(context.model, &setting, &[difference]);
         let beside = |state: &SampledState<'_, RunningError>| {
             let sides = (state.now(lhs, &[]), state.now(rhs, &[]));
             let (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) = sides else { return None };

@@ -87,7 +87,7 @@ fn drawn_under<'m>(
     context: &Context<'m>,
     ensemble: &Ensemble<'m>,
 ) -> Result<Vec<SampledState<'m, RunningError>>> {
-    let setting = Setting { hypotheses, local: context.local, mode: ensemble.mode, reach: context.reach };
+    let setting = Setting { hypotheses, local: context.local, mode: ensemble.mode, spread: context.spread };
     let mut draw = Sampler::new(context.options.seed, &format!("{}/another way", context.topic));
     Ok(Ensemble::draw(context.model, &setting, OF_EACH, &mut draw)?.states)
 }

@@ -19,7 +19,7 @@ use crate::scalar::RunningError;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::projection::Projection;
@@ -97,7 +97,7 @@ pub(crate) fn within_doubles(link: &Link, context: &Context<'_>, ensemble: &mut 
     let all = ensemble.states.len();
     retain(ensemble, keep);
     if ensemble.states.len() < all {
-        let near = Context { reach: Reach::Near, ..*context }.setting(ensemble.mode);
+        let near = Context { spread: Spread::OrderOne, ..*context }.setting(ensemble.mode);
         let mut draw = context.draw(ensemble.mode, "near");
         let mut more = Ensemble::draw(ensemble.projection.model, &near, context.options.points, &mut draw)?;
         retain(&mut more, keep);

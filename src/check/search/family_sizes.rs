@@ -12,12 +12,12 @@ use crate::formula::{Expr, SymbolId, text};
 
 use crate::check::certificate::claim::Certificate;
 use crate::check::certificate::decide::certify;
-use crate::check::certificate::family_growth::Growing;
+use crate::check::certificate::family_growth::GrowthAnalysis;
 use crate::check::hypotheses::rule::Action;
 use crate::check::model::Model;
 use crate::check::model::claim::{Link, is_equality};
+use crate::check::model::sampling::Mode;
 use crate::check::model::sizes::{counts, resized};
-use crate::check::model::states::Mode;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::state::counterexample::counterexample;
@@ -80,14 +80,14 @@ pub(crate) fn certified(
 ///
 /// # Errors
 /// When the system's mass matrix is singular at all of their states.
-pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
+pub(crate) fn at_other_sizes(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
     let sides = [&link.lhs, &link.rhs];
     if finding.verdict != Verdict::Verified || !counts_members(&sides, context) {
         return Ok(finding);
     }
     let hypotheses = context.hypotheses.iter().flat_map(|hypothesis| [&hypothesis.lhs, &hypothesis.rhs]);
     let all: Vec<&Expr> = sides.into_iter().chain(hypotheses).collect();
-    let named = Growing::new(context.model, context.local).told_apart(&all, &[]);
+    let named = GrowthAnalysis::new(context.model, context.local).distinguished_members(&all, &[]);
     for size in OTHERS.into_iter().filter(|size| *size >= named) {
         if let Some(refuted) = fails_at(link, context, mode, (size, &finding))? {
             return Ok(refuted);
@@ -124,12 +124,15 @@ fn fails_at(
         tried: finding.tried + states.tried,
         max_residual: Some(failure.residual),
         counterexample: Some(counterexample(link, state, &failure)),
-        ..context.finding(Code::SidesDiffer, Verdict::Refuted, message(&model, size))
+        ..context.finding(Code::FailsForFamilySize, Verdict::Refuted, message(&model, size))
     }))
 }
 
 /// That a claim is false at a number of members.
 fn message(model: &Model, size: u32) -> String {
     let names: Vec<String> = counts(model).iter().map(|id| text::plain(&model.name(*id))).collect();
-    format!("it holds for three and four members, and is false for {} = {size}", names.join(" = "))
+    format!(
+        "this holds for 3 and 4 members, but is false for {} = {size}; check the limits of the sums",
+        names.join(" = ")
+    )
 }

@@ -18,7 +18,7 @@ use crate::scalar::RunningError;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
-use crate::check::model::states::{Mode, Reach};
+use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::state::counterexample::counterexample;
@@ -52,7 +52,7 @@ enum Branches {
 ///
 /// # Errors
 /// When the system's mass matrix is singular at all of them.
-pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
+pub(crate) fn at_all_magnitudes(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
     let branches = of(&link.lhs, context.model).max(of(&link.rhs, context.model));
     // A field knows all values of a root, and not where it has none.
     let is_open = match finding.verdict {
@@ -63,13 +63,13 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding:
     if !is_open {
         return Ok(finding);
     }
-    let setting = Context { reach: Reach::Wide, ..*context }.setting(mode);
+    let setting = Context { spread: Spread::AllMagnitudes, ..*context }.setting(mode);
     let states = Ensemble::draw(context.model, &setting, STATES, &mut context.draw(mode, "wide"))?;
     let mut ends = None;
     for state in &states.states {
         match residual::test(link, state) {
             Ok(Point::Fails(failure)) if failure.residual > GROSS && is_moderate(link, state) => {
-                let message = "the two sides agree where all numbers are of order one, and differ here";
+                let message = "the two sides agree where all numbers are of order one, but differ at this state";
                 return Ok(found(
                     (Code::SidesDiffer, Verdict::Refuted),
                     message,
@@ -88,9 +88,7 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, mode: Mode, finding:
     Ok(match ends {
         None => finding,
         Some(place) => {
-            let which = if place.2.lhs.is_finite() { "right" } else { "left" };
-            let message =
-                format!("agrees wherever both sides are defined, but the {which} side is not defined everywhere");
+            let message = place.2.domain_message();
             found((Code::DomainDiffers, Verdict::Domain), &message, place, context, finding)
         }
     })

@@ -79,7 +79,7 @@ const SIMPLE: f64 = 1e-4;
 const PASSES: usize = 4;
 
 /// The finding on an inequality that has passed, with what its worst states say of it.
-pub(crate) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, finding: Finding) -> Finding {
+pub(crate) fn at_worst_state(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, finding: Finding) -> Finding {
     if finding.verdict != Verdict::Verified {
         return finding;
     }
@@ -116,16 +116,16 @@ pub(crate) fn looked_at(link: &Link, context: &Context<'_>, ensemble: &Ensemble<
         });
         if let Some((state, failure)) = found {
             let glyph = link.relation.glyph();
-            let place = if ensemble.mode.on_shell { ", on shell" } else { "" };
+            let place = if ensemble.mode.on_shell { " on shell" } else { "" };
             return Finding {
                 points: finding.points,
                 tried: finding.tried,
                 max_residual: Some(failure.residual),
                 counterexample: Some(counterexample(link, &state, &failure)),
                 ..context.finding(
-                    Code::SidesDiffer,
+                    Code::InequalityFails,
                     Verdict::Refuted,
-                    format!("“{glyph}” fails at its worst state{place}"),
+                    format!("“{glyph}” fails{place} at the state with the smallest margin"),
                 )
             };
         }
@@ -270,7 +270,7 @@ impl<'m> Search<'_, 'm> {
     /// The numbers on which the margin depends, but for those that hypotheses are solved for.
     fn that_matter(&mut self, base: &[f64], margin: Margin) -> Vec<usize> {
         let mut found = Vec::new();
-        let planned: Vec<usize> = self.projection.progress.plan.iter().map(|(_, slot)| *slot).collect();
+        let planned: Vec<usize> = self.projection.record.plan.iter().map(|(_, slot)| *slot).collect();
         for at in (1..base.len()).filter(|at| !planned.contains(at)) {
             if found.len() == MOVED || matches!(self.projection.slots[at].range, Range::Integer { .. }) {
                 continue;

@@ -11,9 +11,9 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::finding::Counterexample;
 
 /// The state of a failure: the values of the claim's symbols.
-pub fn counterexample(link: &Link, scene: &SampledState<'_, RunningError>, failure: &Failure) -> Counterexample {
+pub fn counterexample(link: &Link, state: &SampledState<'_, RunningError>, failure: &Failure) -> Counterexample {
     Counterexample {
-        state: values(&[&link.lhs, &link.rhs], scene),
+        state: values(&[&link.lhs, &link.rhs], state),
         lhs: failure.lhs,
         rhs: failure.rhs,
         entry: failure.entry.clone(),

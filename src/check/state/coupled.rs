@@ -1,4 +1,4 @@
-//! The highest derivatives that several laws give together, solved at a state as a linear system.
+//! CoupledLaws that give several highest derivatives together, solved at a state as a system of linear equations.
 
 use nalgebra::DMatrix;
 
@@ -7,13 +7,13 @@ use crate::formula::{Expr, SymbolId, Value};
 use crate::mechanics::solve_with;
 use crate::scalar::{Number, Series};
 
-use crate::check::hypotheses::rule::Laws;
+use crate::check::hypotheses::rule::CoupledLaws;
 use crate::check::state::sampled_state::SampledState;
 use crate::check::state::values::Valued;
 
 impl<B: Number> SampledState<'_, B> {
     /// A symbol that laws give together with others.
-    pub(crate) fn together(&self, laws: &Laws, id: SymbolId) -> Valued<B> {
+    pub(crate) fn together(&self, laws: &CoupledLaws, id: SymbolId) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let known = |known: &[(SymbolId, Vec<Value<Series<B>>>)]| {
             known.iter().find(|(symbol, _)| *symbol == id).and_then(|(_, members)| members.first().cloned())
@@ -59,8 +59,8 @@ impl<B: Number> SampledState<'_, B> {
     }
 
     /// What the derivatives of laws of some order are off by, with these derivatives of the unknowns.
-    fn off_by(&self, laws: &Laws, jets: &[Vec<B>], order: usize) -> Result<Vec<B>, Unavailable> {
-        let wrong = || Unavailable::Operation("a law that is no equation between numbers");
+    fn off_by(&self, laws: &CoupledLaws, jets: &[Vec<B>], order: usize) -> Result<Vec<B>, Unavailable> {
+        let wrong = || Unavailable::Operation("a law that is not an equation between scalars");
         let others = self.memo.following.borrow().len();
         let known = laws.unknowns.iter().zip(jets);
         let known = known.map(|((symbol, _), jet)| (*symbol, vec![Value::Scalar(Series::from_derivatives(jet))]));

@@ -25,8 +25,8 @@ pub(crate) const PRINCIPAL_AXES: &str = "principal axes: their moments are the r
 /// What may stand in for the particles of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Generality {
-    /// Nothing has to: their principal axes are not spoken of.
-    Themselves,
+    /// Nothing has to: their principal axes are not stated of.
+    GivenParticles,
     /// Any right-handed orthonormal axes in place of the principal ones.
     AnyAxes,
     /// Any axes, and any moments about them.
@@ -45,38 +45,38 @@ pub(crate) struct GenericBody<B: Number> {
 impl Generality {
     /// The most general that formulas allow, under rules; none, if their principal axes cannot be stood in for.
     pub fn of(formulas: &[&Expr], model: &Model, rules: &[Rule]) -> Option<Self> {
-        let mut spoken = Reached { model, rules, symbols: Vec::new(), bodies: Vec::new() };
-        formulas.iter().for_each(|formula| spoken.follow(formula));
+        let mut stated = Dependencies { model, rules, symbols: Vec::new(), bodies: Vec::new() };
+        formulas.iter().for_each(|formula| stated.follow(formula));
         let is_principal = |of: &(ParticleQuantity, [&Expr; 2])| of.0 != ParticleQuantity::InertiaTensor;
-        let Some((_, particles)) = spoken.bodies.iter().find(|of| is_principal(of)) else {
-            return Some(Generality::Themselves);
+        let Some((_, particles)) = stated.bodies.iter().find(|of| is_principal(of)) else {
+            return Some(Generality::GivenParticles);
         };
         let joined = rules.iter().any(|rule| matches!(rule.action, Action::Union(_)));
-        if joined || spoken.bodies.iter().any(|of| is_principal(of) && of.1 != *particles) {
+        if joined || stated.bodies.iter().any(|of| is_principal(of) && of.1 != *particles) {
             return None;
         }
-        let mut hidden = Reached { model, rules, symbols: Vec::new(), bodies: Vec::new() };
-        particles.iter().for_each(|formula| hidden.follow(formula));
+        let mut of_particles = Dependencies { model, rules, symbols: Vec::new(), bodies: Vec::new() };
+        particles.iter().for_each(|formula| of_particles.follow(formula));
         let is_axis = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::FixedAxis(_)));
-        let shared = spoken.symbols.iter().any(|id| hidden.symbols.contains(id) && !is_axis(id));
-        if !shared && spoken.bodies.iter().all(|of| of.1 == *particles) {
+        let shared = stated.symbols.iter().any(|id| of_particles.symbols.contains(id) && !is_axis(id));
+        if !shared && stated.bodies.iter().all(|of| of.1 == *particles) {
             return Some(Generality::AnyTensor);
         }
-        let of_moments = spoken.bodies.iter().any(|of| of.0 == ParticleQuantity::PrincipalMoments);
+        let of_moments = stated.bodies.iter().any(|of| of.0 == ParticleQuantity::PrincipalMoments);
         (!of_moments).then_some(Generality::AnyAxes)
     }
 }
 
 /// What formulas speak of, through definitions and rules, but not through particles that give something a name.
-struct Reached<'a> {
+struct Dependencies<'a> {
     model: &'a Model,
     rules: &'a [Rule],
     symbols: Vec<SymbolId>,
-    /// What of particles is spoken of, with their masses and positions.
+    /// What of particles is stated of, with their masses and positions.
     bodies: Vec<(ParticleQuantity, [&'a Expr; 2])>,
 }
 
-impl<'a> Reached<'a> {
+impl<'a> Dependencies<'a> {
     fn follow(&mut self, formula: &'a Expr) {
         formula.symbols().into_iter().for_each(|(id, _)| self.visit(id));
     }
@@ -108,7 +108,7 @@ impl<'a> Reached<'a> {
 impl<F: Modulus> GenericBody<Modular<F>> {
     /// A random one, of axes that a random quaternion turns to.
     pub fn drawn(generality: Generality) -> Option<Self> {
-        if generality == Generality::Themselves {
+        if generality == Generality::GivenParticles {
             return None;
         }
         let (w, v) = (Modular::<F>::random_plain(), Vector3::from_fn(|_, _| Modular::random_plain()));
@@ -159,13 +159,13 @@ mod tests {
                     vanishing.push(Vector3::new(norm, axes[a].dot(&axes[(a + 1) % 3]), Modular::from(0.0)));
                 }
                 let zero = vanishing.iter().all(|vector| vector.iter().all(|x| x.vanishes()));
-                // The mutants_of: they are no fixed axes, and no moment is another.
+                // The mutants: they are no fixed axes, and no moment is another.
                 let [x, y] = [0, 1].map(|a| body.moment(a).expect("a moment"));
                 (zero, axes[0].x.vanishes() || (axes[0].x - 1.0).vanishes() || (x - y).vanishes())
             });
             assert!(record.unsupported.is_none() && record.undefined_here.is_none(), "seed {seed}");
             assert_eq!(all, (true, false), "seed {seed}");
         }
-        assert!(GenericBody::<Modular<FirstPrime>>::drawn(Generality::Themselves).is_none());
+        assert!(GenericBody::<Modular<FirstPrime>>::drawn(Generality::GivenParticles).is_none());
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Matrix3;
 use rustc_hash::FxHashMap;
 
-use crate::check::state::values::{Members, first};
+use crate::check::state::values::{MemberValues, first};
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, SymbolId, Value};
 use crate::mechanics::Nodes;
@@ -31,9 +31,9 @@ pub(crate) struct Memo<B: Number> {
     /// Inertia tensors of masses at positions, with the number of terms each was computed to.
     pub(crate) tensors: RefCell<Vec<(Expr, Expr, usize, Matrix3<Series<B>>)>>,
     /// Symbols that follow a law, with what is known of them while their next derivatives are being found.
-    pub(crate) following: RefCell<Vec<(SymbolId, Members<B>)>>,
+    pub(crate) following: RefCell<Vec<(SymbolId, MemberValues<B>)>>,
     /// The same when all is found.
-    pub(crate) followed: RefCell<std::collections::BTreeMap<SymbolId, Members<B>>>,
+    pub(crate) followed: RefCell<std::collections::BTreeMap<SymbolId, MemberValues<B>>>,
 }
 
 impl<B: Number> Default for Memo<B> {

@@ -7,7 +7,6 @@
 pub(crate) mod counterexample;
 pub(crate) mod coupled;
 pub(crate) mod evaluate;
-pub(crate) mod followed;
 pub(crate) mod generic_body;
 pub(crate) mod instant;
 pub(crate) mod memo;
@@ -15,6 +14,7 @@ pub(crate) mod numbers;
 pub(crate) mod particles;
 pub(crate) mod quadrature;
 pub(crate) mod residual;
+pub(crate) mod rules;
 pub(crate) mod sampled_state;
 pub(crate) mod system_values;
 pub(crate) mod turning_frame;

@@ -13,7 +13,7 @@ use crate::scalar::{Number, Primal, Series, TERMS};
 
 use crate::check::model::Model;
 use crate::check::model::meaning::{Frame, Variable};
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 
 /// One number of a base.
 #[derive(Clone, Debug)]
@@ -163,7 +163,7 @@ pub struct Base<B> {
     /// The direction that the frame turns about, of any length.
     pub direction: [B; 3],
     /// What fixes each continuum.
-    pub continua: Vec<Hidden<B>>,
+    pub continua: Vec<UnspecifiedContinuum<B>>,
     /// The free functions of time, of those that were asked for.
     series: RefCell<Vec<Option<Series<B>>>>,
     /// The angles of the frame.
@@ -171,7 +171,7 @@ pub struct Base<B> {
 }
 
 /// What fixes a continuum of which nothing is said: a density that varies, sizes, a place, an orientation.
-pub struct Hidden<B> {
+pub struct UnspecifiedContinuum<B> {
     /// The density in the middle, and the coefficients of what is linear and quadratic in the place.
     pub density: [B; 10],
     /// The lengths of its edges.
@@ -187,20 +187,20 @@ pub struct Hidden<B> {
 }
 
 /// As many numbers as there should be; what is missing is not a number.
-fn few<B: Number, const N: usize>(numbers: &[B]) -> [B; N] {
+fn padded<B: Number, const N: usize>(numbers: &[B]) -> [B; N] {
     std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
 }
 
-impl<B: Number> Hidden<B> {
+impl<B: Number> UnspecifiedContinuum<B> {
     /// Put together from its groups of numbers.
     fn of([density, coefficients, edges, middle, angles, point]: [&[B]; 6]) -> Self {
-        let ([first], others): ([B; 1], [B; 9]) = (few(density), few(coefficients));
-        Hidden {
+        let ([first], others): ([B; 1], [B; 9]) = (padded(density), padded(coefficients));
+        UnspecifiedContinuum {
             density: std::array::from_fn(|k| if k == 0 { first } else { others[k - 1] }),
-            edges: few(edges),
-            middle: Vector3::from(few(middle)),
-            angles: few(angles),
-            point: few(point),
+            edges: padded(edges),
+            middle: Vector3::from(padded(middle)),
+            angles: padded(angles),
+            point: padded(point),
             turned: OnceCell::new(),
         }
     }
@@ -218,9 +218,10 @@ impl<B: Number> Base<B> {
         let mut numbers = numbers.to_vec();
         numbers.resize(layout.counts.0, B::from(f64::NAN));
         let part = |range: &Range<usize>| &numbers[range.clone()];
-        let [time] = few(part(&layout.time));
-        let direction = layout.direction.as_ref().map_or([B::zero(); 3], |range| few(part(range)));
-        let continua = layout.continua.iter().map(|ranges| Hidden::of(ranges.each_ref().map(part))).collect();
+        let [time] = padded(part(&layout.time));
+        let direction = layout.direction.as_ref().map_or([B::zero(); 3], |range| padded(part(range)));
+        let continua =
+            layout.continua.iter().map(|ranges| UnspecifiedContinuum::of(ranges.each_ref().map(part))).collect();
         let series =
             |angles: &Jets| part(&angles.numbers).chunks_exact(angles.jet).map(Series::from_derivatives).collect();
         let frame_angles = layout.angles.as_ref().map_or(Vec::new(), series);

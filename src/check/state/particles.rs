@@ -1,5 +1,5 @@
-//! Replacements for families and continua at a sampled state: particles for a family, a part of a continuum, a
-//! generic body for particles with principal axes.
+//! What stands in for families and continua at a sampled state: particles in place of a family, a part of a continuum, a
+//! generic body in place of particles whose principal axes are stated of.
 
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
@@ -103,7 +103,7 @@ pub(crate) struct Substitutes<B: Number> {
     particles: RefCell<Option<Arc<Particles<B>>>>,
     /// Whether the formula at hand means them.
     meant: Cell<bool>,
-    /// What stands in for particles whose principal axes are spoken of.
+    /// What stands in for particles whose principal axes are stated of.
     pub(crate) body: Option<GenericBody<B>>,
 }
 

@@ -19,7 +19,7 @@ use crate::scalar::{Number, Series};
 
 use crate::check::model::meaning::{Continuum, Meaning, ParticleQuantity};
 use crate::check::state::generic_body::GenericBody;
-use crate::check::state::numbers::Hidden;
+use crate::check::state::numbers::UnspecifiedContinuum;
 use crate::check::state::particles::{Part, Particles};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::state::values::matrix;
@@ -33,7 +33,7 @@ const FINER: usize = 11;
 /// A value, or why there is none.
 type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 
-impl<B: Number> Hidden<B> {
+impl<B: Number> UnspecifiedContinuum<B> {
     fn place(&self, shares: [B; 3]) -> Vector3<B> {
         self.turned() * Vector3::from_fn(|i, _| shares[i] * self.edges[i]) + self.middle
     }
@@ -104,7 +104,7 @@ impl<B: Number> SampledState<'_, B> {
             for size in &solid.sizes {
                 match evaluate(size, self, &[])? {
                     Value::Scalar(size) => sizes.push(size.value()),
-                    _ => return Err(Unavailable::Operation("a size that is no number")),
+                    _ => return Err(Unavailable::Operation("a size that is not a scalar")),
                 }
             }
             let body = match (solid.kind, sizes.as_slice()) {
@@ -114,13 +114,13 @@ impl<B: Number> SampledState<'_, B> {
                 (SolidKind::Rod, [length]) => Body::Rod { length: *length },
                 (SolidKind::Lamina, [a, b]) => Body::Lamina { edges: [*a, *b] },
                 (SolidKind::Box, [a, b, c]) => Body::Box { edges: [*a, *b, *c] },
-                _ => return Err(Unavailable::Operation("a solid with so many sizes")),
+                _ => return Err(Unavailable::Operation("a solid with this number of sizes")),
             };
             let mut nodes = body.nodes(degree);
             if let Some(center) = &solid.at {
                 match evaluate(center, self, &[])? {
                     Value::Vector(center) => nodes = nodes.moved(&center.map(|x| x.value())),
-                    _ => return Err(Unavailable::Operation("a center that is no vector")),
+                    _ => return Err(Unavailable::Operation("a center that is not a vector")),
                 }
             }
             all = if solid.hollow { all.without(nodes) } else { all.united(nodes) };
@@ -192,7 +192,9 @@ impl<B: Number> SampledState<'_, B> {
             let (finer, scale) = self.sum_over_nodes((at, FINER), integrand, &constant)?;
             let same = |(a, b): (&D, &D)| (a.re() - b.re()).abs() <= 1e-10 * scale;
             if !value.entries().iter().zip(&finer.entries()).all(same) {
-                return Err(Unavailable::Operation("an integral of something that is no polynomial of low degree"));
+                return Err(Unavailable::Operation(
+                    "an integral over a solid whose integrand is not a polynomial of low degree",
+                ));
             }
         }
         Ok(value)
@@ -240,7 +242,7 @@ impl<B: Number> SampledState<'_, B> {
         self.substitutes.location.borrow_mut().point = outer;
         match failure {
             Some(reason) => Err(reason),
-            None => Ok((total.ok_or(Unavailable::Operation("an integral over nothing"))?, scale)),
+            None => Ok((total.ok_or(Unavailable::Operation("an integral over an empty region"))?, scale)),
         }
     }
 
@@ -255,7 +257,7 @@ impl<B: Number> SampledState<'_, B> {
         let mut values = Vec::new();
         for share in [0.2, 0.1, 0.05] {
             let part = hidden.body(continuum.dimension, share);
-            let cells = part.cells(3).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
+            let cells = part.cells(3).ok_or(Unavailable::Operation("a solid that cannot be cut into cells"))?;
             let size = cells.total();
             let cells = hidden.set(cells, continuum.dimension, &around).with_density(|x| self.density_at(at, x));
             let particles = Particles::of(&cells, (mass, position), label, |x| self.constant(x));
@@ -268,7 +270,7 @@ impl<B: Number> SampledState<'_, B> {
             let (fine, coarse) = (fine.clone().map(|x| x * power), coarse.clone().map(|x| -x));
             fine.plus(coarse).map(|sum| sum.map(|x| x * (1.0 / (power - 1.0))))
         };
-        let wrong = || Unavailable::Operation("a sum of different shapes");
+        let wrong = || Unavailable::Operation("a sum of terms of different shapes");
         let first = better(&values[1], &values[0], 4.0).ok_or_else(wrong)?;
         let second = better(&values[2], &values[1], 4.0).ok_or_else(wrong)?;
         better(&second, &first, 16.0).ok_or_else(wrong)
@@ -285,7 +287,7 @@ impl<B: Number> SampledState<'_, B> {
         let families = continuum.particles.ok_or(Unavailable::Symbol(continuum.region))?;
         let label = self.label_of(families.0)?;
         let body = hidden.body(continuum.dimension, 1.0);
-        let cells = body.cells(k).ok_or(Unavailable::Operation("cells of a body that has no edges"))?;
+        let cells = body.cells(k).ok_or(Unavailable::Operation("a solid that cannot be cut into cells"))?;
         let cells = hidden.set(cells, continuum.dimension, &hidden.middle);
         let cells = cells.with_density(|x| self.density_at(at, x));
         Ok(Particles::of(&cells, families, label, |x| self.constant(x)))

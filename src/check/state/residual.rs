@@ -54,6 +54,17 @@ pub struct Failure {
     pub entry: Option<String>,
 }
 
+impl Failure {
+    /// What is said of a failure where one side alone has a value.
+    pub(crate) fn domain_message(&self) -> String {
+        let side = if self.lhs.is_finite() { "right" } else { "left" };
+        format!(
+            "the two sides agree where both are defined, but the {side} side is not defined everywhere; restrict the \
+             ranges, or state the condition under which it holds"
+        )
+    }
+}
+
 /// A number with its scale, compared with `approx` on that scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Scaled {
@@ -101,7 +112,7 @@ pub struct Margin {
     pub size: f64,
 }
 
-/// The values of the two sides of a link at a state, for all values of its free indices: mutants_of share one of them.
+/// The values of the two sides of a link at a state, for all values of its free indices: mutants share one of them.
 pub struct Sides {
     lhs: Vec<Value<RunningError>>,
     rhs: Vec<Value<RunningError>>,

@@ -13,7 +13,7 @@ use crate::Result;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::state::generic_body::GenericBody;
 use crate::check::state::memo::{Key, Memo};
 use crate::check::state::numbers::{Base, Layout};
@@ -81,7 +81,7 @@ impl<'m, B: Number> SampledState<'m, B> {
         })
     }
 
-    /// Lets a body stand in for the particles whose principal axes are spoken of.
+    /// Lets a body stand in for the particles whose principal axes are stated of.
     pub(crate) fn set_body(&mut self, body: Option<GenericBody<B>>) {
         self.substitutes.body = body;
         self.memo.forget();

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use crate::Result;
 use crate::check::model::Model;
 use crate::check::model::meaning::Quantity;
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::state::numbers::Base;
 use crate::check::state::values::matrix;
 use crate::formula::Value;

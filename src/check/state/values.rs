@@ -8,7 +8,7 @@ use crate::formula::evaluate::Unavailable;
 use crate::scalar::{Number, Primal, Series};
 
 /// The values of all members of a family, in order.
-pub(crate) type Members<B> = Vec<Value<Series<B>>>;
+pub(crate) type MemberValues<B> = Vec<Value<Series<B>>>;
 
 /// A value, or why there is none.
 pub(crate) type Valued<B> = Result<Value<Series<B>>, Unavailable>;

@@ -13,6 +13,7 @@
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
+use crate::code::Code;
 use crate::latex::Reading;
 use crate::notes::claims::Claim;
 use crate::{Error, Result};
@@ -50,18 +51,17 @@ impl Checker<'_> {
         for address in &self.claims.steps {
             let places = address.lookup(self.notes, &self.claims.source)?;
             if places.iter().any(|place| place.row.or(place.part).or(place.step).is_some()) {
-                return Err(at(address.span, "a step of a derivation is a whole display".to_owned())
-                    .help("leave out `row`, `part` and `step`; a chain in one display is judged link by link anyway"));
+                return Err(at(address.span, "a step of a derivation must be a whole display".to_owned())
+                    .help("remove `row`, `part` and `step`; each link of a chain is checked anyway"));
             }
             let displays: Vec<usize> = places.into_iter().map(|place| place.display).collect();
             if displays.len() < 2 {
-                let error = at(address.span, "one display is no derivation".to_owned());
-                return Err(error.help("name its steps in their order, as in \"6.71..6.73, 6.77\""));
+                let error = at(address.span, "a derivation needs at least two displays".to_owned());
+                return Err(error.help("list its steps in order, as in \"6.71..6.73, 6.77\""));
             }
             let again = displays.iter().enumerate().find(|(n, display)| displays[..*n].contains(display));
             if let Some((_, display)) = again {
-                let message =
-                    format!("({}) is a step of this derivation twice", shown(&self.notes.equations[*display]));
+                let message = format!("({}) occurs twice in this derivation", shown(&self.notes.equations[*display]));
                 return Err(at(address.span, message));
             }
             all.push(displays);
@@ -128,8 +128,8 @@ impl Checker<'_> {
             let own = equation.parts.iter_mut().find(|part| !part.ok && part.finding.follows_from.is_none());
             if let Some(other) = told.other {
                 let not = match equation.finding.verdict.passes() {
-                    true => format!("; from ({}), as printed, it does not follow", name(other)),
-                    false => format!("; from ({}) it does not follow either", name(other)),
+                    true => format!("; it does not follow from ({}) as printed", name(other)),
+                    false => format!("; it does not follow from ({}) either", name(other)),
                 };
                 match own {
                     Some(part) => part.finding.message.push_str(&not),
@@ -217,10 +217,13 @@ impl Told {
 fn inherit(finding: &mut Finding, inherited: Inherited) {
     let Inherited { from, root } = &inherited;
     let message = match from == root {
-        true => format!("it follows from ({from}), which is refuted: mend that"),
-        false => format!("it follows from ({from}), and so from ({root}), which is refuted: mend that"),
+        true => format!("this step is correct, but it builds on the mistake in ({root}); fix ({root})"),
+        false => {
+            format!("this step is correct, but it builds on ({from}), and so on the mistake in ({root}); fix ({root})")
+        }
     };
     let Finding { verdict, span, points, tried, .. } = *finding;
     let follows_from = Some(inherited);
-    *finding = Finding { points, tried, follows_from, ..Finding::new(finding.code, verdict, span, message) };
+    *finding =
+        Finding { points, tried, follows_from, ..Finding::new(Code::FollowsFromMistake, verdict, span, message) };
 }

@@ -1,6 +1,6 @@
 //! A step of a derivation as printed, taken for true.
 //!
-//! If the step prints the Lagrangian, or one of the energies, the world is that of the printed Lagrangian.
+//! If the step prints the Lagrangian, or one of the energies, the system is that of the printed Lagrangian.
 //! Otherwise the step is a law without a system: what the system determines is then any function of time.
 //!
 //! # When a wrong line follows from another
@@ -25,7 +25,7 @@ use crate::check::hypotheses::explicit::rules;
 use crate::check::model::claim::{Hypothesis, Law, is_equality};
 use crate::check::model::meaning::{Meaning, Quantity, Variable};
 use crate::check::model::order::{derivatives, order};
-use crate::check::model::states::Mode;
+use crate::check::model::sampling::Mode;
 use crate::check::model::{Model, free_symbols};
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::setting::FEWEST;
@@ -35,7 +35,7 @@ use crate::check::state::sampled_state::SampledState;
 /// Values nearer to one another than this, relative to their size, are one value.
 const ONE_VALUE: f64 = 1e-9;
 
-/// A world in which a step holds as printed.
+/// A system in which a step holds as printed.
 pub(crate) struct Premise {
     /// The names, with what they mean there.
     pub model: Model,
@@ -44,7 +44,7 @@ pub(crate) struct Premise {
 }
 
 impl Checker<'_> {
-    /// The world of the Lagrangian that a step prints, or of the energies that it prints, the other one as the steps before
+    /// The system of the Lagrangian that a step prints, or of the energies that it prints, the other one as the steps before
     /// have it or, if they do not, as it is. None, if it prints none of them in coordinates and velocities.
     pub(crate) fn printed_world(&self, earlier: &[usize], step: usize) -> Option<Premise> {
         let system = self.model.system.as_ref()?;
@@ -249,6 +249,6 @@ impl Premise {
             let values: Vec<f64> = ensemble.bases.iter().map(|base| base[*slot]).collect();
             *derivative > 0 || values.iter().enumerate().all(|(n, a)| values[..n].iter().all(|b| apart(*a, *b)))
         };
-        Ok(projection.progress.plan.iter().filter(|(row, _)| row.0 >= first).all(|row| is_free(row) && varies(row)))
+        Ok(projection.record.plan.iter().filter(|(row, _)| row.0 >= first).all(|row| is_free(row) && varies(row)))
     }
 }

@@ -7,7 +7,7 @@
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement};
-use crate::latex::{Introduced, Reading};
+use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::Claim;
 use crate::scalar::RunningError;
 
@@ -18,7 +18,7 @@ use crate::check::hypotheses::rule::Action;
 use crate::check::judge::difference::entries;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::model::{free_symbols, order};
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::setting::FEWEST;
@@ -147,9 +147,9 @@ impl Checker<'_> {
         Ok(standings)
     }
 
-    /// Whether a piece of a display holds in the world of a premise, which this checker is about.
+    /// Whether a piece of a display holds in the system of a premise, which this checker is about.
     fn stands(&self, at: usize, piece: &Reading, claim: &Claim, premise: &Premise) -> Result<Standing> {
-        // A world without states, as where the printed mass matrix is singular, decides nothing.
+        // A system without states, as where the printed mass matrix is singular, decides nothing.
         let Ok(true) = self.has_room(at, piece, claim, premise) else { return Ok(Standing::Open) };
         Ok(match self.holds(at, piece, claim) {
             Ok((true, _)) => Standing::Follows,
@@ -182,7 +182,7 @@ impl Checker<'_> {
             on_shell: Some(true),
             topic: &topic,
             span: self.notes.equations[at].body,
-            reach: Reach::Declared,
+            spread: Spread::Declared,
             local: &local,
         };
         let ensemble = context.ensemble(context.mode(true, &members), false, FEWEST)?;
@@ -223,7 +223,7 @@ impl Checker<'_> {
             on_shell: Some(false),
             topic: "the same",
             span: link.lhs.span,
-            reach: Reach::Declared,
+            spread: Spread::Declared,
             local: &[],
         };
         let mode = context.mode(false, &[&link.lhs, &link.rhs, &known.lhs, &known.rhs]);
@@ -257,7 +257,7 @@ impl Checker<'_> {
         let members = || piece.statements.iter().flatten().flat_map(|statement| &statement.members);
         rules.iter().any(|rule| {
             let order = |formula: &Expr| order::order(&premise.model, formula, rule.symbol);
-            let Action::Follows { order: leading, .. } = &rule.action else { return false };
+            let Action::EquationOfMotion { order: leading, .. } = &rule.action else { return false };
             members().filter_map(order).max().is_some_and(|highest| highest >= *leading)
         })
     }
@@ -269,8 +269,9 @@ fn pieces(reading: &Reading) -> Vec<Reading> {
     for (at, statement) in reading.statements.iter().enumerate() {
         let Ok(statement) = statement else { continue };
         let introduced = reading.introduced.iter().filter(|introduced| introduced.statement == at);
-        let introduced: Vec<Introduced> = introduced.map(|new| Introduced { statement: 0, ..new.clone() }).collect();
-        let mut add = |statement: Statement, introduced: Vec<Introduced>| {
+        let introduced: Vec<DefinedSymbol> =
+            introduced.map(|new| DefinedSymbol { statement: 0, ..new.clone() }).collect();
+        let mut add = |statement: Statement, introduced: Vec<DefinedSymbol>| {
             pieces.push(Reading { statements: vec![Ok(statement)], introduced });
         };
         if !introduced.is_empty() {

@@ -47,6 +47,6 @@ pub(crate) fn first_unexpected(run: &Run<'_>, claims: &Claims, notes: &Notes, at
 /// Another text of the same notes.
 pub(crate) fn retyped(notes: &Notes, text: String) -> Result<Notes> {
     let path = &notes.source.path;
-    let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a kind of notes")))?;
+    let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a file of notes")))?;
     Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)
 }

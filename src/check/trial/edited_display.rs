@@ -8,7 +8,7 @@
 //! read, with the names of the others, and two states judge; the edits that remain are checked in full.
 
 use crate::formula::{Expr, Node, SymbolId};
-use crate::latex::{Introduced, Reading, read_display};
+use crate::latex::{DefinedSymbol, Reading, read_display};
 use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
@@ -40,7 +40,7 @@ impl Checker<'_> {
         if self.is_law(at) {
             let unlawful = Checker { model: &model, readings: &readings, options, units: units(), ..*self };
             let (laws, lost_laws) = unlawful.laws().ok()?;
-            (model.laws, model.lost_laws) = (laws, lost_laws);
+            (model.laws, model.unread_laws) = (laws, lost_laws);
         }
         Some(judge(&Checker { model: &model, readings: &readings, options, units: units(), ..*self }))
     }
@@ -69,7 +69,7 @@ impl Checker<'_> {
             let name = &symbols.entry(id).name;
             own.iter().map(|introduced| introduced.symbol).find(|old| model.symbols.entry(*old).name == *name)
         };
-        let formula = |wanted: &Introduced| {
+        let formula = |wanted: &DefinedSymbol| {
             let new = reading.introduced.iter().find(|new| known(new.symbol) == Some(wanted.symbol))?;
             let mut formula = new.formula.clone();
             formula.rename(&|id| known(id).unwrap_or(id));
@@ -81,7 +81,7 @@ impl Checker<'_> {
     /// What a text makes of these names where they are known: some displays use a name before they say what it is.
     fn defined_anew(&self, at: usize, claim: &Claim, text: &str) -> Option<Vec<Expr>> {
         let reading = self.as_printed(text, claim, &self.model.macros);
-        let formula = |new: &Introduced| {
+        let formula = |new: &DefinedSymbol| {
             let (name, formula) = defined(reading.statements.get(new.statement)?.as_ref().ok()?, new)?;
             matches!(name.node, Node::Symbol { id, dots: 0, .. } if id == new.symbol).then(|| formula.clone())
         };
@@ -117,7 +117,7 @@ impl Checker<'_> {
             if name(&reading).is_none_or(|here| Some(here) != name(before)) {
                 return None;
             }
-            reading.introduced.push(Introduced { formula: formula.clone(), ..new.clone() });
+            reading.introduced.push(DefinedSymbol { formula: formula.clone(), ..new.clone() });
         }
         Some((model, reading))
     }

@@ -8,7 +8,7 @@
 
 use crate::Result;
 use crate::formula::{Expr, Index, Node, Relation, Statement, SymbolId};
-use crate::latex::{Introduced, Reading};
+use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::TERMS;
 use crate::source::Span;
@@ -25,7 +25,7 @@ use crate::check::kinds::small;
 use crate::check::kinds::small::Shrinkage;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
-use crate::check::model::states::Reach;
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::outcome;
@@ -341,7 +341,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             on_shell: None,
             topic,
             span: Span::default(),
-            reach: Reach::Declared,
+            spread: Spread::Declared,
             local: &self.local,
         }
     }
@@ -387,7 +387,7 @@ fn links<'r>(
     claim: &'r Claim,
     wanted: impl Fn(Relation) -> bool + 'r,
 ) -> impl Iterator<Item = Link> + 'r {
-    let introduced: Vec<&Introduced> = reading.introduced.iter().filter(|new| new.statement == n).collect();
+    let introduced: Vec<&DefinedSymbol> = reading.introduced.iter().filter(|new| new.statement == n).collect();
     let defines = move |at: usize| introduced.iter().any(|new| new.member == at + 1 || at == 0 && new.member == 0);
     reading.statements[n].iter().flat_map(move |statement| {
         let count = statement.relations.len();

@@ -54,7 +54,10 @@ pub(crate) fn of_formulas(formulas: &[&Expr], context: &Context<'_>, ensemble: &
 /// What is said of a claim about such a symbol.
 pub(crate) fn message(symbol: SymbolId, context: &Context<'_>) -> String {
     let name = text::plain(&context.model.name(symbol));
-    format!("its hypotheses together leave {name} one value alone, at which more would hold than is meant")
+    format!(
+        "the hypotheses together leave {name} one value, and a test at one value shows too little; remove a hypothesis, \
+         or state the value directly"
+    )
 }
 
 /// The symbols whose value a hypothesis gives by itself: it speaks of no other, or equates it to one of these.

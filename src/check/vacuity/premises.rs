@@ -12,6 +12,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Expr, Relation, Value, text};
 use crate::scalar::RunningError;
 
@@ -114,33 +115,36 @@ pub fn vanishes_throughout(link: &Link, states: &[SampledState<'_, RunningError>
     !link.lhs.is_null() && !link.rhs.is_null() && vanishes(&link.lhs) && vanishes(&link.rhs)
 }
 
-/// How little a claim that holds says of the system.
-pub enum Emptiness {
-    /// It says something.
+/// Whether a claim that holds says anything about the system.
+pub enum Vacuity {
+    /// It does.
     None,
-    /// It follows from its hypotheses, whatever the world; that may still be worth printing.
-    Follows,
-    /// It says nothing, for this reason.
-    Empty(&'static str),
+    /// It follows from its hypotheses whatever the system does, and may still be worth printing.
+    FollowsFromHypotheses,
+    /// It says nothing, for the reason in the message.
+    Vacuous(Code, &'static str),
 }
 
-/// Whether a claim that holds says anything of the world, or follows from its hypotheses alone, or restates them.
+/// Whether a claim that holds says anything of the system, or follows from its hypotheses alone, or restates them.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
-pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Emptiness> {
+pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vacuity> {
     let formulas = [&link.lhs, &link.rhs].into_iter();
     if on_shell || context.hypotheses.is_empty() || formulas.clone().any(|f| concerns_world(f, context.model)) {
-        return Ok(Emptiness::None);
+        return Ok(Vacuity::None);
     }
     let unconditional = Context { hypotheses: &[], ..*context };
     let mode = unconditional.mode(false, &[&link.lhs, &link.rhs]);
     let free = unconditional.ensemble(mode, false, context.options.points)?;
     if run(link, &free.states).is_ok_and(|outcome| outcome.failure.is_none()) {
-        return Ok(Emptiness::None);
+        return Ok(Vacuity::None);
     }
     if context.hypotheses.iter().any(|hypothesis| hypothesis.throughout) {
-        return Ok(Emptiness::Empty("it follows from its assumptions alone, whatever the motion"));
+        return Ok(Vacuity::Vacuous(
+            Code::FollowsFromHypotheses,
+            "this follows from its hypotheses alone, whatever the motion; remove those that make it trivial",
+        ));
     }
     // The converse: if the claim in turn gives the hypotheses, the two say the same.
     let claim = [Hypothesis::of(Link { relation: Relation::Equal, ..link.clone() }, false)];
@@ -158,7 +162,8 @@ pub fn emptiness(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<E
         }
     }
     let restates = !states.states.is_empty() && !needed.is_empty() && needed.into_iter().all(given_back);
-    Ok(if restates { Emptiness::Empty("it only restates its assumptions") } else { Emptiness::Follows })
+    let message = "this only restates its hypotheses, so nothing is checked; remove the hypothesis that says the same";
+    Ok(if restates { Vacuity::Vacuous(Code::RestatesHypothesis, message) } else { Vacuity::FollowsFromHypotheses })
 }
 
 /// Whether a formula speaks of something that the system determines.

@@ -31,12 +31,12 @@ pub(crate) fn is_lost(before: &Reading, after: &Reading, model: &Model) -> bool 
             subject_is_gone(before, after, model)
                 || changed.any(|((before, after), (relation, _))| match relation {
                     Relation::Approximately => {
-                        let is_nothing = |(before, after): (&Expr, &Expr)| {
+                        let becomes_zero = |(before, after): (&Expr, &Expr)| {
                             after.is_null() && !before.is_null() && !before.symbols().is_empty()
                         };
-                        before.iter().zip(after.iter()).any(is_nothing) || is_emptied(before, after)
+                        before.iter().zip(after.iter()).any(becomes_zero) || becomes_trivial(before, after)
                     }
-                    relation => is_equality(*relation) && is_emptied(before, after),
+                    relation => is_equality(*relation) && becomes_trivial(before, after),
                 })
         }
         _ => false,
@@ -75,7 +75,7 @@ pub(crate) fn is_linear_in(link: &Link, symbol: SymbolId) -> bool {
 }
 
 /// Whether an equation has become a reordering, and was none that had something to be done in it.
-fn is_emptied(before: &[Expr], after: &[Expr]) -> bool {
+fn becomes_trivial(before: &[Expr], after: &[Expr]) -> bool {
     let ([a, b], [left, right]) = (before, after) else { return false };
     let (left, right) = (&at_zero(left), &at_zero(right));
     let says_nothing = is_reordered(left, right) || monomials::cancels(left, right);

@@ -18,7 +18,7 @@ impl Context<'_> {
         let hypotheses = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
         let all: Vec<&Expr> = formulas.iter().copied().chain(hypotheses).collect();
         let message = self.joined(&all).or_else(|| self.moving_place(&all)).or_else(|| self.moving_constant(&all))?;
-        Some(self.finding(Code::NotSupported, Verdict::Unreadable, message))
+        Some(self.finding(Code::UnclearName, Verdict::Unreadable, message))
     }
 
     /// A family that is joined of several in this claim: which of them is meant is not clear. What is defined by sums
@@ -28,7 +28,9 @@ impl Context<'_> {
         let unions = self.local.iter().filter(|rule| matches!(rule.action, Action::Union(_)));
         let rule = unions.into_iter().find(|rule| is_named(rule.symbol))?;
         let name = text::plain(&self.model.name(rule.symbol));
-        Some(format!("{name} is joined of several families here, so which of them is printed is not clear"))
+        Some(format!(
+            "{name} is joined from several families here, so it is not clear which of them is meant; use a name for each"
+        ))
     }
 
     /// A dot on what depends on the place under an integral: nothing says how the matter there moves.
@@ -37,8 +39,8 @@ impl Context<'_> {
         let name = formulas.iter().find_map(|formula| moving_place(formula, &[], self.model, &mut seen))?;
         let name = text::plain(&self.model.name(name));
         Some(format!(
-            "there is a dot on the place {name} that is integrated over, and nothing says how the matter there moves; \
-             write its velocity out"
+            "there is a dot on {name}, the point that the integral runs over, and nothing says how the matter there \
+             moves; write its velocity instead"
         ))
     }
 }
@@ -49,8 +51,8 @@ impl Context<'_> {
         let mut seen = Vec::new();
         let name = formulas.iter().find_map(|formula| moving_constant(formula, self.model, &mut seen))?;
         let what = match self.model.meaning(name) {
-            Some(Meaning::Time) => "which is the time",
-            _ => "which is declared among the constants; if it changes, it belongs under \"varies with time\"",
+            Some(Meaning::Time) => "which is the time; remove the dot",
+            _ => "which is declared as a constant; if it changes, declare it under \"varies with time\"",
         };
         Some(format!("there is a dot on {}, {what}", text::plain(&self.model.name(name))))
     }

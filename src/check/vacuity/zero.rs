@@ -14,7 +14,7 @@ use crate::check::sample::outcome::run;
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
-pub(crate) fn is_nothing(expr: &Expr, context: &Context<'_>) -> Result<bool> {
+pub(crate) fn is_always_zero(expr: &Expr, context: &Context<'_>) -> Result<bool> {
     if expr.is_null() {
         return Ok(false);
     }
@@ -29,7 +29,7 @@ pub(crate) fn is_nothing(expr: &Expr, context: &Context<'_>) -> Result<bool> {
 /// Whether a link says of something that is nothing that its rate is 0.
 ///
 /// # Errors
-/// As [`is_nothing`].
+/// As [`is_always_zero`].
 pub(crate) fn is_its_rate(link: &Link, context: &Context<'_>) -> Result<bool> {
     let rate = match (link.lhs.is_null(), link.rhs.is_null()) {
         (true, false) => &link.rhs,
@@ -43,5 +43,5 @@ pub(crate) fn is_its_rate(link: &Link, context: &Context<'_>) -> Result<bool> {
         }
         _ => return Ok(false),
     };
-    Ok(is_equality(link.relation) && is_nothing(&differentiated, context)?)
+    Ok(is_equality(link.relation) && is_always_zero(&differentiated, context)?)
 }

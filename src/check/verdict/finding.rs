@@ -7,7 +7,7 @@ use crate::source::Span;
 
 use crate::check::verdict::Verdict;
 
-/// A state at which a claim fails, and what its two sides are there.
+/// A counterexample: a state at which a claim fails, with the values of its two sides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counterexample {
     /// The symbols of the claim with their values, as LaTeX names with overdots.
@@ -16,11 +16,11 @@ pub struct Counterexample {
     pub lhs: f64,
     /// The value of the right side.
     pub rhs: f64,
-    /// Which component or entry, of a vector, a matrix or a family.
+    /// The component or entry that fails, for a vector, a matrix or a family.
     pub entry: Option<String>,
 }
 
-/// A formula to be shown.
+/// A formula for display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formula {
     /// As LaTeX.
@@ -32,9 +32,9 @@ pub struct Formula {
 /// A small fraction in lowest terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fraction {
-    /// Above, with the sign.
+    /// The numerator, with the sign.
     pub numerator: i32,
-    /// Below, positive.
+    /// The denominator, positive.
     pub denominator: i32,
 }
 
@@ -42,7 +42,7 @@ impl Fraction {
     /// 1.
     pub const ONE: Fraction = Fraction { numerator: 1, denominator: 1 };
 
-    /// Its value.
+    /// The value.
     pub fn value(self) -> f64 {
         f64::from(self.numerator) / f64::from(self.denominator)
     }
@@ -57,19 +57,19 @@ impl fmt::Display for Fraction {
     }
 }
 
-/// A printed term that should be another multiple of itself.
+/// A printed term with a wrong coefficient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Misfit {
-    /// The bytes of the notes, with the printed sign.
+    /// The bytes of the term in the notes, with the printed sign.
     pub span: Span,
-    /// So many times as large it should be; 0, where it has no partner among the derived terms.
+    /// The factor by which the term must be multiplied; 0 if no derived term corresponds to it.
     pub coefficient: Fraction,
 }
 
-/// Several changes of terms with which, all at once, a refuted equality holds.
+/// Changes of several terms with which, made together, a refuted equality holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fit {
-    /// The printed terms that do not fit.
+    /// The printed terms with wrong coefficients.
     pub terms: Vec<Misfit>,
     /// The derived terms that are not printed, with their signs as on the right side.
     pub missing: Vec<Formula>,
@@ -82,36 +82,36 @@ pub struct Finding {
     pub verdict: Verdict,
     /// The class of the message: its stable name.
     pub code: Code,
-    /// What was found, in a sentence.
+    /// What was found: one or more clauses, separated by semicolons.
     pub message: String,
-    /// The states that were used.
+    /// The number of states that decided.
     pub points: usize,
-    /// The states that were tried.
+    /// The number of states that were tried.
     pub tried: usize,
-    /// The largest residual relative to the terms that met in it, where residuals were taken.
+    /// The largest residual relative to the terms in it, if residuals were taken.
     pub max_residual: Option<f64>,
-    /// Of what is certified: the probability that it is false nevertheless, as a power of two.
+    /// The base-2 logarithm of the probability that a certified claim is false.
     pub false_accept_log2: Option<f64>,
-    /// Of an equality that is verified and not certified: what a field cannot decide.
+    /// The reason why a verified equality is not certified: a noun phrase.
     pub not_certified_because: Option<String>,
-    /// Where it fails.
+    /// The state at which the claim fails.
     pub counterexample: Option<Counterexample>,
-    /// Of an equality that is refuted: its left side minus its right side, where that is short.
+    /// The left side minus the right side of a refuted equality, if that is short.
     pub difference: Option<Formula>,
-    /// Of one about an acceleration: the Euler–Lagrange equation that was derived for it.
+    /// The derived Euler–Lagrange equation, for a refuted equality about an acceleration.
     pub derived: Option<Formula>,
-    /// Of a chain with a wrong member: how many of the members after it follow from it.
+    /// The number of members of a chain that follow from a wrong member before them.
     pub carried: usize,
-    /// Of a step that is false: the false one before it that it follows from.
+    /// The false step before it from which a false step follows.
     pub follows_from: Option<Inherited>,
-    /// Of an equality that is refuted, and that no single edit mends: the changes of its terms with which it holds.
+    /// The changes of terms with which a refuted equality holds, if no single edit corrects it.
     pub fit: Option<Fit>,
     /// The bytes of the notes that the finding is about.
     pub span: Span,
 }
 
 impl Finding {
-    /// A finding without numbers.
+    /// A finding without evidence.
     pub fn new(code: Code, verdict: Verdict, span: Span, message: impl Into<String>) -> Self {
         Finding {
             verdict,
@@ -131,13 +131,19 @@ impl Finding {
             span,
         }
     }
+
+    /// This finding with another verdict: its code and its message change with it, and the evidence stays.
+    #[must_use]
+    pub fn replaced(self, code: Code, verdict: Verdict, message: impl Into<String>) -> Self {
+        Finding { code, verdict, message: message.into(), ..self }
+    }
 }
 
-/// The equations that a false one follows from, by what they are called.
+/// The names of the equations from which a false one follows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Inherited {
-    /// The one that it follows from.
+    /// The equation from which it follows directly.
     pub from: String,
-    /// The one that this in turn follows from, and that follows from none: where the slip is.
+    /// The first false equation of this chain, where the mistake is.
     pub root: String,
 }

@@ -7,31 +7,31 @@ pub(crate) mod progress;
 pub(crate) mod repair;
 pub(crate) mod report;
 
-/// What is said of a claim.
+/// The verdict on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Verdict {
-    /// Decided over a prime field, up to a stated probability.
+    /// Holds exactly: decided over a prime field, up to a stated probability.
     Certified,
-    /// Agrees at every usable sampled state.
+    /// Holds at every sampled state that can decide it.
     Verified,
-    /// Introduces a symbol that later, checked equations stand on.
+    /// Defines a symbol, and checked equations test the definition.
     Definition,
-    /// A hypothesis, by the claims file's word.
+    /// A law: a hypothesis that the claims file declares, not checked.
     Law,
-    /// A counterexample is given.
+    /// Fails at a state, which is given.
     Refuted,
-    /// Agrees wherever both sides are defined, but one is defined where the other is not.
+    /// The two sides agree where both are defined, but one is defined where the other is not.
     Domain,
-    /// Too few usable states, or states that cannot tell.
+    /// Not decided: too few states, or states that do not distinguish it from a mutant.
     Undecided,
-    /// Could not be parsed or typed.
+    /// Cannot be parsed, or has inconsistent shapes or units.
     Unreadable,
-    /// Numbered, but nothing says what it should mean.
+    /// Numbered, but the claims file says nothing about it.
     Unclaimed,
 }
 
 impl Verdict {
-    /// Every verdict, from the best to the worst; of several parts the worst counts.
+    /// Every verdict, from the best to the worst. The worst of several parts counts.
     pub const ALL: [Verdict; 9] = [
         Verdict::Certified,
         Verdict::Verified,
@@ -44,22 +44,22 @@ impl Verdict {
         Verdict::Refuted,
     ];
 
-    /// Whether this verdict is a pass where nothing else is expected.
+    /// Whether this verdict is a pass, if no other verdict is expected.
     pub fn passes(self) -> bool {
         matches!(self, Verdict::Certified | Verdict::Verified | Verdict::Definition | Verdict::Law)
     }
 
-    /// Whether a claim was tested and found to hold.
+    /// Whether the claim was tested and holds.
     pub fn holds(self) -> bool {
         matches!(self, Verdict::Certified | Verdict::Verified)
     }
 
-    /// How bad it is: its place in [`Verdict::ALL`].
+    /// The severity: the place in [`Verdict::ALL`].
     pub fn severity(self) -> usize {
         Verdict::ALL.iter().position(|verdict| *verdict == self).unwrap_or(0)
     }
 
-    /// The word for it, as claims files and reports spell it.
+    /// The word in claims files and reports.
     pub fn word(self) -> &'static str {
         match self {
             Verdict::Certified => "certified",
@@ -74,7 +74,7 @@ impl Verdict {
         }
     }
 
-    /// The verdict that a word names.
+    /// The verdict with this word.
     pub fn named(word: &str) -> Option<Verdict> {
         Verdict::ALL.into_iter().find(|verdict| verdict.word() == word)
     }

@@ -1,12 +1,12 @@
-//! The progress of a run, for whoever wants to show it. Nothing here prints, and no report depends on it.
+//! The progress of a run, for a caller that shows it. The report does not depend on it.
 
-/// Told, from any thread, of each item that is done.
+/// A listener that is called, from any thread, for each finished item.
 pub trait Progress: Sync {
-    /// An equation or a sentence of this document has its verdict.
+    /// Called when an equation or a sentence of this document has its verdict.
     fn done(&self, document: &str);
 }
 
-/// Nobody.
+/// Ignores the progress.
 impl Progress for () {
     fn done(&self, _document: &str) {}
 }

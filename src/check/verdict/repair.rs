@@ -1,4 +1,4 @@
-//! A repair: one edit of the notes with which an equation passes.
+//! A suggested repair: one edit of the notes with which an equation passes.
 
 use crate::latex::slips::Slip;
 use crate::source::Span;
@@ -8,25 +8,25 @@ use crate::check::verdict::Verdict;
 /// An edit of the notes with which an equation passes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Repair {
-    /// The bytes of the notes that go.
+    /// The bytes of the notes that are replaced.
     pub span: Span,
-    /// What comes in their place.
+    /// The text that replaces them.
     pub replacement: String,
-    /// The slip that it undoes.
+    /// The kind of mistake that it corrects.
     pub slip: Slip,
-    /// The verdict on the equation then; on the step, where it mends no more than that.
+    /// The verdict on the corrected equation; on the corrected step, if it corrects only that.
     pub verdict: Verdict,
-    /// Whether it mends a step of a chain and not yet the rest, which carries the slip on or has another.
+    /// Whether it corrects one step of a chain only: the rest repeats the mistake or has another one.
     pub step: bool,
-    /// Whether a side is then zero whatever its symbols mean: offered where nothing else is, and for its author to make.
+    /// Whether a side is then zero whatever its symbols mean. Such an edit is offered only if there is no other one.
     pub idle: bool,
-    /// Where it changes another display, on which several wrong equations stand.
+    /// The other display that is changed, if several wrong equations use it.
     pub shared: Option<Shared>,
 }
 
 impl Repair {
-    /// Whether it changes what stands in the notes, or puts in what stands there already, or a number; else the factor or
-    /// the term was put together from what is true.
+    /// Whether the replacement is a number or text that is already in the notes. If not, the factor or term was composed
+    /// from the derived equation.
     pub fn is_in_the_notes(&self, notes: &str) -> bool {
         if !matches!(self.slip, Slip::Factor | Slip::Term) {
             return true;
@@ -37,11 +37,11 @@ impl Repair {
     }
 }
 
-/// What one edit of a display mends beside it.
+/// The equations that an edit of another display corrects.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shared {
-    /// The display that is changed, by its number.
+    /// The number of the display that is changed.
     pub of: String,
-    /// The equations that hold then, by their numbers.
+    /// The numbers of the equations that hold then.
     pub mends: Vec<String>,
 }

@@ -9,14 +9,14 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
 
-/// One statement of an equation, or one more thing that is claimed of it.
+/// One statement of an equation, or a further claim about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// The source of the statement, exactly as it stands in the notes.
+    /// The source of the statement, exactly as in the notes.
     pub latex: String,
     /// How it was read.
     pub reading: String,
-    /// The worst finding of it.
+    /// The worst finding on it.
     pub finding: Finding,
     /// Whether the verdict is what was expected.
     pub ok: bool,
@@ -29,7 +29,7 @@ pub struct Equation {
     pub id: String,
     /// The line on which it starts, from 1.
     pub line: usize,
-    /// The source, exactly as it stands in the notes.
+    /// The source, exactly as in the notes.
     pub latex: String,
     /// How it was read.
     pub reading: String,
@@ -39,20 +39,20 @@ pub struct Equation {
     pub ok: bool,
     /// Why another verdict than a pass is expected, if one is.
     pub because: Option<String>,
-    /// Its statements and what else is claimed of it, where there are several.
+    /// Its statements and further claims, if there are several.
     pub parts: Vec<Part>,
-    /// Where it does not pass: the single edits with which it would, the likeliest first.
+    /// The single edits with which a failing equation would pass, the most likely first.
     pub repairs: Vec<Repair>,
-    /// What it stands on, and nothing that holds does, by what it is called: the slip may be there.
+    /// The names of the displays that it uses and that no passing equation uses: the mistake may be there.
     pub elsewhere: Vec<String>,
 }
 
-/// What was found in one document.
+/// The findings on one document.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// The notes file, relative to where the command was started.
+    /// The path of the notes file, relative to the working directory.
     pub path: String,
-    /// The claims file; none, where there is none.
+    /// The path of the claims file, if there is one.
     pub claims: Option<String>,
     /// The notes as read.
     pub source: Arc<Source>,
@@ -60,13 +60,13 @@ pub struct Document {
     pub equations: Vec<Equation>,
     /// The sentences that the claims file turned into tests.
     pub sentences: Vec<Equation>,
-    /// How many displays have neither a number nor a claim, and were not checked.
+    /// The number of displays without a number and without a claim, which were not checked.
     pub unnumbered: usize,
-    /// What was inferred: how the symbols were mapped, what was taken for granted.
+    /// What was inferred: how the symbols were mapped, and what was assumed.
     pub inferred: Vec<String>,
 }
 
-/// What was found in all documents of a run.
+/// The findings on all documents of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     /// The documents in the order of their paths.
@@ -79,7 +79,7 @@ impl Report {
         self.documents.iter().flat_map(|document| document.equations.iter().chain(&document.sentences))
     }
 
-    /// How often each verdict was given to an equation or a sentence.
+    /// The number of equations and sentences with each verdict.
     pub fn counts(&self) -> BTreeMap<&'static str, usize> {
         let mut counts = BTreeMap::new();
         for item in self.items() {
@@ -88,12 +88,12 @@ impl Report {
         counts
     }
 
-    /// How many are not as expected.
+    /// The number of items that are not as expected.
     pub fn unexpected(&self) -> usize {
         self.items().filter(|item| !item.ok).count()
     }
 
-    /// 0: all as expected; 1: something was found wrong; 2: something could not be checked, or there was nothing.
+    /// The exit code. 0: all items are as expected. 1: an item is wrong. 2: an item could not be checked, or there is none.
     pub fn exit_code(&self) -> u8 {
         let wrong = |item: &Equation| !item.ok && matches!(item.finding.verdict, Verdict::Refuted | Verdict::Domain);
         let passed_against_expectation = |item: &Equation| !item.ok && item.finding.verdict.passes();

@@ -1,7 +1,7 @@
-//! Units: whether the terms of a formula can be added at all.
+//! Units and dimensional analysis: whether the terms of a formula can be added.
 //!
 //! A [`Dimension`] is the exponents of the seven base units. [`parse`](fn@parse) reads one from SI text, the
-//! [`ledger`] infers those that nobody declared, and the [`survey`] walks a formula and names the term that does not
+//! [`inference`] infers those that nobody declared, and [`check`] walks a formula and names the term that does not
 //! fit.
 //!
 //! The dimensions here are values, known when the program runs. The established crates (uom, dimensioned) make them
@@ -9,17 +9,17 @@
 //! this one. What is needed is seven rational exponents and elimination, hence a type of our own. Scale does not
 //! matter: a kilometre and a millimetre are the same dimension, and numbers are checked elsewhere.
 
-pub mod ledger;
+pub mod check;
+pub mod inference;
 pub mod parse;
 pub mod ratio;
-pub mod survey;
 
 use std::fmt;
 
-pub use ledger::{Affine, Ledger};
+pub use check::{Mismatch, UnitCheck};
+pub use inference::{Affine, Inference};
 pub use parse::parse;
 pub use ratio::Ratio;
-pub use survey::{Mismatch, Survey};
 
 /// The base units of the SI, in the order in which a product of them is printed.
 pub const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];

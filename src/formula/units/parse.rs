@@ -1,9 +1,10 @@
-//! SI text to a dimension: `kg m^2/s^2`, `N m`, `J s`, `m s^-1`, `1`.
+//! The parser of SI units: `kg m^2/s^2`, `N m`, `J s`, `m s^-1`, `1`.
 //!
-//! Factors are set apart by a space, `·` or `*`; a power is written `^2`, `^{-1}`, `^(1/2)` or as a superscript; one
-//! factor, or a product in parentheses, may stand behind a slash. What people read in two ways, as `W/m^2 K` and
-//! `m/s/s`, is refused.
+//! Factors are separated by a space, `·` or `*`. A power is written `^2`, `^{-1}`, `^(1/2)` or as a superscript. One
+//! factor, or a product in parentheses, may follow a slash. Ambiguous units such as `W/m^2 K` and `m/s/s` are
+//! rejected.
 
+use crate::code::Code;
 use crate::source::{Fault, Span};
 use crate::suggest;
 
@@ -55,7 +56,7 @@ const UNITS: [Unit; 40] = [
     Unit("t", "tonne", Dimension::base(0), false),
 ];
 
-/// The prefixes; they change the scale alone, and are read to be left out.
+/// The prefixes. They change the scale only, and are ignored.
 const PREFIXES: [&str; 23] = [
     "da", "Y", "Z", "E", "P", "T", "G", "M", "k", "h", "d", "c", "m", "µ", "μ", "u", "n", "p", "f", "a", "z", "y", "Q",
 ];
@@ -70,16 +71,22 @@ const PREFIXES: [&str; 23] = [
 /// ```
 ///
 /// # Errors
-/// At the bytes that are no unit, with the unit that was probably meant.
+/// [`Code::InvalidUnit`] at the bytes that are no unit, with the unit that was probably meant; [`Code::Ambiguous`]
+/// for
+/// several units after a slash.
 pub fn parse(text: &str) -> Result<Dimension, Fault> {
     let mut parser = Parser { text, at: 0 };
     let found = parser.product()?;
     match parser.peek() {
         None => Ok(found),
         Some(c) => {
-            Err(Fault::new(Span::new(parser.at, parser.at + c.len_utf8()), format!("{c} has no place in a unit")))
+            Err(invalid(Span::new(parser.at, parser.at + c.len_utf8()), format!("{c} is not allowed in a unit")))
         }
     }
+}
+
+fn invalid(span: Span, message: impl Into<String>) -> Fault {
+    Fault::new(span, message).code(Code::InvalidUnit)
 }
 
 struct Parser<'a> {
@@ -101,7 +108,7 @@ impl<'a> Parser<'a> {
     }
 
     fn fault(&self, from: usize, message: impl Into<String>) -> Fault {
-        Fault::new(Span::new(from, self.at.max(from)), message)
+        invalid(Span::new(from, self.at.max(from)), message)
     }
 
     /// Factors side by side, and at most one slash.
@@ -113,18 +120,19 @@ impl<'a> Parser<'a> {
         loop {
             match self.peek() {
                 None | Some(')') if count == 0 => {
-                    return Err(self.fault(start, "a unit is missing").help("write 1 for what has none"));
+                    return Err(self.fault(start, "a unit is missing").help("write 1 for a quantity without a unit"));
                 }
                 None | Some(')') => return Ok(found),
                 Some('/') if count == 0 => {
-                    return Err(self.fault(start, "nothing stands before the /").help("write 1/s"));
+                    return Err(self.fault(start, "no unit stands before the /").help("as in 1/s"));
                 }
                 Some(_) if divided.is_some() => {
                     let from = divided.unwrap_or(start);
                     self.at = self.text.len();
                     return Err(self
-                        .fault(from, "what stands below the / can be read in two ways")
-                        .help("put all of it in parentheses, J/(kg K), or give it negative exponents, J kg^-1 K^-1"));
+                        .fault(from, "ambiguous: the units after the / may or may not all be divided by")
+                        .code(Code::Ambiguous)
+                        .help("use parentheses, J/(kg K), or negative exponents, J kg^-1 K^-1"));
                 }
                 Some('/') => {
                     divided = Some(self.at);
@@ -143,7 +151,7 @@ impl<'a> Parser<'a> {
             Some('(') => {
                 let open = self.at;
                 if self.text[..open].matches('(').count() > 8 {
-                    return Err(self.fault(open, "too many parentheses"));
+                    return Err(self.fault(open, "a unit has at most 8 pairs of parentheses"));
                 }
                 self.at += 1;
                 let found = self.product()?;
@@ -158,8 +166,8 @@ impl<'a> Parser<'a> {
                 let digits = self.take(|c| c.is_ascii_digit() || c == '.');
                 if digits != "1" {
                     return Err(self
-                        .fault(from, format!("{digits} is a number, and a unit has none"))
-                        .help("only the dimension is checked, so leave the number out; a power is written m^2"));
+                        .fault(from, format!("a unit cannot contain the number {digits}"))
+                        .help("only the dimension is checked; remove the number, or write a power as m^2"));
                 }
                 Dimension::NONE
             }
@@ -170,9 +178,9 @@ impl<'a> Parser<'a> {
             }
             Some(c) => {
                 let span = Span::new(self.at, self.at + c.len_utf8());
-                return Err(Fault::new(span, format!("{c} has no place in a unit")).help("write it as in kg m^2/s^2"));
+                return Err(invalid(span, format!("{c} is not allowed in a unit")).help("write it as in kg m^2/s^2"));
             }
-            None => return Err(self.fault(self.at, "a unit is missing").help("write 1/s for what is per second")),
+            None => return Err(self.fault(self.at, "a unit is missing").help("as in 1/s")),
         };
         Ok(match self.exponent()? {
             Some(exponent) => found.power(exponent),
@@ -219,7 +227,7 @@ impl<'a> Parser<'a> {
         match (small(above), small(below)) {
             (Some(above), Some(below)) if below != 0 => Ok(Some(Ratio::new(above, below))),
             _ => Err(self
-                .fault(from, "an exponent is a small whole number or a fraction")
+                .fault(from, "an exponent must be a whole number up to 100 or a fraction")
                 .help("as in m^2, s^-1, m^(1/2)")),
         }
     }
@@ -234,7 +242,7 @@ fn named(word: &str) -> Option<Dimension> {
 }
 
 fn unknown(word: &str, span: Span, behind: &str) -> Fault {
-    let fault = Fault::new(span, format!("{word} is not a unit"));
+    let fault = invalid(span, format!("{word} is not a unit"));
     let lower = word.to_lowercase();
     let called = UNITS.iter().find(|Unit(_, name, ..)| lower == *name || lower == format!("{name}s"));
     let cased = ["kg", "Hz", "Pa", "mol", "km"].into_iter().find(|known| known.to_lowercase() == lower);
@@ -243,7 +251,7 @@ fn unknown(word: &str, span: Span, behind: &str) -> Fault {
     }
     let halves = word.char_indices().skip(1).map(|(at, _)| word.split_at(at));
     if let Some((a, b)) = halves.into_iter().find(|(a, b)| named(a).is_some() && named(b).is_some()) {
-        return fault.help(format!("set factors apart by a space: {a} {b}{behind}"));
+        return fault.help(format!("write a space between factors: {a} {b}{behind}"));
     }
     let names = UNITS.iter().flat_map(|Unit(symbol, name, ..)| [*symbol, *name]).chain(["kg", "km", "cm", "mm", "ms"]);
     match suggest::nearest(word, names) {
@@ -251,9 +259,7 @@ fn unknown(word: &str, span: Span, behind: &str) -> Fault {
             let symbol = UNITS.iter().find(|Unit(_, name, ..)| *name == near).map_or(near, |unit| unit.0);
             fault.help(format!("did you mean {symbol}?"))
         }
-        None => {
-            fault.help("units are those of the SI: kg, m, s, A, K, mol, cd and those made of them, N, J, W, Pa, Hz")
-        }
+        None => fault.help("use SI units: kg, m, s, A, K, mol, cd, or derived ones such as N, J, W, Pa, Hz"),
     }
 }
 
@@ -328,13 +334,13 @@ mod tests {
             ("Kg", "Kg", "kg"),
             ("9.81 m/s^2", "9.81", "dimension"),
             ("m2", "2", "m^2"),
-            ("m/s/s", "/s/s", "two ways"),
-            ("W/m^2 K", "/m^2 K", "two ways"),
+            ("m/s/s", "/s/s", "ambiguous"),
+            ("W/m^2 K", "/m^2 K", "ambiguous"),
             ("m^x", "^", "m^2"),
             ("m^(1/0)", "^(1/0)", "fraction"),
-            ("m^99999999999999999999", "^99999999999999999999", "small"),
+            ("m^99999999999999999999", "^99999999999999999999", "up to 100"),
             ("(m", "(m", "not closed"),
-            ("m)", ")", "no place"),
+            ("m)", ")", "not allowed"),
             ("m/", "", "missing"),
             ("", "", "missing"),
             ("x", "x", "SI"),

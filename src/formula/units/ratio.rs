@@ -1,16 +1,16 @@
-//! The rational numbers that exponents of units are.
+//! Rational exponents of units.
 //!
-//! They stay small: roots halve them, elimination divides them by one another. Arithmetic that leaves 64 bits gives
-//! [`Ratio::LOST`], which every operation hands on, and from which nothing is concluded.
+//! Exponents are small numbers. Arithmetic that overflows 64 bits gives [`Ratio::LOST`]; every operation on it gives
+//! [`Ratio::LOST`] again, and no conflict is reported from it.
 
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A fraction in lowest terms with a positive denominator, or lost.
+/// A fraction in lowest terms with a positive denominator, or [`Ratio::LOST`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Ratio {
     numerator: i64,
-    /// 0 marks a number that left 64 bits.
+    /// The value 0 marks an overflow.
     denominator: i64,
 }
 
@@ -19,7 +19,7 @@ impl Ratio {
     pub const ZERO: Ratio = Ratio::whole(0);
     /// 1.
     pub const ONE: Ratio = Ratio::whole(1);
-    /// A number that is not known, because it left 64 bits or was divided by 0.
+    /// The result of an overflow or of a division by 0.
     pub const LOST: Ratio = Ratio { numerator: 0, denominator: 0 };
 
     /// A whole number.
@@ -37,7 +37,7 @@ impl Ratio {
         self == Ratio::ZERO
     }
 
-    /// Whether it is not known.
+    /// Whether it is [`Ratio::LOST`].
     pub fn is_lost(self) -> bool {
         self.denominator == 0
     }
@@ -47,7 +47,7 @@ impl Ratio {
         Ratio::reduced(self.denominator.into(), self.numerator.into())
     }
 
-    /// The whole number that it is, if it is one.
+    /// The value, if it is a whole number.
     pub fn as_whole(self) -> Option<i64> {
         (self.denominator == 1).then_some(self.numerator)
     }

@@ -1,5 +1,6 @@
-//! A single item as a formula: a number, a group, a fraction, a root, a matrix, and what is raised above it.
+//! One item as a formula: a number, a group, a fraction, a root, a matrix, and its superscript.
 
+use crate::code::Code;
 use crate::formula::shape::Shape;
 use crate::formula::symbols::Components;
 use crate::formula::tree::{Expr, Index, Node};
@@ -7,9 +8,9 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::items::{contents, is_minus_one, is_number, is_transpose, whole_number};
-use super::operators::starts_differential;
-use super::{Read, Reader, two_ways, unknown_command};
+use super::super::overdots;
+use super::items::{contents, is_minus_one, is_number, is_transpose, starts_differential, whole_number};
+use super::state::{Read, Reader, unknown_command};
 
 impl Reader<'_> {
     /// A single item as a formula.
@@ -18,20 +19,28 @@ impl Reader<'_> {
         if let Some(printed) = names::printed(item, self.branch) {
             return self.symbol(span, printed, &[], &mut 0);
         }
+        if let Layout::Accent(command, inner) = &item.layout
+            && let Some(order) = overdots::order(command)
+        {
+            if is_number(inner) {
+                return Err(Fault::new(span, "a dot stands over a number"));
+            }
+            return Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span));
+        }
         match &item.layout {
             Layout::Fault(fault) => Err(fault.clone()),
             Layout::Number(digits) => {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {
                     Ok(Expr::new(Node::Number(digits.clone()), span))
                 } else {
-                    Err(Fault::new(span, "this number is too large to compute with"))
+                    Err(Fault::new(span, "this number is too large to compute with").code(Code::TooLarge))
                 }
             }
             Layout::Group(items) => self.sum(items, span),
             Layout::Fence(delimiter, items) => self.fence(*delimiter, items, span),
             Layout::Fraction(numerator, denominator) => {
                 if starts_differential(numerator) || starts_differential(denominator) {
-                    return Err(Fault::new(span, "a derivative by something other than the time is not read"));
+                    return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
                 }
                 let (a, b) = (self.item(numerator)?, self.item(denominator)?);
                 Ok(Expr::new(Node::Quotient(Box::new(a), Box::new(b)), span))
@@ -40,17 +49,14 @@ impl Reader<'_> {
                 let degree = match index.as_deref().map(|index| whole_number(index).ok_or(index.span)) {
                     None => 2,
                     Some(Ok(degree)) if degree >= 2 => degree,
-                    Some(Ok(_)) => return Err(Fault::new(span, "the index of a root is a whole number from 2 up")),
-                    Some(Err(span)) => return Err(Fault::new(span, "the index of a root is a whole number from 2 up")),
+                    Some(Ok(_)) => {
+                        return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
+                    }
+                    Some(Err(span)) => {
+                        return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
+                    }
                 };
                 Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
-            }
-            Layout::Accent(command, inner) if matches!(command.as_str(), "\\dot" | "\\ddot" | "\\dddot") => {
-                let order = command.matches('d').count() as u8;
-                if is_number(inner) {
-                    return Err(Fault::new(span, "a dot over a number"));
-                }
-                Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span))
             }
             Layout::Environment(name, rows) => self.matrix(name, rows, span),
             Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }
@@ -71,24 +77,31 @@ impl Reader<'_> {
             Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
                 let base = self.item(nucleus)?;
                 if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
-                    return Err(two_ways(span, "a power of braces, which do not print").help("use parentheses"));
+                    return Err(Fault::ambiguous(
+                        span,
+                        "braces do not print, so this power may belong to the last factor only",
+                    )
+                    .help("use parentheses"));
                 }
                 self.raised(base, sup, span)
             }
             Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
                 (Layout::Fault(fault), _) => Err(fault.clone()),
                 (Layout::Command(name), _) => Err(unknown_command(name, nucleus.span)),
-                (_, Some(sub)) => Err(Fault::new(sub.span, "a subscript on something that is not a symbol")),
-                _ => Err(Fault::new(span, "a prime on something that is not a symbol")),
+                (_, Some(sub)) => Err(Fault::unsupported(
+                    sub.span,
+                    "a subscript is supported on a symbol, a vector or a 3×3 matrix only",
+                )),
+                _ => Err(Fault::unsupported(span, "a prime is supported on a symbol only")),
             },
             Layout::Command(name) => Err(unknown_command(name, span)),
             Layout::Style(name, _) | Layout::Accent(name, _) => {
-                Err(Fault::new(span, format!("{name} of this has no meaning here")))
+                Err(Fault::unsupported(span, format!("{name} is not supported here")))
             }
-            Layout::Text(word) => Err(Fault::new(span, format!("the words “{word}” have no meaning here"))),
-            Layout::Other(c) => Err(Fault::new(span, format!("“{c}” is not understood here"))),
+            Layout::Text(word) => Err(Fault::unsupported(span, format!("the text “{word}” is not supported here"))),
+            Layout::Other(c) => Err(Fault::unsupported(span, format!("“{c}” is not supported here"))),
             Layout::Letter(_) | Layout::Space(_) | Layout::Row | Layout::Align => {
-                Err(Fault::new(span, "this is not understood here"))
+                Err(Fault::unsupported(span, "this is not supported here"))
             }
         }
     }
@@ -116,13 +129,25 @@ impl Reader<'_> {
                 }
                 Ok(Expr::new(Node::Norm(Box::new(inner)), span))
             }
-            Delimiter::Angle => Err(Fault::new(span, "angle brackets have no meaning here")),
+            Delimiter::Angle => Err(Fault::unsupported(span, "angle brackets are not supported")),
         }
     }
 
     /// `(\vec\omega \times \vec r)_a`, `(R^T)_{ab}`: a component along the fixed axes, an entry.
     fn part(&mut self, fence: &Item, sub: &Item, span: Span) -> Read<Expr> {
-        let refused = || Fault::new(sub.span, "a subscript on something that is not a symbol");
+        let is_partial = |item: &Item| match &item.layout {
+            Layout::Fraction(above, _) => {
+                matches!(contents(above), [Item { layout: Layout::Command(name), .. }, ..] if name == "\\partial")
+            }
+            _ => false,
+        };
+        let refused = || match &fence.layout {
+            Layout::Fence(_, inside) if inside.iter().any(is_partial) => {
+                Fault::unsupported(span, "partial derivatives are not supported")
+                    .help("leave the equation out with \"skip\" in the claims file")
+            }
+            _ => Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only"),
+        };
         let index = |item: &Item| match &item.layout {
             Layout::Number(digits) => digits.parse().ok().filter(|n| (1..=3).contains(n)).map(Index::Fixed),
             _ => {
@@ -149,8 +174,11 @@ impl Reader<'_> {
                     .iter()
                     .any(|(id, _)| matches!(self.symbols.components_of(*id), Some(Components::Along(_))))
                 {
-                    return Err(two_ways(span, "a component, along the axes that turn or those that stand still")
-                        .help("write its product with a unit vector, \\cdot \\hat e_a"));
+                    return Err(Fault::ambiguous(
+                        span,
+                        "this component may be along the turning axes or along the fixed axes",
+                    )
+                    .help("write the dot product with a unit vector, \\cdot \\hat e_a"));
                 }
                 Ok(Expr::new(Node::Component(Box::new(inner), *a), span))
             }
@@ -166,23 +194,23 @@ impl Reader<'_> {
                     let empty = |cell: &Vec<Item>| cell.iter().all(|item| matches!(item.layout, Layout::Space(_)));
                     if let Some(column) = row.iter().position(empty) {
                         let place = row.iter().flatten().map(|item| item.span).reduce(Span::to).unwrap_or(span);
-                        let message = format!("row {} of this matrix has nothing in column {}", at + 1, column + 1);
-                        return Err(Fault::new(place, message).help("write the 0, or take out the & that is too many"));
+                        let message = format!("row {} of this matrix is empty in column {}", at + 1, column + 1);
+                        return Err(Fault::new(place, message).help("write 0 there, or remove an &"));
                     }
                 }
                 let rows: Read<Vec<Vec<Expr>>> =
                     rows.iter().map(|row| row.iter().map(|cell| self.sum(cell, span)).collect()).collect();
                 let rows = rows?;
                 match rows.iter().find(|row| row.len() != rows[0].len()) {
-                    Some(_) => Err(Fault::new(span, "the rows of this matrix are not equally long")),
+                    Some(_) => Err(Fault::shape(span, "the rows of this matrix have different lengths")),
                     None => Ok(Expr::new(Node::Matrix(rows), span)),
                 }
             }
-            _ => Err(Fault::new(span, format!("the environment {name} is not read here"))),
+            _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),
         }
     }
 
-    /// A base with something above the line: a power, a transpose, an inverse.
+    /// A base with a superscript: a power, a transpose, an inverse.
     pub(super) fn raised(&mut self, base: Expr, sup: &Item, span: Span) -> Read<Expr> {
         let shape = self.shape_of(&base)?;
         let boxed = Box::new(base);
@@ -198,7 +226,7 @@ impl Reader<'_> {
             || matches!(sup.layout, Layout::Other('*'))
             || matches!(contents(sup), [Item { layout: Layout::Fence(Delimiter::Round, _), .. }])
         {
-            return Err(Fault::new(sup.span, "this superscript is not read"));
+            return Err(Fault::unsupported(sup.span, "this superscript is not supported"));
         }
         if shape == Shape::Vector && whole_number(sup) == Some(2) {
             return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));

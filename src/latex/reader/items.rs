@@ -1,12 +1,24 @@
-//! What a typeset item is, seen from outside: a number, an operator, a transpose mark.
+//! Predicates on layout items: a number, an operator, a transpose mark, a differential, the head of a function.
 
-use crate::source::Span;
+use crate::formula::symbols::Name;
+use crate::formula::tree::{Expr, Function, Node};
+use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
-use super::Joint;
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::names;
+use super::state::Read;
+
+/// How factors are joined to those before them.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Joint {
+    Beside,
+    CDot,
+    Times,
+    Slash,
+}
 
 /// The bytes from the first item to the last.
-pub(in super::super) fn extent(items: &[Item]) -> Option<Span> {
+pub(super) fn extent(items: &[Item]) -> Option<Span> {
     Some(items.first()?.span.to(items.last()?.span))
 }
 
@@ -81,4 +93,108 @@ pub(super) fn is_numeric_item(item: &Item) -> bool {
         Layout::Root(_, a) => is_numeric(a),
         _ => false,
     }
+}
+
+/// Factors side by side as one formula.
+pub(super) fn beside(mut factors: Vec<Expr>) -> Expr {
+    if factors.len() == 1 {
+        return factors.remove(0);
+    }
+    let span = match (factors.first(), factors.last()) {
+        (Some(first), Some(last)) => first.span.to(last.span),
+        _ => Span::default(),
+    };
+    Expr::new(Node::Product(factors), span)
+}
+
+/// `\sum`, with or without limits.
+pub(super) fn is_big_sum(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Command(name) => name == "\\sum",
+        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == "\\sum"),
+        _ => false,
+    }
+}
+
+/// `\int`, with or without limits.
+pub(super) fn is_integral(item: &Item) -> bool {
+    is_big(item, "\\int")
+}
+
+/// `\lim`, with or without what tends to what.
+pub(super) fn is_limit(item: &Item) -> bool {
+    is_big(item, "\\lim")
+}
+
+fn is_big(item: &Item, command: &str) -> bool {
+    match &item.layout {
+        Layout::Command(name) => name == command,
+        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == command),
+        _ => false,
+    }
+}
+
+/// The order of a differential d, `d^2`, `\mathrm{d}`.
+pub(super) fn differential(item: &Item) -> Option<u32> {
+    let is_d = |item: &Item| {
+        item.layout == Layout::Letter('d')
+            || matches!(&item.layout, Layout::Style(style, inner) if style == "\\mathrm"
+                && matches!(contents(inner), [Item { layout: Layout::Letter('d'), .. }]))
+    };
+    match &item.layout {
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } if is_d(nucleus) => whole_number(sup),
+        _ if is_d(item) => Some(1),
+        _ => None,
+    }
+}
+
+/// Whether a numerator or denominator begins with a d and goes on: `dx`, `\partial L`.
+pub(super) fn starts_differential(item: &Item) -> bool {
+    match contents(item) {
+        [first, second, ..] => {
+            let partial = matches!(&first.layout, Layout::Command(name) if name == "\\partial");
+            partial || differential(first).is_some() && names::printed(second, None).is_some()
+        }
+        _ => false,
+    }
+}
+
+/// A function's command with the power on it.
+pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>)>> {
+    let named = |item: &Item| match &item.layout {
+        Layout::Command(name) => name.strip_prefix('\\').and_then(Function::named),
+        Layout::Style(style, inner) if style == "\\mathrm" => {
+            let word: String =
+                contents(inner).iter().map(|item| if let Layout::Letter(c) = item.layout { c } else { ' ' }).collect();
+            Function::named(&word)
+        }
+        _ => None,
+    };
+    if let Some(function) = named(item) {
+        return Ok(Some((function, None)));
+    }
+    let Layout::Scripts { nucleus, sub, sup, primes } = &item.layout else {
+        return Ok(None);
+    };
+    let Some(function) = named(nucleus) else {
+        return Ok(None);
+    };
+    if sub.is_some() || *primes > 0 {
+        return Err(Fault::unsupported(item.span, "a subscript or prime on a function is not supported"));
+    }
+    match sup.as_deref() {
+        Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
+            Err(Fault::ambiguous(item.span, "a negative power of a function may be its inverse or its reciprocal")
+                .help("write \\arcsin or \\frac{1}{\\sin x}"))
+        }
+        sup => Ok(Some((function, sup))),
+    }
+}
+
+/// Whether a parenthesis holds this name and nothing else.
+pub(super) fn is_lone(item: &Item, name: &Name) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let mut inside = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let (Some(only), None) = (inside.next(), inside.next()) else { return false };
+    names::printed(only, None).is_some_and(|p| p.dots == 0 && p.sup.is_none() && p.name == *name)
 }

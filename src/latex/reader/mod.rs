@@ -1,4 +1,19 @@
-//! A typeset formula to its one meaning.
+//! The meaning of a typeset formula: layout to [`Expr`], with the help of the symbol table.
+//!
+//! | file | what is read there |
+//! | --- | --- |
+//! | `terms` | sums, terms, factors, products |
+//! | `atoms` | one item: a number, a fraction, a root, a matrix, a power |
+//! | `symbols` | a name, its superscript, and a parenthesis after it |
+//! | `vector_names` | the norm, the unit vector and the components of a declared vector |
+//! | `functions` | `\sin` and the like, and where an argument ends |
+//! | `derivatives` | `\frac{d}{dt}`, `dx/dt`; overdots such as `\dot x` are in `latex::overdots` |
+//! | `sums` | `\sum` |
+//! | `integrals` | `\int` over a declared continuum, and `\lim` |
+//! | `state` | the reader itself: symbol table, branch of ±, open sums |
+//! | `items` | predicates on layout items |
+//!
+//! The grammar is recursive, hence all of them are methods of one `Reader`; each file imports only `state` and `items`.
 //!
 //! # The rules
 //!
@@ -20,32 +35,25 @@
 //! the parenthesis, the one factor or the sum after it, and on a whole product if it begins with a constant or has one
 //! factor that varies; `\vec v^2` is **v**·**v**; e with a symbolic exponent is exp.
 
-mod arguments;
 mod atoms;
-mod derived;
+mod derivatives;
+mod functions;
+mod integrals;
 mod items;
-mod operators;
-mod regions;
+mod state;
 mod sums;
 mod symbols;
+mod terms;
+mod vector_names;
 
-use crate::formula::Kind;
-use crate::formula::shape::{self, Shape};
-use crate::formula::symbols::{Entry, Symbols};
-use crate::formula::tree::{Expr, IndexId, Node, Sign, Term};
+use crate::formula::shape;
+use crate::formula::symbols::Symbols;
+use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
-use super::layout::{Delimiter, Item, Layout, layout};
-use super::lexer::tokens;
+use super::layout::{Layout, typeset_items};
 use super::macros::Macros;
-use super::names;
-use super::old_forms::renewed;
-use arguments::function_head;
-pub(super) use items::extent;
-use items::{is_number, is_numeric_item, joint};
-pub(super) use regions::unaccented;
-use regions::{is_integral, is_limit};
-use sums::is_big_sum;
+pub(super) use state::Reader;
 
 /// Reads one formula, without relations, and checks its type.
 pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Result<Expr, Fault> {
@@ -56,374 +64,4 @@ pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Resul
     let mut reader = Reader::new(symbols, None);
     let expr = reader.sum(&items, Span::at(text.len()))?;
     shape::bind(expr, symbols).map(|(expr, _)| expr)
-}
-
-/// The text as typeset items, macros expanded.
-pub(super) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fault> {
-    const LONGEST: usize = 1 << 18;
-    if text.len() > LONGEST {
-        return Err(Fault::new(Span::new(0, LONGEST), format!("a formula of more than {LONGEST} bytes"))
-            .help("split it into several equations"));
-    }
-    Ok(layout(&renewed(macros.expand(tokens(text))?), text.len()))
-}
-
-/// Gives items a meaning, with the symbols of a document.
-pub(super) struct Reader<'a> {
-    pub symbols: &'a mut Symbols,
-    /// The sign that `\pm` stands for.
-    pub branch: Option<Sign>,
-    /// The indices of the sums that are being read, outermost first.
-    summed: Vec<IndexId>,
-}
-
-/// How factors are joined to those before them.
-#[derive(Clone, Copy, PartialEq)]
-enum Joint {
-    Beside,
-    CDot,
-    Times,
-    Slash,
-}
-
-type Read<T> = Result<T, Fault>;
-
-impl<'a> Reader<'a> {
-    /// A reader of formulas; `branch` is the sign that `\pm` stands for.
-    pub fn new(symbols: &'a mut Symbols, branch: Option<Sign>) -> Self {
-        Reader { symbols, branch, summed: Vec::new() }
-    }
-}
-
-impl Reader<'_> {
-    /// The shape of something inside of the sums that are being read.
-    fn shape_of(&self, expr: &Expr) -> Read<Shape> {
-        let within = |body: Expr, index: &IndexId| {
-            let span = body.span;
-            Expr::new(Node::over(*index, body), span)
-        };
-        match self.summed.as_slice() {
-            [] => shape::shape_of(expr, self.symbols),
-            summed => shape::shape_of(&summed.iter().fold(expr.clone(), within), self.symbols),
-        }
-    }
-
-    /// Terms with their signs; all of `items`. `end` is where a fault of absence is put.
-    pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
-        let whole = extent(items).unwrap_or(end);
-        let mut terms: Vec<Term> = Vec::new();
-        let mut at = 0;
-        let mut pending: Option<(Sign, Span)> = None;
-        while at < items.len() {
-            if let Some(sign) = self.sign(&items[at])? {
-                if let Some((_, first)) = pending {
-                    return Err(Fault::new(first.to(items[at].span), "two signs in a row"));
-                }
-                pending = Some((sign, items[at].span));
-                at += 1;
-                continue;
-            }
-            let length = self.term_length(&items[at..])?;
-            let slice = &items[at..at + length];
-            at += length;
-            if slice.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
-                continue;
-            }
-            if pending.is_none() && !terms.is_empty() {
-                return Err(Fault::new(slice[0].span, "a sign is missing before this"));
-            }
-            let (sign, sign_span) = pending.take().map_or((Sign::Plus, None), |(sign, span)| (sign, Some(span)));
-            terms.push(Term { sign, sign_span, expr: self.term(slice)? });
-        }
-        if let Some((_, span)) = pending {
-            return Err(Fault::new(span, "nothing follows this sign"));
-        }
-        match terms.len() {
-            0 => Err(Fault::new(whole, "a formula is missing here")),
-            1 if terms[0].sign == Sign::Plus => Ok(terms.remove(0).expr),
-            _ => Ok(Expr::new(Node::Sum(terms), whole)),
-        }
-    }
-
-    fn sign(&self, item: &Item) -> Read<Option<Sign>> {
-        Ok(match &item.layout {
-            Layout::Other('+') => Some(Sign::Plus),
-            Layout::Other('-') => Some(Sign::Minus),
-            Layout::Command(name) if name == "\\pm" || name == "\\mp" => {
-                let upper = self.branch.ok_or_else(|| {
-                    Fault::new(item.span, "± stands for two formulas, and only one is asked for")
-                        .help("write the branch that you mean")
-                })?;
-                Some(if name == "\\pm" { upper } else { upper.flipped() })
-            }
-            _ => None,
-        })
-    }
-
-    /// How many items belong to the term that starts here: up to a sign that does not follow an operator.
-    fn term_length(&self, items: &[Item]) -> Read<usize> {
-        let mut after_operator = false;
-        for (at, item) in items.iter().enumerate() {
-            if self.sign(item)?.is_some() {
-                if after_operator {
-                    return Err(
-                        Fault::new(item.span, "a sign after an operator").help("put the signed factor in parentheses")
-                    );
-                }
-                return Ok(at);
-            }
-            if !matches!(item.layout, Layout::Space(_)) {
-                after_operator = joint(item).is_some();
-            }
-        }
-        Ok(items.len())
-    }
-
-    /// Factors and what joins them; all of `items`.
-    fn term(&mut self, items: &[Item]) -> Read<Expr> {
-        let whole = extent(items).unwrap_or_default();
-        // Factors between one `\cdot` or `\times` and the next stand side by side.
-        let mut runs: Vec<(Joint, Vec<Expr>)> = vec![(Joint::Beside, Vec::new())];
-        let mut next = Joint::Beside;
-        let mut operator: Option<Span> = None;
-        let mut after_slash: Option<Span> = None;
-        // The span of the last factor if it is a function whose argument nothing encloses.
-        let mut open_function: Option<Span> = None;
-        let mut cursor = 0;
-        while cursor < items.len() {
-            let item = &items[cursor];
-            if matches!(item.layout, Layout::Space(_)) {
-                cursor += 1;
-                continue;
-            }
-            if let Some(found) = joint(item) {
-                let empty = runs.last().is_none_or(|(_, run)| run.is_empty());
-                if operator.is_some() || empty {
-                    return Err(Fault::new(item.span, "a factor is missing before this operator"));
-                }
-                if found == Joint::Slash {
-                    if let Some(function) = open_function {
-                        return Err(Fault::new(
-                            function.to(item.span),
-                            "does this divide the function or its argument?",
-                        )
-                        .help("put the argument in parentheses, or use \\frac"));
-                    }
-                    if after_slash.is_some() {
-                        return Err(two_ways(item.span, "a/b/c"));
-                    }
-                }
-                next = found;
-                operator = Some(item.span);
-                cursor += 1;
-                continue;
-            }
-            if let (Joint::Beside, Some(slash)) = (next, after_slash) {
-                return Err(two_ways(slash.to(item.span), "a/bc").help("write \\frac{a}{bc} or \\frac{a}{b}c"));
-            }
-            let start = cursor;
-            let (factor, enclosed) = self.factor(items, &mut cursor)?;
-            if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
-                return Err(two_ways(factor.span, "a sum in braces, which do not print").help("use parentheses"));
-            }
-            if next == Joint::Beside && !runs.last().is_none_or(|(_, run)| run.is_empty()) {
-                self.run_together(items, start)?;
-            }
-            open_function = (!enclosed).then_some(factor.span);
-            if matches!(next, Joint::CDot | Joint::Times) {
-                runs.push((next, Vec::new()));
-            }
-            let Some((_, run)) = runs.last_mut() else { break };
-            if next == Joint::Slash {
-                let numerator = beside(std::mem::take(run));
-                let span = numerator.span.to(factor.span);
-                run.push(Expr::new(Node::Quotient(Box::new(numerator), Box::new(factor)), span));
-                after_slash = Some(items[start].span);
-            } else {
-                run.push(factor);
-                after_slash = None;
-            }
-            next = Joint::Beside;
-            operator = None;
-        }
-        if let Some(span) = operator {
-            return Err(Fault::new(span, "nothing follows this operator"));
-        }
-        self.join(runs, whole)
-    }
-
-    /// Refuses factors side by side that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
-    fn run_together(&self, items: &[Item], at: usize) -> Read<()> {
-        let before = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
-        let Some(before) = before else { return Ok(()) };
-        let item = &items[at];
-        let span = before.span.to(item.span);
-        if matches!(before.layout, Layout::Number(_)) && (is_numeric_item(item) || is_number(item)) {
-            return Err(two_ways(span, "a number beside a number").help("write \\cdot between them"));
-        }
-        let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
-        if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
-            return Err(two_ways(span, "which of these bars belong together").help("use \\left| and \\right|"));
-        }
-        Ok(())
-    }
-
-    /// Joins runs of factors by `\times` (first) and `\cdot`; of numbers both are plain products.
-    fn join(&self, runs: Vec<(Joint, Vec<Expr>)>, whole: Span) -> Read<Expr> {
-        if runs.len() == 1 {
-            let mut expr = beside(runs.into_iter().flat_map(|(_, run)| run).collect());
-            expr.span = whole;
-            return Ok(expr);
-        }
-        let factors: Vec<Expr> = runs.iter().flat_map(|(_, run)| run.iter().cloned()).collect();
-        let mut parts: Vec<(Joint, Expr, bool)> = Vec::new();
-        for (joint, run) in runs {
-            let expr = beside(run);
-            let is_vector = self.shape_of(&expr)? == Shape::Vector;
-            parts.push((joint, expr, is_vector));
-        }
-        let lost = parts.windows(2).find_map(|pair| match pair {
-            [(_, number, false), (Joint::Times, _, true)] | [(_, _, true), (Joint::Times, number, false)] => {
-                length(number).or_else(|| self.names_a_vector(number))
-            }
-            _ => None,
-        });
-        if let Some(span) = lost {
-            return Err(Fault::new(span, "× stands between a length and a vector: is an arrow lost here?")
-                .help("write the vector with its arrow; a plain product is written without ×"));
-        }
-        if parts.iter().filter(|(_, _, is_vector)| *is_vector).count() < 2 {
-            return Ok(Expr::new(Node::Product(factors), whole));
-        }
-        for (joint, make) in [(Joint::Times, Node::Cross as fn(_, _) -> _), (Joint::CDot, Node::Dot as fn(_, _) -> _)] {
-            let mut folded: Vec<(Joint, Expr, bool)> = Vec::new();
-            let mut previous_was_cross = false;
-            for (found, expr, is_vector) in parts {
-                match folded.last_mut() {
-                    Some(last) if found == joint && last.2 && is_vector => {
-                        if previous_was_cross {
-                            return Err(two_ways(last.1.span.to(expr.span), "a × b × c").help("put parentheses"));
-                        }
-                        let span = last.1.span.to(expr.span);
-                        let left = std::mem::replace(&mut last.1, Expr::integer(0, span));
-                        last.1 = Expr::new(make(Box::new(left), Box::new(expr)), span);
-                        last.2 = joint == Joint::Times;
-                        previous_was_cross = joint == Joint::Times;
-                    }
-                    _ => {
-                        folded.push((found, expr, is_vector));
-                        previous_was_cross = false;
-                    }
-                }
-            }
-            parts = folded;
-        }
-        let mut expr = beside(parts.into_iter().map(|(_, expr, _)| expr).collect());
-        expr.span = whole;
-        Ok(expr)
-    }
-
-    /// Where a number with the letter of a vector is a factor of a number: the B of `\vec B`.
-    fn names_a_vector(&self, number: &Expr) -> Option<Span> {
-        match &number.node {
-            Node::Product(factors) => factors.iter().find_map(|factor| self.names_a_vector(factor)),
-            Node::Symbol { id, .. } => {
-                let name = &self.symbols.entry(*id).name;
-                let is_its_arrow = |other: &Entry| {
-                    let letter = unaccented(&other.name);
-                    other.kind == Kind::Vector && letter.base == name.base && letter.subscript == name.subscript
-                };
-                self.symbols.iter().any(|(_, other)| is_its_arrow(other)).then_some(number.span)
-            }
-            _ => None,
-        }
-    }
-
-    /// One factor; the flag is false when it is a function whose argument nothing encloses.
-    fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
-        let item = &items[*cursor];
-        if let Some((function, power)) = function_head(item)? {
-            *cursor += 1;
-            return self.call(function, power, item.span, items, cursor);
-        }
-        if is_big_sum(item) {
-            let rest = &items[*cursor + 1..];
-            *cursor = items.len();
-            return Ok((self.big_sum(item, rest)?, true));
-        }
-        if is_integral(item) {
-            *cursor += 1;
-            return Ok((self.integral(item, items, cursor)?, true));
-        }
-        if is_limit(item) {
-            let rest = &items[*cursor + 1..];
-            *cursor = items.len();
-            return Ok((self.shrinking(item, rest)?, true));
-        }
-        if let Some(order) = self.derivative_slash(items, *cursor) {
-            let span = item.span.to(items[*cursor + 4].span);
-            let inner = self.item(&items[*cursor + 1])?;
-            *cursor += 5;
-            return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), span), true));
-        }
-        if let Layout::Fraction(numerator, denominator) = &item.layout
-            && let Some((order, rest)) = self.derivative(numerator, denominator)?
-        {
-            *cursor += 1;
-            if !rest.is_empty() {
-                let inner = self.sum(rest, item.span)?;
-                return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), item.span), true));
-            }
-            let inner = self.operand(items, cursor, item.span)?;
-            let span = item.span.to(inner.span);
-            return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), span), true));
-        }
-        if let Some(compound) = self.compound(items, cursor)? {
-            return Ok((compound, true));
-        }
-        *cursor += 1;
-        if let Some(printed) = names::printed(item, self.branch) {
-            return Ok((self.symbol(item.span, printed, items, cursor)?, true));
-        }
-        Ok((self.item(item)?, true))
-    }
-}
-
-/// Factors side by side as one formula.
-fn beside(mut factors: Vec<Expr>) -> Expr {
-    if factors.len() == 1 {
-        return factors.remove(0);
-    }
-    let span = match (factors.first(), factors.last()) {
-        (Some(first), Some(last)) => first.span.to(last.span),
-        _ => Span::default(),
-    };
-    Expr::new(Node::Product(factors), span)
-}
-
-/// Where the length of a vector, or a rate of it, is a factor of a number.
-fn length(number: &Expr) -> Option<Span> {
-    match &number.node {
-        Node::Product(factors) => factors.iter().find_map(length),
-        Node::TimeDerivative(_, inner) => length(inner).map(|_| number.span),
-        Node::Norm(_) => Some(number.span),
-        _ => None,
-    }
-}
-
-fn two_ways(span: Span, what: &str) -> Fault {
-    Fault::new(span, format!("people read this in two ways: {what}"))
-}
-
-fn unknown_command(name: &str, span: Span) -> Fault {
-    match name {
-        "\\log" => two_ways(span, "\\log").help("write \\ln, or \\ln x / \\ln 10"),
-        "\\pm" | "\\mp" => Fault::new(span, "± stands where no sign can"),
-        "\\partial" | "\\nabla" => Fault::new(span, format!("{name} is not read yet")),
-        "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::new(span, format!("{name} is not read yet")),
-        "\\cup" => Fault::new(span, "\\cup joins families, and is read under \"where\" alone")
-            .help("say there what the name of the family means in this equation"),
-        _ => Fault::new(span, format!("the command {name} is not known"))
-            .help("if it is a macro of yours, define it under \"macros\" in the claims file"),
-    }
 }

@@ -1,23 +1,25 @@
 //! Sums over an index: `\sum_{i=1}^{n}`, `\sum_{j \neq i}`, `\sum_{\vec r_i \in V(\vec r)}`.
 //!
-//! A sum reaches to the end of the term that it stands in. Its index is declared, and its limits are those of the
-//! index: it may start further up, `i=2`, end before the last, `n-1`, and leave out what another index bounds, `j \neq i`,
-//! `j < i`. Of two letters below one Σ, that no other Σ has, `i < j` is a sum over both; `j \neq i` is one over the first.
+//! A sum extends to the end of its term. Its index is declared, and its limits are those of the index. It may start
+//! later,
+//! `i=2`, end earlier, `n-1`, and exclude values by another index, `j \neq i`, `j < i`. If two letters under one Σ
+//! belong
+//! to no other Σ, `i < j` is a sum over both, and `j \neq i` is a sum over the first.
 
-use crate::formula::tree::{Expr, Index, IndexId, LeftOut, Node};
+use crate::formula::tree::{Excluded, Expr, Index, IndexId, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Item, Layout};
 use super::super::names;
 use super::items::{contents, extent, whole_number};
-use super::{Read, Reader, two_ways};
+use super::state::{Read, Reader};
 
-/// One index below a Σ, and what it leaves out or stays within.
+/// One index under a Σ, with its excluded values and its continuum.
 struct Over {
     index: IndexId,
-    except: Vec<LeftOut>,
+    except: Vec<Excluded>,
     within: Option<crate::formula::SymbolId>,
-    /// Where this letter and the next stand as a pair, `i < j`, that nothing else says to be one.
+    /// The place of a pair of letters, `i < j`, that only this Σ shows to be a pair.
     pair: Option<Span>,
 }
 
@@ -34,16 +36,16 @@ impl Reader<'_> {
             for over in &mut overs {
                 self.fits(less.map_or(upper, |(upper, _)| upper), over.index)
                     .map_err(|fault| Fault { span: upper.span, ..fault })?;
-                over.except.extend(less.map(|(_, less)| LeftOut::Last(less)));
+                over.except.extend(less.map(|(_, less)| Excluded::Last(less)));
             }
         }
         for (at, over) in overs.iter().enumerate() {
             if self.summed.contains(&over.index) || overs[..at].iter().any(|before| before.index == over.index) {
-                return Err(Fault::new(sub.span, "this index is summed over already"));
+                return Err(Fault::index(sub.span, "this index is already summed over"));
             }
         }
         if extent(rest).is_none() || rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
-            return Err(Fault::new(sigma.span, "nothing follows this sum"));
+            return Err(Fault::new(sigma.span, "no formula follows this sum"));
         }
         let outer = self.summed.len();
         self.summed.extend(overs.iter().map(|over| over.index));
@@ -53,10 +55,9 @@ impl Reader<'_> {
         let lone = |over: &&Over| over.pair.is_some() && !body.has_letter(over.index);
         if let Some(Over { index, pair: Some(place), .. }) = overs.iter().find(lone) {
             let letter = &self.symbols.indices[index.0].letter;
-            let what = format!("a sum over pairs, or over one of them for each {letter}");
-            return Err(
-                two_ways(*place, &what).help(format!("write a Σ for each letter, or only one if {letter} is free"))
-            );
+            let what = format!("this may be a sum over pairs, or a sum for each {letter}");
+            return Err(Fault::ambiguous(*place, what)
+                .help(format!("write a Σ for each letter, or only one if {letter} is free")));
         }
         for Over { index, except, within, .. } in overs.into_iter().rev() {
             let node = Node::SumOver { index, implied: false, except, within, body: Box::new(body) };
@@ -65,7 +66,7 @@ impl Reader<'_> {
         Ok(body)
     }
 
-    /// What stands below a Σ: `a, b = 1`, `j \neq i`, `j = 1, j \neq i`, `\vec r_i \in V(\vec r)`.
+    /// The indices under a Σ: `a, b = 1`, `j \neq i`, `j = 1, j \neq i`, `\vec r_i \in V(\vec r)`.
     fn below(&mut self, sub: &Item) -> Read<Vec<Over>> {
         let mut overs: Vec<Over> = Vec::new();
         let items: Vec<Item> =
@@ -89,10 +90,9 @@ impl Reader<'_> {
                     let low = whole_number(one).and_then(|low| u8::try_from(low).ok());
                     let low = low.filter(|low| (1..=self.symbols.indices[index.0].upper).contains(low));
                     let low = low.ok_or_else(|| {
-                        Fault::new(one.span, "a sum starts at one of the values of its index")
-                            .help("write \\sum_{i=1}^{n}")
+                        Fault::index(one.span, "a sum must start at a value of its index").help("as in \\sum_{i=1}^{n}")
                     })?;
-                    let except = (low > 1).then_some(LeftOut::UpTo(Index::Fixed(low - 1)));
+                    let except = (low > 1).then_some(Excluded::UpTo(Index::Fixed(low - 1)));
                     match overs.iter_mut().find(|over| over.index == index && over.within.is_some()) {
                         Some(over) => over.except.extend(except),
                         None => {
@@ -140,12 +140,15 @@ impl Reader<'_> {
         if overs.is_empty() { Err(wanted(sub.span)) } else { Ok(overs) }
     }
 
-    /// `n - 1` above a Σ: the limit itself, and how many are left out before it.
+    /// The upper limit n of `n - 1`, and the number of last values that are excluded.
     fn all_but<'i>(&self, upper: &'i Item) -> Read<Option<(&'i Item, u8)>> {
         match contents(upper) {
             [limit, minus, less] if minus.layout == Layout::Other('-') => match whole_number(less) {
                 Some(less @ 1..=9) => Ok(Some((limit, less as u8))),
-                _ => Err(Fault::new(upper.span, "an upper limit is that of the index, or a number below it: n - 1")),
+                _ => Err(Fault::index(
+                    upper.span,
+                    "the upper limit must be that of the index, or at most 9 less, as in n - 1",
+                )),
             },
             _ => Ok(None),
         }
@@ -156,18 +159,18 @@ impl Reader<'_> {
         self.symbols.index(&printed.name.to_string())
     }
 
-    /// The value that an index leaves out: another index with the same values, or one of them.
+    /// The excluded value of an index: another index with the same range, or a number.
     fn left_out(&self, item: &Item, index: IndexId) -> Read<Index> {
         if let Some(other) = self.letter(item) {
             return match other != index && self.symbols.same_range(index, other) {
                 true => Ok(Index::Letter(other)),
-                false => Err(Fault::new(item.span, "these two indices do not run over the same things")),
+                false => Err(Fault::index(item.span, "these two indices have different ranges")),
             };
         }
         let value = whole_number(item).and_then(|value| u8::try_from(value).ok());
         match value {
             Some(value) if (1..=self.symbols.indices[index.0].upper).contains(&value) => Ok(Index::Fixed(value)),
-            _ => Err(Fault::new(item.span, "what a sum leaves out is an index or one of its values")),
+            _ => Err(Fault::index(item.span, "a sum can leave out only an index or a value of its index")),
         }
     }
 
@@ -182,12 +185,12 @@ impl Reader<'_> {
             .and_then(|printed| self.symbols.find_or_assemble(&printed.name));
         match found.as_ref().map(|(_, indices)| indices.as_slice()) {
             Some([Index::Letter(index)]) if self.symbols.indices[index.0].labels => Ok(*index),
-            _ => Err(Fault::new(item.span, "this does not name a particle by its index")
+            _ => Err(Fault::index(item.span, "this is not the position of a particle with an index")
                 .help("write \\sum_{\\vec r_i \\in V(\\vec r)}, with a declared \\vec r_i")),
         }
     }
 
-    /// Whether an upper limit is the declared one.
+    /// Checks that an upper limit is the declared one.
     fn fits(&self, upper: &Item, index: IndexId) -> Read<()> {
         let entry = &self.symbols.indices[index.0];
         let declared = match entry.count {
@@ -201,20 +204,21 @@ impl Reader<'_> {
                 name.to_string()
             }
         };
-        Err(Fault::new(upper.span, format!("the index {} is declared to run to {declared}", entry.letter)))
+        Err(Fault::index(upper.span, format!("the index {} is declared to run from 1 to {declared}", entry.letter)))
     }
 }
 
 fn wanted(span: Span) -> Fault {
-    Fault::new(span, "a sum wants a declared index below, \\sum_{a=1}^{3}")
+    Fault::new(span, "a sum needs a declared index under the Σ, as in \\sum_{a=1}^{3}")
 }
 
-/// What an index leaves out that stands in this relation to another.
-type Bound = fn(Index) -> LeftOut;
+/// The excluded values of an index that is in some relation to another.
+type Bound = fn(Index) -> Excluded;
 
-/// What a relation below a Σ leaves out of its left letter, the same for its right letter, and whether it is an order.
+/// The excluded values of the left letter of a relation under a Σ, those of the right letter, and whether it is < or
+/// >.
 fn bound(item: &Item) -> Option<(Bound, Bound, bool)> {
-    let (unequal, below, above): (Bound, Bound, Bound) = (LeftOut::Value, LeftOut::From, LeftOut::UpTo);
+    let (unequal, below, above): (Bound, Bound, Bound) = (Excluded::Value, Excluded::From, Excluded::UpTo);
     match &item.layout {
         Layout::Other('≠') => Some((unequal, unequal, false)),
         Layout::Other('<') => Some((below, above, true)),
@@ -226,14 +230,5 @@ fn bound(item: &Item) -> Option<(Bound, Bound, bool)> {
             _ => None,
         },
         _ => None,
-    }
-}
-
-/// `\sum`, with or without limits.
-pub(super) fn is_big_sum(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Command(name) => name == "\\sum",
-        Layout::Scripts { nucleus, .. } => matches!(&nucleus.layout, Layout::Command(name) if name == "\\sum"),
-        _ => false,
     }
 }

@@ -1,4 +1,4 @@
-//! A printed name as a symbol of the table, with what a superscript and a following parenthesis make of it.
+//! A printed name as a symbol of the symbol table, with its superscript and a following parenthesis.
 
 use crate::formula::symbols::{Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Index, Node};
@@ -6,11 +6,11 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{is_minus_one, is_transpose, whole_number};
-use super::{Read, Reader, two_ways};
+use super::items::{is_lone, is_minus_one, is_transpose, whole_number};
+use super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// A printed name as a symbol of the table, with what its superscript and a following parenthesis make of it.
+    /// A printed name as a symbol of the symbol table, with its superscript and a following parenthesis.
     pub(super) fn symbol(
         &mut self,
         span: Span,
@@ -24,15 +24,19 @@ impl Reader<'_> {
             let declared = self.symbols.find(name).is_some();
             if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots) {
                 if name.base == "e" && whole_number(sup).is_some() {
-                    return Err(two_ways(span, "e with a plain number above it")
-                        .help("write \\exp(2) for the exponential, or declare e"));
+                    return Err(Fault::ambiguous(
+                        span,
+                        "e with a number as its exponent may be the exponential or a power of a symbol",
+                    )
+                    .help("write \\exp(2) for the exponential, or declare e"));
                 }
                 let exponent = self.item(sup)?;
                 let euler = Expr::new(Node::Euler, span);
                 return Ok(Expr::new(Node::Power(Box::new(euler), Box::new(exponent)), span));
             }
             if !declared && name.subscript.is_empty() {
-                return Err(two_ways(span, "e alone").help("write \\exp(1) for the number, or declare e"));
+                return Err(Fault::ambiguous(span, "e may be Euler’s number or a symbol")
+                    .help("write \\exp(1) for the number, or declare e"));
             }
         }
         if let Some(special) = self.special(&printed, span)? {
@@ -76,12 +80,13 @@ impl Reader<'_> {
         }
         let fault = Fault::undeclared(span, name);
         Err(match self.symbols.nearest(name) {
-            Some(near) => fault.help(format!("did you mean {near}? Else declare {name} in the claims file")),
+            Some(near) => fault.help(format!("did you mean {near}? If not, declare {name} in the claims file")),
             None => fault.help(format!("declare {name} in the claims file")),
         })
     }
 
-    /// A name with dots that is declared with them, as `\dot{\vec v}` for the rate in turning axes, is that symbol.
+    /// A name with dots that is declared with its dots, as `\dot{\vec v}` for the rate in turning axes, is that
+    /// symbol.
     fn decorated<'i>(&self, printed: Printed<'i>, span: Span) -> Read<Printed<'i>> {
         let declared = |dots: u8| {
             let name = names::with_dots(&printed.name, dots)?;
@@ -92,8 +97,11 @@ impl Reader<'_> {
                 Some(name) => Ok(Printed { name, dots: 0, sup: printed.sup }),
                 None if dots == 2 && declared(1).is_some() => {
                     let once = declared(1).map_or_else(String::new, |name| name.to_string());
-                    Err(two_ways(span, &format!("two dots, where {once} is declared to be something of its own"))
-                        .help(format!("write \\frac{{d}}{{dt}} {once}, or declare it with two dots too")))
+                    Err(Fault::ambiguous(
+                        span,
+                        format!("two dots may be a second derivative or the derivative of {once}, which is declared"),
+                    )
+                    .help(format!("write \\frac{{d}}{{dt}} {once}, or declare it with two dots too")))
                 }
                 None => Ok(printed),
             },
@@ -101,7 +109,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A symbol that is introduced by its square stands for that; by itself it is the root.
+    /// A symbol that is defined by its square; without the square it is the root.
     fn introduced_by_square(
         &mut self,
         id: SymbolId,
@@ -119,7 +127,7 @@ impl Reader<'_> {
         self.applied(differentiated(root, printed.dots), id, printed.sup, items, cursor)
     }
 
-    /// Whether a printed name means something already.
+    /// Whether a printed name already has a meaning.
     pub(in super::super) fn is_known(&mut self, printed: &Printed<'_>, span: Span) -> bool {
         let name = &printed.name;
         self.symbols.find_or_assemble(name).is_some()
@@ -128,27 +136,28 @@ impl Reader<'_> {
             || name.subscript.is_empty() && self.symbols.find_whole(&name.base).is_some()
     }
 
-    /// In a formula without a file, an unknown letter is a real number.
+    /// An unknown letter in a formula without a claims file, which is a real number.
     fn undeclared(&mut self, printed: Printed<'_>, span: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let name = &printed.name;
         let next = items.get(*cursor).filter(|item| names::printed(item, self.branch).is_some());
         if matches!(name.base.as_str(), "d" | "\\mathrm{d}") && name.subscript.is_empty() && next.is_some() {
-            return Err(two_ways(span, "d before a symbol").help("only \\frac{d}{dt} is read as a derivative"));
+            return Err(Fault::ambiguous(span, "d before a symbol may be a differential or a factor")
+                .help("write \\frac{d}{dt} for a derivative, or use another letter for the factor"));
         }
         let fence = items.get(*cursor).is_some_and(|item| matches!(item.layout, Layout::Fence(Delimiter::Round, _)));
         let is_function_name = ["f", "F", "h", "G", "V", "W", "J", "Y", "\\Gamma", "\\Phi"]
             .contains(&name.base.as_str())
             || name.base.starts_with("\\mathrm{") && name.base.len() > "\\mathrm{x}".len();
         if fence && is_function_name {
-            return Err(two_ways(span, &format!("{name}(…), a call or a product"))
-                .help("for a product put a thin space \\, before the parenthesis"));
+            return Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product"))
+                .help("for a product, put a thin space \\, before the parenthesis"));
         }
         if name.base.contains("\\vec") || name.base.contains("\\mathbf") || name.base.contains("\\hat") {
-            return Err(Fault::new(span, format!("{name} looks like a vector, and nothing says what it is"))
-                .help("vectors and matrices need a claims file that declares them"));
+            return Err(Fault::unsupported(span, format!("{name} looks like a vector, and is not declared"))
+                .help("declare vectors and matrices in a claims file"));
         }
         let Some(id) = self.symbols.add(name.clone(), Kind::Scalar) else {
-            return Err(Fault::new(span, format!("{name} cannot be told from another symbol")));
+            return Err(Fault::new(span, format!("{name} has the name of another symbol")));
         };
         let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: printed.dots }, span);
         self.applied(symbol, id, printed.sup, items, cursor)
@@ -179,7 +188,7 @@ impl Reader<'_> {
         Ok(node.map(|node| Expr::new(node, span)))
     }
 
-    /// A symbol with its power; a parenthesis after it is a factor of its own, unless that could be a call.
+    /// A symbol with its power. A parenthesis after it is a separate factor, unless it may be a function's argument.
     fn applied(
         &mut self,
         expr: Expr,
@@ -208,9 +217,17 @@ impl Reader<'_> {
             if self.is_argument(&items[*cursor], id) {
                 *cursor += 1;
             } else if lone {
-                let name = self.symbols.entry(id).name.to_string();
-                return Err(two_ways(span.to(*fence), &format!("{name}(…), a call or a product"))
-                    .help("for a product leave the parentheses out"));
+                let name = &self.symbols.entry(id).name;
+                let printed = inside.iter().filter_map(|item| names::printed(item, self.branch));
+                let arguments: Vec<String> = printed
+                    .map(|printed| names::with_dots(&printed.name, printed.dots).unwrap_or(printed.name).to_string())
+                    .collect();
+                let arguments = arguments.join(", ");
+                return Err(Fault::ambiguous(
+                    span.to(*fence),
+                    format!("{name}({arguments}) may be a function of {arguments} or a product"),
+                )
+                .help("for a product, remove the parentheses"));
             }
         }
         match sup {
@@ -219,7 +236,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a parenthesis says what a symbol depends on, and is no factor: the time, or what it was declared with.
+    /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.
     fn is_argument(&self, item: &Item, id: SymbolId) -> bool {
         let entry = self.symbols.entry(id);
         self.is_time_in_parentheses(item) && entry.varies
@@ -243,7 +260,7 @@ impl Reader<'_> {
         };
         let sup = sup.or(above);
         let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = item else {
-            return Err(Fault::new(span, format!("{} wants its angle in parentheses", self.symbols.entry(id).name)));
+            return Err(Fault::new(span, format!("{} needs its angle in parentheses", self.symbols.entry(id).name)));
         };
         *cursor += 1;
         let angle = self.sum(inside, *fence)?;
@@ -270,7 +287,10 @@ impl Reader<'_> {
             return Ok(None);
         }
         if command == "\\delta" && self.symbols.open {
-            return Err(two_ways(first.span.to(second.span), "\\delta before a symbol"));
+            return Err(Fault::ambiguous(
+                first.span.to(second.span),
+                "\\delta before a symbol may be a variation or a factor",
+            ));
         }
         printed.name.base = format!("{command} {}", printed.name.base);
         *cursor += 2;
@@ -278,15 +298,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a parenthesis holds this name and nothing else.
-pub(super) fn is_lone(item: &Item, name: &Name) -> bool {
-    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
-    let mut inside = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
-    let (Some(only), None) = (inside.next(), inside.next()) else { return false };
-    names::printed(only, None).is_some_and(|p| p.dots == 0 && p.sup.is_none() && p.name == *name)
-}
-
-/// `dots` times differentiated by time.
+/// The `dots`-th time derivative.
 fn differentiated(expr: Expr, dots: u8) -> Expr {
     let span = expr.span;
     if dots == 0 { expr } else { Expr::new(Node::TimeDerivative(dots, Box::new(expr)), span) }

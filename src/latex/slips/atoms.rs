@@ -1,16 +1,16 @@
-//! Slips in a single thing: a name, its index, its dots and accents; a number; a function; a fraction; a power.
+//! Edits of one item: a name, its index, its dots and accents; a number; a function; a fraction; a power.
 
 use crate::formula::symbols::{Entry, Name};
 use crate::formula::{Index, IndexId, Kind, SymbolId};
 use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
-use super::super::names::{self, Printed};
-use super::super::reader::unaccented;
-use super::lists::is_big;
-use super::{Finder, Slip};
+use super::super::names::{self, Printed, unaccented};
+use super::edit::Slip;
+use super::finder::Finder;
+use super::parts::is_big;
 
-/// The functions that are taken for each other.
+/// The groups of functions that authors confuse.
 const FUNCTIONS: [&[&str]; 3] = [&["\\sin", "\\cos", "\\tan"], &["\\cot", "\\tan"], &["\\sinh", "\\cosh", "\\tanh"]];
 
 impl Finder<'_> {
@@ -119,7 +119,7 @@ impl Finder<'_> {
         }
     }
 
-    /// `2` for `\sqrt{2}`, but where it is an argument without braces.
+    /// `\sqrt{2}` for `2`, unless the number is an argument without braces.
     fn number_of_root(&mut self, span: Span, digits: &str) {
         let before = self.text[..span.start].trim_end();
         let is_bare = |text: &str| ["frac", "^", "_"].iter().any(|command| text.ends_with(command));
@@ -229,7 +229,7 @@ impl Finder<'_> {
         }
     }
 
-    /// `\dot x^2` for `\ddot x`; the other way round too much is true that nobody meant.
+    /// `\dot x^2` for `\ddot x`. The reverse is not tried, since too many wrong equations would pass with it.
     fn rate_squared(&mut self, item: &Item, printed: &Printed<'_>) {
         if self.pool.is_none() || printed.dots != 2 || printed.sup.is_some() {
             return;
@@ -258,7 +258,7 @@ impl Finder<'_> {
         accented.into_iter().for_each(|accented| self.edit(Slip::Accent, nucleus, accented));
     }
 
-    /// The symbols that could be meant where this one stands.
+    /// The symbols that may be meant in place of this one.
     fn siblings(&self, entry: &Entry, item: &Item, printed: &Printed<'_>) -> Vec<(SymbolId, Slip)> {
         let letter = |name: &Name| unaccented(name).base;
         let own = letter(&entry.name);
@@ -296,7 +296,7 @@ impl Finder<'_> {
             .collect()
     }
 
-    /// The names of the document that an unknown one may have been meant for: with its letter, or with its subscript.
+    /// The names of the document that may be meant by an unknown name: those with its letter or its subscript.
     fn near(&self, name: &Name) -> Vec<Name> {
         // `\varphi` and `\phi` are one letter to many.
         let letter = |name: &Name| unaccented(name).base.replace("\\var", "\\");
@@ -316,7 +316,7 @@ impl Finder<'_> {
         known.chain(components).collect()
     }
 
-    /// A dot more and a dot fewer on what has one.
+    /// One dot more, and one dot fewer, on a dotted name.
     fn dots(&mut self, item: &Item) {
         match &item.layout {
             Layout::Accent(command, inner) if self.inside(item, inner).is_some() => {
@@ -334,7 +334,7 @@ impl Finder<'_> {
         }
     }
 
-    /// An accent that is no dot lost: a bar, a hat, an arrow; the outer one or one inside of it.
+    /// A lost accent that is no dot: a bar, a hat or an arrow, the outer one or an inner one.
     fn accents(&mut self, item: &Item) {
         let (Layout::Accent(command, inner) | Layout::Style(command, inner)) = &item.layout else { return };
         if self.inside(item, inner).is_none() || command == "\\mathrm" {
@@ -411,7 +411,7 @@ impl Finder<'_> {
     }
 }
 
-/// Whether what stands in a fraction starts with the d of a derivative.
+/// Whether a numerator or denominator starts with the d of a derivative.
 fn starts_with_d(item: &Item) -> bool {
     match &item.layout {
         Layout::Letter('d') => true,
@@ -433,7 +433,7 @@ fn number_of(item: &Item) -> Option<(&str, Span)> {
     }
 }
 
-/// The bytes of a name without the power that stands on it.
+/// The bytes of a name without its power.
 fn own_span(item: &Item) -> Span {
     match &item.layout {
         Layout::Scripts { nucleus, sub, sup: Some(_), primes: 0 } => match sub {
@@ -444,7 +444,7 @@ fn own_span(item: &Item) -> Span {
     }
 }
 
-/// What carries the scripts of a name.
+/// The base of a name with scripts.
 fn nucleus(item: &Item) -> &Item {
     match &item.layout {
         Layout::Scripts { nucleus, .. } => nucleus,
@@ -452,7 +452,7 @@ fn nucleus(item: &Item) -> &Item {
     }
 }
 
-/// A symbol as it is spelled with these indices and dots.
+/// The LaTeX of a symbol with these indices and dots.
 pub(super) fn spelled(entry: &Entry, indices: &[Index], dots: u8, symbols: &crate::formula::Symbols) -> Option<String> {
     let mut name = entry.name.clone();
     for ((at, _), index) in entry.slots.iter().zip(indices) {

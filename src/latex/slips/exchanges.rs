@@ -1,19 +1,20 @@
-//! What undoes a slip that no slip of its own kind undoes: two things that were exchanged, a product where a quotient is
-//! meant, bars that were lost, something where nothing is meant. Such edits are made where slips are undone, and nowhere else.
+//! Edits for corrections only: two parts exchanged, a product for a quotient, lost bars of a norm, lost roots, and 0
+//! for a
+//! whole side.
 
 use crate::formula::Kind;
 use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
 use super::super::names;
-use super::insertions::insides;
-use super::lists::{Factor, Term, formulas, is_big, is_sum, is_times};
-use super::{Finder, Slip, ends_in_command};
+use super::edit::Slip;
+use super::finder::{Finder, ends_in_command};
+use super::parts::{Factor, Term, formulas, insides, is_big, is_sum, is_times};
 
-/// So many pairs of names are exchanged in one formula.
+/// The most pairs of names that are exchanged in one formula.
 const EXCHANGES: usize = 24;
 
-/// An entry of a matrix is exchanged with so many after it.
+/// The most entries after a matrix entry that it is exchanged with.
 const MOST_CELLS: usize = 8;
 
 /// The names in an item, and whether they stand in a fraction or in parentheses.
@@ -67,7 +68,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Two names of which one has a dot, without it: `x \dot y` for `y \dot x`.
+    /// Two names of which one has a dot, which stays in its place: `x \dot y` for `y \dot x`.
     fn without_dot(&self, a: &Item, b: &Item) -> Option<(Span, Span)> {
         let dotted = |item: &Item| match &item.layout {
             Layout::Accent(command, inner) if command.starts_with("\\d") => match &inner.layout {
@@ -105,7 +106,7 @@ impl Finder<'_> {
         }
     }
 
-    /// The second of two things, what stands between them, and the first.
+    /// The text with two parts exchanged: the second part, the text between them, and the first part.
     fn exchanged(&self, first: Span, second: Span) -> String {
         let rest = format!("{}{}", self.slice(Span::new(first.end, second.start)), self.slice(first));
         let second = self.slice(second);
@@ -113,7 +114,7 @@ impl Finder<'_> {
         format!("{second}{}{rest}", if runs_on { " " } else { "" })
     }
 
-    /// Whether one thing stands before another, and is another but for a sign, which is mended alone.
+    /// Whether two parts are in order and differ in more than a sign, which has its own edit.
     fn differ(&self, first: &Span, second: &Span) -> bool {
         let unsigned = |span: &Span| self.slice(*span).trim_start_matches('-').trim_start().to_owned();
         first.end < second.start && unsigned(first) != unsigned(second)
@@ -139,7 +140,7 @@ impl Finder<'_> {
         self.edit(Slip::Fraction, span, product);
     }
 
-    /// What should be divided by, and stands as a factor.
+    /// A quotient in place of a factor.
     pub(super) fn divide(&mut self, factors: &[Factor<'_>]) {
         for factor in factors {
             if let [only] = factor.items
@@ -209,7 +210,7 @@ impl Finder<'_> {
         }
     }
 
-    /// The power of a parenthesis put on each of its terms, for one on the whole.
+    /// The power of a parenthesis moved to each of its terms.
     pub(super) fn power_spread(&mut self, whole: Span, inside: &[Item], power: &str) {
         let [terms] = &formulas(inside)[..] else { return };
         if terms.len() < 2 || terms[0].sign.is_some() {
@@ -225,7 +226,7 @@ impl Finder<'_> {
         self.edit(Slip::Exponent, whole, format!("({spread})"));
     }
 
-    /// The power of each term of a parenthesis put on the whole.
+    /// The power of all terms of a parenthesis moved to the parenthesis.
     pub(super) fn power_gathered(&mut self, whole: Span, open: &str, inside: &[Item], close: &str) {
         let [terms] = &formulas(inside)[..] else { return };
         let mut gathered = String::new();
@@ -249,7 +250,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Nothing in place of a name, a product or a number that is all of a side.
+    /// 0 in place of a name, a product or a number that is a whole side.
     pub(super) fn nothing(&mut self, terms: &[Term<'_>]) {
         if let [term] = terms
             && term.items.len() > 1
@@ -269,7 +270,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Another Σ of the display in the place of this one; and what a limit goes to.
+    /// Another Σ of the display in place of this one; and edits of the limit under lim.
     pub(super) fn limits(&mut self, item: &Item, sub: &Item) {
         let Some(pool) = self.pool else { return };
         if is_sum(item) {

@@ -5,8 +5,10 @@ use std::path::Path;
 
 use super::super::lexer::{TokenKind, tokens};
 use super::super::names;
+use super::finder::last_script;
 use super::*;
 use crate::formula::Kind;
+use crate::source::Span;
 
 /// Numbers, angles that vary, vectors with and without a label, matrices; indices i, j of particles and a, b of axes.
 fn symbols() -> Symbols {
@@ -229,7 +231,7 @@ fn what_authors_do_and_no_slip_of_one_kind_undoes_is_undone() {
     }
     // A parenthesis that has its partner stays as it is.
     let closed = "M (m + l x) \\left( m \\right) \\frac{(m + l)}{x}";
-    assert_eq!(brackets::balanced(closed), Vec::new());
+    assert_eq!(balanced(closed), Vec::new());
 }
 
 #[test]

@@ -1,8 +1,8 @@
-//! Frames that turn: right-handed unit axes êₐ(t), and everything that follows from R(t) by differentiation alone.
+//! Rotating frames: right-handed unit axes êₐ(t), and what follows from R(t) by differentiation.
 //!
 //! A frame is given by its orientation as a time series, R with the axes as *rows* (the passive matrix of
-//! [`rotations`](super::rotations)), from three Euler angles or from an angle about a fixed direction. What turns and
-//! how fast is never put in: Ṙ is the derivative of the series, and ω comes from R and Ṙ.
+//! [`rotations`](super::rotations)), from three Euler angles or from an angle about a fixed direction. Ṙ is the
+//! derivative of the series, and ω follows from R and Ṙ.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -28,7 +28,8 @@ pub struct Frame<B: Number> {
     orientation: Matrix3<Series<B>>,
 }
 
-/// The axes, as rows, that were turned by `angle` about a direction; `constant` makes what angles are of its components.
+/// The axes, as rows, that were turned by `angle` about a direction; `constant` makes what angles are of its
+/// components.
 ///
 /// # Errors
 /// When the direction is 0 or not finite.
@@ -50,7 +51,7 @@ pub fn axes_about<B: Number, D: Number>(
 }
 
 impl<B: Number> Frame<B> {
-    /// A frame that turns freely: R = R_z(ψ) R_y(θ) R_z(φ) with the z–y–z Euler angles φ, θ, ψ in radians.
+    /// A frame with arbitrary rotation: R = R_z(ψ) R_y(θ) R_z(φ) with the z–y–z Euler angles φ, θ, ψ in radians.
     pub fn from_euler_angles([phi, theta, psi]: [Series<B>; 3]) -> Self {
         Frame { orientation: euler_angles(phi, theta, psi) }
     }

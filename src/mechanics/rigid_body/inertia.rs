@@ -1,7 +1,7 @@
-//! How mass resists turning: the centre of mass, the inertia tensor, principal moments and axes.
+//! The centre of mass, the inertia tensor, principal moments and axes.
 //!
 //! The inertia tensor is the second derivative of the kinetic energy of rotation by the angular velocity,
-//! I_ab = ∂²T/∂ω_a∂ω_b. Its closed form stands in the notes, and is not used here.
+//! I_ab = ∂²T/∂ω_a∂ω_b. Its closed form is not used here.
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use num_dual::Dual;
@@ -56,9 +56,9 @@ pub fn centre_of_mass<D: Number>(particles: &Nodes<D>) -> Result<Vector3<D>> {
 pub struct PrincipalAxes {
     /// λ₁ ≤ λ₂ ≤ λ₃.
     pub moments: [f64; 3],
-    /// R: the rows are ê₁, ê₂, ê₃ in the axes of the tensor, so that R I Rᵀ is diagonal. Unit vectors, right-handed. Of ê₁
-    /// and ê₂ the component of the largest magnitude (the first of those within 10⁻⁹ of it) is positive; ê₃ = ê₁ × ê₂.
-    /// Where two moments are equal the axes in their plane are some two of many.
+    /// R: the rows are ê₁, ê₂, ê₃ in the axes of the tensor, so that R I Rᵀ is diagonal. Unit vectors, right-handed. Of
+    /// ê₁ and ê₂ the component of the largest magnitude (the first of those within 10⁻⁹ of it) is positive; ê₃ = ê₁ ×
+    /// ê₂. Where two moments are equal the axes in their plane are some two of many.
     pub axes: Matrix3<f64>,
 }
 

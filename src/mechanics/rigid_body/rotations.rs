@@ -76,7 +76,7 @@ pub fn value_and_rate<D: Number>(moving: &Matrix3<Dual<D>>) -> (Matrix3<D>, Matr
     (moving.map(|entry| entry.re), moving.map(|entry| entry.eps))
 }
 
-/// How a rigid body turns: its orientation, its angular velocity in space components and along its own axes.
+/// The rotational state of a rigid body: its orientation, and its angular velocity in space and in body components.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationalState<D> {
     /// R: the rows are the body's axes in space components.

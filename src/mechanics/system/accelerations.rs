@@ -1,8 +1,8 @@
-//! Accelerations fast: of one state after another without allocation, and of many states in blocks.
+//! Fast accelerations: for one state after another without allocation, and for many states in blocks.
 //!
-//! Both run a [`Program`] made from the tape of the accelerations, which inverts the mass matrix without exchanging rows.
-//! Whether that was good enough is seen from the pivots; where it was not, the state is done again with exchange of rows
-//! and a look at the condition number.
+//! Both run a [`Program`] compiled from the tape of the accelerations, which solves for them without exchange of rows.
+//! Its pivots show whether that lost digits. If so, the state is computed again with partial pivoting and a check of
+//! the condition number.
 
 use fearless_simd::Level;
 
@@ -74,9 +74,9 @@ impl System {
         self.traced.accelerations.ops().len()
     }
 
-    /// How many operations the mass matrix M and the residuals h at zero acceleration take, before M a = −h is solved. For
-    /// n coordinates solving takes n³/6 products and as many sums; what comes before grows no faster than L and the n²
-    /// entries of M.
+    /// How many operations the mass matrix M and the residuals h at zero acceleration take, before M a = −h is solved.
+    /// For n coordinates solving takes n³/6 products and as many sums; what comes before grows no faster than L and the
+    /// n² entries of M.
     pub fn operations_before_solving(&self) -> usize {
         self.traced.dynamics.ops().len()
     }
@@ -127,8 +127,8 @@ impl System {
     /// with a single one for all. The result has one column a coordinate.
     ///
     /// # Errors
-    /// When a column is missing or has another length, or a mass matrix is singular, or so ill-conditioned that digits are
-    /// lost: the message says which state's.
+    /// When a column is missing or has another length, or a mass matrix is singular, or so ill-conditioned that digits
+    /// are lost: the message says which state's.
     pub fn accelerations_of_many(&self, columns: &[&[f64]]) -> Result<Vec<Vec<f64>>> {
         let states = columns.iter().map(|column| column.len()).find(|&len| len != 1).unwrap_or(1);
         let mut result = vec![vec![0.0; states]; self.coordinates().len()];
@@ -245,8 +245,8 @@ mod tests {
         a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-12 * scale)
     }
 
-    /// The closed form that follows from (6.72) and (6.73), with what the parameters alone make taken out, is a sine with its
-    /// cosine and 17 sums, products and quotients; two or three of these are one step.
+    /// The closed form that follows from (6.72) and (6.73), with what the parameters alone make taken out, is a sine
+    /// with its cosine and 17 sums, products and quotients; two or three of these are one step.
     #[test]
     fn the_top_takes_no_more_steps_than_by_hand() {
         let system = System::new(&crate::systems::HeavyTop).unwrap();

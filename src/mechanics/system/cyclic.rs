@@ -1,4 +1,4 @@
-//! Cyclic coordinates: those that L does not depend on, whose momenta are therefore conserved.
+//! Cyclic coordinates: L does not depend on them, so their momenta are conserved.
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};

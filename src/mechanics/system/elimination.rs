@@ -21,7 +21,8 @@ pub(super) fn pivots(layout: Layout, mass: impl Fn(usize) -> Tape) -> Vec<usize>
     [uniform, varying].concat()
 }
 
-/// Whether a number is a product of inputs and functions of inputs: such a pivot has lost no digits, however small it is.
+/// Whether a number is a product of inputs and functions of inputs: such a pivot has lost no digits, however small it
+/// is.
 pub(super) fn is_product(number: Symbol) -> bool {
     match number.node() {
         Node::Constant(_) | Node::Input(_) => true,
@@ -32,9 +33,10 @@ pub(super) fn is_product(number: Symbol) -> bool {
     }
 }
 
-/// Solves M a = −h for a symmetric M by elimination, the diagonal entries being pivots in the given order: good enough for
-/// nearly all mass matrices, and whoever uses the result looks at the pivots first. What is left after a pivot is
-/// simplified together, beside what else is needed, as long as that brings anything. Outputs a, then the pairs (pivot, its diagonal entry).
+/// Solves M a = −h for a symmetric M by elimination, the diagonal entries being pivots in the given order: good enough
+/// for nearly all mass matrices, and whoever uses the result looks at the pivots first. What is left after a pivot is
+/// simplified together, beside what else is needed, as long as that brings anything. Outputs a, then the pairs (pivot,
+/// its diagonal entry).
 pub(super) fn eliminate<D: Number>(
     order: &[usize],
     mass: &[D],

@@ -1,4 +1,5 @@
-//! The Legendre transform of a traced system, in all velocities or in some of them: the Hamiltonian and Hamilton's equations.
+//! The Legendre transform of a traced system, in all velocities or in some of them: the Hamiltonian and Hamilton's
+//! equations.
 
 use nalgebra::DMatrix;
 use num_dual::Dual;

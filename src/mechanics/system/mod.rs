@@ -1,12 +1,13 @@
 //! A Lagrangian system traced once: everything that follows from its Lagrangian, for many evaluations over any number.
 //!
-//! The Lagrangian is recorded as a graph and differentiated in reverse and in forward mode (`tracing`). The results are tapes
-//! of L, momenta, energy, forces, mass matrix and accelerations (`traced_system`). Accelerations of many states are computed
-//! in blocks (`accelerations`, `programs`), or written as Rust source (`rust_source`). The Hamiltonian and the Routhian
-//! are Legendre transforms, whole and partial (`legendre`, `routhian`); `cyclic` finds the cyclic coordinates.
+//! The Lagrangian is recorded as a graph and differentiated in reverse and in forward mode (`tracing`). The results are
+//! tapes of L, momenta, energy, forces, mass matrix and accelerations (`traced_system`). Accelerations of many states
+//! are computed in blocks (`accelerations`, `programs`), or written as Rust source (`rust_source`). The Hamiltonian and
+//! the Routhian are Legendre transforms, whole and partial (`legendre`, `routhian`); `cyclic` finds the cyclic
+//! coordinates.
 //!
-//! This folder imports the Lagrangian's trait, tapes, the linear solver and Newton's method from [`mechanics`](super), and
-//! numbers from [`scalar`](crate::scalar).
+//! This folder imports the Lagrangian's trait, tapes, the linear solver and Newton's method from [`mechanics`](super),
+//! and numbers from [`scalar`](crate::scalar).
 
 mod accelerations;
 mod any_lagrangian;

@@ -1,4 +1,4 @@
-//! A system's accelerations as Rust source, for programs that shall not link a derivation checker.
+//! The accelerations of a system as Rust source, for programs that do not link this crate.
 //!
 //! The traced tape is written down operation by operation. What is used once stands where it is used, unless the line
 //! gets long; what is used more often has a name. The order of the operations is that of the tape, so the function

@@ -1,4 +1,4 @@
-//! A system as others use it: traced once, object-safe where it is a [`System`], fast where it is a [`System`].
+//! The traced system: tapes of all quantities that follow from a Lagrangian, and their evaluation.
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -11,7 +11,7 @@ use crate::mechanics::{Lagrangian, motion};
 use crate::scalar::{Number, Series, Symbol};
 use crate::{Error, Result};
 
-/// What a state has, all at once.
+/// The quantities of one state.
 #[derive(Clone, Debug)]
 pub struct Quantities<D> {
     /// L.
@@ -34,10 +34,11 @@ pub struct Quantities<D> {
     pub body_rates: Option<Vector3<D>>,
 }
 
-/// A traced system: all that follows from its Lagrangian, over any number.
+/// A traced system: the quantities that follow from its Lagrangian, over any number.
 ///
-/// States are slices: `q`, `v` and (where asked for) `a` have one entry a coordinate, `parameters` one a parameter; an
-/// entry that is missing counts as NaN.
+/// States are slices. `q` (coordinates), `v` (velocities) and `a` (accelerations) have one entry for each coordinate,
+/// `parameters` one for each parameter, in the order of [`System::coordinates`] and [`System::parameters`]. A missing
+/// entry counts as NaN. Units are those of the parameters; angles are in radians.
 pub struct System {
     name: String,
     coordinates: Vec<String>,
@@ -57,8 +58,8 @@ impl System {
         Ok(System::of_traced(l.name(), names(&l.coordinates()), names(&l.parameters()), named(l.name(), trace(l))?))
     }
 
-    /// The system with the coordinates of this one and another Lagrangian, with more parameters behind those of this one.
-    /// `lagrangian` gives L and, where L = T − U, also U, of t, q, q̇ and all parameters. A rigid body stays oriented as it is.
+    /// A system with the coordinates and the orientation of this one, another Lagrangian, and further parameters after
+    /// its own. `lagrangian` returns L and, where L = T − U, also U, as functions of t, q, q̇ and all parameters.
     ///
     /// # Errors
     /// When the Lagrangian branches on a value.

@@ -1,9 +1,9 @@
-//! From a Lagrangian to tapes: it is run once over symbols, then differentiated by running what was recorded over symbols
+//! Tracing: a Lagrangian is run once over symbols, and the recorded tape is differentiated by running it over symbols
 //! again.
 //!
 //! One sweep backwards gives ∂L/∂q and ∂L/∂q̇. The gradient, itself recorded, is run forwards over num-dual's dual
-//! numbers: along the motion for d/dt ∂L/∂q̇, along each velocity for a column of the mass matrix. So n coordinates take n
-//! runs of a program that is no longer than a few times L. The graph takes equal expressions for one.
+//! numbers: along the motion for d/dt ∂L/∂q̇, along each velocity for a column of the mass matrix. So n coordinates
+//! take n runs of a program that is no longer than a few times L. The graph takes equal expressions for one.
 //!
 //! # Why the system is traced
 //!

@@ -1,7 +1,7 @@
 //! A straight-line program: what a traced function computes, without what its outputs do not need.
 //!
-//! A tape is algebra: it runs over any number ([`Tape::evaluate`]), and no constant in it is rounded that was not rounded
-//! in what was traced. What is done for speed over `f64` alone is done to a copy, the [`program`].
+//! A tape is algebra: it runs over any number ([`Tape::evaluate`]), and no constant in it is rounded that was not
+//! rounded in what was traced. What is done for speed over `f64` alone is done to a copy, the [`program`].
 
 use crate::scalar::{Function, Graph, Number, Symbol};
 

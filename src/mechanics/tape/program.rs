@@ -1,9 +1,9 @@
 //! A tape made ready for speed over `f64`.
 //!
 //! What depends on nothing but the inputs that are the same for all states, the *uniform* values, is computed once. The
-//! rest becomes *steps*: a product and the sum that it goes into are one, so are two products in a row, a reciprocal and the product that it goes into
-//! are a division, and a register is used again as soon as its value is no longer needed, so that the registers of many
-//! states fit into the cache. Results differ from those of the tape by rounding.
+//! rest becomes *steps*: a product and the sum that it goes into are one, so are two products in a row, a reciprocal
+//! and the product that it goes into are a division, and a register is used again as soon as its value is no longer
+//! needed, so that the registers of many states fit into the cache. Results differ from those of the tape by rounding.
 //!
 //! # Why there is a program beside the tape
 //!

@@ -1,8 +1,8 @@
 //! Sine and cosine of many numbers at once, without branches.
 //!
-//! x = n π/2 + r with |r| ≤ π/4, after Cody and Waite: π/2 is taken off in three parts, the first two so short that n times
-//! them is exact. On what is left the Taylor series are exact to rounding. The lowest bits of n say which of ±sin r, ±cos r
-//! is meant. Both results are within two units in the last place of the true ones.
+//! x = n π/2 + r with |r| ≤ π/4, after Cody and Waite: π/2 is taken off in three parts, the first two so short that n
+//! times them is exact. On what is left the Taylor series are exact to rounding. The lowest bits of n say which of ±sin
+//! r, ±cos r is meant. Both results are within two units in the last place of the true ones.
 
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 

@@ -1,5 +1,5 @@
-//! A program over one state after another, without allocation: inputs, temporary registers and uniform values stand in one
-//! list, and every step reads and writes there.
+//! A program over one state after another, without allocation: inputs, temporary registers and uniform values stand in
+//! one list, and every step reads and writes there.
 //!
 //! A step takes little more than a nanosecond, so everything around it counts. Places are bytes and the list has a
 //! length that the compiler knows, as long as 256 places are enough; and the outputs that are wanted stand together.

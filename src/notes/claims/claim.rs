@@ -1,18 +1,18 @@
-//! What the claims file says about one equation. Every key is optional.
+//! The claim about one equation in the claims file. Every key is optional.
 
 use super::fields::{self, Fields, Text};
 use crate::notes::address::Address;
 use crate::notes::json::{Json, Spanned, Value};
 use crate::source::{Fault, Source, Span};
 
-/// What is claimed about an equation, beyond what its print says.
+/// The claim about an equation, in addition to its printed formula.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Claim {
     /// The whole object.
     pub span: Span,
     /// `holds`: pins the reading.
     pub holds: Option<Spanned<Holds>>,
-    /// `assume`: hypotheses at that instant.
+    /// `assume`: hypotheses at the instant of the equation.
     pub assume: Vec<Spanned<String>>,
     /// `throughout`: hypotheses at all times.
     pub throughout: Vec<Spanned<String>>,
@@ -26,9 +26,9 @@ pub struct Claim {
     pub solves: Option<Solves>,
     /// `limit`: `x \to a`.
     pub limit: Option<Spanned<String>>,
-    /// `dropping`: what the print leaves out.
+    /// `dropping`: the terms that the printed equation leaves out.
     pub dropping: Option<Spanned<String>>,
-    /// `up to a constant`, and where that is said.
+    /// `up to a constant`: the place of the key.
     pub up_to_a_constant: Option<Span>,
     /// `times`
     pub times: Option<Spanned<String>>,
@@ -40,25 +40,25 @@ pub struct Claim {
     pub expect: Option<Expect>,
     /// `skip`: why there is no claim.
     pub skip: Option<Spanned<String>>,
-    /// `defines`: the symbols that the equation introduces.
+    /// `defines`: the symbols that the equation defines.
     pub defines: Vec<Spanned<String>>,
-    /// `generates`: what follows from the printed function.
+    /// `generates`: the consequences of the printed function.
     pub generates: Option<Spanned<Generates>>,
     /// `equation of motion of`: a coordinate.
     pub equation_of_motion_of: Option<Spanned<String>>,
-    /// `from`: it also follows from these as printed.
+    /// `from`: other equations that it must follow from, as they are printed.
     pub from: Vec<Address>,
-    /// `for each`: the index that symbols of a family have where the print leaves it out.
+    /// `for each`: the index of a family that the printed equation leaves out.
     pub for_each: Option<Spanned<String>>,
     /// `small`: the symbols that scale with one small number.
     pub small: Vec<Spanned<String>>,
-    /// `order`: up to which power of it both sides agree. 1 where only `small` is given; never without `small`.
+    /// `order`: the power of the small number up to which both sides agree; 1 if only `small` is given.
     pub order: Option<Spanned<u32>>,
-    /// `continuum limit of`: the equation of which this is the limit, its pieces ever finer.
+    /// `continuum limit of`: the equation for particles whose continuum limit this equation is.
     pub continuum_limit_of: Option<Address>,
-    /// `true exactly when`: the alternatives, each of them conditions that hold together.
+    /// `true exactly when`: the alternatives, each a list of conditions that hold together.
     pub exactly_when: Vec<Vec<Spanned<String>>>,
-    /// `units`: `off`, and where that is said.
+    /// `units`: the place of `off`.
     pub units_off: Option<Span>,
 }
 
@@ -118,7 +118,7 @@ pub struct Erratum {
     pub because: Option<Spanned<String>>,
 }
 
-/// A verdict that is expected and is not a pass.
+/// An expected verdict that is no pass.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Expect {
     /// Which.
@@ -173,7 +173,7 @@ pub(super) const KEYS: &[&str] = &[
     "units",
 ];
 
-/// Keys of the proposal that are yet to be built.
+/// Keys that are planned and not supported yet.
 pub(super) const LATER: &[&str] = &[
     "starting at",
     "up to a term without",
@@ -184,21 +184,21 @@ pub(super) const LATER: &[&str] = &[
     "at",
 ];
 
-/// No expansion goes further.
+/// The highest order of an expansion.
 const HIGHEST_ORDER: u32 = 9;
 
 /// Reads the claim about the equation at `address`.
 pub(super) fn claim(json: &Json, address: &str, source: &Source) -> Result<Claim, Fault> {
     let fields = Fields::new(json, &format!("the claim for \"{address}\""), &[KEYS], LATER)?;
-    fields.together("solves", "for", "a solution is of an equation, for an unknown")?;
+    fields.together("solves", "for", "\"solves\" names the equation, and \"for\" the unknown")?;
     let mut claim = shared(&fields, source)?;
     claim.solves = solves(&fields, source)?;
     Ok(claim)
 }
 
-/// All keys but `solves` and `for`, which mean something else beside `solutions`.
+/// The keys that equations and sentences share: all but `solves` and `for`, which differ beside `solutions`.
 pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Fault> {
-    fields.together("expect", "because", "an expectation needs its reason, and a reason its expectation")?;
+    fields.together("expect", "because", "\"expect\" names the verdict, and \"because\" the reason")?;
     let holds = fields.text("holds")?;
     let generates = fields.text("generates")?;
     let units = fields.text("units")?;
@@ -247,17 +247,18 @@ fn order(fields: &Fields<'_>) -> Result<Option<Spanned<u32>>, Fault> {
     let small = fields.entry("small").map(|(key, _)| Spanned::new(1, key.span));
     let Some((key, json)) = fields.entry("order") else { return Ok(small) };
     if small.is_none() {
-        return Err(Fault::new(key.span, "\"order\" needs \"small\" beside it").help("in which symbol?"));
+        return Err(Fault::claims(key.span, "\"order\" needs \"small\" beside it")
+            .help("name the small quantity under \"small\""));
     }
     let order = fields::count(json, "order")?;
     match u32::try_from(order.value) {
         Ok(value) if value <= HIGHEST_ORDER => Ok(Some(Spanned::new(value, order.span))),
-        _ => Err(Fault::new(order.span, format!("\"order\" is at most {HIGHEST_ORDER}"))
-            .help("1 where the print is linear in what is small")),
+        _ => Err(Fault::claims(order.span, format!("\"order\" must be at most {HIGHEST_ORDER}"))
+            .help("use 1 for an equation that is linear in the small quantity")),
     }
 }
 
-/// The conditions under which a claim holds, and outside of which it does not.
+/// The conditions under which a claim holds, and only under which it holds.
 fn exactly_when(fields: &Fields<'_>) -> Result<Vec<Vec<Text>>, Fault> {
     const KEY: &str = "true exactly when";
     let Some(json) = fields.get(KEY) else { return Ok(Vec::new()) };
@@ -270,10 +271,8 @@ fn exactly_when(fields: &Fields<'_>) -> Result<Vec<Vec<Text>>, Fault> {
             items.iter().map(|item| fields::texts(item, "any of")).collect()
         }
         Some(json) => Err(fields::wrong(json, "any of", "a list of conditions")),
-        None => {
-            Err(Fault::new(json.span, format!("\"{KEY}\" is empty"))
-                .help("as in { \"any of\": [\"a = 0\", \"b = 0\"] }"))
-        }
+        None => Err(Fault::claims(json.span, format!("\"{KEY}\" is empty"))
+            .help("as in { \"any of\": [\"a = 0\", \"b = 0\"] }")),
     }
 }
 
@@ -300,13 +299,13 @@ fn limit(fields: &Fields<'_>) -> Result<Option<Text>, Fault> {
     let limit = fields.text("limit")?;
     match &limit {
         Some(text) if !is_limit(&text.value) => {
-            Err(Fault::new(text.span, format!("\"{}\" is no limit", text.value)).help("as in \"x \\\\to 0\""))
+            Err(Fault::claims(text.span, format!("\"{}\" is not a limit", text.value)).help("as in \"x \\\\to 0\""))
         }
         _ => Ok(limit),
     }
 }
 
-/// Whether a text says what goes where.
+/// Whether a text is a limit, `x \to a`.
 pub(super) fn is_limit(text: &str) -> bool {
     ["\\to", "\\rightarrow"].iter().any(|arrow| text.contains(arrow))
 }
@@ -322,11 +321,13 @@ fn errata(fields: &Fields<'_>) -> Result<Vec<Erratum>, Fault> {
 
 fn erratum(json: &Json) -> Result<Erratum, Fault> {
     let fields = Fields::new(json, "an erratum", &[&["for", "read", "times", "because"]], &[])?;
-    let missing =
-        |key: &str| Fault::new(json.span, format!("an erratum needs \"{key}\"")).help("\"for\" …, \"read\" …");
+    let missing = |key: &str| {
+        Fault::claims(json.span, format!("an erratum needs \"{key}\""))
+            .help("write \"for\": what is printed, and \"read\": what it should be")
+    };
     let times = fields.count("times")?;
     if let Some(Spanned { value: 0, span }) = times {
-        return Err(Fault::new(span, "\"times\" is at least 1"));
+        return Err(Fault::claims(span, "\"times\" must be at least 1"));
     }
     Ok(Erratum {
         printed: fields.text("for")?.ok_or_else(|| missing("for"))?,
@@ -339,8 +340,11 @@ fn erratum(json: &Json) -> Result<Erratum, Fault> {
 fn expect(fields: &Fields<'_>) -> Result<Option<Expect>, Fault> {
     let (Some(verdict), Some(because)) = (fields.text("expect")?, fields.text("because")?) else { return Ok(None) };
     if ["certified", "verified", "definition", "law"].contains(&verdict.value.as_str()) {
-        return Err(Fault::new(verdict.span, format!("\"{}\" is a pass, and passes are not announced", verdict.value))
-            .help("leave \"expect\" and \"because\" out"));
+        return Err(Fault::claims(
+            verdict.span,
+            format!("\"{}\" is a pass, and \"expect\" is for other verdicts", verdict.value),
+        )
+        .help("remove \"expect\" and \"because\""));
     }
     const WORDS: &[(&str, Expected)] = &[
         ("refuted", Expected::Refuted),

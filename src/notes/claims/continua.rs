@@ -1,10 +1,10 @@
-//! Continua: bodies whose mass is spread over a line, an area or a volume.
+//! Continua: bodies with a mass per length, per area or per volume.
 
 use super::fields::{self, Fields, Text};
 use crate::notes::json::{Json, Spanned, Value};
 use crate::source::{Fault, Source};
 
-/// A body whose mass is spread out; its name is the region of the integrals over it.
+/// A body with a density. Its name is the region of the integrals over it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Continuum {
     /// The region: the `V` of `\int_V`.
@@ -13,13 +13,13 @@ pub struct Continuum {
     pub dimension: u8,
     /// The symbol of the density: the `\rho` of `\rho(\vec r)`.
     pub density: Spanned<String>,
-    /// Where it is taken: the `\vec r` of `\rho(\vec r)`.
+    /// The point of the density: the `\vec r` of `\rho(\vec r)`.
     pub point: Spanned<String>,
-    /// `particles`: the mass and the position of its pieces, where it is cut into some.
+    /// `particles`: the mass and the position of the pieces, if the body is divided into particles.
     pub particles: Option<(Spanned<String>, Spanned<String>)>,
     /// `uniform`: the density is the same everywhere.
     pub uniform: bool,
-    /// `made of`: its shape. Empty where it may be any.
+    /// `made of`: the shape of the body; empty for any shape.
     pub made_of: Vec<Solid>,
 }
 
@@ -30,9 +30,9 @@ pub struct Solid {
     pub kind: Spanned<SolidKind>,
     /// Its size, in LaTeX: a length, or lengths with commas between them.
     pub size: Spanned<String>,
-    /// `at`: where its centre is; at the origin, if nothing is said.
+    /// `at`: the position of the centre; the origin by default.
     pub at: Option<Spanned<String>>,
-    /// `hollow`: it is cut out of the others.
+    /// `hollow`: the body is removed from the others.
     pub hollow: bool,
 }
 
@@ -54,7 +54,7 @@ pub enum SolidKind {
 }
 
 impl SolidKind {
-    /// Over how many dimensions its mass is spread.
+    /// The dimension of the body: 1 for a line, 2 for an area, 3 for a volume.
     pub fn dimension(self) -> u8 {
         match self {
             SolidKind::Ball | SolidKind::Box => 3,
@@ -63,7 +63,7 @@ impl SolidKind {
         }
     }
 
-    /// How many lengths its size is.
+    /// The number of lengths in the size.
     fn lengths(self) -> usize {
         match self {
             SolidKind::Box => 3,
@@ -93,15 +93,15 @@ pub(super) fn continua(fields: &Fields<'_>, source: &Source) -> Result<Vec<Conti
 fn continuum(name: &Text, json: &Json, source: &Source) -> Result<Continuum, Fault> {
     let fields = Fields::new(json, "a continuum", &[DENSITIES, &["particles", "uniform", "made of"]], &[])?;
     let [name] = <[Text; 1]>::try_from(fields::names(name, source)?)
-        .map_err(|_| Fault::new(name.span, "a continuum has one name").help("give each its own line"))?;
+        .map_err(|_| Fault::claims(name.span, "a continuum has one name").help("give each its own line"))?;
     let mut densities = (1..).zip(DENSITIES).filter_map(|(dimension, key)| Some((dimension, fields.entry(key)?)));
     let Some((dimension, (key, value))) = densities.next() else {
-        return Err(Fault::new(json.span, format!("nothing says how the mass of {} is spread", name.value))
+        return Err(Fault::claims(json.span, format!("the density of {} is missing", name.value))
             .help("add \"mass per length\", \"mass per area\" or \"mass per volume\""));
     };
     if let Some((_, (second, _))) = densities.next() {
-        let message = format!("\"{}\" beside \"{}\": mass is spread in one way", second.value, key.value);
-        return Err(Fault::new(second.span, message).help("keep one of them"));
+        let message = format!("\"{}\" and \"{}\" cannot both be given", key.value, second.value);
+        return Err(Fault::claims(second.span, message).help("keep one of them"));
     }
     let (density, point) = density(&fields::text(value, &key.value)?, source)?;
     let particles = fields.text("particles")?.map(|written| particles(&written, source)).transpose()?;
@@ -116,7 +116,7 @@ fn continuum(name: &Text, json: &Json, source: &Source) -> Result<Continuum, Fau
     Ok(Continuum { name, dimension, density, point, particles, uniform, made_of })
 }
 
-/// `\rho(\vec r)`: the symbol, and where it is taken.
+/// `\rho(\vec r)`: the symbol and the point.
 fn density(written: &Text, source: &Source) -> Result<(Text, Text), Fault> {
     let text = written.value.trim_end();
     let parts = text.strip_suffix(')').and_then(|inside| Some((text.find('(')?, inside.len())));
@@ -125,7 +125,7 @@ fn density(written: &Text, source: &Source) -> Result<(Text, Text), Fault> {
     });
     match pieces {
         Some((density, point)) if !density.value.is_empty() && !point.value.is_empty() => Ok((density, point)),
-        _ => Err(Fault::new(written.span, format!("\"{text}\" does not say of which point it is the density"))
+        _ => Err(Fault::claims(written.span, format!("\"{text}\" does not name the point of the density"))
             .help("as in \"\\\\rho(\\\\vec r)\"")),
     }
 }
@@ -138,7 +138,7 @@ fn particles(written: &Text, source: &Source) -> Result<(Text, Text), Fault> {
     });
     match pieces {
         Some((mass, position)) if !mass.value.is_empty() && !position.value.is_empty() => Ok((mass, position)),
-        _ => Err(Fault::new(written.span, format!("\"{text}\" does not say which masses are where"))
+        _ => Err(Fault::claims(written.span, format!("\"{text}\" does not name a mass and its position"))
             .help("as in \"m_i at \\\\vec r_i\"")),
     }
 }
@@ -147,28 +147,30 @@ fn solid(json: &Json, dimension: u8, per: &str, source: &Source) -> Result<Solid
     let fields = Fields::new(json, "a body", &[KINDS, &["at", "hollow"]], &[])?;
     let mut kinds = SOLIDS.iter().filter_map(|(key, kind)| Some((*kind, fields.entry(key)?)));
     let Some((kind, (key, value))) = kinds.next() else {
-        return Err(Fault::new(json.span, "nothing says what body this is")
+        return Err(Fault::claims(json.span, "the shape of this body is missing")
             .help("add \"ball\", \"box\", \"shell\", \"rod\", \"lamina\" or \"disc\", with its size"));
     };
     if let Some((_, (second, _))) = kinds.next() {
-        let message = format!("\"{}\" beside \"{}\": a body has one shape", second.value, key.value);
-        return Err(Fault::new(second.span, message).help("give each body its own braces"));
+        let message = format!("\"{}\" and \"{}\" cannot both be given: a body has one shape", key.value, second.value);
+        return Err(Fault::claims(second.span, message).help("give each body its own braces"));
     }
     if kind.dimension() != dimension {
         let fitting = SOLIDS.iter().filter(|(_, kind)| kind.dimension() == dimension);
         let fitting = fitting.map(|(key, _)| format!("\"{key}\"")).collect::<Vec<_>>().join(" or ");
-        return Err(Fault::new(key.span, format!("the mass of a {} is no \"{per}\"", key.value))
-            .help(format!("with \"{per}\" a body is {fitting}")));
+        return Err(Fault::claims(key.span, format!("a {} has no \"{per}\"", key.value))
+            .help(format!("with \"{per}\", use {fitting}")));
     }
     let size = fields::text(value, &key.value)?;
     let (lengths, needed) = (fields::names(&size, source)?.len(), kind.lengths());
     if lengths != needed {
         let help = match needed {
-            1 => "one length, as in \"R\"",
-            2 => "two edges, as in \"a, b\"",
-            _ => "three edges, as in \"a, b, c\"",
+            1 => "write one length, as in \"R\"",
+            2 => "write two edges, as in \"a, b\"",
+            _ => "write three edges, as in \"a, b, c\"",
         };
-        return Err(Fault::new(size.span, format!("the size of a {} is not {lengths} lengths", key.value)).help(help));
+        return Err(
+            Fault::claims(size.span, format!("the size of a {} cannot be {lengths} lengths", key.value)).help(help)
+        );
     }
     let kind = Spanned::new(kind, key.span);
     Ok(Solid { kind, size, at: fields.text("at")?, hollow: fields.on("hollow")?.is_some() })

@@ -1,4 +1,4 @@
-//! Typed access to a JSON object: unknown keys and wrong types are refused at their place.
+//! Typed access to a JSON object. Unknown keys and wrong types are faults at their places.
 
 use crate::notes::json::{Json, Spanned, Value, place_in_string};
 use crate::source::{Fault, Source, Span};
@@ -15,8 +15,10 @@ pub(super) struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// The object `json`, called `what` in messages. Its keys must be in `known`; those in `later` are refused as
-    /// not supported yet.
+    /// The object `json`, called `what` in messages.
+    ///
+    /// # Errors
+    /// A key that is not in `known`; a key in `later` is reported as not supported yet.
     pub fn new(json: &'a Json, what: &str, known: &[&[&str]], later: &[&str]) -> Result<Self, Fault> {
         let entries = object(json, what)?;
         let known = || known.iter().flat_map(|list| list.iter().copied());
@@ -26,14 +28,14 @@ impl<'a> Fields<'a> {
                 continue;
             }
             if later.contains(&name) {
-                return Err(Fault::new(key.span, format!("\"{name}\" is not supported yet"))
-                    .help("leave it out; what it says would go unchecked"));
+                return Err(Fault::unsupported(key.span, format!("\"{name}\" is not supported yet"))
+                    .help("remove it; onshell would not check it"));
             }
-            let fault = Fault::new(key.span, format!("{what} has no key \"{name}\""));
+            let fault = Fault::claims(key.span, format!("{what} has no key \"{name}\""));
             let list = || known().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
             return Err(match nearest(name, known().chain(later.iter().copied())) {
-                Some(word) => fault.help(format!("did you mean \"{word}\"? its keys are {}", list())),
-                None => fault.help(format!("its keys are {}", list())),
+                Some(word) => fault.help(format!("did you mean \"{word}\"? The keys are {}", list())),
+                None => fault.help(format!("the keys are {}", list())),
             });
         }
         Ok(Fields { entries, span: json.span })
@@ -76,19 +78,19 @@ impl<'a> Fields<'a> {
         self.get(name).map(|json| count(json, name)).transpose()
     }
 
-    /// A key that can only be switched on.
+    /// The place of a key whose only value is `true`.
     pub fn on(&self, name: &str) -> Result<Option<Span>, Fault> {
         match self.get(name) {
             None => Ok(None),
             Some(Json { value: Value::Bool(true), span }) => Ok(Some(*span)),
             Some(Json { value: Value::Bool(false), span }) => {
-                Err(Fault::new(*span, format!("\"{name}\" can only be true")).help("leave the key out"))
+                Err(Fault::claims(*span, format!("\"{name}\" can only be true")).help("remove the key"))
             }
             Some(json) => Err(wrong(json, name, "true")),
         }
     }
 
-    /// Refuses one of two keys that need each other when the other is missing.
+    /// Checks that two keys that need each other are both given or both absent.
     pub fn together(&self, one: &str, other: &str, why: &str) -> Result<(), Fault> {
         let (a, b) = (self.entry(one), self.entry(other));
         let (present, missing) = match (a, b) {
@@ -96,25 +98,25 @@ impl<'a> Fields<'a> {
             (None, Some((key, _))) => (key, one),
             _ => return Ok(()),
         };
-        Err(Fault::new(present.span, format!("\"{}\" needs \"{missing}\" beside it", present.value)).help(why))
+        Err(Fault::claims(present.span, format!("\"{}\" needs \"{missing}\" beside it", present.value)).help(why))
     }
 }
 
 pub(super) fn wrong(json: &Json, name: &str, expected: &str) -> Fault {
-    Fault::new(json.span, format!("\"{name}\" is {expected}, not {}", json.value.kind()))
+    Fault::claims(json.span, format!("\"{name}\" must be {expected}, not {}", json.value.kind()))
 }
 
 pub(super) fn object<'a>(json: &'a Json, what: &str) -> Result<&'a [(Text, Json)], Fault> {
     match &json.value {
         Value::Object(entries) => Ok(entries),
-        other => Err(Fault::new(json.span, format!("{what} is an object, not {}", other.kind()))),
+        other => Err(Fault::claims(json.span, format!("{what} must be an object, not {}", other.kind()))),
     }
 }
 
 pub(super) fn text(json: &Json, name: &str) -> Result<Text, Fault> {
     match &json.value {
         Value::String(text) if text.trim().is_empty() => {
-            Err(Fault::new(json.span, format!("\"{name}\" is empty")).help("say something, or leave the key out"))
+            Err(Fault::claims(json.span, format!("\"{name}\" is empty")).help("write a text, or remove the key"))
         }
         Value::String(text) => Ok(Text::new(text.clone(), json.span)),
         _ => Err(wrong(json, name, "a string")),
@@ -126,7 +128,7 @@ pub(super) fn texts(json: &Json, name: &str) -> Result<Vec<Text>, Fault> {
     match &json.value {
         Value::String(_) => Ok(vec![text(json, name)?]),
         Value::Array(items) if !items.is_empty() => items.iter().map(|item| text(item, name)).collect(),
-        Value::Array(_) => Err(Fault::new(json.span, format!("\"{name}\" is an empty list"))),
+        Value::Array(_) => Err(Fault::claims(json.span, format!("\"{name}\" is an empty list"))),
         _ => Err(wrong(json, name, "a string or a list of strings")),
     }
 }
@@ -136,7 +138,7 @@ pub(super) fn count(json: &Json, name: &str) -> Result<Spanned<usize>, Fault> {
         Value::Number(raw) => raw
             .parse()
             .map(|count| Spanned::new(count, json.span))
-            .map_err(|_| Fault::new(json.span, format!("\"{name}\" is a whole number, from 0"))),
+            .map_err(|_| Fault::claims(json.span, format!("\"{name}\" must be a whole number, 0 or more"))),
         _ => Err(wrong(json, name, "a number")),
     }
 }
@@ -146,11 +148,11 @@ pub(super) fn word<T: Copy>(written: &Text, name: &str, words: &[(&str, T)]) -> 
     if let Some((_, meaning)) = words.iter().find(|(word, _)| *word == written.value) {
         return Ok(Spanned::new(*meaning, written.span));
     }
-    let fault = Fault::new(written.span, format!("\"{name}\" cannot be \"{}\"", written.value));
+    let fault = Fault::claims(written.span, format!("\"{name}\" cannot be \"{}\"", written.value));
     let list = words.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
     Err(match nearest(&written.value, words.iter().map(|(word, _)| *word)) {
-        Some(word) => fault.help(format!("did you mean \"{word}\"? it is one of {list}")),
-        None => fault.help(format!("it is one of {list}")),
+        Some(word) => fault.help(format!("did you mean \"{word}\"? Use one of {list}")),
+        None => fault.help(format!("use one of {list}")),
     })
 }
 
@@ -163,7 +165,7 @@ pub(super) fn piece(text: &Text, part: std::ops::Range<usize>, source: &Source) 
     Text::new(inside.to_owned(), span)
 }
 
-/// The names in a text such as `M, g, R`: parted at the commas outside of brackets, each with its own place.
+/// The names in a text such as `M, g, R`, separated at commas outside of brackets, each with its own place.
 pub(super) fn names(list: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
     let text = &list.value;
     let mut depth = 0usize;
@@ -184,7 +186,7 @@ pub(super) fn names(list: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
     for end in ends {
         let name = piece(list, start..end, source);
         if name.value.is_empty() {
-            return Err(Fault::new(list.span, format!("a name is missing in \"{text}\"")).help("as in \"M, g, R\""));
+            return Err(Fault::claims(list.span, format!("a name is missing in \"{text}\"")).help("as in \"M, g, R\""));
         }
         names.push(name);
         start = end + 1;

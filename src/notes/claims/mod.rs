@@ -1,7 +1,6 @@
-//! The claims file: what the symbols are, what world they live in, and what an equation claims.
+//! The claims file: declarations of symbols, the system or the laws, and the claims about equations.
 //!
-//! Everything is typed and has its place; LaTeX stays text. Nothing is passed over: a key that onshell does not know,
-//! or does not support yet, is an error.
+//! Every value is typed and has its place; LaTeX stays text. A key that is unknown or not supported yet is an error.
 
 mod claim;
 mod continua;
@@ -21,9 +20,9 @@ pub use sentence::{Property, Sentence, Sign, Test};
 pub use vectors::{Axes, Components};
 
 use super::address::Address;
-use super::document::read_text;
+use super::file::read_text;
 use super::json::{self, Json, Value};
-use super::spelling::plain;
+use super::normalize::normalized;
 use crate::source::{Fault, Source, Span};
 use crate::{Error, Result};
 use fields::{Fields, Text};
@@ -37,27 +36,27 @@ pub struct Claims {
     pub path: PathBuf,
     /// `notes`: the notes, relative to this file.
     pub notes: Spanned<String>,
-    /// `system`: whose motion is the true one.
+    /// `system`: the system whose equations of motion are used.
     pub system: Option<SystemRef>,
     /// `independent variable`
     pub independent_variable: Option<Spanned<String>>,
     /// The symbols, one by one.
     pub declarations: Vec<Declaration>,
-    /// `axes`: right-handed unit vectors, and how they turn.
+    /// `axes`: right-handed unit vectors, and their rotation.
     pub axes: Vec<(Spanned<String>, Spanned<Axes>)>,
     /// `components`: the names of a vector's components.
     pub components: Vec<(Spanned<String>, Spanned<Components>)>,
-    /// `continua`: bodies whose mass is spread out.
+    /// `continua`: bodies with a density.
     pub continua: Vec<Continuum>,
-    /// `laws`: hypotheses obeyed on shell and never checked, each an address or LaTeX.
+    /// `laws`: hypotheses that hold on shell and are not checked, each an address or LaTeX.
     pub laws: Vec<(Spanned<String>, Spanned<String>)>,
     /// `units`: symbols, and their units in SI.
     pub units: Vec<(Spanned<String>, Spanned<String>)>,
-    /// `rotations`: matrices, and what they turn.
+    /// `rotations`: rotation matrices, active or passive.
     pub rotations: Vec<(Spanned<String>, Spanned<Turning>)>,
-    /// `means`: what names mean in the system.
+    /// `means`: the derived quantity that a name stands for.
     pub means: Vec<(Spanned<String>, Spanned<String>)>,
-    /// `define`: what the prose defines.
+    /// `define`: definitions that the prose gives.
     pub define: Vec<(Spanned<String>, Spanned<String>)>,
     /// `conditions`: named hypotheses.
     pub conditions: Vec<(Spanned<String>, Vec<Spanned<String>>)>,
@@ -65,15 +64,15 @@ pub struct Claims {
     pub assume: Vec<Spanned<String>>,
     /// `macros`: commands that the notes do not define themselves.
     pub macros: Vec<(Spanned<String>, Spanned<String>)>,
-    /// `steps`: derivations, each the address of its steps in their order.
+    /// `steps`: derivations, each the address of its steps in order.
     pub steps: Vec<Address>,
-    /// What is said about equations.
+    /// The claims about equations.
     pub equations: Vec<(Address, Claim)>,
-    /// What is said about sentences.
+    /// The claims about sentences.
     pub sentences: Vec<Sentence>,
 }
 
-/// A system by name, and how the notes call its parameters.
+/// A system by name, with the notes' names of its parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SystemRef {
     /// Its name.
@@ -87,13 +86,13 @@ pub struct SystemRef {
 pub struct Declaration {
     /// What kind of symbol it is.
     pub role: Role,
-    /// The symbol. Its place is its own, also where one key declares several.
+    /// The symbol with its own place, also where one key declares several.
     pub name: Spanned<String>,
     /// Its values.
     pub range: Spanned<Range>,
 }
 
-/// What kind of symbol a declaration makes.
+/// The kind of symbol that a declaration makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
     /// `coordinates`: varies, and obeys the equations of motion.
@@ -142,11 +141,11 @@ const KEYS: &[&str] = &[
     "sentences",
 ];
 
-/// Keys of the proposal that are yet to be built.
+/// Keys that are planned and not supported yet.
 const LATER: &[&str] =
     &["covers", "builds on", "prime", "imaginary unit", "bodies", "gravity", "potential", "Lagrangian", "unsure"];
 
-/// Where the claims of the notes at `path` are looked for: beside them, as `.json`.
+/// The path of the claims file for the notes at `path`: the same path with the extension `.json`.
 pub fn claims_beside(path: &Path) -> PathBuf {
     path.with_extension("json")
 }
@@ -172,8 +171,8 @@ impl Claims {
 fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fault> {
     let fields = Fields::new(json, "a claims file", &[KEYS], LATER)?;
     let missing = || {
-        Fault::new(Span::new(json.span.start, json.span.start + 1), "a claims file needs \"notes\"")
-            .help("\"notes\": \"top.md\" names the document, relative to this file")
+        Fault::claims(Span::new(json.span.start, json.span.start + 1), "a claims file needs \"notes\"")
+            .help("add \"notes\": \"top.md\", the path of the document relative to this file")
     };
     let rotations = rotations(&fields, source)?;
     let declarations = declarations(&fields, source)?;
@@ -220,7 +219,7 @@ fn system(fields: &Fields<'_>) -> Result<Option<SystemRef>, Fault> {
         }
         Some(json @ Json { value: Value::Object(_), .. }) => {
             let inner = Fields::new(json, "\"system\"", &[&["name", "read"]], &[])?;
-            let missing = || Fault::new(json.span, "\"system\" needs \"name\"");
+            let missing = || Fault::claims(json.span, "\"system\" needs \"name\"");
             Ok(Some(SystemRef { name: inner.text("name")?.ok_or_else(missing)?, read: inner.pairs("read")? }))
         }
         Some(json) => Err(fields::wrong(json, "system", "a name or an object with \"name\" and \"read\"")),
@@ -284,14 +283,14 @@ fn sentences(fields: &Fields<'_>, source: &Source) -> Result<Vec<Sentence>, Faul
     }
 }
 
-/// Refuses a symbol that comes twice; of functions, `V` and `V(r)` are one.
+/// Rejects a symbol that is declared twice. `V` and `V(r)` are one symbol.
 fn once<'a>(names: impl Iterator<Item = &'a Text>, source: &Source) -> Result<(), Fault> {
     let mut seen: std::collections::HashMap<String, Span> = std::collections::HashMap::new();
     for name in names {
-        if let Some(first) = seen.insert(plain(head(&name.value)), name.span) {
+        if let Some(first) = seen.insert(normalized(head(&name.value)), name.span) {
             let (line, column) = source.line_column(first.start);
             let message = format!("{} is declared twice; first at {line}:{column}", name.value);
-            return Err(Fault::new(name.span, message).help("a symbol has one meaning; take one of the two out"));
+            return Err(Fault::claims(name.span, message).help("remove one of the two declarations"));
         }
     }
     Ok(())

@@ -1,11 +1,11 @@
-//! Ranges: from where a symbol's values are drawn.
+//! Ranges: the values that are sampled for a symbol.
 
 use crate::notes::json::Spanned;
-use crate::notes::spelling::plain;
+use crate::notes::normalize::normalized;
 use crate::source::Fault;
 use crate::suggest::nearest;
 
-/// What values a symbol takes.
+/// The values of a symbol.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Range {
     /// `> 0`
@@ -22,9 +22,9 @@ pub enum Range {
         low: f64,
         /// The upper end.
         high: f64,
-        /// Whether the lower end is left out.
+        /// Whether the lower end is excluded.
         low_open: bool,
-        /// Whether the upper end is left out.
+        /// Whether the upper end is excluded.
         high_open: bool,
     },
     /// `integer 2..5`; for indices also `1..3` and `1..n`.
@@ -34,20 +34,21 @@ pub enum Range {
         /// The last.
         high: Count,
     },
-    /// `labels 1..4`, `labels 1..n`: a label from 1 on, which no repetition sums over. Of indices only.
+    /// `labels 1..4`, `labels 1..n`: a label, which is not summed over by repetition. For indices only.
     Labels {
         /// The last.
         high: Count,
     },
-    /// `rigid, turning with \vec\omega`: a vector of fixed length that varies at the rate ω × itself; `about \vec c`:
-    /// a position whose distance from **c** does. Of what varies with time only.
+    /// `rigid, turning with \vec\omega`: a vector of fixed length whose rate is ω × the vector; `about \vec c`: a
+    /// position
+    /// that turns about **c**. Under `varies with time` only.
     Rigid {
         /// ω, in LaTeX.
         turning_with: String,
-        /// The point that stays in the body, in LaTeX; the origin, if nothing is said.
+        /// The fixed point of the rotation, in LaTeX; the origin by default.
         about: Option<String>,
     },
-    /// `fixed direction`: a vector whose length alone varies. Of what varies with time only.
+    /// `fixed direction`: a vector of which only the length varies. Under `varies with time` only.
     FixedDirection,
 }
 
@@ -79,9 +80,9 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
         _ => match text.strip_prefix("integer").filter(|rest| rest.starts_with(char::is_whitespace)) {
             Some(rest) => integers(written, rest, false)?,
             None => {
-                let fault = Fault::new(written.span, format!("\"{text}\" is no range"));
+                let fault = Fault::claims(written.span, format!("\"{text}\" is not a range"));
                 if text == "fixed direction" || text.starts_with("rigid") {
-                    return Err(fault.help("it is how a vector varies: declare it under \"varies with time\""));
+                    return Err(fault.help("declare a vector that varies like this under \"varies with time\""));
                 }
                 return Err(match nearest(text, ["any", "angle", "integer"]) {
                     Some(word) => fault.help(format!("did you mean \"{word}\"? {RANGES}")),
@@ -93,7 +94,7 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
     Ok(Spanned::new(range, written.span))
 }
 
-/// Reads how something varies freely with time: a range, or the motion of a vector.
+/// Reads the range of a symbol that varies with time: values, or the motion of a vector.
 pub(super) fn motion(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
     let text = written.value.trim();
     if text == "fixed direction" {
@@ -108,7 +109,7 @@ pub(super) fn motion(written: &Spanned<String>) -> Result<Spanned<Range>, Fault>
         None => ("", None),
     };
     if rate.is_empty() || about == Some("") || rate.ends_with(" about") {
-        return Err(Fault::new(written.span, format!("\"{text}\" does not say how it turns")).help(MOTIONS));
+        return Err(Fault::claims(written.span, format!("\"{text}\" does not name the angular velocity")).help(MOTIONS));
     }
     let range = Range::Rigid { turning_with: rate.to_owned(), about: about.map(str::to_owned) };
     Ok(Spanned::new(range, written.span))
@@ -120,7 +121,7 @@ pub(super) fn index(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
     if let Some(labels) = rest.strip_prefix("labels ") {
         return match integers(written, labels, true)? {
             Range::Integer { low: 1, high } => Ok(Spanned::new(Range::Labels { high }, written.span)),
-            _ => Err(Fault::new(written.span, "labels count from 1").help(INDICES)),
+            _ => Err(Fault::claims(written.span, "labels must count from 1").help(INDICES)),
         };
     }
     let rest = rest.strip_prefix("integer ").unwrap_or(rest);
@@ -129,8 +130,8 @@ pub(super) fn index(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
 
 fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Range, Fault> {
     let help = if symbolic { INDICES } else { RANGES };
-    let fault = |message: String| Fault::new(written.span, message).help(help);
-    let unread = || fault(format!("\"{}\" is no range of integers", written.value));
+    let fault = |message: String| Fault::claims(written.span, message).help(help);
+    let unread = || fault(format!("\"{}\" is not a range of integers", written.value));
     let (low, high) = rest.split_once("..").ok_or_else(unread)?;
     let low: i64 = low.trim().parse().map_err(|_| unread())?;
     let high = high.trim();
@@ -142,10 +143,12 @@ fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Ran
         Err(_) => return Err(unread()),
     };
     match high {
-        Count::Number(number) if number < low => Err(fault(format!("\"{}\" is upside down", written.value))),
+        Count::Number(number) if number < low => {
+            Err(fault(format!("the range \"{}\" ends before it begins", written.value)))
+        }
         Count::Number(number) if number == low && !symbolic => {
-            Err(Fault::new(written.span, format!("\"{}\" has one value", written.value))
-                .help("a fixed value is a \"where\" or a \"define\", not a range"))
+            Err(Fault::claims(written.span, format!("the range \"{}\" has one value only", written.value))
+                .help("give a fixed value under \"where\" or \"define\""))
         }
         high => Ok(Range::Integer { low, high }),
     }
@@ -153,25 +156,25 @@ fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Ran
 
 fn interval(written: &Spanned<String>) -> Result<Range, Fault> {
     let text = written.value.trim();
-    let fault = |message: String| Fault::new(written.span, message);
-    let unread = || fault(format!("\"{text}\" is no interval")).help(RANGES);
+    let fault = |message: String| Fault::claims(written.span, message);
+    let unread = || fault(format!("\"{text}\" is not an interval")).help(RANGES);
     let inside = text.get(1..text.len() - 1).filter(|_| text.ends_with([')', ']'])).ok_or_else(unread)?;
     let (low, high) = inside.split_once(',').ok_or_else(unread)?;
     let end = |end: &str| endpoint(end).map_err(|message| fault(message).help(RANGES));
     let (low, high) = (end(low)?, end(high)?);
     if low > high {
-        return Err(fault(format!("the range \"{text}\" is upside down")).help("the smaller end comes first"));
+        return Err(fault(format!("the range \"{text}\" ends before it begins")).help("write the smaller end first"));
     }
     if low == high {
-        return Err(fault(format!("the range \"{text}\" has no width"))
-            .help("a fixed value is a \"where\" or a \"define\", not a range"));
+        return Err(fault(format!("the range \"{text}\" has one value only"))
+            .help("give a fixed value under \"where\" or \"define\""));
     }
     Ok(Range::Interval { low, high, low_open: text.starts_with('('), high_open: text.ends_with(')') })
 }
 
 /// A number, or a multiple of π: `-\pi`, `2\pi`, `\pi/2`, `\frac{3\pi}{2}`.
 fn endpoint(text: &str) -> Result<f64, String> {
-    let plain = plain(text);
+    let plain = normalized(text);
     let mut tokens = plain.split_terminator('\u{1f}').peekable();
     let mut sign = 1.0;
     while let Some(token) = tokens.next_if(|&token| token == "-" || token == "+") {
@@ -192,7 +195,7 @@ fn endpoint(text: &str) -> Result<f64, String> {
     if value.is_finite() { Ok(sign * value) } else { Err(format!("\"{}\" is not a finite number", text.trim())) }
 }
 
-/// The argument of a `\frac`: a token, or what stands in braces.
+/// The argument of a `\frac`: a token, or the tokens in braces.
 fn argument<'a>(tokens: &mut impl Iterator<Item = &'a str>) -> String {
     match tokens.next() {
         Some("{") => tokens.take_while(|&token| token != "}").collect(),

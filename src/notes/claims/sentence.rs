@@ -1,4 +1,4 @@
-//! A sentence of the prose turned into a test.
+//! The claim about a sentence of the prose.
 
 use super::claim::{self, Claim};
 use super::fields::{self, Fields, Text};
@@ -6,24 +6,24 @@ use crate::notes::address::Address;
 use crate::notes::json::{Json, Spanned};
 use crate::source::{Fault, Source};
 
-/// A sentence of the notes, and what it claims.
+/// A sentence of the notes with its claim.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sentence {
-    /// `name`: what it is called in a report.
+    /// `name`: its name in a report.
     pub name: Option<Spanned<String>>,
-    /// `quote`: word for word.
+    /// `quote`: the sentence, word for word.
     pub quote: Spanned<String>,
-    /// `in`: the equation whose scope it borrows.
+    /// `in`: the equation whose declarations and hypotheses it uses.
     pub scope: Option<Address>,
-    /// What is tested.
+    /// The test.
     pub test: Test,
-    /// `against`: along which variable.
+    /// `against`: the variable of a limit, a minimum or a slope.
     pub against: Option<Spanned<String>>,
-    /// The keys of an equation's claim; without `solves`.
+    /// The keys that it shares with the claim about an equation.
     pub claim: Claim,
 }
 
-/// What a sentence says.
+/// The test that a sentence states.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Test {
     /// The quoted formula itself.
@@ -38,18 +38,18 @@ pub enum Test {
     Of(Spanned<String>, Property),
     /// `solutions` n `of` an equation `for` an unknown.
     Solutions {
-        /// How many.
+        /// Their number.
         count: Spanned<usize>,
-        /// Of which equation.
+        /// The equation.
         of: Address,
-        /// For which unknown.
+        /// The unknown.
         unknown: Spanned<String>,
     },
-    /// `refers to`: the sentence cites an equation, and means one with this formula in it.
+    /// `refers to`: the sentence cites an equation that must contain this formula.
     RefersTo {
         /// The number that it cites.
         number: Spanned<String>,
-        /// `containing`: LaTeX that must stand in that equation.
+        /// `containing`: the LaTeX that the equation must contain.
         containing: Spanned<String>,
     },
 }
@@ -61,11 +61,11 @@ pub enum Property {
     IndependentOf(Vec<Spanned<String>>),
     /// `sign`
     Sign(Spanned<Sign>),
-    /// `minima`: how many, in the interior.
+    /// `minima`: their number in the interior of the range.
     Minima(Spanned<usize>),
-    /// `maxima`: how many, in the interior.
+    /// `maxima`: their number in the interior of the range.
     Maxima(Spanned<usize>),
-    /// `tends to`: limits, and the values there.
+    /// `tends to`: limits and the values there.
     TendsTo(Vec<(Spanned<String>, Spanned<String>)>),
     /// `rises with`
     RisesWith(Spanned<String>),
@@ -76,11 +76,11 @@ pub enum Property {
 /// The sign of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// Everywhere above 0.
+    /// Positive everywhere.
     Positive,
-    /// Everywhere below 0.
+    /// Negative everywhere.
     Negative,
-    /// Both occur.
+    /// Both signs occur.
     Changes,
 }
 
@@ -93,11 +93,10 @@ const OF: &[&str] =
 pub(super) fn sentence(json: &Json, source: &Source) -> Result<Sentence, Fault> {
     let fields = Fields::new(json, "a sentence", &[KEYS, OF, claim::KEYS], claim::LATER)?;
     if let Some((key, _)) = fields.entry("solves") {
-        return Err(
-            Fault::new(key.span, "\"solves\" belongs to an equation").help("here, \"solutions\" n \"of\" … \"for\" …")
-        );
+        return Err(Fault::claims(key.span, "\"solves\" is allowed for an equation only")
+            .help("in a sentence, use \"solutions\", \"of\" and \"for\""));
     }
-    let missing = || Fault::new(json.span, "a sentence needs \"quote\"").help("quote the notes, word for word");
+    let missing = || Fault::claims(json.span, "a sentence needs \"quote\"").help("quote the notes, word for word");
     let quote = fields.text("quote")?.ok_or_else(missing)?;
     let test = test(&fields, source)?;
     // `conserved` is the test itself here, not a word on the quoted formula.
@@ -110,25 +109,25 @@ pub(super) fn sentence(json: &Json, source: &Source) -> Result<Sentence, Fault> 
 }
 
 fn test(fields: &Fields<'_>, source: &Source) -> Result<Test, Fault> {
-    fields.together("refers to", "containing", "a reference is tested by a formula that its equation contains")?;
+    fields.together("refers to", "containing", "\"containing\" is a formula that the cited equation must contain")?;
     let tests = ["claim", "not always", "conserved", "of", "refers to"];
     let mut present = tests.iter().filter_map(|name| fields.entry(name));
     let first = present.next();
     if let (Some((first, _)), Some((second, _))) = (first, present.next()) {
-        let message = format!("\"{}\" beside \"{}\": a sentence has one test", second.value, first.value);
-        return Err(Fault::new(second.span, message).help("quote it twice, once for each"));
+        let message =
+            format!("\"{}\" and \"{}\" cannot both be given: a sentence has one test", first.value, second.value);
+        return Err(Fault::claims(second.span, message).help("add a second sentence with the same quote"));
     }
     if first.is_none_or(|(key, _)| key.value != "of")
         && let Some((key, _)) = OF.iter().find_map(|name| fields.entry(name))
     {
-        return Err(
-            Fault::new(key.span, format!("\"{}\" needs \"of\" beside it", key.value)).help("of which expression?")
-        );
+        return Err(Fault::claims(key.span, format!("\"{}\" needs \"of\" beside it", key.value))
+            .help("\"of\" names the expression"));
     }
     if fields.get("solutions").is_none()
         && let Some((key, _)) = fields.entry("for")
     {
-        return Err(Fault::new(key.span, "\"for\" needs \"solutions\" beside it"));
+        return Err(Fault::claims(key.span, "\"for\" needs \"solutions\" beside it"));
     }
     let Some((key, json)) = first else { return Ok(Test::Quoted) };
     match key.value.as_str() {
@@ -149,12 +148,13 @@ fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test
     let list = || OF.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
     let Some((property, json)) = present.next() else {
         return Err(
-            Fault::new(key.span, "\"of\" does not say what is claimed of it").help(format!("add one of {}", list()))
+            Fault::claims(key.span, "\"of\" needs a property of the expression").help(format!("add one of {}", list()))
         );
     };
     if let Some((second, _)) = present.next() {
-        let message = format!("\"{}\" beside \"{}\": a sentence has one test", second.value, property.value);
-        return Err(Fault::new(second.span, message).help("quote it twice, once for each"));
+        let message =
+            format!("\"{}\" and \"{}\" cannot both be given: a sentence has one test", property.value, second.value);
+        return Err(Fault::claims(second.span, message).help("add a second sentence with the same quote"));
     }
     let name = property.value.as_str();
     let text = || fields::text(json, name);
@@ -172,9 +172,8 @@ fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test
         _ => {
             let count = fields::count(json, name)?;
             let Some(unknown) = fields.text("for")? else {
-                return Err(
-                    Fault::new(property.span, "\"solutions\" needs \"for\" beside it").help("for which unknown?")
-                );
+                return Err(Fault::claims(property.span, "\"solutions\" needs \"for\" beside it")
+                    .help("\"for\" names the unknown"));
             };
             return Ok(Test::Solutions { count, of: Address::parse(&of, source)?, unknown });
         }
@@ -185,11 +184,11 @@ fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test
 fn tends_to(fields: &Fields<'_>, json: &Json) -> Result<Vec<(Text, Text)>, Fault> {
     let limits = fields.pairs("tends to")?;
     if limits.is_empty() {
-        return Err(Fault::new(json.span, "\"tends to\" is empty").help("as in { \"x \\\\to 0\": \"1\" }"));
+        return Err(Fault::claims(json.span, "\"tends to\" is empty").help("as in { \"x \\\\to 0\": \"1\" }"));
     }
     match limits.iter().find(|(limit, _)| !claim::is_limit(&limit.value)) {
         Some((limit, _)) => {
-            Err(Fault::new(limit.span, format!("\"{}\" is no limit", limit.value)).help("as in \"x \\\\to 0\""))
+            Err(Fault::claims(limit.span, format!("\"{}\" is not a limit", limit.value)).help("as in \"x \\\\to 0\""))
         }
         None => Ok(limits),
     }

@@ -1,24 +1,24 @@
-//! Unit vectors and components: what the claims file says of the frames that vectors are written in.
+//! Unit vectors and the components of vectors along them.
 
 use super::fields::{self, Fields, Text};
 use crate::notes::json::Spanned;
 use crate::source::{Fault, Source};
 
-/// How a triad of unit vectors moves.
+/// The motion of three unit vectors.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Axes {
-    /// `fixed`: not at all.
+    /// `fixed`: no motion.
     Fixed,
-    /// `turning with \vec\omega`: at the rate ω × ê, with this ω.
+    /// `turning with \vec\omega`: the rate of each ê is ω × ê.
     TurningWith(String),
 }
 
-/// How the components of a vector are called.
+/// The names of the components of a vector.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Components {
     /// `x_i, y_i, z_i`: along the fixed axes, in their order.
     Names([Spanned<String>; 3]),
-    /// `along \hat e_a`: the vector's letter, with the index of these axes.
+    /// `along \hat e_a`: the letter of the vector, with the index of these axes.
     Along(Spanned<String>),
 }
 
@@ -30,8 +30,8 @@ pub(super) fn axes(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Sp
             Some(rate) if !rate.is_empty() => Spanned::new(Axes::TurningWith(rate.to_owned()), value.span),
             _ if text == "fixed" => Spanned::new(Axes::Fixed, value.span),
             _ => {
-                return Err(Fault::new(value.span, format!("axes cannot be \"{text}\""))
-                    .help("they are \"fixed\" or \"turning with \\\\vec\\\\omega\""));
+                return Err(Fault::claims(value.span, format!("axes cannot be \"{text}\""))
+                    .help("use \"fixed\" or \"turning with \\\\vec\\\\omega\""));
             }
         };
         Ok((name, axes))
@@ -50,17 +50,17 @@ pub(super) fn components(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Te
         let read = if let Some(axes) = along {
             let axes = fields::piece(&value, value.value.len() - axes.len()..value.value.len(), source);
             if axes.value.is_empty() {
-                return Err(Fault::new(value.span, "along which axes?").help(HELP));
+                return Err(Fault::claims(value.span, "the axes after \"along\" are missing").help(HELP));
             }
             Components::Along(axes)
         } else {
             let names = fields::names(&value, source)?;
             let count = names.len();
             let names = <[Text; 3]>::try_from(names).map_err(|_| {
-                Fault::new(value.span, format!("a vector has three components, not {count}")).help(HELP)
+                Fault::claims(value.span, format!("a vector has three components, not {count}")).help(HELP)
             })?;
             if let Some(second) = vectors.get(1) {
-                return Err(Fault::new(second.span, "two vectors cannot share the names of their components")
+                return Err(Fault::claims(second.span, "two vectors cannot share the names of their components")
                     .help("give each vector its own line"));
             }
             Components::Names(names)

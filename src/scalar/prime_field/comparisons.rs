@@ -10,18 +10,18 @@ use super::residue::{Prime, Residue};
 /// What happened in an evaluation at one point.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EvaluationRecord {
-    /// Why nothing can be concluded: an operation that a field does not have.
+    /// An operation that a field does not have, if one was used. Nothing can be concluded then.
     pub unsupported: Option<&'static str>,
-    /// A denominator vanishes here, or a number has no square root: another point may do.
+    /// A denominator that vanishes here, or a number without a square root here. Another point may do.
     pub undefined_here: Option<&'static str>,
     /// How many square roots were taken whose sign is free.
     pub roots: u32,
-    /// Whether something was met of which relations are not known to the field: a root, a sine of a product, a constant
-    /// that is no simple number. Two sides that differ may then be equal nevertheless.
+    /// Whether a number occurred whose relations to others are not known to the field: a root, a sine of a product, a
+    /// constant that is not simple. Two sides that differ in the field may then be equal nevertheless.
     pub opaque: bool,
-    /// The degree of all that might have been equal by accident.
+    /// The sum of the degrees of all differences that were tested for zero on the way.
     pub coincidences: f64,
-    /// How many bits the coefficients may have of all that was compared.
+    /// The largest number of bits that a coefficient of a compared difference may have.
     pub compared_bits: f64,
     /// The least common denominator of the multiples of angles.
     pub finest: u64,

@@ -1,4 +1,4 @@
-//! What a number would be divided by, were it written as one fraction: products of powers of known factors.
+//! The denominators of numbers, were each written as one fraction: products of powers of known factors.
 //!
 //! The bound on false acceptance needs the degree of the numerator. Were every denominator a polynomial of its own, a
 //! sum of fractions would multiply them all; so a divisor is remembered as a *factor*, known by its value at the point,

@@ -1,7 +1,7 @@
 //! One evaluation at one random point of the field: what is drawn there, and the tables that its numbers share.
 //!
-//! A number of the field cannot return an error where it has no square root or is asked for its sign. Such events are noted
-//! by the evaluation that is open on the thread. Whoever opened it reads them in its [`EvaluationRecord`].
+//! A number of the field cannot return an error where it has no square root or is asked for its sign. Such events are
+//! noted by the evaluation that is open on the thread. Whoever opened it reads them in its [`EvaluationRecord`].
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -25,11 +25,11 @@ thread_local! {
     static EVALUATION: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
 }
 
-/// Evaluates `f` at the point of the field that `seed` names. The n-th bit of `signs` is the sign of the n-th square root;
-/// `finest` is the least common denominator of multiples of angles, as far as it is known.
+/// Evaluates `f` at the random point of the field that `seed` determines.
 ///
-/// The record tells whether the result means anything. Where its `finest` is larger than what was given, the degrees are
-/// too small, and the evaluation must be repeated with that.
+/// The n-th bit of `signs` is the sign of the n-th square root. `finest` is the least common denominator of the
+/// multiples of angles, 1 if it is not known yet. The record says whether a conclusion may be drawn from the result. If
+/// its `finest` is larger than the given one, the degrees are too small: repeat the evaluation with that value.
 pub fn evaluate_at_point<F: Modulus, R>(
     seed: u64,
     signs: u32,
@@ -51,7 +51,7 @@ pub fn evaluate_at_point<F: Modulus, R>(
     (result, record.unwrap_or_default())
 }
 
-/// Runs `f` on the evaluation of the thread; outside of one, on a scratch evaluation of which nothing is ever read.
+/// Runs `f` on the evaluation that is open on this thread, or on a scratch evaluation if none is open.
 pub(super) fn with_evaluation<F: Modulus, R>(f: impl FnOnce(&mut Evaluation<F>) -> R) -> R {
     EVALUATION.with_borrow_mut(|open| match open.as_mut().and_then(|evaluation| evaluation.downcast_mut()) {
         Some(evaluation) => f(evaluation),
@@ -59,19 +59,20 @@ pub(super) fn with_evaluation<F: Modulus, R>(f: impl FnOnce(&mut Evaluation<F>) 
     })
 }
 
-/// A constant, once read.
+/// A constant as a number of the field.
 #[derive(Clone, Copy)]
 pub(super) struct ConstantInField<F> {
     pub value: Residue<F>,
     pub size: Size,
     pub denominator: u32,
-    /// The fraction, unless it has to do with π.
+    /// The fraction, if it is rational.
     pub ratio: Option<Ratio>,
-    /// Its place among the angles, if it has to do with π.
+    /// Its index among the angles, if it is a multiple of π.
     pub angle: Option<u32>,
 }
 
-/// Whether a fraction is neither a decimal nor simple: what is left of √2 or 1/π, of whose relations nothing is known.
+/// Whether a fraction is neither a decimal nor simple. It is then a rounded irrational number, such as √2, whose
+/// relations to other numbers are not known.
 fn is_rough(ratio: Ratio) -> bool {
     let mut rest = ratio.denominator;
     for prime in [2, 5] {
@@ -134,7 +135,7 @@ impl<F: Modulus> Evaluation<F> {
         evaluation
     }
 
-    /// Notes the first reason why nothing can be concluded.
+    /// Records the first reason why nothing can be concluded.
     pub fn fault(&mut self, why: &'static str) {
         self.comparisons.record.unsupported.get_or_insert(why);
     }
@@ -177,7 +178,7 @@ impl<F: Modulus> Evaluation<F> {
         self.angles.len() as u32 - 1
     }
 
-    /// What a constant is.
+    /// The constant that an `f64` was written for.
     pub fn constant(&mut self, x: f64) -> ConstantInField<F> {
         if let Some(known) = self.constants.get(&x.to_bits()) {
             return *known;
@@ -190,7 +191,7 @@ impl<F: Modulus> Evaluation<F> {
         };
         let known = match exact_constant(x) {
             None => {
-                // no number at all, or none that could be exact: infinitely large, so that nothing follows
+                // a number without an exact value: infinitely large, so that nothing is concluded
                 let size = Size { degree: 0, norm: f64::INFINITY };
                 ConstantInField { value: Residue::ZERO, size, denominator: 0, ratio: None, angle: None }
             }

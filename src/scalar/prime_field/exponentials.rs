@@ -1,9 +1,9 @@
-//! Exponentials and logarithms over the field: as numbers of which nothing is known but how they belong together.
+//! Exponentials and logarithms over the field: independent random numbers, related as their arguments are.
 //!
-//! To a field eˣ is a free number. That of an argument that was met before is the same; that of a simple multiple of one is
-//! a power of it, that of a sum of two is a product; and ln turns this round. An identity that holds for such numbers, and
-//! for their derivatives with them, holds for exponentials. What is none may be one nevertheless, by a relation that is not
-//! known here: then nothing is concluded.
+//! A field has no eˣ, so a random number stands for it. The same argument gives the same number, a simple multiple of
+//! an argument gives a power, and a sum of two arguments gives a product. ln is the inverse. An identity that holds for
+//! such numbers holds for exponentials. An equation that fails for them may hold by a relation that is not known here,
+//! so nothing is concluded then.
 
 use super::denominators::degree_as_f64;
 use super::evaluation::{Evaluation, Exponential, with_evaluation};

@@ -1,9 +1,9 @@
 //! The bound on the probability that a false identity is accepted (Schwartz and Zippel).
 //!
-//! A non-zero polynomial of total degree d vanishes at a point drawn uniformly from S^n with a probability of at most d/|S|.
-//! Here |S| is the number of points of the unit circle that are drawn, the smallest set from which anything is drawn. The
-//! degree is that of the numerator of the difference of the two sides, plus the degrees of all differences that were tested
-//! for zero on the way.
+//! A non-zero polynomial of total degree d vanishes at a point drawn uniformly from S^n with a probability of at most
+//! d/|S|. Here |S| is the number of points of the unit circle that are drawn, the smallest set from which anything is
+//! drawn. The degree is that of the numerator of the difference of the two sides, plus the degrees of all differences
+//! that were tested for zero on the way.
 //!
 //! # How the bound is computed
 //!
@@ -31,8 +31,8 @@ use super::unit_circle::drawn_bits;
 /// The bound on the probability that two different sides agree at a random point, as a power of two.
 ///
 /// `differences` are left side minus right side, entry by entry; `attempts` is how many points could have been tried.
-/// `None` where coefficients may have more than `most_bits` bits, those of the prime or of the product of several, so that they
-/// could vanish without being zero; or where what was compared on the way has more than those of this prime.
+/// `None` where coefficients may have more than `most_bits` bits, those of the prime or of the product of several, so
+/// that they could vanish without being zero; or where what was compared on the way has more than those of this prime.
 pub fn false_accept_log2<F: Modulus>(
     differences: &[Modular<F>],
     record: &EvaluationRecord,

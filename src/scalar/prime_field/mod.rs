@@ -8,7 +8,8 @@
 //! A number carries
 //!
 //! - its value;
-//! - as an *angle* a label on the unit circle over the field, which has a cyclic group of 2¹¹⁷ points. Sines and cosines of
+//! - as an *angle* a label on the unit circle over the field, which has a cyclic group of 2¹¹⁷ points. Sines and
+//!   cosines of
 //!   sums, halves and multiples of angles, and shifts by fractions of a turn, are exact;
 //! - a bound on itself: the degree of its numerator, were it written as one fraction, and the sum of the magnitudes of
 //!   the numerator's coefficients. That sum must stay below p, or a coefficient could vanish in the field. Sine and cosine
@@ -20,10 +21,10 @@
 //! [`EvaluationRecord`], and nothing is concluded. A square root exists at half of the points and has two signs, so an
 //! identity with roots must hold for all signs. Neither matters until more than the square of the root is needed.
 //!
-//! Numbers live within [`evaluate_at_point`] only, on one thread. This folder knows the numeric traits and rational constants of
-//! `scalar`, and nothing of formulas or mechanics. Its files import in this order: `residue`, `unit_circle`, `modulus`,
-//! `denominators`, `angle`, `number`, `comparisons`, `square_roots` and `simple_numbers`, `evaluation`, then `operations`,
-//! `arithmetic`, `exponentials` and `false_accept_bound`.
+//! Numbers live within [`evaluate_at_point`] only, on one thread. This folder knows the numeric traits and rational
+//! constants of `scalar`, and nothing of formulas or mechanics. Its files import in this order: `residue`,
+//! `unit_circle`, `modulus`, `denominators`, `angle`, `number`, `comparisons`, `square_roots` and `simple_numbers`,
+//! `evaluation`, then `operations`, `arithmetic`, `exponentials` and `false_accept_bound`.
 
 mod angle;
 mod arithmetic;

@@ -1,4 +1,5 @@
-//! The number of the field as data: its value, the size of its numerator, its denominator, and what else is known of it.
+//! The number of the field as data: its value, the size of its numerator, its denominator, and what else is known of
+//! it.
 
 use super::denominators::{DenominatorId, Size};
 use super::modulus::{FirstPrime, Modulus};
@@ -28,8 +29,8 @@ pub(super) enum Kind {
     Ratio(u32),
     /// An angle, by its index in the evaluation.
     Angle(u32),
-    /// A square root whose value has not been needed yet, by its index in the evaluation. The number has the size of the
-    /// root. Its value is 0 where the radicand is 0, else 1.
+    /// A square root whose value has not been needed yet, by its index in the evaluation. The number has the size of
+    /// the root. Its value is 0 where the radicand is 0, else 1.
     Root(u32),
 }
 

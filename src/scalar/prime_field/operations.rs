@@ -34,8 +34,8 @@ impl<F: Modulus> Modular<F> {
         self
     }
 
-    /// What is as large as a polynomial, and has the value of a simple number here, is that number: that it is not is an
-    /// accident, and counted as one.
+    /// What is as large as a polynomial, and has the value of a simple number here, is that number: that it is not is
+    /// an accident, and counted as one.
     pub(super) fn settled(self) -> Self {
         if self.roots != 0 || !(SIMPLE_NORM..SETTLED_NORM).contains(&self.size.norm) {
             return self;

@@ -1,8 +1,8 @@
 //! Whole numbers modulo a prime p = c·2ᵏ − 1 with a small c.
 //!
-//! What is asked of p: that it is 3 modulo 4, so that roots are powers and −1 has none; that 2ᵏ divides p + 1, which is how
-//! many points the unit circle has, so that angles can be halved; and that 2, 3, 5 and 7 are squares, so that √3 is a number
-//! like any other. No Mersenne prime 2ᵏ − 1 gives all of that: in each of them 3 is no square.
+//! What is asked of p: that it is 3 modulo 4, so that roots are powers and −1 has none; that 2ᵏ divides p + 1, which is
+//! how many points the unit circle has, so that angles can be halved; and that 2, 3, 5 and 7 are squares, so that √3 is
+//! a number like any other. No Mersenne prime 2ᵏ − 1 gives all of that: in each of them 3 is no square.
 //!
 //! Residues modulo a large p are kept as x·2¹²⁸ (Montgomery): as p is −1 modulo 2⁶⁴, reducing a product takes one
 //! multiplication by (p + 1)/2⁶⁴ for each of its two lower words, and no division.

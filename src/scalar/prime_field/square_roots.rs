@@ -1,7 +1,7 @@
 //! Square roots over the field.
 //!
-//! A root is known by its radicand until its value is needed. Roots of multiples, products and quotients of earlier radicands
-//! are the same multiples, products and quotients of the earlier roots, as those of positive numbers are.
+//! A root is known by its radicand until its value is needed. Roots of multiples, products and quotients of earlier
+//! radicands are the same multiples, products and quotients of the earlier roots, as those of positive numbers are.
 
 use rustc_hash::FxHashMap;
 
@@ -23,8 +23,8 @@ struct Root<F> {
 /// How a square root comes by its value.
 #[derive(Clone, Copy)]
 enum Made<F> {
-    /// By itself, with the value and the bit that it was given when it was first used; or by the number of which it is the
-    /// magnitude.
+    /// By itself, with the value and the bit that it was given when it was first used; or by the number of which it is
+    /// the magnitude.
     Itself(Option<(Residue<F>, u32)>, Option<Residue<F>>),
     /// A multiple of a product of earlier roots, or of the quotient of two.
     Of(Residue<F>, Option<usize>, Option<(usize, bool)>),
@@ -123,8 +123,8 @@ impl<F: Modulus> SquareRoots<F> {
         None
     }
 
-    /// The value of a square root, which is needed now: it must exist, and takes a sign. And the irrational roots that it
-    /// is made of, a bit each.
+    /// The value of a square root with its sign, and one bit for each irrational root that it is made of. Where the
+    /// field has no such root, that is recorded.
     pub fn value_of_root(&mut self, place: usize, comparisons: &mut Comparisons<F>) -> (Residue<F>, u32) {
         match self.roots[place].made {
             Made::Of(ratio, first, second) => {

@@ -1,5 +1,5 @@
-//! The unit circle c² + s² = 1 over the field: of its p + 1 points, a cyclic group, those 2^BITS of which angles are whole
-//! numbers.
+//! The unit circle c² + s² = 1 over the field: of its p + 1 points, a cyclic group, those 2^BITS of which angles are
+//! whole numbers.
 //!
 //! An angle is a *label*, a whole number of the smallest parts of a turn. Points multiply as labels add, so that the
 //! addition theorem, shifts by parts of a turn, multiples and halves of angles hold exactly.
@@ -108,10 +108,10 @@ mod tests {
         assert_eq!(circle.at(a + 4 * quarter).sine, at_a.sine);
     }
 
-    /// Proves that p is a prime, of arithmetic modulo p alone: the point z at a turn's 2^BITS-th part has a reciprocal norm
-    /// that was divided by, and z to the half of 2^BITS is −1. Let r be a prime factor of p. Modulo r as well z then has the
-    /// order 2^BITS, in a group of r + 1 or r − 1 points. So r is at least 2^BITS − 1; and were p no prime, it would have
-    /// a factor of no more than its root.
+    /// Proves that p is a prime, of arithmetic modulo p alone: the point z at a turn's 2^BITS-th part has a reciprocal
+    /// norm that was divided by, and z to the half of 2^BITS is −1. Let r be a prime factor of p. Modulo r as well z
+    /// then has the order 2^BITS, in a group of r + 1 or r − 1 points. So r is at least 2^BITS − 1; and were p no
+    /// prime, it would have a factor of no more than its root.
     fn is_a_field<F: Prime>() {
         let circle = UnitCircle::<F>::new();
         let first = circle.powers[0];

@@ -1,0 +1,36 @@
+//! `onshell explain`: what a verdict or the code of a message means.
+
+use crate::report::explain::{Topic, all, topic};
+use crate::{Error, suggest};
+
+use super::Format;
+use super::outcome::{Outcome, Screen};
+
+/// Explains a verdict or the code of a message
+///
+/// Without a word, it lists all verdicts and codes.
+#[derive(clap::Args)]
+#[command(after_help = "Example:\n  onshell explain refuted")]
+pub struct Arguments {
+    /// A verdict such as `refuted`, or a code as it stands in `error[…]`
+    #[arg(value_name = "VERDICT-OR-CODE")]
+    word: Option<String>,
+}
+
+pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
+    let Some(word) = &arguments.word else { return Outcome::done(all(screen.out)) };
+    match Topic::named(word).as_slice() {
+        [] => {
+            let unknown = Error::new(format!("“{word}” is neither a verdict nor a code"));
+            let error = match suggest::nearest(word, Topic::all().map(Topic::word)) {
+                Some(near) => unknown.help(format!("did you mean {near}?")),
+                None => unknown.help("`onshell explain` lists all verdicts and codes"),
+            };
+            Outcome::failed(&error, Format::Text, screen)
+        }
+        named => {
+            let texts: Vec<String> = named.iter().map(|named| topic(*named, screen.out)).collect();
+            Outcome::done(texts.join("\n"))
+        }
+    }
+}

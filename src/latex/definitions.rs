@@ -1,0 +1,307 @@
+//! Symbols that a statement defines: an unknown name that is a whole member of a chain, and the formula beside it.
+//!
+//! An unknown name may be the left side, `\vec L = …`, or its square may be, `\omega_{eff}^2 = …`. It may be a later
+//! member of a chain of = and ≡, `… = M\vec v_{cm} = \vec P_{cm}`. After ≡ a sum of names may name the terms of the
+//! sum
+//! before it, one by one: `… \equiv \vec L_{orb} + \vec L_{spin}`.
+
+use crate::formula::shape::{self, Shape, Type};
+use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
+use crate::formula::tree::{Expr, Index, IndexId, Node, Sign, Term};
+use crate::source::{Fault, Span};
+
+use super::layout::{Delimiter, Item, Layout};
+use super::names;
+use super::reader::Reader;
+
+/// A symbol that a statement of a display defines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DefinedSymbol {
+    /// The symbol.
+    pub symbol: SymbolId,
+    /// The position of the statement in the display.
+    pub statement: usize,
+    /// The position of the member that is the name, or that contains it among others.
+    pub member: usize,
+    /// The defining formula. For a family it contains the index letters of the printed name; for a symbol defined by
+    /// its
+    /// square it is the square.
+    pub formula: Expr,
+}
+
+/// A member of a chain that defines a symbol.
+pub(super) enum Unknown {
+    /// A name alone.
+    Name(Name, Span),
+    /// A name alone, squared.
+    Square(Name, Span),
+    /// A sum of names, each for one term.
+    Terms(Vec<(Name, Span)>),
+}
+
+/// The position of a member in a chain.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    /// On the left of the first relation.
+    First,
+    /// After an =.
+    AfterEqual,
+    /// After an ≡.
+    AfterIdentical,
+}
+
+/// A symbol that is to be added once the whole statement is read.
+pub(super) struct New {
+    name: Name,
+    kind: Kind,
+    slots: Vec<(usize, IndexId)>,
+    squared: bool,
+    /// What defines it.
+    pub formula: Expr,
+}
+
+impl New {
+    /// Adds it; `None` where the name is taken.
+    pub(super) fn add(self, symbols: &mut Symbols) -> Option<(SymbolId, Expr)> {
+        let id = symbols.add_family(self.name, self.kind, self.slots)?;
+        let entry = symbols.entry_mut(id);
+        (entry.varies, entry.squared) = (true, self.squared);
+        Some((id, self.formula))
+    }
+}
+
+/// Whether an item is the time in parentheses.
+fn is_time(item: &Item, time: Option<&Name>) -> bool {
+    let Layout::Fence(Delimiter::Round, inner) = &item.layout else { return false };
+    matches!(inner.as_slice(), [only] if names::printed(only, None).is_some_and(|printed| Some(&printed.name) == time))
+}
+
+impl Unknown {
+    /// The definition that these items are, if they are one.
+    pub(super) fn of(items: &[Item], place: Place, symbols: &mut Symbols, branch: Option<Sign>) -> Option<Unknown> {
+        if symbols.open {
+            return None;
+        }
+        let significant: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        let time = symbols.time.clone();
+        let mut name = |item: &Item, squared: bool| {
+            let printed = names::printed(item, branch).filter(|printed| printed.dots == 0)?;
+            let reserved = printed.name.subscript.is_empty()
+                && ["e", "i", "d", "\\pi"].contains(&printed.name.base.as_str())
+                || Some(&printed.name) == symbols.time.as_ref();
+            let raised = match printed.sup {
+                None => !squared,
+                Some(sup) => squared && is_two(sup),
+            };
+            if reserved || !raised || Reader::new(symbols, branch).is_known(&printed, item.span) {
+                return None;
+            }
+            Some((printed.name, item.span))
+        };
+        match significant.as_slice() {
+            [only] => match name(only, false) {
+                Some((name, span)) => Some(Unknown::Name(name, span)),
+                None if place == Place::First => {
+                    let (name, span) = name(only, true)?;
+                    let is_vector = ["\\vec", "\\mathbf", "\\hat"].iter().any(|mark| name.base.contains(mark));
+                    (!is_vector).then_some(Unknown::Square(name, span))
+                }
+                None => None,
+            },
+            // `x(t)` is x, which may vary with time.
+            [only, argument] if place == Place::First && is_time(argument, time.as_ref()) => {
+                name(only, false).map(|(name, span)| Unknown::Name(name, span.to(argument.span)))
+            }
+            [first, rest @ ..] if place == Place::AfterIdentical && rest.len() % 2 == 0 => {
+                let mut terms = vec![name(first, false)?];
+                for pair in rest.chunks(2) {
+                    let term = name(pair[1], false).filter(|_| pair[0].layout == Layout::Other('+'))?;
+                    if terms.iter().any(|(known, _)| *known == term.0) {
+                        return None;
+                    }
+                    terms.push(term);
+                }
+                Some(Unknown::Terms(terms))
+            }
+            _ => None,
+        }
+    }
+
+    /// The fault if nothing defines the name.
+    pub(super) fn undeclared(&self, symbols: &Symbols) -> Fault {
+        let (name, span) = match self {
+            Unknown::Name(name, span) | Unknown::Square(name, span) => (name, *span),
+            Unknown::Terms(terms) => (&terms[0].0, terms[0].1),
+        };
+        undeclared(name, span, symbols)
+    }
+
+    /// The member that is defined by `source`, its type, and the symbols to add; `next` is the id of the first of
+    /// them.
+    ///
+    /// # Errors
+    /// A name whose indices or arrow do not fit its definition.
+    pub(super) fn introduce(
+        &self,
+        source: (&Expr, &Type),
+        next: usize,
+        symbols: &Symbols,
+    ) -> Result<(Expr, Type, Vec<New>), Fault> {
+        match self {
+            Unknown::Name(name, span) => {
+                let (expr, found, new) = one(name, *span, source, SymbolId(next), symbols)?;
+                Ok((expr, found, vec![new]))
+            }
+            Unknown::Square(name, span) => {
+                let (expr, found, mut new) = one(name, *span, source, SymbolId(next), symbols)?;
+                if new.kind != Kind::Scalar {
+                    return Err(undeclared(name, *span, symbols));
+                }
+                new.squared = true;
+                Ok((expr, found, vec![new]))
+            }
+            Unknown::Terms(names) => {
+                let Node::Sum(terms) = &source.0.node else { return Err(self.undeclared(symbols)) };
+                if terms.len() != names.len() {
+                    let span = names[0].1.to(names[names.len() - 1].1);
+                    let message = format!("this defines {} names for {} terms", names.len(), terms.len());
+                    return Err(
+                        Fault::new(span, message).help("give each term of the sum before it one name, in order")
+                    );
+                }
+                let (mut members, mut news) = (Vec::new(), Vec::new());
+                let mut of_sum: Option<Type> = None;
+                for (at, ((name, span), term)) in names.iter().zip(terms).enumerate() {
+                    let signed = match term.sign {
+                        Sign::Plus => term.expr.clone(),
+                        Sign::Minus => term.expr.clone().negated(),
+                    };
+                    let (signed, found) = shape::bind(signed, symbols)?;
+                    let (expr, found, new) = one(name, *span, (&signed, &found), SymbolId(next + at), symbols)?;
+                    of_sum = Some(match of_sum {
+                        None => found,
+                        Some(known) => Type { free: shape::union(&known.free, &found.free), ..known },
+                    });
+                    members.push(Term { sign: Sign::Plus, sign_span: None, expr });
+                    news.push(new);
+                }
+                let span = names[0].1.to(names[names.len() - 1].1);
+                let found = of_sum.ok_or_else(|| self.undeclared(symbols))?;
+                Ok((Expr::new(Node::Sum(members), span), found, news))
+            }
+        }
+    }
+}
+
+fn undeclared(name: &Name, span: Span, symbols: &Symbols) -> Fault {
+    let fault = Fault::undeclared(span, name);
+    match symbols.nearest(name) {
+        Some(near) => fault.help(format!("did you mean {near}? If not, declare {name} in the claims file")),
+        None => fault.help(format!("declare {name} in the claims file")),
+    }
+}
+
+/// One name and its definition. Its component indices must be the free component indices of the definition; its
+/// labels
+/// must include the free labels.
+fn one(
+    name: &Name,
+    span: Span,
+    (source, of_source): (&Expr, &Type),
+    id: SymbolId,
+    symbols: &Symbols,
+) -> Result<(Expr, Type, New), Fault> {
+    let is_label = |letter: &IndexId| symbols.indices[letter.0].labels;
+    let mut name = name.clone();
+    let mut slots = symbols.slots(&name.subscript);
+    if let Some(each) = symbols.for_each
+        && slots.iter().all(|(_, letter)| *letter != each)
+    {
+        slots.push((name.subscript.len(), each));
+        name.subscript.push(symbols.indices[each.0].letter.clone());
+    }
+    let letters: Vec<IndexId> = slots.iter().map(|(_, letter)| *letter).collect();
+    let mut free = letters.clone();
+    free.sort();
+    if free.windows(2).any(|pair| pair[0] == pair[1]) {
+        return Err(Fault::index(
+            span,
+            format!("{name} is not declared, and a name with repeated indices cannot be defined"),
+        ));
+    }
+    if let Some(extra) = of_source.free.iter().find(|letter| is_label(letter) && !free.contains(letter)) {
+        let letter = &symbols.indices[extra.0].letter;
+        return Err(Fault::index(
+            span,
+            format!("{name} is not declared, and its definition depends on the index {letter}"),
+        )
+        .help(format!("give it the index {letter} too, or declare {name} in the claims file")));
+    }
+    let components = |free: &[IndexId]| -> Vec<IndexId> { free.iter().copied().filter(|l| !is_label(l)).collect() };
+    let (left, right) = (components(&free), components(&of_source.free));
+    let kind = match of_source.shape {
+        Shape::Scalar if left == right => Some((Kind::Scalar, Shape::Scalar)),
+        Shape::Vector if left == right => Some((Kind::Vector, Shape::Vector)),
+        Shape::Matrix(3, 3) if left == right => Some((Kind::Matrix, Shape::Matrix(3, 3))),
+        // `R_{ab} = (…)` means the entries of the matrix.
+        Shape::Matrix(3, 3) if right.is_empty() && left.len() == 2 => Some((Kind::Scalar, Shape::Scalar)),
+        _ => None,
+    };
+    if let Some((kind, _)) = kind {
+        as_printed(&name, span, kind)?;
+    }
+    let Some((kind, shape)) = kind else {
+        return Err(match left == right {
+            true => undeclared(&name, span, symbols).help(only_three_by_three(&name, of_source.shape)),
+            false => Fault::index(span, format!("{name} is not declared, and its definition has other indices")),
+        });
+    };
+    let formula = match of_source.shape {
+        Shape::Matrix(..) if kind == Kind::Scalar => {
+            let mut printed = letters.iter().filter(|letter| !is_label(letter)).map(|letter| Index::Letter(*letter));
+            let (Some(row), Some(column)) = (printed.next(), printed.next()) else {
+                return Err(undeclared(&name, span, symbols));
+            };
+            Expr::new(Node::Entry(Box::new(source.clone()), row, column), source.span)
+        }
+        _ => source.clone(),
+    };
+    let indices = letters.into_iter().map(Index::Letter).collect();
+    let member = Expr::new(Node::Symbol { id, indices, dots: 0 }, span);
+    Ok((member, Type { shape, free }, New { name, kind, slots, squared: false, formula }))
+}
+
+/// The advice for a name that stands for a matrix of another size than 3×3.
+fn only_three_by_three(name: &Name, shape: Shape) -> String {
+    match shape {
+        Shape::Matrix(rows, columns) => format!(
+            "{name} would be a {rows}×{columns} matrix, and only 3×3 matrices can be defined; write an equation for each entry"
+        ),
+        _ => format!("declare {name} in the claims file"),
+    }
+}
+
+/// Rejects a vector with the name of a number, and a number with the name of a vector.
+fn as_printed(name: &Name, span: Span, kind: Kind) -> Result<(), Fault> {
+    let has = |marks: &[&str]| marks.iter().any(|mark| name.base.contains(mark));
+    let plain = !name.base.replace("\\bar{", "").replace("\\tilde{", "").replace("\\mathrm{", "").contains('{');
+    match kind {
+        Kind::Vector if plain => {
+            let message = format!("{name} is printed as a number, but the other side is a vector");
+            Err(Fault::shape(span, message).help("put an arrow on the name, or the bars of a norm around the vector"))
+        }
+        Kind::Scalar if has(&["\\vec{", "\\mathbf{"]) && !name.base.contains("\\hat") => {
+            let message = format!("{name} is printed as a vector, but the other side is a number");
+            Err(Fault::shape(span, message).help("remove the arrow from the name, or make the other side a vector"))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn is_two(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Number(digits) => digits == "2",
+        Layout::Group(items) => matches!(items.as_slice(), [only] if is_two(only)),
+        _ => false,
+    }
+}

@@ -1,0 +1,81 @@
+//! The layout tree: what is typeset, and the bytes that it came from.
+
+use crate::source::{Fault, Span};
+
+use super::super::lexer::Space;
+
+/// One typeset thing and its bytes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// What it is.
+    pub layout: Layout,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What is typeset.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Layout {
+    /// A single letter.
+    Letter(char),
+    /// Digits, with a decimal point perhaps.
+    Number(String),
+    /// A command without arguments: `\theta`, `\sin`, `\cdot`, `\{`.
+    Command(String),
+    /// A single other character: `+`, `=`, `,`.
+    Other(char),
+    /// A typeset space.
+    Space(Space),
+    /// `{ … }`
+    Group(Vec<Item>),
+    /// `( … )`, `[ … ]`, `\{ … \}`, `| … |`, with or without `\left`, `\right`.
+    Fence(Delimiter, Vec<Item>),
+    /// A nucleus with scripts; at least one of them is there.
+    Scripts {
+        /// What carries the scripts.
+        nucleus: Box<Item>,
+        /// `_ …`
+        sub: Option<Box<Item>>,
+        /// `^ …`
+        sup: Option<Box<Item>>,
+        /// The number of primes.
+        primes: u8,
+    },
+    /// `\frac`
+    Fraction(Box<Item>, Box<Item>),
+    /// `\sqrt`, with its index.
+    Root(Option<Box<Item>>, Box<Item>),
+    /// `\dot`, `\vec`, `\hat`, …: the command and what is under the accent.
+    Accent(String, Box<Item>),
+    /// `\mathbf`, `\mathrm`, …: the command and what is set in that style.
+    Style(String, Box<Item>),
+    /// `\text{…}`: its letters, without spaces.
+    Text(String),
+    /// `\begin{name} … \end{name}`: rows of cells.
+    Environment(String, Vec<Vec<Vec<Item>>>),
+    /// `\\`
+    Row,
+    /// `&`
+    Align,
+    /// Something that was not understood.
+    Fault(Fault),
+}
+
+/// A pair of delimiters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Delimiter {
+    /// `( )`
+    Round,
+    /// `[ ]`
+    Square,
+    /// `\{ \}`
+    Curly,
+    /// `\left| \right|`, `\lvert \rvert`
+    Bar,
+    /// `| |` without sizing, which does not say whether it opens or closes
+    PlainBar,
+    /// `\| \|`
+    DoubleBar,
+    /// `\langle \rangle`
+    Angle,
+}

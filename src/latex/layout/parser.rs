@@ -1,0 +1,429 @@
+//! The layout parser: tokens to the layout tree.
+//!
+//! It cannot fail: a fence without its partner, a fraction without a denominator, a group nested too deeply becomes a
+//! [`Layout::Fault`] at its place.
+
+use crate::code::Code;
+use crate::source::{Fault, Span};
+
+use super::super::lexer::{Space, Token, TokenKind};
+use super::delimiters::{closing, is_plain_bar, opening};
+use super::item::{Delimiter, Item, Layout};
+
+/// The most levels of groups inside groups; equations in notes have far fewer.
+const DEEPEST: usize = 64;
+
+/// What ends the list that is being read.
+#[derive(Clone, Copy, PartialEq)]
+enum Until {
+    End,
+    Brace,
+    Bracket,
+    Fence(Delimiter),
+    Right,
+    Cell,
+}
+
+/// Gathers tokens into what is typeset; `length` is the length of the text, where faults of missing ends are put.
+pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
+    let mut parser = Parser { tokens, at: 0, depth: 0, length };
+    let mut items = parser.list(Until::End);
+    while let Some(token) = parser.next() {
+        items.push(fault(token.span, "this closes a group that was never opened"));
+        items.extend(parser.list(Until::End));
+    }
+    items
+}
+
+fn fault(span: Span, message: impl Into<String>) -> Item {
+    of_fault(Fault::new(span, message))
+}
+
+fn of_fault(fault: Fault) -> Item {
+    let span = fault.span;
+    Item { layout: Layout::Fault(fault), span }
+}
+
+/// The fault where `what` exceeds the limit of nesting.
+fn too_deep(span: Span, what: &str) -> Item {
+    let message = format!("{what} are nested more than {DEEPEST} levels deep");
+    of_fault(Fault::new(span, message).code(Code::TooLarge).help("split the formula into several equations"))
+}
+
+struct Parser<'a> {
+    tokens: &'a [Token],
+    at: usize,
+    depth: usize,
+    length: usize,
+}
+
+impl<'a> Parser<'a> {
+    fn peek(&self) -> Option<&'a Token> {
+        self.tokens.get(self.at)
+    }
+
+    fn next(&mut self) -> Option<&'a Token> {
+        let token = self.peek();
+        self.at += usize::from(token.is_some());
+        token
+    }
+
+    fn end(&self) -> Span {
+        self.peek().map_or(Span::at(self.length), |token| Span::at(token.span.start))
+    }
+
+    fn previous_end(&self) -> usize {
+        self.at.checked_sub(1).map_or(0, |at| self.tokens[at].span.end)
+    }
+
+    /// Items up to, and without, the token that ends the list (or one that can only end an outer list).
+    fn list(&mut self, until: Until) -> Vec<Item> {
+        let mut items = Vec::new();
+        if self.depth >= DEEPEST {
+            let start = self.end().start;
+            self.at = self.tokens.len();
+            return vec![too_deep(Span::new(start, self.length.max(start)), "groups")];
+        }
+        self.depth += 1;
+        while let Some(token) = self.peek() {
+            if self.ends(token, until) {
+                break;
+            }
+            let item = self.scripted(false);
+            // `{}` sets nothing.
+            if item.layout != Layout::Group(Vec::new()) {
+                items.push(item);
+            }
+        }
+        self.depth -= 1;
+        items
+    }
+
+    fn ends(&self, token: &Token, until: Until) -> bool {
+        match &token.kind {
+            TokenKind::Close => true,
+            TokenKind::Align | TokenKind::Row => until == Until::Cell,
+            TokenKind::Other('|') => until == Until::Fence(Delimiter::PlainBar),
+            TokenKind::Other(']') if until == Until::Bracket => true,
+            TokenKind::Other(')' | ']') => true,
+            TokenKind::Command(name) => match name.as_str() {
+                "\\right" | "\\end" | "\\}" | "\\rvert" | "\\rVert" | "\\rangle" => true,
+                "\\|" => until == Until::Fence(Delimiter::DoubleBar),
+                _ => false,
+            },
+            _ => false,
+        }
+    }
+
+    /// An item with the scripts that follow it.
+    fn scripted(&mut self, single_digit: bool) -> Item {
+        let nucleus = match self.peek() {
+            Some(token) if matches!(token.kind, TokenKind::Sub | TokenKind::Super | TokenKind::Prime) => {
+                fault(Span::at(token.span.start), "this subscript or superscript has no base")
+            }
+            _ => self.item(single_digit),
+        };
+        let (mut sub, mut sup, mut primes) = (None, None, 0u8);
+        let mut problem = None;
+        while let Some(token) = self.peek() {
+            let slot = match token.kind {
+                TokenKind::Prime => {
+                    self.next();
+                    primes = primes.saturating_add(1);
+                    continue;
+                }
+                TokenKind::Sub => &mut sub,
+                TokenKind::Super => &mut sup,
+                _ => break,
+            };
+            if slot.is_some() && problem.is_none() {
+                problem = Some(fault(token.span, "this base has two subscripts or two superscripts; add braces"));
+            }
+            self.next();
+            let sign = self.peek().filter(|next| matches!(next.kind, TokenKind::Other('+' | '-')));
+            *slot = Some(Box::new(match sign {
+                // `\Omega_+`: a sign as a subscript
+                Some(sign) if token.kind == TokenKind::Sub => {
+                    self.next();
+                    let TokenKind::Other(c) = sign.kind else { continue };
+                    Item { layout: Layout::Other(c), span: sign.span }
+                }
+                _ => self.argument(token.span),
+            }));
+        }
+        if let Some(problem) = problem {
+            return problem;
+        }
+        if sub.is_none() && sup.is_none() && primes == 0 {
+            return nucleus;
+        }
+        let span = nucleus.span.to(Span::at(self.previous_end()));
+        Item { layout: Layout::Scripts { nucleus: Box::new(nucleus), sub, sup, primes }, span }
+    }
+
+    /// The argument of a command or a script: a group, or one item.
+    fn argument(&mut self, command: Span) -> Item {
+        if self.depth >= DEEPEST {
+            self.at = self.tokens.len();
+            return too_deep(command, "commands");
+        }
+        self.depth += 1;
+        let item = self.bare_argument(command);
+        self.depth -= 1;
+        item
+    }
+
+    fn bare_argument(&mut self, command: Span) -> Item {
+        match self.peek() {
+            None => fault(command, "an argument is missing here"),
+            Some(token) => match &token.kind {
+                TokenKind::Close | TokenKind::Align | TokenKind::Row | TokenKind::Sub | TokenKind::Super => {
+                    fault(command, "an argument is missing here")
+                }
+                TokenKind::Other(')' | ']' | '=' | '+') => fault(command, "an argument is missing here"),
+                TokenKind::Command(name) if name == "\\right" || name == "\\end" => {
+                    fault(command, "an argument is missing here")
+                }
+                TokenKind::Space(_) => {
+                    self.next();
+                    self.bare_argument(command)
+                }
+                _ => self.item(true),
+            },
+        }
+    }
+
+    fn item(&mut self, single_digit: bool) -> Item {
+        let Some(token) = self.next() else {
+            return fault(self.end(), "a formula is missing here");
+        };
+        let span = token.span;
+        let layout = match &token.kind {
+            TokenKind::Letter(c) => Layout::Letter(*c),
+            TokenKind::Digit(c) => return self.number(*c, span, single_digit),
+            TokenKind::Space(space) => Layout::Space(*space),
+            TokenKind::Align => Layout::Align,
+            TokenKind::Row => Layout::Row,
+            TokenKind::Open => return self.group(span),
+            TokenKind::Command(name) => return self.command(name, span),
+            TokenKind::Other('(') => return self.fence(Delimiter::Round, span),
+            TokenKind::Other('[') => return self.fence(Delimiter::Square, span),
+            TokenKind::Other('|') => return self.fence(Delimiter::PlainBar, span),
+            TokenKind::Other(c) => Layout::Other(*c),
+            TokenKind::Parameter(n) => return fault(span, format!("#{n} is allowed in a macro only")),
+            TokenKind::Close | TokenKind::Sub | TokenKind::Super | TokenKind::Prime => {
+                return fault(span, "this is not allowed here");
+            }
+        };
+        Item { layout, span }
+    }
+
+    fn number(&mut self, first: char, span: Span, single_digit: bool) -> Item {
+        let mut digits = String::from(first);
+        let mut end = span.end;
+        while !single_digit && let Some(token) = self.peek() {
+            match token.kind {
+                TokenKind::Digit(c) if token.span.start == end && !(c == '.' && digits.contains('.')) => {
+                    digits.push(c);
+                    end = token.span.end;
+                    self.next();
+                }
+                _ => break,
+            }
+        }
+        Item { layout: Layout::Number(digits), span: Span::new(span.start, end) }
+    }
+
+    fn group(&mut self, open: Span) -> Item {
+        let items = self.list(Until::Brace);
+        match self.peek() {
+            Some(token) if token.kind == TokenKind::Close => {
+                self.next();
+                Item { layout: Layout::Group(items), span: open.to(token.span) }
+            }
+            _ => self.unclosed(open, "{", items),
+        }
+    }
+
+    /// A fence or group without its end: the deepest fault wins, since it was probably the cause.
+    fn unclosed(&self, open: Span, what: &str, items: Vec<Item>) -> Item {
+        match items.into_iter().rev().find(|item| matches!(item.layout, Layout::Fault(_))) {
+            Some(inner) => inner,
+            None => fault(open, format!("this {what} is never closed")),
+        }
+    }
+
+    fn fence(&mut self, delimiter: Delimiter, open: Span) -> Item {
+        let items = self.list(Until::Fence(delimiter));
+        match self.peek() {
+            Some(token) if closing(token) == Some(delimiter) || is_plain_bar(token, delimiter) => {
+                self.next();
+                Item { layout: Layout::Fence(delimiter, items), span: open.to(token.span) }
+            }
+            _ => {
+                let glyph = match delimiter {
+                    Delimiter::Round => "(",
+                    Delimiter::Square => "[",
+                    Delimiter::Curly => "\\{",
+                    Delimiter::Bar => "\\lvert",
+                    Delimiter::PlainBar => "|",
+                    Delimiter::DoubleBar => "\\|",
+                    Delimiter::Angle => "\\langle",
+                };
+                self.unclosed(open, glyph, items)
+            }
+        }
+    }
+
+    fn command(&mut self, name: &str, span: Span) -> Item {
+        let boxed = |item| Box::new(item);
+        let layout = match name {
+            "\\frac" => {
+                let numerator = self.argument(span);
+                let denominator = self.argument(span);
+                Layout::Fraction(boxed(numerator), boxed(denominator))
+            }
+            "\\sqrt" => {
+                let index = match self.peek() {
+                    Some(token) if token.kind == TokenKind::Other('[') => {
+                        self.next();
+                        let inside = self.list(Until::Bracket);
+                        if self.next().is_none_or(|token| token.kind != TokenKind::Other(']')) {
+                            return fault(token.span, "this [ is never closed");
+                        }
+                        Some(Box::new(Item { layout: Layout::Group(inside), span: token.span }))
+                    }
+                    _ => None,
+                };
+                Layout::Root(index, Box::new(self.argument(span)))
+            }
+            "\\dot" | "\\ddot" | "\\dddot" | "\\vec" | "\\hat" | "\\bar" | "\\tilde" | "\\check" | "\\breve"
+            | "\\acute" | "\\grave" | "\\underline" => Layout::Accent(name.to_owned(), Box::new(self.argument(span))),
+            "\\mathbf" | "\\mathrm" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
+                Layout::Style(name.to_owned(), Box::new(self.argument(span)))
+            }
+            "\\text" => {
+                let argument = self.argument(span);
+                Layout::Text(letters(&argument))
+            }
+            "\\tag" | "\\label" => {
+                self.argument(span);
+                Layout::Space(Space::Thin)
+            }
+            "\\left" => return self.left(span),
+            "\\begin" => return self.environment(span),
+            "\\{" => return self.fence(Delimiter::Curly, span),
+            "\\lvert" => return self.fence(Delimiter::Bar, span),
+            "\\|" | "\\lVert" => return self.fence(Delimiter::DoubleBar, span),
+            "\\langle" => return self.fence(Delimiter::Angle, span),
+            _ => Layout::Command(name.to_owned()),
+        };
+        Item { layout, span: span.to(Span::at(self.previous_end())) }
+    }
+
+    fn left(&mut self, span: Span) -> Item {
+        let Some(token) = self.next() else {
+            return fault(span, "\\left needs a delimiter");
+        };
+        let opening = opening(token);
+        let items = self.list(Until::Right);
+        match self.peek() {
+            Some(right) if right.kind == TokenKind::Command("\\right".into()) => self.next(),
+            _ => return self.unclosed(span, "\\left", items),
+        };
+        let Some(close) = self.next() else {
+            return fault(span, "the \\right of this \\left needs a delimiter");
+        };
+        let whole = span.to(close.span);
+        match (opening, closing(close)) {
+            (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
+            _ => of_fault(Fault::unsupported(whole, "this pair of delimiters of \\left and \\right is not supported")),
+        }
+    }
+
+    fn environment(&mut self, span: Span) -> Item {
+        let name = letters(&self.argument(span));
+        // Column specifications and numbers of columns set nothing that matters.
+        if matches!(name.as_str(), "array" | "alignedat" | "alignat" | "alignat*") {
+            self.argument(span);
+        }
+        let mut rows = vec![Vec::new()];
+        loop {
+            let cell = self.list(Until::Cell);
+            if let Some(row) = rows.last_mut() {
+                row.push(cell);
+            }
+            let Some(token) = self.next() else {
+                let deepest = rows.into_iter().flatten().flatten().collect();
+                return self.unclosed(span, &format!("\\begin{{{name}}}"), deepest);
+            };
+            match &token.kind {
+                TokenKind::Align => {}
+                TokenKind::Row => rows.push(Vec::new()),
+                TokenKind::Command(command) if command == "\\end" => {
+                    let closed = letters(&self.argument(token.span));
+                    if closed != name {
+                        return fault(token.span, format!("\\end{{{closed}}} does not close \\begin{{{name}}}"));
+                    }
+                    break;
+                }
+                _ => return fault(token.span, format!("this is not allowed inside {name}")),
+            }
+        }
+        if rows.len() > 1 && rows.last().is_some_and(|row| row.iter().all(Vec::is_empty)) {
+            rows.pop();
+        }
+        Item { layout: Layout::Environment(name, rows), span: span.to(Span::at(self.previous_end())) }
+    }
+}
+
+/// The letters, digits and signs of an item, run together: the words of a `\text`, the name of an environment.
+fn letters(item: &Item) -> String {
+    match &item.layout {
+        Layout::Letter(c) | Layout::Other(c) => c.to_string(),
+        Layout::Number(digits) => digits.clone(),
+        Layout::Group(items) | Layout::Fence(_, items) => items.iter().map(letters).collect(),
+        Layout::Style(_, inner) | Layout::Accent(_, inner) => letters(inner),
+        Layout::Command(name) => name.clone(),
+        Layout::Text(text) => text.clone(),
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::lexer::tokens;
+    use super::*;
+
+    fn faults(text: &str) -> usize {
+        format!("{:?}", layout(&tokens(text), text.len())).matches("Fault(Fault").count()
+    }
+
+    #[test]
+    fn braceless_arguments_take_one_token() {
+        let items = layout(&tokens("\\frac12m"), 8);
+        assert_eq!(items.len(), 2);
+        assert!(matches!(&items[0].layout, Layout::Fraction(a, b)
+            if a.layout == Layout::Number("1".into()) && b.layout == Layout::Number("2".into())));
+    }
+
+    #[test]
+    fn what_is_open_must_be_closed() {
+        assert_eq!(faults("\\left(a+b\\right)"), 0);
+        for text in ["(a+b", "a)", "{a", "\\left(a", "\\frac1", "|a", "\\begin{pmatrix}a", "x^", "x^1^2"] {
+            assert!(faults(text) > 0, "{text}");
+        }
+    }
+
+    #[test]
+    fn nesting_without_braces_is_nesting() {
+        assert_eq!(faults(&format!("{}x", "\\sqrt".repeat(100_000))), 1);
+        assert_eq!(faults("\\sqrt\\dot x"), 0);
+    }
+
+    #[test]
+    fn a_hundred_thousand_braces_are_one_fault() {
+        assert_eq!(faults(&"{".repeat(100_000)), 1);
+        assert_eq!(faults(&"(".repeat(100_000)), 1);
+    }
+}

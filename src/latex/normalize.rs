@@ -1,0 +1,278 @@
+//! The normalizer: rewrites legacy TeX and decoration into the forms that the layout parser reads.
+//!
+//! Legacy TeX is `{a \over b}` and `{\bf v}`. Decoration is a box around a result, colour, or words under a brace or
+//! above
+//! a relation. Each rewritten token keeps its place, so that a fault is shown where the author wrote it. A decoration
+//! with mathematics in it, `\underbrace{x}_{=0}`, is not changed, and the reader rejects it.
+
+use crate::source::Span;
+
+use super::lexer::{Token, TokenKind};
+
+/// The same tokens in normal form.
+pub fn normalized(tokens: Vec<Token>) -> Vec<Token> {
+    if !tokens.iter().any(is_old) {
+        return tokens;
+    }
+    let (mut normalized, mut at) = (Vec::with_capacity(tokens.len()), 0);
+    while at < tokens.len() {
+        at = one(&tokens, at, &mut normalized);
+    }
+    normalized
+}
+
+fn is_old(token: &Token) -> bool {
+    let TokenKind::Command(name) = &token.kind else { return false };
+    let forms = [
+        "\\over",
+        "\\boxed",
+        "\\fbox",
+        "\\color",
+        "\\textcolor",
+        "\\underbrace",
+        "\\overbrace",
+        "\\stackrel",
+        "\\overset",
+        "\\top",
+        "\\intercal",
+    ];
+    forms.contains(&name.as_str()) || switch(name).is_some()
+}
+
+/// The modern command for a legacy style switch. The inner value is `None` for a style without effect.
+fn switch(name: &str) -> Option<Option<&'static str>> {
+    match name {
+        "\\bf" => Some(Some("\\mathbf")),
+        "\\rm" | "\\sf" | "\\tt" => Some(Some("\\mathrm")),
+        "\\cal" => Some(Some("\\mathcal")),
+        "\\it" | "\\mit" => Some(None),
+        _ => None,
+    }
+}
+
+/// Rewrites the token or group at `at`. Returns the position of the next one.
+fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
+    let token = &tokens[at];
+    let TokenKind::Command(name) = &token.kind else {
+        if token.kind != TokenKind::Open {
+            into.push(token.clone());
+            return at + 1;
+        }
+        let Some(end) = closed(tokens, at) else {
+            into.push(token.clone());
+            return at + 1;
+        };
+        group(tokens, at, end, into);
+        return end + 1;
+    };
+    let after = |at: usize| Some(at).filter(|at| tokens.get(*at).is_some_and(|next| next.kind == TokenKind::Open));
+    let argument = |at: usize| after(at).and_then(|open| Some((open, closed(tokens, open)?)));
+    match name.as_str() {
+        "\\boxed" | "\\fbox" => match argument(at + 1) {
+            Some((open, end)) => {
+                unwrapped(tokens, open, end, into);
+                end + 1
+            }
+            None => at + 1,
+        },
+        "\\textcolor" | "\\color" => match (argument(at + 1), name.as_str()) {
+            (Some((_, end)), "\\color") => end + 1,
+            (Some((_, end)), _) => match argument(end + 1) {
+                Some((open, end)) => {
+                    unwrapped(tokens, open, end, into);
+                    end + 1
+                }
+                None => end + 1,
+            },
+            (None, _) => at + 1,
+        },
+        "\\underbrace" | "\\overbrace" => match argument(at + 1) {
+            Some((open, end)) => {
+                group(tokens, open, end, into);
+                end + 1 + words(&tokens[end + 1..])
+            }
+            None => at + 1,
+        },
+        "\\stackrel" | "\\overset" => {
+            let relation = argument(at + 1).and_then(|(_, end)| argument(end + 1));
+            match relation.filter(|(open, end)| is_relation(&tokens[open + 1..*end])) {
+                Some((open, end)) => {
+                    into.extend_from_slice(&tokens[open + 1..end]);
+                    end + 1
+                }
+                None => {
+                    into.push(token.clone());
+                    at + 1
+                }
+            }
+        }
+        // `\bf v` outside of a group is taken for the style of what comes next.
+        name if switch(name).is_some() => {
+            let style = switch(name).flatten();
+            into.extend(style.map(|style| Token { kind: TokenKind::Command(style.to_owned()), span: token.span }));
+            at + 1
+        }
+        // R^\top, R^{\intercal}
+        "\\top" | "\\intercal" => {
+            into.push(Token { kind: TokenKind::Letter('T'), span: token.span });
+            at + 1
+        }
+        _ => {
+            into.push(token.clone());
+            at + 1
+        }
+    }
+}
+
+/// Rewrites a group: a fraction if it contains `\over`, one style if it begins with a style switch, else unchanged.
+fn group(tokens: &[Token], open: usize, end: usize, into: &mut Vec<Token>) {
+    let brace = |kind: TokenKind, span: Span| Token { kind, span };
+    let command = |name: &str, span: Span| Token { kind: TokenKind::Command(name.to_owned()), span };
+    let over = (open + 1..end).find(|at| {
+        let is_over = matches!(&tokens[*at].kind, TokenKind::Command(name) if name == "\\over");
+        is_over && depth(&tokens[open + 1..*at]) == 0
+    });
+    let all = |from: usize, to: usize, into: &mut Vec<Token>| {
+        let mut at = from;
+        while at < to {
+            at = one(&tokens[..to], at, into);
+        }
+    };
+    if let Some(over) = over {
+        let span = tokens[over].span;
+        into.extend([command("\\frac", span), tokens[open].clone()]);
+        all(open + 1, over, into);
+        into.extend([brace(TokenKind::Close, span), brace(TokenKind::Open, span)]);
+        all(over + 1, end, into);
+        into.push(tokens[end].clone());
+        return;
+    }
+    let first = tokens.get(open + 1).filter(|_| open + 1 < end);
+    let style = first.and_then(|first| match &first.kind {
+        TokenKind::Command(name) => Some((switch(name)?, first.span)),
+        _ => None,
+    });
+    let from = open + 1 + usize::from(style.is_some());
+    if let Some((Some(name), span)) = style {
+        into.push(command(name, span));
+    }
+    into.push(tokens[open].clone());
+    all(from, end, into);
+    into.push(tokens[end].clone());
+}
+
+/// Rewrites a boxed formula. A box around a whole equation loses its braces.
+fn unwrapped(tokens: &[Token], open: usize, end: usize, into: &mut Vec<Token>) {
+    let inner = &tokens[open + 1..end];
+    let relation = (0..inner.len()).any(|at| is_relation(&inner[at..=at]) && depth(&inner[..at]) == 0);
+    match relation {
+        true => {
+            let mut at = open + 1;
+            while at < end {
+                at = one(&tokens[..end], at, into);
+            }
+        }
+        false => group(tokens, open, end, into),
+    }
+}
+
+/// The number of tokens of a leading script that is only text, `_{\text{spin}}`.
+fn words(tokens: &[Token]) -> usize {
+    let is = |at: usize, kind: &TokenKind| tokens.get(at).is_some_and(|token| token.kind == *kind);
+    let text = matches!(tokens.get(2).map(|token| &token.kind), Some(TokenKind::Command(name)) if name == "\\text");
+    if !(is(0, &TokenKind::Sub) || is(0, &TokenKind::Super)) || !is(1, &TokenKind::Open) || !text {
+        return 0;
+    }
+    let Some(end) = closed(tokens, 1) else { return 0 };
+    match closed(tokens, 3) {
+        Some(word) if word + 1 == end => end + 1,
+        _ => 0,
+    }
+}
+
+fn is_relation(tokens: &[Token]) -> bool {
+    let [token] = tokens else { return false };
+    match &token.kind {
+        TokenKind::Other(c) => matches!(c, '=' | '<' | '>' | '≈' | '≡' | '≤' | '≥'),
+        TokenKind::Command(name) => {
+            matches!(name.as_str(), "\\equiv" | "\\approx" | "\\leq" | "\\geq" | "\\neq" | "\\propto" | "\\ll" | "\\gg")
+        }
+        _ => false,
+    }
+}
+
+/// The position where the group that opens at `open` closes.
+fn closed(tokens: &[Token], open: usize) -> Option<usize> {
+    let mut depth = 0usize;
+    for (at, token) in tokens.iter().enumerate().skip(open) {
+        match token.kind {
+            TokenKind::Open => depth += 1,
+            TokenKind::Close => depth = depth.checked_sub(1)?,
+            _ => {}
+        }
+        if depth == 0 {
+            return (at > open).then_some(at);
+        }
+    }
+    None
+}
+
+/// The number of groups that are open after these tokens.
+fn depth(tokens: &[Token]) -> usize {
+    let count = |kind: &TokenKind| tokens.iter().filter(|token| token.kind == *kind).count();
+    count(&TokenKind::Open).saturating_sub(count(&TokenKind::Close))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::layout::layout;
+    use super::super::lexer::tokens;
+    use super::*;
+
+    /// How a text is laid out, its places aside.
+    fn shape(text: &str) -> String {
+        let kinds: Vec<TokenKind> = normalized(tokens(text)).into_iter().map(|token| token.kind).collect();
+        let nowhere = |kind: &TokenKind| Token { kind: kind.clone(), span: Span::at(0) };
+        format!("{:?}", layout(&kinds.iter().map(nowhere).collect::<Vec<_>>(), 0))
+    }
+
+    #[test]
+    fn old_forms_are_laid_out_like_new_ones() {
+        for (old, new) in [
+            ("{a \\over b}", "\\frac{a}{b}"),
+            ("x = {{a \\over b} \\over c+d}", "x = \\frac{\\frac{a}{b}}{c+d}"),
+            ("{\\bf v} \\cdot {\\bf v}", "\\mathbf{v} \\cdot \\mathbf{v}"),
+            ("{\\rm const}", "\\mathrm{const}"),
+            ("{\\cal L}", "\\mathcal{L}"),
+            ("\\boxed{a = b}", "a = b"),
+            ("a = \\boxed{b + c}", "a = {b + c}"),
+            ("\\textcolor{red}{a} + \\color{blue} b", "{a} + b"),
+            ("\\underbrace{a + b}_{\\text{the sum}} - c", "{a + b} - c"),
+            ("a \\stackrel{!}{=} b \\overset{(3)}{\\leq} c", "a = b \\leq c"),
+            ("R^\\top R^{\\intercal}", "R^T R^{T}"),
+        ] {
+            assert_eq!(shape(old), shape(new), "{old}");
+        }
+        // The twins: a brace with mathematics under it keeps it, and an accent is no relation.
+        assert_ne!(shape("\\underbrace{a}_{=0} + b"), shape("{a} + b"));
+        assert_ne!(shape("\\overset{!}{a} = b"), shape("a = b"));
+        assert_ne!(shape("{a \\over b}"), shape("\\frac{b}{a}"));
+    }
+
+    #[test]
+    fn nothing_is_lost_and_places_are_kept() {
+        let text = "\\boxed{{\\bf q} = {w \\over z}}";
+        let place = |letter: char| {
+            let kind = TokenKind::Letter(letter);
+            normalized(tokens(text)).iter().find(|token| token.kind == kind).map(|token| token.span.start)
+        };
+        for letter in ['q', 'w', 'z'] {
+            assert_eq!(place(letter), text.find(letter), "{letter}");
+        }
+        for broken in
+            ["{a \\over b", "\\boxed", "\\boxed{", "\\stackrel{!}", "\\underbrace{x}_", "\\textcolor{red}", "\\bf"]
+        {
+            assert!(normalized(tokens(broken)).len() <= tokens(broken).len() + 3, "{broken}");
+        }
+    }
+}

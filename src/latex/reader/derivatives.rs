@@ -1,0 +1,128 @@
+//! Time derivatives `\frac{d}{dt}` and `dx/dt`. Overdots are in [`crate::latex`], file `overdots.rs`.
+
+use crate::formula::symbols::Name;
+use crate::formula::tree::Expr;
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Item, Layout};
+use super::super::lexer::Space;
+use super::super::names;
+use super::items::{Joint, contents, differential, is_big_sum, is_integral, joint, starts_differential, whole_number};
+use super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// The operand of `\frac{d}{dt}`.
+    pub(super) fn operand(&mut self, items: &[Item], cursor: &mut usize, operator: Span) -> Read<Expr> {
+        while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
+            *cursor += 1;
+        }
+        let missing = || Fault::new(operator, "no formula follows this derivative");
+        let first = items.get(*cursor).ok_or_else(missing)?;
+        if matches!(first.layout, Layout::Fence(..)) {
+            *cursor += 1;
+            return self.item(first);
+        }
+        let rest = &items[*cursor..];
+        let significant = || rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        if significant().filter(|item| is_operator(item)).count() > 5 {
+            return Err(Fault::unsupported(operator, "derivatives above the fifth order are not supported"));
+        }
+        let one = significant().count() == 1;
+        if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
+            return Err(Fault::ambiguous(
+                operator.to(first.span),
+                "this derivative may act on the next factor or on all that follow",
+            )
+            .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
+        }
+        *cursor = items.len();
+        self.sum(rest, operator)
+    }
+
+    /// Whether a derivative before these factors must act on their product: a constant first factor is not
+    /// differentiated
+    /// alone, and constants after the factor that varies change nothing.
+    fn reaches_to_the_end<'i>(&self, factors: impl Iterator<Item = &'i Item>) -> bool {
+        let factors: Vec<&Item> =
+            factors.filter(|item| !matches!(joint(item), Some(Joint::CDot | Joint::Times))).collect();
+        let constant = |item: &&Item| self.is_constant(item);
+        let divides = |item: &&Item| joint(item) == Some(Joint::Slash);
+        match factors.as_slice() {
+            all if all.iter().any(divides) => false,
+            [first, ..] if constant(first) || is_operator(first) => true,
+            [_, rest @ ..] => rest.iter().all(|item| constant(item) || self.is_time_in_parentheses(item)),
+            [] => false,
+        }
+    }
+
+    /// Whether an item consists of numbers and declared constants.
+    fn is_constant(&self, item: &Item) -> bool {
+        if let Some(printed) = names::printed(item, self.branch) {
+            let known = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));
+            let is_pi = known.is_none() && printed.name == Name::plain("\\pi");
+            let fixed = !self.symbols.open && known.is_some_and(|entry| !entry.varies);
+            return printed.dots == 0 && (is_pi || fixed) && printed.sup.is_none_or(|sup| self.is_constant(sup));
+        }
+        match &item.layout {
+            Layout::Number(_) => true,
+            Layout::Group(items) => items.iter().all(|item| self.is_constant(item)),
+            Layout::Fraction(a, b) => !starts_differential(a) && self.is_constant(a) && self.is_constant(b),
+            Layout::Root(_, a) => self.is_constant(a),
+            _ => false,
+        }
+    }
+
+    /// The order n of `\frac{d^n …}{dt^n}`, and the items after the upper d.
+    pub(super) fn derivative<'i>(&self, numerator: &'i Item, denominator: &Item) -> Read<Option<(u8, &'i [Item])>> {
+        let upper = contents(numerator);
+        let lower = contents(denominator);
+        let (Some(order), [d, time]) = (upper.first().and_then(differential), lower) else {
+            return Ok(None);
+        };
+        let Some(time) = names::printed(time, None).filter(|_| differential(d) == Some(1)) else {
+            return Ok(None);
+        };
+        let below = match time.sup {
+            None => Some(1),
+            Some(sup) => whole_number(sup),
+        };
+        if Some(&time.name) != self.symbols.time.as_ref() {
+            return Ok(None);
+        }
+        let span = numerator.span.to(denominator.span);
+        if self.symbols.find(&Name::plain("d")).is_some() {
+            return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol")
+                .help("write \\mathrm{d} for the derivative"));
+        }
+        if below != Some(order) {
+            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders"));
+        }
+        match u8::try_from(order) {
+            Ok(order @ 1..=5) => Ok(Some((order, &upper[1..]))),
+            _ => Err(Fault::unsupported(span, "derivatives above the fifth order are not supported")),
+        }
+    }
+
+    /// The order of `d\theta/dt` typed on one line: d, θ, slash, d, t.
+    pub(super) fn derivative_slash(&self, items: &[Item], at: usize) -> Option<u8> {
+        let [d, inner, slash, below, time, ..] = items.get(at..)? else { return None };
+        let is_time = names::printed(time, None).is_some_and(|p| Some(&p.name) == self.symbols.time.as_ref());
+        let fits = differential(d) == Some(1)
+            && names::printed(inner, self.branch).is_some()
+            && joint(slash) == Some(Joint::Slash)
+            && differential(below) == Some(1)
+            && is_time
+            && self.symbols.find(&Name::plain("d")).is_none();
+        fits.then_some(1)
+    }
+}
+
+/// Whether an item is `\frac{d}{dt}`, with no operand in its numerator.
+fn is_operator(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Fraction(above, below) => {
+            starts_differential(below) && matches!(contents(above), [only] if differential(only).is_some())
+        }
+        _ => false,
+    }
+}

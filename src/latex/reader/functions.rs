@@ -1,0 +1,210 @@
+//! Functions such as `\sin`, and the end of an argument without parentheses.
+
+use crate::formula::symbols::Name;
+use crate::formula::tree::{Expr, Function, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::lexer::Space;
+use super::super::names;
+use super::items::{function_head, is_number, is_numeric, is_numeric_item};
+use super::state::{Read, Reader};
+
+/// The items that could be the argument of a function.
+struct Run {
+    /// One past the last of them.
+    end: usize,
+    /// The symbols among them, and whether each is an angle.
+    symbols: Vec<(bool, Name)>,
+    /// Whether it is a single fraction or root.
+    stands_alone: bool,
+    /// Whether it ends with a rate.
+    is_rate: bool,
+}
+
+impl Run {
+    fn has_angle(&self) -> bool {
+        self.symbols.iter().any(|(is_angle, _)| *is_angle)
+    }
+}
+
+impl Reader<'_> {
+    /// A function with its argument.
+    pub(super) fn call(
+        &mut self,
+        function: Function,
+        power: Option<&Item>,
+        head: Span,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<(Expr, bool)> {
+        while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
+            *cursor += 1;
+        }
+        let Some(first) = items.get(*cursor) else {
+            return Err(Fault::new(head, format!("\\{} needs an argument", function.name())));
+        };
+        let (argument, enclosed) = match &first.layout {
+            Layout::Fence(..) | Layout::Group(_) => {
+                *cursor += 1;
+                (self.item(first)?, true)
+            }
+            Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(..) | Layout::Group(_)) => {
+                return Err(Fault::ambiguous(
+                    head.to(first.span),
+                    "a power after an argument may belong to the function or to the argument",
+                )
+                .help(format!("write \\{}^2(…) for the power of the function", function.name())));
+            }
+            _ => (self.run_on(function, head, items, cursor)?, false),
+        };
+        let span = head.to(argument.span);
+        let call = Expr::new(Node::Call(function, Box::new(argument)), span);
+        match power {
+            Some(power) => {
+                let exponent = self.item(power)?;
+                Ok((Expr::new(Node::Power(Box::new(call), Box::new(exponent)), span), enclosed))
+            }
+            None => Ok((call, enclosed)),
+        }
+    }
+
+    /// The argument of a function without parentheses: the following items that can only belong to it.
+    fn run_on(&mut self, function: Function, head: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        let start = *cursor;
+        let run = self.gather(function, head, items, start)?;
+        if run.end == start {
+            return Err(match items.get(start) {
+                Some(Item { layout: Layout::Fault(fault), .. }) => fault.clone(),
+                item => {
+                    let span = item.map_or(head, |item| item.span);
+                    Fault::new(span, format!("the argument of \\{} is missing", function.name()))
+                }
+            });
+        }
+        if !self.is_settled(&run, items)? {
+            let span = head.to(items[run.end.min(items.len() - 1)].span);
+            let shown = function.name();
+            let help = match !run.has_angle() && self.time_follows(items, run.end) || self.rate_goes_on(&run, items) {
+                true => format!("put the argument in parentheses, \\{shown}(…)"),
+                false => format!("put the argument in parentheses, \\{shown}(…), or end it with a thin space \\,"),
+            };
+            return Err(
+                Fault::ambiguous(span, format!("the argument of \\{shown} may end in more than one place")).help(help)
+            );
+        }
+        *cursor = run.end;
+        self.term(&items[start..run.end])
+    }
+
+    /// Numbers, then symbols up to the first angle or dotted symbol; or a single fraction or root.
+    fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
+        let mut run = Run { end: start, symbols: Vec::new(), stands_alone: false, is_rate: false };
+        let mut numbers = 0;
+        while let Some(item) = items.get(run.end) {
+            if self.is_leading_number(item, run.end == start) {
+                if !run.symbols.is_empty() {
+                    break;
+                }
+                numbers += 1;
+                run.end += 1;
+                if matches!(item.layout, Layout::Fraction(..) | Layout::Root(..)) && !is_numeric_item(item) {
+                    run.stands_alone = true;
+                    break;
+                }
+                continue;
+            }
+            let Some(printed) = names::printed(item, self.branch) else { break };
+            if printed.dots > 0 && run.end > start {
+                break;
+            }
+            if printed.sup.is_some() {
+                // After an angle the argument is over; before that, the power could be of the symbol or the function.
+                if run.end == start || run.symbols.is_empty() && numbers > 0 || !run.has_angle() {
+                    return Err(Fault::ambiguous(
+                        head.to(item.span),
+                        "a power at the end of an argument may belong to the function or to the argument",
+                    )
+                    .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
+                }
+                break;
+            }
+            let entry = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));
+            let (angle, varies) = entry.map_or((false, false), |entry| (entry.angle, entry.varies));
+            let is_angle = angle && printed.dots == 0;
+            run.symbols.push((is_angle, printed.name));
+            run.is_rate = printed.dots > 0;
+            run.end += 1;
+            if varies && items.get(run.end).is_some_and(|item| self.is_time_in_parentheses(item)) {
+                run.end += 1;
+            }
+            if printed.dots > 0 || is_angle {
+                break;
+            }
+        }
+        Ok(run)
+    }
+
+    fn is_leading_number(&self, item: &Item, is_first: bool) -> bool {
+        match &item.layout {
+            Layout::Number(_) => true,
+            Layout::Fraction(a, b) => is_first || is_numeric(a) && is_numeric(b),
+            Layout::Root(..) => is_first,
+            Layout::Command(name) => name == "\\pi" && self.symbols.find(&Name::plain("\\pi")).is_none(),
+            _ => false,
+        }
+    }
+
+    /// Whether this run of items is the only possible argument.
+    fn is_settled(&self, run: &Run, items: &[Item]) -> Read<bool> {
+        let sure = match run.symbols.as_slice() {
+            [] | [_] | [.., (true, _)] => true,
+            [(_, first), (_, second)] => {
+                let is_frequency = matches!(first.base.as_str(), "\\omega" | "\\Omega" | "\\nu");
+                is_frequency && Some(second) == self.symbols.time.as_ref()
+            }
+            _ => false,
+        };
+        let next = items.get(run.end);
+        let parenthesis = match next.map(|item| &item.layout) {
+            Some(Layout::Fence(..)) => true,
+            Some(Layout::Scripts { .. }) => next.is_some_and(|item| names::printed(item, self.branch).is_none()),
+            _ => false,
+        };
+        let could_go_on = parenthesis && !run.has_angle() && function_head(&items[run.end])?.is_none()
+            || run.stands_alone && self.goes_on(items, run.end)
+            || !run.has_angle() && self.time_follows(items, run.end)
+            || self.rate_goes_on(run, items);
+        Ok(sure && !could_go_on)
+    }
+
+    /// Whether a symbol follows a dotted symbol, as in `\cos\dot\phi t`.
+    fn rate_goes_on(&self, run: &Run, items: &[Item]) -> bool {
+        let next = items.get(run.end).and_then(|item| names::printed(item, self.branch));
+        run.is_rate && next.is_some_and(|printed| printed.dots == 0)
+    }
+
+    /// Whether a symbol without a dot, or a number, follows.
+    fn goes_on(&self, items: &[Item], at: usize) -> bool {
+        items.get(at).is_some_and(|item| {
+            is_number(item)
+                || matches!(item.layout, Layout::Fraction(..) | Layout::Root(..))
+                || names::printed(item, self.branch).is_some_and(|printed| printed.dots == 0)
+        })
+    }
+
+    /// Whether `\,t` follows, as in `\cos\omega\,t`.
+    fn time_follows(&self, items: &[Item], at: usize) -> bool {
+        let space = items.get(at).is_some_and(|item| matches!(item.layout, Layout::Space(Space::Thin)));
+        let time = items.get(at + 1).and_then(|item| names::printed(item, self.branch)).map(|printed| printed.name);
+        space && time.is_some() && time == self.symbols.time
+    }
+
+    /// Whether an item is the time in parentheses, `(t)`, which may follow a symbol that varies.
+    pub(super) fn is_time_in_parentheses(&self, item: &Item) -> bool {
+        let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+        let [only] = inside.as_slice() else { return false };
+        let printed = names::printed(only, None).filter(|printed| printed.dots == 0 && printed.sup.is_none());
+        printed.map(|printed| printed.name) == self.symbols.time
+    }
+}

@@ -1,0 +1,58 @@
+//! The state of a reader, and the faults that all its parts report.
+
+use crate::code::Code;
+use crate::formula::IndexId;
+use crate::formula::shape::{self, Shape};
+use crate::formula::symbols::Symbols;
+use crate::formula::tree::{Expr, Node, Sign};
+use crate::source::{Fault, Span};
+
+/// The result of reading a part of a formula.
+pub(super) type Read<T> = Result<T, Fault>;
+
+/// The reader of layout items, with the symbols of a document.
+pub(in super::super) struct Reader<'a> {
+    pub symbols: &'a mut Symbols,
+    /// The sign that `\pm` stands for, if it is allowed.
+    pub branch: Option<Sign>,
+    /// The indices of the sums that are being read, outermost first.
+    pub(super) summed: Vec<IndexId>,
+}
+
+impl<'a> Reader<'a> {
+    /// A reader of formulas; `branch` is the sign that `\pm` stands for.
+    pub fn new(symbols: &'a mut Symbols, branch: Option<Sign>) -> Self {
+        Reader { symbols, branch, summed: Vec::new() }
+    }
+}
+
+impl Reader<'_> {
+    /// The shape of a formula inside the sums that are being read.
+    pub(super) fn shape_of(&self, expr: &Expr) -> Read<Shape> {
+        let within = |body: Expr, index: &IndexId| {
+            let span = body.span;
+            Expr::new(Node::over(*index, body), span)
+        };
+        match self.summed.as_slice() {
+            [] => shape::shape_of(expr, self.symbols),
+            summed => shape::shape_of(&summed.iter().fold(expr.clone(), within), self.symbols),
+        }
+    }
+}
+
+/// The fault for a command that has no meaning where it stands.
+pub(super) fn unknown_command(name: &str, span: Span) -> Fault {
+    match name {
+        "\\log" => Fault::ambiguous(span, "\\log may be the natural or the decimal logarithm")
+            .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}"),
+        "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
+        "\\partial" | "\\nabla" => Fault::unsupported(span, format!("{name} is not supported"))
+            .help("leave the equation out with \"skip\" in the claims file"),
+        "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::unsupported(span, format!("{name} is not supported")),
+        "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
+            .help("say under \"where\" what the name of the family means in this equation"),
+        _ => Fault::new(span, format!("the command {name} is unknown"))
+            .code(Code::UnknownCommand)
+            .help("if it is your own macro, define it under \"macros\" in the claims file"),
+    }
+}

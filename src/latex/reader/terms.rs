@@ -1,0 +1,313 @@
+//! Sums, the terms of a sum, and the factors of a term with the operators between them.
+
+use crate::formula::shape::Shape;
+use crate::formula::symbols::{Entry, Kind};
+use crate::formula::tree::{Expr, Node, Sign, Term};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::names::{self, unaccented};
+use super::items::{
+    Joint, beside, extent, function_head, is_big_sum, is_integral, is_limit, is_number, is_numeric_item, joint,
+};
+use super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
+    pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
+        let whole = extent(items).unwrap_or(end);
+        let mut terms: Vec<Term> = Vec::new();
+        let mut at = 0;
+        let mut pending: Option<(Sign, Span)> = None;
+        while at < items.len() {
+            if let Some(sign) = self.sign(&items[at])? {
+                if let Some((_, first)) = pending {
+                    return Err(Fault::new(first.to(items[at].span), "two signs stand side by side"));
+                }
+                pending = Some((sign, items[at].span));
+                at += 1;
+                continue;
+            }
+            let length = self.term_length(&items[at..])?;
+            let slice = &items[at..at + length];
+            at += length;
+            if slice.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
+                continue;
+            }
+            if pending.is_none() && !terms.is_empty() {
+                return Err(Fault::new(slice[0].span, "a + or − is missing before this term"));
+            }
+            let (sign, sign_span) = pending.take().map_or((Sign::Plus, None), |(sign, span)| (sign, Some(span)));
+            terms.push(Term { sign, sign_span, expr: self.term(slice)? });
+        }
+        if let Some((_, span)) = pending {
+            return Err(Fault::new(span, "no term follows this sign"));
+        }
+        match terms.len() {
+            0 => Err(Fault::new(whole, "a formula is missing here")),
+            1 if terms[0].sign == Sign::Plus => Ok(terms.remove(0).expr),
+            _ => Ok(Expr::new(Node::Sum(terms), whole)),
+        }
+    }
+
+    fn sign(&self, item: &Item) -> Read<Option<Sign>> {
+        Ok(match &item.layout {
+            Layout::Other('+') => Some(Sign::Plus),
+            Layout::Other('-') => Some(Sign::Minus),
+            Layout::Command(name) if name == "\\pm" || name == "\\mp" => {
+                let upper = self.branch.ok_or_else(|| {
+                    Fault::unsupported(item.span, "± stands for two formulas, and only one is allowed here")
+                        .help("write + or −")
+                })?;
+                Some(if name == "\\pm" { upper } else { upper.flipped() })
+            }
+            _ => None,
+        })
+    }
+
+    /// The number of items of the term that starts here: up to a sign that follows no operator.
+    fn term_length(&self, items: &[Item]) -> Read<usize> {
+        let mut after_operator = false;
+        for (at, item) in items.iter().enumerate() {
+            if self.sign(item)?.is_some() {
+                if after_operator {
+                    return Err(Fault::new(item.span, "a sign directly follows an operator")
+                        .help("put the signed factor in parentheses"));
+                }
+                return Ok(at);
+            }
+            if !matches!(item.layout, Layout::Space(_)) {
+                after_operator = joint(item).is_some();
+            }
+        }
+        Ok(items.len())
+    }
+
+    /// A term: factors and the operators between them; all of `items`.
+    pub(super) fn term(&mut self, items: &[Item]) -> Read<Expr> {
+        let whole = extent(items).unwrap_or_default();
+        // Factors between one `\cdot` or `\times` and the next stand side by side.
+        let mut runs: Vec<(Joint, Vec<Expr>)> = vec![(Joint::Beside, Vec::new())];
+        let mut next = Joint::Beside;
+        let mut operator: Option<Span> = None;
+        let mut after_slash: Option<Span> = None;
+        // The span of the last factor if it is a function whose argument nothing encloses.
+        let mut open_function: Option<Span> = None;
+        let mut cursor = 0;
+        while cursor < items.len() {
+            let item = &items[cursor];
+            if matches!(item.layout, Layout::Space(_)) {
+                cursor += 1;
+                continue;
+            }
+            if let Some(found) = joint(item) {
+                let empty = runs.last().is_none_or(|(_, run)| run.is_empty());
+                if operator.is_some() || empty {
+                    return Err(Fault::new(item.span, "a factor is missing before this operator"));
+                }
+                if found == Joint::Slash {
+                    if let Some(function) = open_function {
+                        return Err(Fault::ambiguous(
+                            function.to(item.span),
+                            "the slash may divide the function or its argument",
+                        )
+                        .help("put the argument in parentheses, or use \\frac"));
+                    }
+                    if after_slash.is_some() {
+                        return Err(Fault::ambiguous(item.span, "a/b/c may be (a/b)/c or a/(b/c)")
+                            .help("use \\frac or parentheses"));
+                    }
+                }
+                next = found;
+                operator = Some(item.span);
+                cursor += 1;
+                continue;
+            }
+            if let (Joint::Beside, Some(slash)) = (next, after_slash) {
+                return Err(Fault::ambiguous(slash.to(item.span), "a/bc may be a/(bc) or (a/b)c")
+                    .help("write \\frac{a}{bc} or \\frac{a}{b}c"));
+            }
+            let start = cursor;
+            let (factor, enclosed) = self.factor(items, &mut cursor)?;
+            if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
+                return Err(Fault::ambiguous(factor.span, "braces do not print, so this sum may be read without them")
+                    .help("use parentheses"));
+            }
+            if next == Joint::Beside && !runs.last().is_none_or(|(_, run)| run.is_empty()) {
+                self.run_together(items, start)?;
+            }
+            open_function = (!enclosed).then_some(factor.span);
+            if matches!(next, Joint::CDot | Joint::Times) {
+                runs.push((next, Vec::new()));
+            }
+            let Some((_, run)) = runs.last_mut() else { break };
+            if next == Joint::Slash {
+                let numerator = beside(std::mem::take(run));
+                let span = numerator.span.to(factor.span);
+                run.push(Expr::new(Node::Quotient(Box::new(numerator), Box::new(factor)), span));
+                after_slash = Some(items[start].span);
+            } else {
+                run.push(factor);
+                after_slash = None;
+            }
+            next = Joint::Beside;
+            operator = None;
+        }
+        if let Some(span) = operator {
+            return Err(Fault::new(span, "no factor follows this operator"));
+        }
+        self.join(runs, whole)
+    }
+
+    /// Rejects neighbouring factors that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
+    fn run_together(&self, items: &[Item], at: usize) -> Read<()> {
+        let before = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
+        let Some(before) = before else { return Ok(()) };
+        let item = &items[at];
+        let span = before.span.to(item.span);
+        if matches!(before.layout, Layout::Number(_)) && (is_numeric_item(item) || is_number(item)) {
+            return Err(Fault::ambiguous(span, "two numbers side by side may be a product or one number")
+                .help("write \\cdot between them"));
+        }
+        let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
+        if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
+            return Err(Fault::ambiguous(span, "these bars can be paired in more than one way")
+                .help("use \\left| and \\right|"));
+        }
+        Ok(())
+    }
+
+    /// Joins runs of factors by `\times` (first) and `\cdot`. Between numbers, both are plain products.
+    fn join(&self, runs: Vec<(Joint, Vec<Expr>)>, whole: Span) -> Read<Expr> {
+        if runs.len() == 1 {
+            let mut expr = beside(runs.into_iter().flat_map(|(_, run)| run).collect());
+            expr.span = whole;
+            return Ok(expr);
+        }
+        let factors: Vec<Expr> = runs.iter().flat_map(|(_, run)| run.iter().cloned()).collect();
+        let mut parts: Vec<(Joint, Expr, bool)> = Vec::new();
+        for (joint, run) in runs {
+            let expr = beside(run);
+            let is_vector = self.shape_of(&expr)? == Shape::Vector;
+            parts.push((joint, expr, is_vector));
+        }
+        let lost = parts.windows(2).find_map(|pair| match pair {
+            [(_, number, false), (Joint::Times, _, true)] | [(_, _, true), (Joint::Times, number, false)] => {
+                length(number).or_else(|| self.names_a_vector(number))
+            }
+            _ => None,
+        });
+        if let Some(span) = lost {
+            return Err(Fault::shape(span, "× stands between a number and a vector, and needs two vectors")
+                .help("put an arrow on the vector, or write a plain product without ×"));
+        }
+        if parts.iter().filter(|(_, _, is_vector)| *is_vector).count() < 2 {
+            return Ok(Expr::new(Node::Product(factors), whole));
+        }
+        for (joint, make) in [(Joint::Times, Node::Cross as fn(_, _) -> _), (Joint::CDot, Node::Dot as fn(_, _) -> _)] {
+            let mut folded: Vec<(Joint, Expr, bool)> = Vec::new();
+            let mut previous_was_cross = false;
+            for (found, expr, is_vector) in parts {
+                match folded.last_mut() {
+                    Some(last) if found == joint && last.2 && is_vector => {
+                        if previous_was_cross {
+                            return Err(Fault::ambiguous(
+                                last.1.span.to(expr.span),
+                                "a × b × c may be (a × b) × c or a × (b × c)",
+                            )
+                            .help("use parentheses"));
+                        }
+                        let span = last.1.span.to(expr.span);
+                        let left = std::mem::replace(&mut last.1, Expr::integer(0, span));
+                        last.1 = Expr::new(make(Box::new(left), Box::new(expr)), span);
+                        last.2 = joint == Joint::Times;
+                        previous_was_cross = joint == Joint::Times;
+                    }
+                    _ => {
+                        folded.push((found, expr, is_vector));
+                        previous_was_cross = false;
+                    }
+                }
+            }
+            parts = folded;
+        }
+        let mut expr = beside(parts.into_iter().map(|(_, expr, _)| expr).collect());
+        expr.span = whole;
+        Ok(expr)
+    }
+
+    /// The place of a factor with the letter of a vector but without its arrow: the B of `\vec B`.
+    fn names_a_vector(&self, number: &Expr) -> Option<Span> {
+        match &number.node {
+            Node::Product(factors) => factors.iter().find_map(|factor| self.names_a_vector(factor)),
+            Node::Symbol { id, .. } => {
+                let name = &self.symbols.entry(*id).name;
+                let is_its_arrow = |other: &Entry| {
+                    let letter = unaccented(&other.name);
+                    other.kind == Kind::Vector && letter.base == name.base && letter.subscript == name.subscript
+                };
+                self.symbols.iter().any(|(_, other)| is_its_arrow(other)).then_some(number.span)
+            }
+            _ => None,
+        }
+    }
+
+    /// One factor. The flag is false for a function whose argument has no parentheses.
+    fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
+        let item = &items[*cursor];
+        if let Some((function, power)) = function_head(item)? {
+            *cursor += 1;
+            return self.call(function, power, item.span, items, cursor);
+        }
+        if is_big_sum(item) {
+            let rest = &items[*cursor + 1..];
+            *cursor = items.len();
+            return Ok((self.big_sum(item, rest)?, true));
+        }
+        if is_integral(item) {
+            *cursor += 1;
+            return Ok((self.integral(item, items, cursor)?, true));
+        }
+        if is_limit(item) {
+            let rest = &items[*cursor + 1..];
+            *cursor = items.len();
+            return Ok((self.shrinking(item, rest)?, true));
+        }
+        if let Some(order) = self.derivative_slash(items, *cursor) {
+            let span = item.span.to(items[*cursor + 4].span);
+            let inner = self.item(&items[*cursor + 1])?;
+            *cursor += 5;
+            return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), span), true));
+        }
+        if let Layout::Fraction(numerator, denominator) = &item.layout
+            && let Some((order, rest)) = self.derivative(numerator, denominator)?
+        {
+            *cursor += 1;
+            if !rest.is_empty() {
+                let inner = self.sum(rest, item.span)?;
+                return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), item.span), true));
+            }
+            let inner = self.operand(items, cursor, item.span)?;
+            let span = item.span.to(inner.span);
+            return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), span), true));
+        }
+        if let Some(compound) = self.compound(items, cursor)? {
+            return Ok((compound, true));
+        }
+        *cursor += 1;
+        if let Some(printed) = names::printed(item, self.branch) {
+            return Ok((self.symbol(item.span, printed, items, cursor)?, true));
+        }
+        Ok((self.item(item)?, true))
+    }
+}
+
+/// The place of a factor that is the norm of a vector, or a derivative of one.
+fn length(number: &Expr) -> Option<Span> {
+    match &number.node {
+        Node::Product(factors) => factors.iter().find_map(length),
+        Node::TimeDerivative(_, inner) => length(inner).map(|_| number.span),
+        Node::Norm(_) => Some(number.span),
+        _ => None,
+    }
+}

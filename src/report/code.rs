@@ -1,0 +1,32 @@
+//! The stable code of a finding and of an error, as reports print it and `onshell explain` looks it up.
+
+use crate::Error;
+use crate::check::{Equation, Finding};
+use crate::code::Code;
+
+/// The code of what was found of an equation.
+pub fn of_finding(finding: &Finding) -> &'static str {
+    finding.code.word()
+}
+
+/// The code that an equation which is not as expected is reported under: that of its first part that is not.
+pub(super) fn of_item(item: &Equation) -> &'static str {
+    of_finding(first_unexpected(item))
+}
+
+/// The finding that an equation which is not as expected is reported by: that of its first part that is not.
+pub(super) fn first_unexpected(item: &Equation) -> &Finding {
+    let own = item.parts.iter().find(|part| !part.ok && part.finding.follows_from.is_none());
+    own.map_or(&item.finding, |part| &part.finding)
+}
+
+/// The code of an error.
+pub fn of_error(error: &Error) -> &'static str {
+    let code = match error.place() {
+        None => Code::Input,
+        Some((source, _)) if source.path.ends_with(".json") => Code::ClaimsFile,
+        Some((source, _)) if source.path.ends_with("formula") => Code::Syntax,
+        Some(_) => Code::NotesFile,
+    };
+    code.word()
+}

@@ -1,0 +1,252 @@
+//! What a verdict and a code mean: the text of `onshell explain`.
+//!
+//! The explanations of the codes are in [`crate::code`]; those of the verdicts are here, in one table.
+
+use crate::check::Verdict;
+use crate::code::Code;
+
+use super::style::{Style, columns};
+use super::wrap::wrap;
+
+/// Something that can be explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Topic {
+    /// A verdict on an equation or a sentence.
+    Verdict(Verdict),
+    /// A class of messages.
+    Code(Code),
+}
+
+impl Topic {
+    /// Everything that can be explained: the verdicts, from the best to the worst, and the codes.
+    pub fn all() -> impl Iterator<Item = Topic> {
+        Verdict::ALL.into_iter().map(Topic::Verdict).chain(Code::ALL.iter().copied().map(Topic::Code))
+    }
+
+    /// What a word names: a verdict, a code, both, or nothing.
+    pub fn named(word: &str) -> Vec<Topic> {
+        Topic::all().filter(|topic| topic.word() == word).collect()
+    }
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Topic::Verdict(verdict) => verdict.word(),
+            Topic::Code(code) => code.word(),
+        }
+    }
+
+    /// What it means, an example, and what to do: Markdown. The first sentence says what it means.
+    pub fn explanation(self) -> &'static str {
+        match self {
+            Topic::Verdict(verdict) => of_verdict(verdict),
+            Topic::Code(code) => code.explanation(),
+        }
+    }
+}
+
+/// The explanation of a topic.
+pub fn topic(topic: Topic, style: Style) -> String {
+    let kind = match topic {
+        Topic::Verdict(verdict) if verdict.passes() => "verdict, passes",
+        Topic::Verdict(_) => "verdict, does not pass",
+        Topic::Code(_) => "code of a message",
+    };
+    format!("{} ({kind})\n\n{}", topic.word(), paragraphs(topic.explanation(), style))
+}
+
+/// All topics, a line each.
+pub fn all(style: Style) -> String {
+    let width = Topic::all().map(|topic| columns(topic.word())).max().unwrap_or(0);
+    let line = |topic: Topic| {
+        let text = topic.explanation().trim();
+        let first = text.split_once(".\n").map_or(text, |(first, _)| first).trim_end_matches('.');
+        wrap(&format!("  {:<width$}  ", topic.word()), &first.replace('\n', " "), width + 4, style.width) + "\n"
+    };
+    let of = |is_verdict: bool| {
+        let topics = Topic::all().filter(|topic| matches!(topic, Topic::Verdict(_)) == is_verdict);
+        topics.map(line).collect::<String>()
+    };
+    format!("Verdicts:\n{}\nCodes of messages:\n{}", of(true), of(false))
+}
+
+/// Markdown in lines that fit: paragraphs are wrapped; lines with an indent of four are kept as they are.
+fn paragraphs(markdown: &str, style: Style) -> String {
+    let mut blocks: Vec<String> = Vec::new();
+    let mut open = false;
+    for line in markdown.lines() {
+        let line = line.strip_prefix(' ').filter(|line| !line.starts_with("   ")).unwrap_or(line);
+        match (line.trim().is_empty(), line.starts_with("    "), blocks.last_mut()) {
+            (true, ..) => open = false,
+            (false, true, _) => {
+                open = false;
+                blocks.push(line.to_owned());
+            }
+            (false, false, Some(last)) if open => *last += &format!(" {line}"),
+            (false, false, _) => {
+                open = true;
+                blocks.push(line.to_owned());
+            }
+        }
+    }
+    let mut text = String::new();
+    let mut was_example = false;
+    for block in blocks {
+        let is_example = block.starts_with("    ");
+        if !text.is_empty() && !(is_example && was_example) {
+            text.push('\n');
+        }
+        let line = if is_example { block } else { wrap("", &block, 0, style.width) };
+        text.push_str(&line);
+        text.push('\n');
+        was_example = is_example;
+    }
+    text
+}
+
+/// What a verdict means.
+fn of_verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Certified => {
+            r"The equation holds, and exact arithmetic confirms it.
+
+The equation was `verified` first. Then it was decided over a prime field, where numbers are exact.
+The report gives a bound on the probability that the decision is an accident: at most 2^-80.
+
+For example, this identity is certified:
+
+    \sin 2x = 2 \sin x \cos x
+
+There is nothing to do."
+        }
+        Verdict::Verified => {
+            r"The equation holds at every sampled state.
+
+The states also tell it from its mutants: the same equation with one mistake in it fails at one of them.
+A prime field cannot decide it; `onshell check --verbose` says why.
+
+For example, this equation is verified and not certified, because of the logarithm:
+
+    \ln(a^7) = 7 \ln a
+
+There is nothing to do."
+        }
+        Verdict::Definition => {
+            r"The equation defines a symbol that other equations use.
+
+A definition cannot be wrong by itself. It passes if each mistake in it makes another checked equation fail,
+or if the claims file lists the symbol under `define`.
+
+For example, the first equation is a definition, because the second one tests it:
+
+    p = m v
+    p v = m v^2
+
+There is nothing to do."
+        }
+        Verdict::Law => {
+            r#"The equation is a law that the claims file declares.
+
+A law is assumed and cannot be checked here. The equations that need it are checked with it, and say so.
+
+For example, the claims file declares equation (1) as Newton's second law:
+
+    { "laws": { "Newton's second law": "1" } }
+
+Check by eye that a law is printed correctly."#
+        }
+        Verdict::Unclaimed => {
+            r"The equation has a number, and nothing says what it means.
+
+Either no claims file belongs to the notes, or the claims file leaves the equation out with `skip`.
+
+For example, `notes.md` has a display with `\tag{1}`, and there is no `notes.json` beside it.
+
+Write a claims file that declares the symbols, or give its path with `--claims`."
+        }
+        Verdict::Undecided => {
+            r"The equation could not be decided.
+
+Too few sampled states gave a number, or the states cannot tell the equation from a wrong one.
+A definition that no other equation uses is undecided too.
+
+For example, no sampled state has x > 5000, so this equation is undecided:
+
+    \ln(x - 5000) = \ln(x - 5000) + 1
+
+Narrow the ranges in the claims file, add a condition under `assume`, or use the defined symbol once more."
+        }
+        Verdict::Domain => {
+            r"The two sides agree, but only one is defined everywhere.
+
+For example, the right side has a value at x = 1, and the left side has none:
+
+    \frac{x^2 - 1}{x - 1} = x + 1
+
+State where the equation holds: narrow the range of a symbol, or add a condition under `assume`."
+        }
+        Verdict::Unreadable => {
+            r"The equation could not be read.
+
+The formula is ambiguous, is not well-formed, uses a name that is not declared, or has shapes that do not fit.
+The message gives the place and the reason.
+
+For example, the end of the cosine's argument is ambiguous here:
+
+    \cos\theta p_\psi
+
+Correct the formula, or declare the name in the claims file."
+        }
+        Verdict::Refuted => {
+            r"The equation is wrong: it fails at a state that is shown.
+
+The report gives the values of both sides there, their difference where it is short, and likely corrections.
+
+For example, a pendulum whose angle starts at the downward vertical refutes this sign:
+
+    \ddot\theta = \frac{g}{l} \sin\theta
+
+Correct the equation. If the mistake is known and stays, write `expect` and `because` in the claims file."
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_word_is_found() {
+        for topic in Topic::all() {
+            assert!(Topic::named(topic.word()).contains(&topic), "{topic:?}");
+        }
+        // A word may be a verdict and a code, and no more.
+        let verdicts = Topic::named("definition");
+        assert_eq!(verdicts, [Topic::Verdict(Verdict::Definition), Topic::Code(Code::Definition)]);
+        assert_eq!(Topic::named("refutd"), []);
+    }
+
+    #[test]
+    fn every_explanation_fits_and_each_verdict_has_an_example() {
+        for width in [80, 120] {
+            let style = Style::new(width, false);
+            for topic in Topic::all() {
+                let text = super::topic(topic, style);
+                assert!(text.lines().all(|line| columns(line) <= width), "{text}");
+                assert!(text.ends_with(".\n"), "{text}");
+                assert!(matches!(topic, Topic::Code(_)) || text.contains("For example, "), "{text}");
+            }
+            assert!(all(style).lines().all(|line| columns(line) <= width), "{}", all(style));
+        }
+    }
+
+    #[test]
+    fn the_list_has_a_line_for_each() {
+        let listed = all(Style::PLAIN);
+        for topic in Topic::all() {
+            let is_of_it =
+                |line: &&str| line.strip_prefix("  ").and_then(|line| line.split(' ').next()) == Some(topic.word());
+            assert_eq!(listed.lines().filter(is_of_it).count(), Topic::named(topic.word()).len(), "{listed}");
+        }
+    }
+}
