@@ -1,6 +1,11 @@
 //! The claims file: declarations of symbols, the system or the laws, and the claims about equations.
 //!
 //! Every value is typed and has its place; LaTeX stays text. A key that is unknown or not supported yet is an error.
+//!
+//! # Why the claims are JSON beside the notes
+//!
+//! Notes may belong to someone else. Equation numbers are text in JSON (`2.10` is a number in YAML and a dotted key
+//! in TOML). The price is doubled backslashes and no comments; hence `because`.
 
 mod claim;
 mod continua;
