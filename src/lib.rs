@@ -121,7 +121,9 @@
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "notes")]
 pub mod check;
+#[cfg(feature = "cli")]
 pub mod cli;
 mod code;
 pub mod derive;
@@ -131,12 +133,15 @@ mod formulas;
 pub mod guide;
 mod latex;
 pub mod mechanics;
+#[cfg(feature = "notes")]
 pub mod notes;
+#[cfg(feature = "cli")]
 pub mod report;
 pub mod scalar;
 mod source;
 mod suggest;
 pub mod systems;
+#[cfg(feature = "notes")]
 pub mod testing;
 
 pub use check::Options;

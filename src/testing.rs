@@ -20,6 +20,7 @@ use std::sync::Arc;
 use crate::check::{Document, Options, Report, check_document};
 use crate::notes::document::Kind;
 use crate::notes::{Claims, Notes, claims_beside};
+#[cfg(feature = "cli")]
 use crate::report::{self, Style};
 use crate::source::Source;
 use crate::systems::Registry;
@@ -82,10 +83,39 @@ fn demand(document: Result<Document>) {
     match document {
         Ok(document) => {
             let report = Report { documents: vec![document] };
-            assert!(report.exit_code() == 0, "\n{}", report::text::report(&report, false, Style::PLAIN));
+            assert!(report.exit_code() == 0, "\n{}", failed(&report));
         }
-        Err(error) => panic!("\n{}", report::diagnostic::error(&error, Style::PLAIN)),
+        Err(error) => panic!("\n{}", refused(&error)),
     }
+}
+
+/// The report of a test that fails.
+#[cfg(feature = "cli")]
+fn failed(report: &Report) -> String {
+    report::text::report(report, false, Style::PLAIN)
+}
+
+/// The error of a test that fails.
+#[cfg(feature = "cli")]
+fn refused(error: &Error) -> String {
+    report::diagnostic::error(error, Style::PLAIN)
+}
+
+/// The report of a test that fails, without the lines of the notes: these need the feature `cli`.
+#[cfg(not(feature = "cli"))]
+fn failed(report: &Report) -> String {
+    let wrong = report.items().filter(|item| !item.ok);
+    let line = |item: &crate::check::Equation| {
+        format!("line {}: ({}) is {}: {}\n", item.line, item.id, item.finding.verdict, item.finding.message)
+    };
+    let lines: String = wrong.map(line).collect();
+    if lines.is_empty() { "nothing was checked".to_owned() } else { lines }
+}
+
+/// The error of a test that fails, without the lines of its file: these need the feature `cli`.
+#[cfg(not(feature = "cli"))]
+fn refused(error: &Error) -> String {
+    error.to_string()
 }
 
 /// The example, run as a test.

@@ -86,6 +86,7 @@ pub mod system;
 mod tape;
 
 pub use lagrangian::{Lagrangian, State};
+#[cfg(feature = "notes")]
 pub(crate) use linear_solver::solve_with;
 pub use linear_solver::{LinearSolver, MAX_CONDITION, condition_number};
 pub use quadrature::{Body, Nodes, bodies};

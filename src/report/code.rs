@@ -2,7 +2,6 @@
 
 use crate::Error;
 use crate::check::{Equation, Finding};
-use crate::code::Code;
 
 /// The code of what was found of an equation.
 pub fn of_finding(finding: &Finding) -> &'static str {
@@ -22,11 +21,5 @@ pub(super) fn first_unexpected(item: &Equation) -> &Finding {
 
 /// The code of an error.
 pub fn of_error(error: &Error) -> &'static str {
-    let code = match error.place() {
-        None => Code::Input,
-        Some((source, _)) if source.path.ends_with(".json") => Code::ClaimsFile,
-        Some((source, _)) if source.path.ends_with("formula") => Code::Syntax,
-        Some(_) => Code::NotesFile,
-    };
-    code.word()
+    error.code().word()
 }

@@ -28,7 +28,10 @@ pub(super) fn all(document: &Document, item: &Equation, style: Style) -> Vec<Str
         _ => self::repair(repair, at == 0, source, style),
     });
     let elsewhere = (!item.elsewhere.is_empty()).then(|| self::elsewhere(&item.id, &item.elsewhere, style));
-    fits.chain(repairs).chain(elsewhere).collect()
+    let mut all: Vec<String> = fits.chain(repairs).chain(elsewhere).collect();
+    // Several edits of one display are told of once.
+    all.dedup();
+    all
 }
 
 /// An edit that would make an equation pass, shown on its lines; `first` is the likeliest of several.

@@ -19,7 +19,10 @@ const INDENT: usize = 2;
 /// The whole report; `verbose` lists every equation, how it was read, and what was inferred.
 pub fn report(report: &Report, verbose: bool, style: Style) -> String {
     let mut text = String::new();
-    for document in &report.documents {
+    // A page of a folder that is not about equations has nothing to tell.
+    let has_equations = |document: &&Document| items(document).next().is_some() || document.unnumbered > 0;
+    let is_alone = report.documents.len() == 1;
+    for document in report.documents.iter().filter(|document| verbose || is_alone || has_equations(document)) {
         let shown = if verbose { listed(document, style) } else { counted(document, style) };
         text.push_str(&shown);
     }

@@ -1,5 +1,6 @@
 //! The JSON report is a promise: which fields there are, of which type, and what they say of the notes.
 
+use onshell::code::Code;
 use serde_json::{Value, json};
 
 use crate::support::{Desk, SIGN};
@@ -14,13 +15,15 @@ fn kept(report: &Value, notes: impl Fn(&str) -> String) -> Result<(), String> {
     let (mut counts, mut unexpected) = (serde_json::Map::new(), 0);
     for document in documents {
         let path = document["path"].as_str().ok_or("path is a string")?;
-        expect(document["claims"].is_string() || document["claims"].is_null(), "claims is a path or null", document)?;
+        expect(document.get("claims").is_none_or(Value::is_string), "claims is a path or not there", document)?;
         let text = notes(path);
         let equations = document["equations"].as_array().ok_or("equations is a list")?;
         for equation in equations.iter().chain(document["sentences"].as_array().into_iter().flatten()) {
             fields(equation, &text)?;
+            place(equation, path, &text)?;
             for part in equation.get("parts").and_then(Value::as_array).into_iter().flatten() {
                 fields(part, &text)?;
+                place(part, path, &text)?;
                 expect(part["id"] == equation["id"], "a part has the number of its equation", part)?;
             }
             let count = counts.entry(equation["verdict"].as_str().unwrap_or_default()).or_insert(json!(0));
@@ -67,6 +70,23 @@ fn fields(item: &Value, notes: &str) -> Result<(), String> {
         expect(shown.is_null() || formula && found.is_object(), "what it is off by", item)?;
     }
     Ok(())
+}
+
+/// Every finding has a code that can be explained, and its place: the line and the column of its display, and its own bytes.
+fn place(item: &Value, path: &str, notes: &str) -> Result<(), String> {
+    let codes: Vec<&str> = Code::ALL.iter().map(|code| code.word()).collect();
+    expect(item["code"].as_str().is_some_and(|code| codes.contains(&code)), "code is one", item)?;
+    expect(item["file"] == path, "file is that of the notes", item)?;
+    let line = notes.lines().nth(item["line"].as_u64().unwrap_or(0) as usize - 1).unwrap_or_default();
+    let column = item["column"].as_u64().ok_or_else(|| format!("column is a number: {item:#}"))? as usize;
+    expect(1 <= column && column <= line.chars().count() + 1, "column is one of the line", item)?;
+    let span = &item["span"];
+    let [start, end] = ["start", "end"].map(|key| span[key].as_u64().unwrap_or(u64::MAX) as usize);
+    expect(start <= end && notes.get(start..end).is_some(), "span is a range of the notes", item)?;
+    let before = &notes[..start];
+    let (line, column) =
+        (before.matches('\n').count() + 1, before.chars().rev().take_while(|c| *c != '\n').count() + 1);
+    expect(span["line"] == line && span["column"] == column, "a span has the place of its first byte", item)
 }
 
 /// What is certified has the bound on its being false, and nothing else has one; an equality that is not says why.
@@ -124,6 +144,15 @@ fn a_broken_promise_is_seen() {
         ("/documents/0/equations/0/max_residual", json!("NaN")),
         ("/documents/0/equations/0/false_accept_log2", json!(-80.0)),
         ("/documents/0/equations/0/not_certified_because", json!("")),
+        ("/documents/0/claims", json!(null)),
+        ("/documents/0/equations/0/code", json!("no-code")),
+        ("/documents/0/equations/0/code", json!(null)),
+        ("/documents/0/equations/0/file", json!(null)),
+        ("/documents/0/equations/0/file", json!("other.md")),
+        ("/documents/0/equations/0/column", json!(0)),
+        ("/documents/0/equations/0/span/start", json!(null)),
+        ("/documents/0/equations/0/span/end", json!(1e9 as u64)),
+        ("/documents/0/equations/0/span/line", json!(1)),
         ("/documents/0/equations/0/difference", json!({ "latex": "0", "text": "0" })),
         ("/summary/unexpected", json!(1)),
     ] {
@@ -218,4 +247,72 @@ fn several_statements_under_one_number_are_parts_and_the_worst_counts() {
     let latex = |k: usize| equation["parts"][k]["latex"].as_str().unwrap();
     assert!(latex(0).contains("\\Omega_{+}") && !latex(0).contains("\\Omega_{-}"), "{}", latex(0));
     assert!(latex(1).contains("\\Omega_{-}") && !latex(1).contains("\\Omega_{+}"), "{}", latex(1));
+}
+
+/// Whether an error in a report has a code that can be explained, and a place wherever it is about a file.
+fn error_kept(error: &Value, file: Option<&str>) -> Result<(), String> {
+    let codes: Vec<&str> = Code::ALL.iter().map(|code| code.word()).collect();
+    expect(error["code"].as_str().is_some_and(|code| codes.contains(&code)), "code is one", error)?;
+    expect(error["message"].as_str().is_some_and(|text| !text.is_empty()), "message is a string", error)?;
+    expect(error["help"].is_string() || error["help"].is_null(), "help is a string or null", error)?;
+    expect(error.get("file").and_then(Value::as_str) == file, "file is the one", error)?;
+    for key in ["path", "line", "column", "span"] {
+        expect(error.get(key).is_some() == file.is_some(), "a place is there or left out", error)?;
+        expect(error.get(key).is_none_or(|value| !value.is_null()), "a place is never null", error)?;
+    }
+    Ok(())
+}
+
+#[test]
+fn an_error_is_json_too() {
+    let desk = Desk::new("contract-errors");
+    desk.write("notes.md", "$$ a = a \\tag{1} $$\n");
+    desk.write("notes.json", "{ \"notes\": \"notes.md\", \"constnats\": {} }");
+    let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
+    let error = run.json()["errors"][0].clone();
+    assert_eq!((run.code, error_kept(&error, Some("notes.json"))), (2, Ok(())));
+    assert_eq!((&error["code"], &error["line"], &error["column"]), (&json!("claims-file"), &json!(1), &json!(24)));
+    assert_eq!(error["span"], json!({ "start": 23, "end": 34, "line": 1, "column": 24 }));
+    let absent = desk.onshell(&["check", "absent.md", "--format", "json"]);
+    assert_eq!((absent.code, error_kept(&absent.json()["errors"][0], None)), (2, Ok(())));
+    for (arguments, file) in [
+        (&["equal", "a +", "b"][..], Some("left formula")),
+        (&["equal", "a", "b +"], Some("right formula")),
+        (&["equal", "a", "b", "--where", "a=7"], None),
+        (&["eval", "a +"], Some("formula")),
+        (&["eval", "a"], None),
+        (&["derive", "quark"], None),
+    ] {
+        let run = desk.onshell(&[arguments, &["--format", "json"]].concat());
+        let output = run.json();
+        assert_eq!((run.code, error_kept(&output["error"], file)), (2, Ok(())), "{arguments:?}");
+        assert_eq!(output["schema"], 1);
+        // People are told as well.
+        assert!(run.err.starts_with("error["), "{}", run.err);
+    }
+    let read = desk.onshell(&["read", "a +", "--format", "json"]);
+    assert_eq!((read.code, error_kept(&read.json()["errors"][0], Some("formula"))), (2, Ok(())));
+    // The check can fail.
+    let mut wrong = error.clone();
+    wrong["span"] = json!(null);
+    assert!(error_kept(&wrong, Some("notes.json")).is_err() && error_kept(&error, None).is_err());
+}
+
+#[test]
+fn notes_without_claims_have_no_claims_in_the_report() {
+    let desk = Desk::new("contract-no-claims");
+    desk.write("notes.md", "$$ a = a \\tag{1} $$\n");
+    let report = desk.onshell(&["check", ".", "--format", "json"]).json();
+    assert_eq!(kept(&report, |path| desk.read(path)), Ok(()));
+    assert_eq!(report["documents"][0].get("claims"), None);
+    assert_eq!(report["documents"][0]["equations"][0]["code"], "no-claim");
+}
+
+#[test]
+fn a_formula_and_its_value_are_json_too() {
+    let desk = Desk::new("contract-formulas");
+    let value = desk.onshell(&["eval", "x^2", "--set", "x=1.5", "--format", "json"]).json();
+    assert_eq!(value, json!({ "schema": 1, "value": 2.25 }));
+    let read = desk.onshell(&["read", "E = m c^2", "--format", "json"]).json();
+    assert_eq!(read, json!({ "schema": 1, "statements": ["E = m·c^2"], "assumed": ["E", "m", "c"], "errors": [] }));
 }
