@@ -1,8 +1,8 @@
-//! Integrals as limits of sums: a body cut into ever finer cells, against a cubature of the same body.
+//! Integrals as limits of sums: a body cut into smaller and smaller cells, compared with quadrature over the same body.
 //!
-//! The cells are particles with the mass of the density at their middle, and stand in for the family that the equation
-//! for particles sums over. What midpoints leave out is a series in the square of the cells' size; so from a few cuts the
-//! difference of the sides for vanishing cells is extrapolated, and nothing may be left of it.
+//! Each cell is a particle with the mass of its volume at its midpoint, and the particles are the family that the equation
+//! for particles sums over. The error of the midpoint rule is a series in the square of the cell size. So the difference of
+//! the sides is extrapolated from a few cuts to vanishing cells (Richardson), and must vanish there.
 
 use crate::Result;
 use crate::code::Code;
@@ -22,10 +22,10 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// Into how many cells each edge is cut.
+/// The numbers of cells along each edge.
 const CUTS: [usize; 3] = [2, 3, 4];
 
-/// How much of the difference may be left for vanishing cells, beside the largest that was found.
+/// The largest extrapolated difference that counts as zero, relative to the largest difference of the cuts.
 const LEFT: f64 = 0.02;
 
 /// Checks that a formula with integrals is the limit of one for particles.
@@ -76,7 +76,7 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
             let link = &mutant.link;
             move |state: &SampledState<'_, Measured>| approach(link, at, state).is_ok_and(|(left, _)| left < most)
         };
-        // One that holds for all other bodies as well says the same.
+        // A mutant that holds for bodies from wider ranges too is equivalent.
         if ensemble.states.iter().all(within(LEFT)) && !wide.states.iter().all(within(5.0 * LEFT)) {
             let message = format!("the sampled bodies cannot tell this from the same claim with {}", mutant.change);
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
@@ -100,7 +100,7 @@ fn region(expr: &Expr, model: &Model) -> Option<usize> {
     found
 }
 
-/// What is left of the difference of the sides for vanishing cells, beside the largest that was found; and that one.
+/// The difference of the sides extrapolated to vanishing cells, relative to the largest of the cuts, and that largest one.
 fn approach(link: &Link, at: usize, state: &SampledState<'_, Measured>) -> Result<(f64, Option<Failure>), Unavailable> {
     let mut largest = 0.0_f64;
     let mut failure = None;
@@ -134,7 +134,7 @@ fn approach(link: &Link, at: usize, state: &SampledState<'_, Measured>) -> Resul
     Ok((limits.iter().fold(0.0_f64, |most, limit| most.max(limit.abs())) / largest, failure))
 }
 
-/// The weight of the n-th cut in the extrapolation to cells of no size: Lagrange's at 0, in the square of the size.
+/// The weight of the n-th cut in the extrapolation: the Lagrange polynomial in the square of the cell size, at 0.
 fn weight(n: usize) -> f64 {
     let square = |k: usize| 1.0 / (k * k) as f64;
     let others = CUTS.iter().enumerate().filter(|(at, _)| *at != n);

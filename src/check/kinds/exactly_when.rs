@@ -1,4 +1,4 @@
-//! Claims that hold exactly when something else does: both where it holds and where it does not.
+//! Claims that hold exactly when given conditions hold, tested where these hold and where they fail.
 
 use crate::Result;
 use crate::code::Code;
@@ -17,7 +17,7 @@ use crate::check::vacuity::forced_value;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// Checks that `link` holds where one of the alternatives does, all conditions of it, and nowhere else.
+/// Checks that `link` holds where all conditions of one of the alternatives hold, and nowhere else.
 ///
 /// # Errors
 /// When the world's mass matrix is singular.
