@@ -28,7 +28,7 @@ use crate::check::repair::suggest::{is_in_source, suggestions};
 use crate::check::run::check_in;
 use crate::check::trial::edited_document::with_text;
 use crate::check::trial::failed_display::FailedDisplay;
-use crate::check::trial::trial::{Answer, Trial};
+use crate::check::trial::text_trial::{Answer, Trial};
 use crate::check::verdict::Verdict;
 
 /// The number of mutants of an equation that one thread checks at a time.
@@ -187,7 +187,7 @@ fn equation(run: &Run<'_>, checker: &Checker<'_>, at: usize, passing: &[String],
     // Only text of the file is edited, not text that an erratum put in its place.
     let real = |edit: &Edit| is_in_source(checker, &display.text, edit, display.body.start);
     let edits: Vec<Edit> = edits.into_iter().filter(real).collect();
-    let pins: Vec<DefinitionTests<'_, '_>> = checker.readings[at]
+    let tests: Vec<DefinitionTests<'_, '_>> = checker.readings[at]
         .introduced
         .iter()
         .map(|introduced| DefinitionTests::of(checker, introduced, false))
@@ -196,18 +196,18 @@ fn equation(run: &Run<'_>, checker: &Checker<'_>, at: usize, passing: &[String],
         .par_chunks(SHARE)
         .map(|share| {
             let trial = Trial::new(checker, at, &checker.readings[at], claim)?;
-            share.iter().map(|edit| outcome(run, checker, (at, &pins), &trial, edit)).collect()
+            share.iter().map(|edit| outcome(run, checker, (at, &tests), &trial, edit)).collect()
         })
         .collect();
     let mut mutants = Mutants::none(display, None);
     let judged: Vec<(MutantOutcome, String)> = judged?.into_iter().flatten().collect();
     if repair {
-        let noticed = edits
+        let detected = edits
             .iter()
             .zip(&judged)
             .filter(|(_, (outcome, _))| matches!(outcome, MutantOutcome::Refuted | MutantOutcome::Refused));
-        let noticed: Vec<&Edit> = noticed.map(|(edit, _)| edit).collect();
-        mutants.repairs = Some(repairs(checker, at, claim, &noticed)?);
+        let detected: Vec<&Edit> = detected.map(|(edit, _)| edit).collect();
+        mutants.repairs = Some(repairs(checker, at, claim, &detected)?);
     }
     for (edit, (outcome, because)) in edits.into_iter().zip(judged) {
         mutants.add(outcome);
@@ -258,11 +258,11 @@ fn survivor(display: &Display, edit: Edit, because: String) -> Survivor {
     Survivor { span, original, replacement: edit.replacement, slip: edit.slip, because }
 }
 
-/// The outcome of a mutant of a display, and the reason; `pins` are the tests of the definitions in the display.
+/// The outcome of a mutant of a display, and the reason; `tests` are the tests of the definitions in the display.
 fn outcome(
     run: &Run<'_>,
     checker: &Checker<'_>,
-    (at, pins): (usize, &[DefinitionTests<'_, '_>]),
+    (at, tests): (usize, &[DefinitionTests<'_, '_>]),
     trial: &Trial<'_, '_>,
     edit: &Edit,
 ) -> Result<(MutantOutcome, String)> {
@@ -270,14 +270,14 @@ fn outcome(
     let because = String::new();
     let text = edit.applied(&display.text);
     let none = Claim::default();
-    let held = match checker.introduced_formulas(at, checker.assigned[at].unwrap_or(&none), &text) {
-        Some(formulas) => definition_is_tested(checker, at, pins, &formulas),
+    let is_tested = match checker.introduced_formulas(at, checker.assigned[at].unwrap_or(&none), &text) {
+        Some(formulas) => definition_is_tested(checker, at, tests, &formulas),
         None => return Ok((MutantOutcome::Refused, because)),
     };
     Ok(match trial.judge(&text)? {
         Answer::Same => (MutantOutcome::Equivalent, because),
         Answer::Refused => (MutantOutcome::Refused, because),
-        Answer::Refuted if held => (MutantOutcome::Refuted, because),
+        Answer::Refuted if is_tested => (MutantOutcome::Refuted, because),
         Answer::Refuted => match first_failure(run, checker, at, edit)? {
             Some(Verdict::Refuted | Verdict::Domain) => (MutantOutcome::Refuted, because),
             Some(_) => (MutantOutcome::Refused, because),
@@ -293,13 +293,18 @@ fn outcome(
 }
 
 /// Whether the definitions in a display are unchanged, or an equation that uses a changed one fails; `false` for a law.
-fn definition_is_tested(checker: &Checker<'_>, at: usize, pins: &[DefinitionTests<'_, '_>], formulas: &[Expr]) -> bool {
+fn definition_is_tested(
+    checker: &Checker<'_>,
+    at: usize,
+    tests: &[DefinitionTests<'_, '_>],
+    formulas: &[Expr],
+) -> bool {
     if checker.is_law(at) {
         return false;
     }
     let before = checker.readings[at].introduced.iter().map(|introduced| &introduced.formula);
-    let mut changed = before.zip(formulas).zip(pins).filter(|((was, is), _)| was != is).peekable();
-    changed.peek().is_none() || changed.any(|((_, formula), pins)| pins.detects(formula))
+    let mut changed = before.zip(formulas).zip(tests).filter(|((was, is), _)| was != is).peekable();
+    changed.peek().is_none() || changed.any(|((_, formula), tests)| tests.detects(formula))
 }
 
 /// The verdict on the first equation or sentence that is not as expected when a display has a slip.

@@ -161,13 +161,13 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
         let verdict = match corrected(checker.claims, &display.text, &claim.errata) {
             Ok(text) => {
                 let corrected = read_in_place(checker, macros, at, &text, claim);
-                let mended = judged(checker, (at, display), &corrected, claim)?;
+                let corrected_parts = judged(checker, (at, display), &corrected, claim)?;
                 let whole = missing_from_print(checker, &corrected, &checker.readings[at]).is_none();
-                ok = whole && mended.iter().all(|part| part.finding.verdict.passes());
+                ok = whole && corrected_parts.iter().all(|part| part.finding.verdict.passes());
                 if ok {
                     String::new()
                 } else {
-                    format!("; the corrected equation does not pass: {}", worst(&mended).message)
+                    format!("; the corrected equation does not pass: {}", worst(&corrected_parts).message)
                 }
             }
             Err(_) => {

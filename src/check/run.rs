@@ -42,7 +42,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         let work = wanted(notes, checker.assigned, run.only);
         let sentences = if run.only.is_some() { &[] } else { claims.sentences.as_slice() };
         let path = notes.source.path.as_str();
-        let told = |equation: Result<Equation>| {
+        let reported = |equation: Result<Equation>| {
             run.progress.done(path);
             equation
         };
@@ -57,22 +57,23 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             let found = found.or_else(|error| checker.sentence_left_open(at, sentence, error))?;
             Ok(checker.without_unreadable_laws(found, Some(sentence)))
         };
-        let equations: Result<Vec<Equation>> = work.par_iter().with_max_len(1).map(|at| told(judged(*at))).collect();
+        let equations: Result<Vec<Equation>> =
+            work.par_iter().with_max_len(1).map(|at| reported(judged(*at))).collect();
         let sentences: Result<Vec<Equation>> =
-            sentences.par_iter().enumerate().with_max_len(1).map(|s| told(sentence(s))).collect();
+            sentences.par_iter().enumerate().with_max_len(1).map(|s| reported(sentence(s))).collect();
         let (equations, sentences) = (equations?, sentences?);
         let alone = equations.iter().filter(|equation| !equation.ok && is_wrong(equation)).count() == 1;
         // Shared repairs come first, except where there are steps: a step that follows from a false one gets no repair.
         let has_steps = !derivations.is_empty();
         let equations = if has_steps { equations } else { checker.with_shared_repairs(run, equations, &sentences) };
-        let mended = |(at, equation): (&usize, Equation)| {
+        let repaired = |(at, equation): (&usize, Equation)| {
             let is_step = derivations.iter().flatten().any(|step| step == at);
             match is_step || !equation.repairs.is_empty() {
                 true => Ok(equation),
                 false => checker.with_repairs(run, *at, equation, alone),
             }
         };
-        let equations: Result<Vec<Equation>> = work.par_iter().zip(equations).with_max_len(1).map(mended).collect();
+        let equations: Result<Vec<Equation>> = work.par_iter().zip(equations).with_max_len(1).map(repaired).collect();
         let equations = checker.with_steps(run, &derivations, (&work, equations?), judged)?;
         let equations = if has_steps { checker.with_shared_repairs(run, equations, &sentences) } else { equations };
         Ok(Document {

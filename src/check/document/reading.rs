@@ -208,14 +208,14 @@ impl Pending<'_> {
     ///
     /// # Errors
     /// For a definition that cannot be read for another reason, at its place.
-    fn drop_unreadable(&mut self, damage: &UnreadableDisplays<'_>, model: &mut Model) -> Result<bool> {
+    fn drop_unreadable(&mut self, unreadable: &UnreadableDisplays<'_>, model: &mut Model) -> Result<bool> {
         let claims = self.claims;
         self.reject_circular_definitions(model)?;
         let mut wrong = None;
         let mut lost = Vec::new();
         let mut known = |name: &Spanned<String>, found: Result<()>, model: &Model| {
             let Err(error) = found else { return false };
-            match damage.cause(error.missing(), model) {
+            match unreadable.cause(error.missing(), model) {
                 Some(cause) => {
                     lost.push((name.value.clone(), cause));
                     return false;

@@ -36,8 +36,8 @@ impl JudgedLink {
 }
 
 impl Checker<'_> {
-    /// The mistakes in a chain, a finding each, in their order; none, if no equality of it is refuted, or if something else is
-    /// worse than what can be told from the others. The findings on the links are taken from them.
+    /// The findings on the mistakes in a chain, in their order. None, if no equality is refuted, or if a link is neither
+    /// refuted nor passes.
     pub(crate) fn mistakes(
         &self,
         statement: &Statement,

@@ -17,8 +17,8 @@ impl Checker<'_> {
     /// The clause of a message that names the unreadable display which makes this unknown.
     pub fn cause(&self, missing: Option<&Missing>) -> Option<String> {
         missing?;
-        let damage = UnreadableDisplays::of(self.notes, self.readings.iter().enumerate());
-        damage.cause(missing, self.model)
+        let unreadable = UnreadableDisplays::of(self.notes, self.readings.iter().enumerate());
+        unreadable.cause(missing, self.model)
     }
 
     /// The finding on a display whose claim needs an unreadable display.

@@ -50,7 +50,7 @@ struct DefinitionTest {
 pub(crate) struct DefinitionTests<'d, 'a> {
     checker: &'d Checker<'a>,
     symbol: SymbolId,
-    pins: Vec<DefinitionTest>,
+    tests: Vec<DefinitionTest>,
 }
 
 impl<'d, 'a> DefinitionTests<'d, 'a> {
@@ -69,7 +69,7 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
                 .any(|c| [&c.lhs, &c.rhs].into_iter().any(|side| checker.model.depends_on(side, &[symbol])))
         };
         let by_law = checker.model.laws.iter().any(|law| assumed(&law.hypotheses));
-        let mut pins = Vec::new();
+        let mut tests = Vec::new();
         for Use { id, link, hypotheses, local, is_plain } in uses {
             if assumed(&hypotheses) || !local.is_empty() {
                 continue;
@@ -95,17 +95,17 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
                 let ensemble = context.ensemble(mode, false, STATES)?;
                 let found = run(&link, &ensemble.states).is_ok_and(|o| o.failure.is_none() && o.points > 0);
                 let (bases, rules) = (ensemble.bases, ensemble.rules.clone());
-                let pin = DefinitionTest { link: link.clone(), mode, bases, rules };
+                let test = DefinitionTest { link: link.clone(), mode, bases, rules };
                 if found {
-                    pins.push(pin);
+                    tests.push(test);
                     holds = true;
                     break;
                 }
-                fails = Some(pin);
+                fails = Some(test);
             }
-            pins.extend(fails.filter(|_| failing && is_plain && !holds));
+            tests.extend(fails.filter(|_| failing && is_plain && !holds));
         }
-        Ok(DefinitionTests { checker, symbol, pins })
+        Ok(DefinitionTests { checker, symbol, tests })
     }
 
     /// Whether an equation fails where the name stands for another formula.
@@ -116,12 +116,12 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
         }
         let mut model = self.checker.model.clone();
         model.define(self.symbol, formula.clone());
-        self.pins.iter().any(|pin| {
-            pin.bases.iter().any(|base| {
+        self.tests.iter().any(|test| {
+            test.bases.iter().any(|base| {
                 let base: Vec<Measured> = base.iter().map(|value| Measured::from(*value)).collect();
-                let state = SampledState::new(&model, pin.mode, &base, &pin.rules);
+                let state = SampledState::new(&model, test.mode, &base, &test.rules);
                 state.is_ok_and(|state| {
-                    matches!(residual::test(&pin.link, &state), Ok(Point::Fails(_) | Point::OneSided(_)))
+                    matches!(residual::test(&test.link, &state), Ok(Point::Fails(_) | Point::OneSided(_)))
                 })
             })
         })

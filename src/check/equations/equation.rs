@@ -54,22 +54,23 @@ impl Checker<'_> {
         let mut as_expected = match &claim.expect {
             Some(expect) => {
                 let verdict = expected(expect);
-                let pinned = |part: &Part| part.finding.verdict == verdict;
-                parts.iter().any(pinned) && parts.iter().all(|part| pinned(part) || part.finding.verdict.passes())
+                let is_expected = |part: &Part| part.finding.verdict == verdict;
+                parts.iter().any(is_expected)
+                    && parts.iter().all(|part| is_expected(part) || part.finding.verdict.passes())
             }
             None => passes(&parts),
         };
         if !claim.errata.is_empty() {
-            let mended = self.parts(place, reading, claim, &topic)?;
+            let corrected = self.parts(place, reading, claim, &topic)?;
             let fails =
                 |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
             let failed = parts.iter().any(fails);
-            as_expected = failed && passes(&mended);
+            as_expected = failed && passes(&corrected);
             let edits: Vec<String> =
                 claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
             let verdict = match (failed, as_expected) {
                 (true, true) => "the corrected equation passes".to_owned(),
-                (true, false) => format!("the corrected equation does not pass: {}", worst(&mended).message),
+                (true, false) => format!("the corrected equation does not pass: {}", worst(&corrected).message),
                 (false, _) => "the printed equation is not wrong, so remove the erratum".to_owned(),
             };
             because = Some(format!("{}; {verdict}", edits.join(", ")));

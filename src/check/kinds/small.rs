@@ -93,7 +93,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
-    let (mut slowest, mut told) = (f64::INFINITY, 0);
+    let (mut slowest, mut usable) = (f64::INFINITY, 0);
     for family in &families {
         match family.power_further(link) {
             Err(reason) => return Ok(context.unavailable(&reason)),
@@ -112,12 +112,12 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
             }
             Ok((power, _)) => {
                 slowest = slowest.min(power);
-                told += usize::from(!power.is_nan());
+                usable += usize::from(!power.is_nan());
             }
         }
     }
-    if told < FEWEST.min(context.options.points) {
-        let message = format!("only {told} of {} sampled states gave a number; narrow the ranges", families.len());
+    if usable < FEWEST.min(context.options.points) {
+        let message = format!("only {usable} of {} sampled states gave a number; narrow the ranges", families.len());
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if slowest < wanted {

@@ -99,7 +99,7 @@ impl Checker<'_> {
     fn redefinitions(&self, run: &Run<'_>, wrong: &FailedDisplay<'_>, most: usize) -> Result<Vec<Suggestion>> {
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let introduced = &wrong.reading.introduced;
-        let pins: Vec<DefinitionTests<'_, '_>> =
+        let tests: Vec<DefinitionTests<'_, '_>> =
             introduced.iter().map(|new| DefinitionTests::of(self, new, true)).collect::<Result<_>>()?;
         let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING).factors_only();
         let others = self.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
@@ -114,20 +114,24 @@ impl Checker<'_> {
             edits.retain(|edit| is_in_source(self, wrong.text, edit, start) && !tried.contains(edit));
             // A factor that is a vanishing rate makes anything conserved.
             edits.retain(|edit| edit.slip != Slip::Factor || !edit.replacement.contains("\\dot"));
-            let mut unnoticed: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
+            let mut undetected: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
             for edit in &edits {
                 let text = edit.applied(wrong.text);
                 let Some(formulas) = self.new_definitions(wrong.at, wrong.claim, &text) else { continue };
-                let mut changed =
-                    introduced.iter().zip(&formulas).zip(&pins).filter(|((was, is), _)| was.formula != **is).peekable();
-                if changed.peek().is_some() && !changed.any(|((_, formula), holds)| holds.detects(formula)) {
-                    unnoticed.push((edit, text, formulas));
+                let mut changed = introduced
+                    .iter()
+                    .zip(&formulas)
+                    .zip(&tests)
+                    .filter(|((was, is), _)| was.formula != **is)
+                    .peekable();
+                if changed.peek().is_some() && !changed.any(|((_, formula), tests)| tests.detects(formula)) {
+                    undetected.push((edit, text, formulas));
                 }
             }
-            unnoticed.sort_by_key(|(edit, ..)| rank(wrong.text, edit, false));
+            undetected.sort_by_key(|(edit, ..)| rank(wrong.text, edit, false));
             // Edits that give the same definition, or the same except for its sign, count once.
             let mut distinct: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
-            for candidate in unnoticed {
+            for candidate in undetected {
                 let same = |known: &Expr, new: &Expr| {
                     formulas::same(known, new, self.model) || formulas::same(known, &new.clone().negated(), self.model)
                 };

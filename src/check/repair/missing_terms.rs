@@ -32,7 +32,7 @@ use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::state::sampled_state::SampledState;
 use crate::check::trial::failed_display::FailedDisplay;
-use crate::check::trial::trial::tested_links;
+use crate::check::trial::text_trial::tested_links;
 use crate::check::verdict::finding::Fraction;
 
 /// The number of states off shell, which show what holds on shell only.

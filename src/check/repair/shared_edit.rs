@@ -27,7 +27,7 @@ use crate::check::repair::suggest::{agree_memberwise, has_branches, is_in_source
 use crate::check::sample::context::Options;
 use crate::check::trial::edited_document::with_text;
 use crate::check::trial::failed_display::{MISSING, OFFERED};
-use crate::check::trial::trial::Trial;
+use crate::check::trial::text_trial::Trial;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::{Repair, Shared};
 use crate::check::verdict::report::Equation;
@@ -61,29 +61,29 @@ impl Checker<'_> {
         if wrong.is_empty() || wrong.len() + failing.len() < 2 || !self.options.explain {
             return equations;
         }
-        let held = self.held(&equations, sentences);
-        let mut best: Vec<Found> = Vec::new();
+        let passing = self.items_as_expected(&equations, sentences);
+        let mut best: Vec<SharedEdit> = Vec::new();
         for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at)) {
             let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
             let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
             // Which equations use a display that cannot be read is unknown, so all are tried.
-            let mut stand_on_it: Vec<usize> =
-                match self.is_unreadable(at) && wrong.iter().any(|(_, other)| *other == at) {
-                    true => std::iter::once(at).chain(others).collect(),
-                    false => {
-                        let stands = |other: &usize| self.depends_on_display(*other, at) || self.solves(*other, at);
-                        refuted.filter(|other| *other == at || stands(other)).collect()
-                    }
-                };
+            let mut dependents: Vec<usize> = match self.is_unreadable(at) && wrong.iter().any(|(_, other)| *other == at)
+            {
+                true => std::iter::once(at).chain(others).collect(),
+                false => {
+                    let stands = |other: &usize| self.depends_on_display(*other, at) || self.solves(*other, at);
+                    refuted.filter(|other| *other == at || stands(other)).collect()
+                }
+            };
             // The display itself takes the longest to check, so it comes last.
-            stand_on_it.sort_by_key(|other| *other == at && !self.is_unreadable(at));
+            dependents.sort_by_key(|other| *other == at && !self.is_unreadable(at));
             let said = failing.iter().filter(|_| !self.readings[at].introduced.is_empty() || self.is_law(at)).copied();
-            let stand_on_it: Vec<Item> = stand_on_it.into_iter().map(Item::Display).chain(said).collect();
-            if stand_on_it.len() < 2 || !matches!(stand_on_it[0], Item::Display(_)) {
+            let dependents: Vec<Item> = dependents.into_iter().map(Item::Display).chain(said).collect();
+            if dependents.len() < 2 || !matches!(dependents[0], Item::Display(_)) {
                 continue;
             }
-            let found = self.repairing_edits(run, at, &stand_on_it, &held);
-            let most = |found: &[Found]| found.first().map_or(0, |found| found.mended.len());
+            let found = self.repairing_edits(run, at, &dependents, &passing);
+            let most = |found: &[SharedEdit]| found.first().map_or(0, |found| found.repaired.len());
             match most(&found).cmp(&most(&best)) {
                 Ordering::Greater => best = found,
                 Ordering::Equal => best.extend(found),
@@ -91,14 +91,14 @@ impl Checker<'_> {
             }
         }
         // The likeliest edits come first; a superfluous minus is rarer than a wrong sign.
-        best.sort_by_key(|Found { at, edit, .. }| match edit.slip == Slip::Sign && edit.replacement.is_empty() {
+        best.sort_by_key(|SharedEdit { at, edit, .. }| match edit.slip == Slip::Sign && edit.replacement.is_empty() {
             true => Slip::Fraction,
             false => rank(&self.notes.equations[*at].text, edit, false).0,
         });
         best.truncate(OFFERED);
-        for Found { at, edit, mended } in best.into_iter().rev() {
-            let repairs = self.shared_repairs(at, &edit, &mended);
-            for ((item, _), repair) in mended.into_iter().zip(repairs) {
+        for SharedEdit { at, edit, repaired } in best.into_iter().rev() {
+            let repairs = self.shared_repairs(at, &edit, &repaired);
+            for ((item, _), repair) in repaired.into_iter().zip(repairs) {
                 for (nth, _) in wrong.iter().filter(|(_, other)| item == Item::Display(*other)) {
                     equations[*nth].parts.iter_mut().for_each(|part| part.finding.fit = None);
                     equations[*nth].finding.fit = None;
@@ -113,13 +113,13 @@ impl Checker<'_> {
     }
 
     /// An edit of a display as a repair of each equation that passes with it.
-    pub(crate) fn shared_repairs(&self, at: usize, edit: &Edit, mended: &[(Item, Verdict)]) -> Vec<Repair> {
+    pub(crate) fn shared_repairs(&self, at: usize, edit: &Edit, repaired: &[(Item, Verdict)]) -> Vec<Repair> {
         let display = &self.notes.equations[at];
         let name = |item: &Item| match item {
             Item::Display(at) => shown(&self.notes.equations[*at]),
             Item::Sentence(at) => sentences::name(*at, &self.claims.sentences[*at]),
         };
-        let mends: Vec<String> = mended.iter().map(|(item, _)| name(item)).collect();
+        let mends: Vec<String> = repaired.iter().map(|(item, _)| name(item)).collect();
         let repair = |(_, verdict): &(Item, Verdict)| Repair {
             span: edit.span.shifted(display.body.start),
             replacement: edit.replacement.clone(),
@@ -129,11 +129,11 @@ impl Checker<'_> {
             idle: false,
             shared: Some(Shared { of: shown(display), mends: mends.clone() }),
         };
-        mended.iter().map(repair).collect()
+        repaired.iter().map(repair).collect()
     }
 
     /// The displays and sentences that are as expected.
-    pub(crate) fn held(&self, equations: &[Equation], sentences: &[Equation]) -> Passing {
+    pub(crate) fn items_as_expected(&self, equations: &[Equation], sentences: &[Equation]) -> Passing {
         Passing {
             displays: equations.iter().filter(|equation| equation.ok).filter_map(|e| self.display_of(e)).collect(),
             sentences: (0..sentences.len()).filter(|at| sentences[*at].ok).collect(),
@@ -195,7 +195,13 @@ impl Checker<'_> {
 
     /// The edits of a display with which most of these equations pass, at least two if there are several, and with which
     /// everything that passed still passes.
-    pub(crate) fn repairing_edits(&self, run: &Run<'_>, at: usize, wrong: &[Item], held: &Passing) -> Vec<Found> {
+    pub(crate) fn repairing_edits(
+        &self,
+        run: &Run<'_>,
+        at: usize,
+        wrong: &[Item],
+        passing: &Passing,
+    ) -> Vec<SharedEdit> {
         let display = &self.notes.equations[at];
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
@@ -222,17 +228,18 @@ impl Checker<'_> {
             edits.sort_by_key(|edit| rank(&display.text, edit, false));
             edits.truncate(TRIED);
             tried.extend(edits.iter().cloned());
-            let mended = |edit: &Edit| match self.is_unreadable(at) {
-                true => self.edited(&Run { options: quick, ..*run }, at, edit, |checker| checker.mended(soon, true)),
-                false => {
-                    self.with_edited_text(quick, at, &edit.applied(&display.text), |checker| checker.mended(soon, true))
-                }
+            let repaired = |edit: &Edit| match self.is_unreadable(at) {
+                true => self
+                    .edited(&Run { options: quick, ..*run }, at, edit, |checker| checker.items_that_pass(soon, true)),
+                false => self.with_edited_text(quick, at, &edit.applied(&display.text), |checker| {
+                    checker.items_that_pass(soon, true)
+                }),
             };
             let likely = edits.into_par_iter().filter_map(|edit| {
-                let mended = mended(&edit)?;
-                Some(Found { at, edit, mended }).filter(|found| found.mended.len() >= least)
+                let repaired = repaired(&edit)?;
+                Some(SharedEdit { at, edit, repaired }).filter(|found| found.repaired.len() >= least)
             });
-            let found = self.confirmed(run, at, likely.collect(), (wrong, held));
+            let found = self.confirmed(run, at, likely.collect(), (wrong, passing));
             if !found.is_empty() {
                 return found;
             }
@@ -245,17 +252,17 @@ impl Checker<'_> {
         &self,
         run: &Run<'_>,
         at: usize,
-        mut likely: Vec<Found>,
-        (wrong, held): (&[Item], &Passing),
-    ) -> Vec<Found> {
+        mut likely: Vec<SharedEdit>,
+        (wrong, passing): (&[Item], &Passing),
+    ) -> Vec<SharedEdit> {
         let text = &self.notes.equations[at].text;
         let least = wrong.len().min(2);
-        likely.sort_by_key(|found| (Reverse(found.mended.len()), rank(text, &found.edit, false)));
+        likely.sort_by_key(|found| (Reverse(found.repaired.len()), rank(text, &found.edit, false)));
         // Of two edits that give equal equations one is enough; in an unreadable display this cannot be decided.
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
         let equal = |a: &Expr, b: &Expr| formulas::is_identity(a, b, self.model);
-        let mut distinct: Vec<(Found, Reading)> = Vec::new();
+        let mut distinct: Vec<(SharedEdit, Reading)> = Vec::new();
         for found in likely {
             let reading = self.as_printed(&found.edit.applied(text), claim, &self.model.macros);
             let is_known = || distinct.iter().any(|(_, known)| agree_memberwise(known, &reading, equal));
@@ -264,19 +271,20 @@ impl Checker<'_> {
             }
         }
         let full = Options { explain: false, ..self.options };
-        let mut found: Vec<Found> = Vec::new();
-        for (Found { edit, .. }, _) in distinct {
-            let judge = |checker: &Checker<'_>| checker.still_passes(held).then(|| checker.mended(wrong, false));
+        let mut found: Vec<SharedEdit> = Vec::new();
+        for (SharedEdit { edit, .. }, _) in distinct {
+            let judge =
+                |checker: &Checker<'_>| checker.still_passes(passing).then(|| checker.items_that_pass(wrong, false));
             match self.edited(&Run { options: full, ..*run }, at, &edit, judge).flatten() {
-                Some(mut mended) if mended.len() >= least => {
-                    mended.sort_by_key(|(item, _)| *item);
-                    found.push(Found { at, edit, mended });
+                Some(mut repaired) if repaired.len() >= least => {
+                    repaired.sort_by_key(|(item, _)| *item);
+                    found.push(SharedEdit { at, edit, repaired });
                 }
                 _ => {}
             }
         }
-        let most = found.iter().map(|found| found.mended.len()).max().unwrap_or(0);
-        found.retain(|found| found.mended.len() == most);
+        let most = found.iter().map(|found| found.repaired.len()).max().unwrap_or(0);
+        found.retain(|found| found.repaired.len() == most);
         found
     }
 
@@ -319,13 +327,13 @@ impl Checker<'_> {
         is_alike.then(|| with_checker(run, self.claims, &notes, judged).ok())??
     }
 
-    /// The items that pass, with their verdicts; stops where too few can pass. With `haste`, a display that defines a name
+    /// The items that pass, with their verdicts; stops where too few can pass. With `quickly`, a display that defines a name
     /// passes if it holds at a few states.
-    fn mended(&self, wrong: &[Item], haste: bool) -> Vec<(Item, Verdict)> {
+    fn items_that_pass(&self, wrong: &[Item], quickly: bool) -> Vec<(Item, Verdict)> {
         let none = Claim::default();
         let display = |at: usize| -> Option<Verdict> {
             let (reading, claim) = (&self.readings[at], self.assigned[at].unwrap_or(&none));
-            if haste && !reading.introduced.is_empty() && names::is_plain(claim) {
+            if quickly && !reading.introduced.is_empty() && names::is_plain(claim) {
                 let is_readable = reading.statements.iter().all(Result::is_ok);
                 let stands = is_readable && Trial::new(self, at, reading, claim).ok()?.passes_screen();
                 return stands.then_some(Verdict::Definition);
@@ -340,24 +348,26 @@ impl Checker<'_> {
                 found.ok.then_some(found.finding.verdict)
             }
         };
-        let mut mended = Vec::new();
+        let mut repaired = Vec::new();
         let least = wrong.len().min(2);
         for (looked_at, item) in wrong.iter().enumerate() {
             match judged(*item) {
-                Some(verdict) => mended.push((*item, verdict)),
-                _ if looked_at > mended.len() || mended.len() + wrong.len() <= looked_at + least => return mended,
+                Some(verdict) => repaired.push((*item, verdict)),
+                _ if looked_at > repaired.len() || repaired.len() + wrong.len() <= looked_at + least => {
+                    return repaired;
+                }
                 _ => {}
             }
         }
-        mended
+        repaired
     }
 
     /// Whether all items that passed still pass.
-    fn still_passes(&self, held: &Passing) -> bool {
+    fn still_passes(&self, passing: &Passing) -> bool {
         let sentence =
             |at: &usize| sentences::check(self, *at, &self.claims.sentences[*at]).is_ok_and(|found| found.ok);
-        held.displays.iter().all(|at| self.equation(*at, self.assigned[*at]).is_ok_and(|found| found.ok))
-            && held.sentences.iter().all(sentence)
+        passing.displays.iter().all(|at| self.equation(*at, self.assigned[*at]).is_ok_and(|found| found.ok))
+            && passing.sentences.iter().all(sentence)
     }
 }
 
@@ -377,10 +387,10 @@ pub(crate) enum Item {
 }
 
 /// An edit of a display, and the items that pass with it.
-pub(crate) struct Found {
+pub(crate) struct SharedEdit {
     pub at: usize,
     pub edit: Edit,
-    pub mended: Vec<(Item, Verdict)>,
+    pub repaired: Vec<(Item, Verdict)>,
 }
 
 /// Whether an equation is false, against expectation.

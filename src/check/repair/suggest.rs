@@ -24,7 +24,7 @@ use crate::check::model::Model;
 use crate::check::repair::missing_terms;
 use crate::check::repair::ranking::rank;
 use crate::check::trial::failed_display::{FailedDisplay, MISSING, OFFERED};
-use crate::check::trial::trial::{Answer, Trial, cut_to_step};
+use crate::check::trial::text_trial::{Answer, Trial, cut_to_step};
 use crate::check::vacuity::tautology::{is_lost, is_reordered, is_taken_back};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;

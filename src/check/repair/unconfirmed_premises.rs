@@ -36,31 +36,31 @@ impl Checker<'_> {
         let holding: Vec<usize> =
             equations.iter().zip(&displays).filter(|(equation, _)| holds(equation)).filter_map(|(_, at)| *at).collect();
         // A definition that other equations test is confirmed.
-        let pinned: Vec<Option<bool>> = (0..self.notes.equations.len())
+        let tested: Vec<Option<bool>> = (0..self.notes.equations.len())
             .map(|display| {
                 let is_definition = !self.readings[display].introduced.is_empty();
                 let own = equations.iter().zip(&displays).find(|(_, at)| **at == Some(display));
                 own.filter(|_| is_definition).map(|(equation, _)| equation.ok)
             })
             .collect();
-        let held = self.held(&equations, sentences);
-        let mut vouched: Vec<Option<bool>> = vec![None; self.notes.equations.len()];
+        let passing = self.items_as_expected(&equations, sentences);
+        let mut confirmed: Vec<Option<bool>> = vec![None; self.notes.equations.len()];
         for (equation, own) in equations.iter_mut().zip(&displays) {
             if let Some(own) = own.filter(|at| self.may_be_edited(*at) && self.is_unreadable(*at)) {
-                self.reread(run, equation, own, &held);
+                self.reread(run, equation, own, &passing);
             }
             let is_shared = equation.repairs.iter().any(|repair| repair.shared.is_some());
             let is_alone = is_refuted(equation) && equation.finding.follows_from.is_none() && !is_shared;
             let Some(own) = own.filter(|at| is_alone && self.may_be_edited(*at)) else { continue };
             let depends_on_display =
-                (0..vouched.len()).filter(|at| self.may_be_edited(*at) && self.depends_on_display(own, *at));
+                (0..confirmed.len()).filter(|at| self.may_be_edited(*at) && self.depends_on_display(own, *at));
             let (certain, doubtful): (Vec<usize>, Vec<usize>) = depends_on_display.partition(|at| {
-                let vouch = || holding.iter().any(|other| self.confirms(*other, *at));
-                *vouched[*at].get_or_insert_with(|| pinned[*at].unwrap_or_else(vouch))
+                let is_confirmed = || holding.iter().any(|other| self.confirms(*other, *at));
+                *confirmed[*at].get_or_insert_with(|| tested[*at].unwrap_or_else(is_confirmed))
             });
             equation.elsewhere = doubtful.iter().map(|at| shown(&self.notes.equations[*at])).collect();
-            let is_loose = || !holding.iter().any(|other| self.confirms(*other, own));
-            if self.defines_in_a_chain(own) && is_loose() {
+            let is_unconfirmed = || !holding.iter().any(|other| self.confirms(*other, own));
+            if self.defines_in_a_chain(own) && is_unconfirmed() {
                 equation.elsewhere.push(shown(&self.notes.equations[own]));
             }
             if !self.options.explain {
@@ -68,8 +68,8 @@ impl Checker<'_> {
             }
             let found_in = |displays: Vec<usize>| -> Vec<Repair> {
                 let found =
-                    displays.into_iter().flat_map(|at| self.repairing_edits(run, at, &[Item::Display(own)], &held));
-                found.flat_map(|found| self.shared_repairs(found.at, &found.edit, &found.mended)).collect()
+                    displays.into_iter().flat_map(|at| self.repairing_edits(run, at, &[Item::Display(own)], &passing));
+                found.flat_map(|found| self.shared_repairs(found.at, &found.edit, &found.repaired)).collect()
             };
             let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);
             let has_own = equation.repairs.iter().any(from_notes);
@@ -98,12 +98,12 @@ impl Checker<'_> {
     }
 
     /// Adds repairs of an unreadable display, found by reading the whole document again with its names.
-    fn reread(&self, run: &Run<'_>, equation: &mut Equation, at: usize, held: &Passing) {
+    fn reread(&self, run: &Run<'_>, equation: &mut Equation, at: usize, passing: &Passing) {
         if equation.ok || !equation.repairs.is_empty() || !self.options.explain {
             return;
         }
-        for found in self.repairing_edits(run, at, &[Item::Display(at)], held) {
-            let repairs = self.shared_repairs(found.at, &found.edit, &found.mended);
+        for found in self.repairing_edits(run, at, &[Item::Display(at)], passing) {
+            let repairs = self.shared_repairs(found.at, &found.edit, &found.repaired);
             equation.repairs.extend(repairs.into_iter().map(|repair| Repair { shared: None, ..repair }));
         }
         equation.repairs.truncate(OFFERED);

@@ -132,14 +132,14 @@ impl Checker<'_> {
             }
         }
         let is_step = |at: &usize| derivations.iter().any(|derivation| derivation.contains(at));
-        let mended = work.par_iter().with_max_len(1).map(|at| match found.get(at).cloned() {
+        let repaired = work.par_iter().with_max_len(1).map(|at| match found.get(at).cloned() {
             Some(equation) if is_step(at) && equation.finding.follows_from.is_none() => {
                 self.with_repairs(run, *at, equation, true)
             }
             Some(equation) => Ok(equation),
             None => judge(*at),
         });
-        mended.collect()
+        repaired.collect()
     }
 
     /// The false steps before a step that it follows from.

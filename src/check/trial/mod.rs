@@ -1,10 +1,10 @@
 //! Trials of another text in place of a display, for mutation testing and for repairs.
 //!
-//! Offers [`trial::Trial`], which refutes most texts at a few kept states; [`edited_display`], a document with another text
+//! Offers [`text_trial::Trial`], which refutes most texts at a few kept states; [`edited_display`], a document with another text
 //! for one display; [`edited_document`], the check of a whole edited document; [`failed_display`], a display to be repaired.
 //! Knows `equations` and below.
 
 pub(crate) mod edited_display;
 pub(crate) mod edited_document;
 pub(crate) mod failed_display;
-pub(crate) mod trial;
+pub(crate) mod text_trial;

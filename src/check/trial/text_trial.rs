@@ -117,7 +117,7 @@ impl<'d, 'a> Trial<'d, 'a> {
         Trial { step: Some(step), ..self }
     }
 
-    /// The screening states of a statement; on shell, unless the claim is pinned to hold always.
+    /// The screening states of a statement; on shell, unless the claim must hold always.
     fn screen(&self, statement: usize, members: &[&Expr]) -> Option<Ensemble<'d>> {
         let topic = format!("{} trial {statement}", self.topic);
         let always = self.claim.holds.as_ref().is_some_and(|holds| holds.value == Holds::Always);
@@ -295,7 +295,7 @@ impl<'d, 'a> Trial<'d, 'a> {
 
     /// Whether a link is an identity where some hypotheses hold.
     fn implied(&self, hypotheses: &[Hypothesis], link: &Link) -> Result<bool> {
-        let context = Context { hypotheses: hypotheses, ..self.context(&self.topic) };
+        let context = Context { hypotheses, ..self.context(&self.topic) };
         let mode = context.mode(false, &[&link.lhs, &link.rhs]);
         let ensemble = context.ensemble(mode, false, STATES)?;
         if ensemble.states.is_empty() {
