@@ -78,7 +78,10 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
         };
         // A mutant that holds for bodies from wider ranges too is equivalent.
         if ensemble.states.iter().all(within(LEFT)) && !wide.states.iter().all(within(5.0 * LEFT)) {
-            let message = format!("the sampled bodies cannot tell this from the same claim with {}", mutant.change);
+            let message = format!(
+                "the sampled bodies do not distinguish this from the same claim with {}; widen the ranges",
+                mutant.change
+            );
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }

@@ -131,7 +131,10 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(
             Code::NotDecided,
             Verdict::Undecided,
-            format!("only {points} of {} sampled states gave a number; narrow the ranges", ensemble.tried),
+            format!(
+                "only {points} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
+                ensemble.tried
+            ),
         ));
     }
     let finding = Finding {

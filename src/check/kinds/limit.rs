@@ -143,7 +143,10 @@ fn check_in(
             |(steps, power)| matches!(steps.approach(&mutant.link, LAST), Ok(Approach::Power(other)) if other > power - 0.5),
         );
         if as_near {
-            let message = format!("the sampled states cannot tell this from the same claim with {}", mutant.change);
+            let message = format!(
+                "the sampled states do not distinguish this from the same claim with {}; widen the ranges",
+                mutant.change
+            );
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }

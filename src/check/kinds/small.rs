@@ -117,7 +117,10 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         }
     }
     if usable < FEWEST.min(context.options.points) {
-        let message = format!("only {usable} of {} sampled states gave a number; narrow the ranges", families.len());
+        let message = format!(
+            "only {usable} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
+            families.len()
+        );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if slowest < wanted {
@@ -159,7 +162,10 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         // In wider ranges rounding may exceed the error at the last steps, so the first and last steps are compared.
         let falls = |link: &Link| wide.iter().all(|family| family.falls(link, missed));
         if let Some(mutant) = survivors.iter().find(|mutant| !falls(&mutant.link)) {
-            let message = format!("the sampled states cannot tell this from the same claim with {}", mutant.change);
+            let message = format!(
+                "the sampled states do not distinguish this from the same claim with {}; widen the ranges",
+                mutant.change
+            );
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }

@@ -127,7 +127,9 @@ fn check_solutions(
     if all_of_them
         && let Some(change) = surviving_change(target, unknown, branches, context, &mut ensemble.states, &used)
     {
-        let message = format!("the sampled states cannot tell this from the same solution with {change}");
+        let message = format!(
+            "the sampled states do not distinguish this from the same solution with {change}; widen the ranges"
+        );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let number = branches.len();
