@@ -129,6 +129,7 @@ mod code;
 pub mod derive;
 mod error;
 mod formula;
+#[cfg(feature = "notes")]
 mod formulas;
 pub mod guide;
 mod latex;
@@ -144,9 +145,11 @@ pub mod systems;
 #[cfg(feature = "notes")]
 pub mod testing;
 
+#[cfg(feature = "notes")]
 pub use check::Options;
 pub use code::Code;
 pub use error::{Error, Result};
+#[cfg(feature = "notes")]
 pub use formulas::{Comparison, Formula, compare};
 pub use source::{Source, Span};
 
@@ -159,6 +162,6 @@ struct Readme;
 #[cfg(test)]
 extern crate self as onshell;
 
-#[cfg(test)]
+#[cfg(all(test, feature = "notes"))]
 #[path = "../tests/unit/mod.rs"]
 mod unit;
