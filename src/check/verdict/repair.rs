@@ -26,8 +26,8 @@ pub struct Repair {
 }
 
 impl Repair {
-    /// Whether the replacement is a number or text that is already in the notes. If not, the factor or term was composed
-    /// from the derived equation.
+    /// Whether the replacement is a number or text that is already in the notes. If not, the factor or term was
+    /// composed from the derived equation.
     pub fn is_in_the_notes(&self, notes: &str) -> bool {
         if !matches!(self.slip, Slip::Factor | Slip::Term) {
             return true;

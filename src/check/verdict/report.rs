@@ -102,7 +102,8 @@ impl Report {
         self.items().filter(|item| !item.ok).count()
     }
 
-    /// The exit code. 0: all items are as expected. 1: an item is wrong. 2: an item could not be checked, or there is none.
+    /// The exit code. 0: all items are as expected. 1: an item is wrong. 2: an item could not be checked, or there is
+    /// none.
     pub fn exit_code(&self) -> u8 {
         let wrong = |item: &Equation| !item.ok && matches!(item.finding.verdict, Verdict::Refuted | Verdict::Domain);
         let passed_against_expectation = |item: &Equation| !item.ok && item.finding.verdict.passes();
