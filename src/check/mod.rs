@@ -14,14 +14,14 @@
 //! | `search` | states sought on purpose: boundaries, branches, extreme magnitudes, other family sizes |
 //! | `vacuity` | claims that say nothing, and hypotheses that force a result |
 //! | `judge` | one claim between two formulas: numbers, mutants, certificate, and what a refuted claim is off by |
-//! | `kinds` | the other kinds of claim, a file each |
-//! | `document` | a document made ready: displays read, claims assigned, units inferred |
+//! | `kinds` | the other kinds of claim, one file for each |
+//! | `document` | the preparation of a document: displays read, claims assigned, units inferred |
 //! | `equations` | the finding on each equation and each sentence of a document |
-//! | `trial` | another text in the place of a display |
-//! | `repair` | the edits that correct a refuted equation, and their ranking |
-//! | `steps` | false lines that follow from a false line before them |
+//! | `trial` | trials of another text in place of a display |
+//! | `repair` | single edits with which a wrong equation passes, and their ranking |
+//! | `steps` | derivations: false steps that follow from a false step before them |
 //! | `mutation` | mutation testing of a document |
-//! | `reprint`, `run` | another print of the same notes; a whole run |
+//! | `reprint`, `run` | a second print of the same equations; the check of one document |
 
 pub(crate) mod certificate;
 pub(crate) mod document;
