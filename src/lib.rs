@@ -1,14 +1,15 @@
 //! **onshell** checks the equations in physics notes against what automatic differentiation derives.
 //!
-//! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived on its own: from a
-//! Lagrangian that is a Rust function, or from laws that are taken for granted, for particles, turning bodies and
-//! continua. The two are compared at sampled states, and identities are decided over a prime field as well. Where they
-//! differ, the author gets the place, a state at which they differ, and the values of both sides there.
+//! An equation is read where its author typeset it, in Markdown or TeX. What is true is derived independently: from a
+//! Lagrangian that is a Rust function, or from laws that the notes assume. The two are compared at sampled states, and
+//! identities are decided over a prime field as well. Each equation gets a [`check::Verdict`] with its evidence.
 //!
-//! # An example
+//! *On shell* is the field's term for "on the solutions of the equations of motion".
 //!
-//! Notes, and a claims file that says what the symbols are. Here both are texts, and the Lagrangian is written for this
-//! example: a mass that hangs on a spring. The equation of motion and the energy follow from the Lagrangian.
+//! # Check notes
+//!
+//! Notes, and a claims file that says what the symbols mean. Here both are texts, and the Lagrangian is your own: a mass on
+//! a spring that hangs in gravity. The equation of motion and the energy follow from the Lagrangian.
 //!
 //! ```
 //! use onshell::check::Verdict;
@@ -17,7 +18,7 @@
 //! use onshell::systems::Registry;
 //! use onshell::testing::{assert_text, check_text};
 //!
-//! struct Spring; // z points upward, and the spring is at rest where z = 0
+//! struct Spring; // z points upward, and the spring is relaxed at z = 0
 //!
 //! impl Lagrangian<1, 3> for Spring {
 //!     fn name(&self) -> &str { "spring" }
@@ -51,7 +52,7 @@
 //! registry.add(Spring);
 //! assert_text(notes, claims, &registry);
 //!
-//! // The case that must fail: with one wrong sign, (1) is refuted.
+//! // A check that cannot fail is worth nothing: with one wrong sign, (1) is refuted at a state that is given.
 //! let document = check_text(&notes.replace("- m g", "+ m g"), claims, &registry)?;
 //! let equation = &document.equations[0];
 //! assert_eq!((equation.id.as_str(), equation.finding.verdict), ("1", Verdict::Refuted));
@@ -59,54 +60,64 @@
 //! assert_ne!(found.lhs, found.rhs);
 //! assert!(found.state.iter().any(|(symbol, _)| symbol == "z"));
 //!
-//! // The other equation does not depend on it.
-//! // It is an identity on shell, decided over a prime field.
+//! // (2) does not depend on (1): its energy is conserved on shell, decided over a prime field.
 //! assert_eq!(document.equations[1].finding.verdict, Verdict::Certified);
 //! # Ok::<(), onshell::Error>(())
 //! ```
 //!
-//! Notes in files are checked with [`testing::assert_file`], or from the command line with `onshell check`.
+//! Files are checked with [`testing::assert_file`], or from the command line with `onshell check`.
 //!
-//! # The concepts
+//! # Compare two formulas
 //!
-//! *Notes* ([`notes::Notes`]) are a document as its author wrote it. onshell finds the displays in it, their numbers and
-//! their labels, with the byte range of everything.
+//! ```
+//! use onshell::check::Verdict;
+//! use onshell::{Formula, Options, compare};
 //!
-//! *Claims* ([`notes::Claims`]) are a JSON file beside the notes. It declares the symbols, names the system or the laws,
-//! and says what an equation claims where its text does not say it. [`guide::claims`] has every key. What onshell does
-//! not know in a claims file is an error at its place.
+//! let found = compare(r"\sin 2x", r"2\sin x\cos x", &[], Options::default())?;
+//! assert_eq!(found.finding.verdict, Verdict::Certified);
+//! let found = compare(r"\sin 2x", r"2\sin x", &[], Options::default())?;
+//! assert_eq!(found.finding.verdict, Verdict::Refuted);
 //!
-//! A *system* ([`mechanics::Lagrangian`], [`systems`]) is a Lagrangian as a Rust function, generic in the number. The
-//! equations of motion, momenta, energy, Hamiltonian and effective potential follow from it ([`mechanics::System`]). No
-//! system contains a closed form that is checked. Without a system, *laws* say how things move.
+//! assert_eq!(Formula::read(r"\frac12 m v^2")?.value(&[("m", 2.0), ("v", 3.0)])?, 9.0);
+//! # Ok::<(), onshell::Error>(())
+//! ```
 //!
-//! A *formula* ([`formula::Expr`]) is what LaTeX says, apart from how it is typeset. [`latex`] reads it in two steps,
-//! layout and then meaning, and rejects what can be read in more than one way ([`guide::notation`]).
+//! # Simulate a system from its Lagrangian
 //!
-//! A *sampled state* gives every symbol a value and its time derivatives. *Off shell* the derivatives are free numbers;
-//! *on shell* the highest ones follow from the equations of motion or the laws.
+//! [`mechanics::System`] gives accelerations, momenta and energies. The page of [`mechanics`] simulates a heavy top and
+//! measures its energy drift; here one pendulum takes one step.
 //!
-//! A *verdict* ([`check::Verdict`]) comes with its evidence ([`check::Finding`]): the number of sampled states, the
-//! largest residual, or the counterexample. An equality that passes is also compared with its *mutants*, the same claim
-//! with one slip in it. If it is an identity over a prime field ([`scalar::prime_field`]), it is *certified*, with a bound
-//! on the probability that it is false. A *definition* passes if each slip in it makes another equation fail. All words
-//! are explained in [`guide::glossary`].
+//! ```
+//! use onshell::mechanics::System;
+//! use onshell::systems::Pendulum;
 //!
-//! # The modules
+//! let pendulum = System::new(&Pendulum)?;
+//! let parameters = pendulum.parameter_values(&[("m", 1.0), ("l", 2.0), ("g", 9.81)])?;
+//! let mut evaluator = pendulum.acceleration_evaluator(&parameters);
+//! let acceleration = evaluator.accelerations(0.0, &[0.3], &[0.0])?[0];
+//! // θ̈ = −(g/l) sin θ
+//! assert!((acceleration + 9.81 / 2.0 * 0.3_f64.sin()).abs() < 1e-14);
+//! # Ok::<(), onshell::Error>(())
+//! ```
 //!
-//! Each module imports only from those below it. `formula` and `mechanics` do not know each other: what is printed and
-//! what is true meet in `check`. [`guide::architecture`] follows one equation through all of them.
+//! # Map
 //!
-//! | module | purpose |
+//! | module | what it offers |
 //! | --- | --- |
-//! | [`cli`], [`testing`] | the command; the same checks as assertions in a test |
-//! | [`report`] | verdicts as text, as JSON, as diagnostics |
-//! | [`check`] | the comparison of the printed with the derived |
-//! | [`mod@derive`] | derived equations as formulas that people read |
-//! | [`notes`], [`latex`], [`systems`] | documents and claims; LaTeX to formulas and back; named Lagrangians |
-//! | [`formula`], [`mechanics`] | what an equation says; what is true |
-//! | [`scalar`] | the numbers that formulas and Lagrangians are evaluated on |
-//! | [`source`], [`error`], [`code`], [`suggest`] | texts and places in them; errors; message codes; "did you mean" |
+//! | [`check`] | checks of documents, and the types of a report |
+//! | [`testing`] | the same checks as assertions in a test |
+//! | [`Formula`], [`compare`] | formulas without a document |
+//! | [`mechanics`], [`systems`] | Lagrangians, and all that follows from them; named systems |
+//! | [`mod@derive`] | what follows from a Lagrangian as formulas to read |
+//! | [`notes`] | documents and claims files |
+//! | [`report`] | reports as text and JSON |
+//! | [`scalar`] | the numbers over which Lagrangians are evaluated |
+//! | [`guide`] | the pages: claims file, notation, words, architecture |
+//!
+//! # Features
+//!
+//! `cli` (default) adds the command line. Without it no command-line crate is built. `notes` (implied by `cli`) adds
+//! documents, formulas and checks. Without both the crate is mechanics alone.
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
@@ -114,27 +125,43 @@
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
-pub mod code;
+mod code;
 pub mod derive;
-pub mod error;
-pub mod formula;
+mod error;
+mod formula;
+#[cfg(feature = "notes")]
+mod formulas;
 pub mod guide;
-pub mod latex;
+mod latex;
 pub mod mechanics;
 #[cfg(feature = "notes")]
 pub mod notes;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scalar;
-pub mod source;
-pub mod suggest;
+mod source;
+mod suggest;
 pub mod systems;
 #[cfg(feature = "notes")]
 pub mod testing;
 
+#[cfg(feature = "notes")]
+pub use check::Options;
+pub use code::Code;
 pub use error::{Error, Result};
+#[cfg(feature = "notes")]
+pub use formulas::{Comparison, Formula, compare};
+pub use source::{Source, Span};
 
 /// The Rust code of the README, so that it is tested.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+// The tests in `tests/unit` name this crate as the others do.
+#[cfg(test)]
+extern crate self as onshell;
+
+#[cfg(all(test, feature = "notes"))]
+#[path = "../tests/unit/mod.rs"]
+mod unit;

@@ -13,11 +13,11 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
+use onshell::Source;
+use onshell::check::Slip;
 use onshell::check::{Document, Equation, Options, Repair, check_document};
-use onshell::latex::slips::Slip;
-use onshell::notes::document::Kind;
+use onshell::notes::Kind;
 use onshell::notes::{Claims, Notes};
-use onshell::source::Source;
 use onshell::systems::Registry;
 
 /// A document of the gallery.
@@ -59,9 +59,8 @@ impl Page {
 fn check(claims: &Claims, path: &Path, text: &str, only: Option<&str>) -> Document {
     let kind = Kind::of(path).expect("it is a kind of notes");
     let name = path.display().to_string();
-    let checked = Notes::parse(Arc::new(Source::new(name, text)), kind).and_then(|notes| {
-        check_document(claims, &notes, &Registry::standard(), Options { seed: 1, points: 24, explain: true }, only)
-    });
+    let checked = Notes::parse(Arc::new(Source::new(name, text)), kind)
+        .and_then(|notes| check_document(claims, &notes, &Registry::standard(), Options::default(), only));
     checked.unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -14,25 +14,25 @@
 //! | `search` | states sought on purpose: boundaries, branches, extreme magnitudes, other family sizes |
 //! | `vacuity` | claims that say nothing, and hypotheses that force a result |
 //! | `judge` | one claim between two formulas: numbers, mutants, certificate, and what a refuted claim is off by |
-//! | `kinds` | the other kinds of claim, a file each |
-//! | `document` | a document made ready: displays read, claims assigned, units inferred |
+//! | `kinds` | the other kinds of claim, one file for each |
+//! | `document` | the preparation of a document: displays read, claims assigned, units inferred |
 //! | `equations` | the finding on each equation and each sentence of a document |
-//! | `trial` | another text in the place of a display |
-//! | `repair` | the edits that correct a refuted equation, and their ranking |
-//! | `steps` | false lines that follow from a false line before them |
+//! | `trial` | trials of another text in place of a display |
+//! | `repair` | single edits with which a wrong equation passes, and their ranking |
+//! | `steps` | derivations: false steps that follow from a false step before them |
 //! | `mutation` | mutation testing of a document |
-//! | `reprint`, `run` | another print of the same notes; a whole run |
+//! | `reprint`, `run` | a second print of the same equations; the check of one document |
 
 pub(crate) mod certificate;
-pub mod document;
+pub(crate) mod document;
 pub(crate) mod equations;
 pub(crate) mod hypotheses;
 pub(crate) mod judge;
-pub mod kinds;
-pub mod model;
-pub mod mutation;
+pub(crate) mod kinds;
+pub(crate) mod model;
+pub(crate) mod mutation;
 pub(crate) mod repair;
-pub mod reprint;
+pub(crate) mod reprint;
 pub(crate) mod run;
 pub(crate) mod sample;
 pub(crate) mod search;
@@ -40,14 +40,17 @@ pub(crate) mod state;
 pub(crate) mod steps;
 pub(crate) mod trial;
 pub(crate) mod vacuity;
-pub mod verdict;
+pub(crate) mod verdict;
 
-pub use document::setup::Run;
-pub use reprint::check_reprint;
-pub use run::{check_document, check_in, unclaimed};
+/// The kinds of slip that a repair undoes.
+pub use crate::latex::slips::Slip;
+pub(crate) use document::setup::Run;
+pub(crate) use reprint::check_reprint;
+pub use run::check_document;
+pub(crate) use run::{check_in, unclaimed};
 pub use sample::context::Options;
 pub use verdict::Verdict;
 pub use verdict::finding::{Counterexample, Finding, Fit, Formula, Fraction, Inherited, Misfit};
-pub use verdict::progress::Progress;
+pub(crate) use verdict::progress::Progress;
 pub use verdict::repair::{Repair, Shared};
 pub use verdict::report::{Document, Equation, Part, Report};

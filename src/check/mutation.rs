@@ -1,9 +1,11 @@
-//! Mutation testing of a document: each equation with every single slip in it, checked.
+//! Mutation testing of a document: every single slip in each equation, and whether the check detects it.
 //!
-//! A mutant is an equation with one slip ([`crate::latex::slips`]). The document should refute it, or refuse it
-//! because it cannot be read or its shapes do not fit. A mutant that says the same, or is proved to be as true, is
-//! equivalent. The others have survived. A definition or a law cannot be wrong by itself: a slip in it is noticed
-//! if anything else in the document fails.
+//! A mutant is an equation with one slip ([`crate::latex::slips`]). The check should refute it, or refuse it as unreadable
+//! or ill-typed. A mutant that reads the same, or is proved over a prime field to be equal, is equivalent, and no check can
+//! detect it. The other mutants survive: slips that the claims, or the checker, let pass.
+//!
+//! A definition or a law cannot be false by itself. A slip in it is detected if anything in the document is then not as
+//! expected, so the whole document is checked with it.
 //!
 //! # When a mutant is equivalent
 //!
@@ -28,42 +30,42 @@ use crate::check::document::names::shown;
 use crate::check::document::reading::corrected;
 use crate::check::document::reread;
 use crate::check::document::setup::{Run, wanted, with_checker};
-use crate::check::equations::noticed::Pins;
-use crate::check::repair::suggest::{is_real, suggestions};
+use crate::check::equations::definition_tests::DefinitionTests;
+use crate::check::repair::suggest::{is_in_source, suggestions};
 use crate::check::run::check_in;
-use crate::check::trial::document::retyped;
-use crate::check::trial::trial_text::{Answer, Trial};
-use crate::check::trial::wrong::Wrong;
+use crate::check::trial::edited_document::with_text;
+use crate::check::trial::failed_display::FailedDisplay;
+use crate::check::trial::text_trial::{Answer, Trial};
 use crate::check::verdict::Verdict;
 
-/// So many mutants of an equation are judged by one thread at a time.
+/// The number of mutants of an equation that one thread checks at a time.
 const SHARE: usize = 16;
 
-/// What became of a mutant.
+/// The outcome of a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fate {
-    /// A counterexample was found; or, of a definition or a law, something else was no longer so.
+pub enum MutantOutcome {
+    /// A counterexample was found; or, for a definition or a law, another equation failed.
     Refuted,
     /// It cannot be read, its types or its units do not fit, or it says too little to be checked.
     Refused,
-    /// It says what the equation says, or is proved to be as true.
+    /// It reads as the original does, or is proved to be equal to it.
     Equivalent,
     /// It passes.
     Survived,
 }
 
-/// A slip that nothing noticed, or that is not mended.
+/// A slip that was not detected, or whose correction was not suggested.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Survivor {
-    /// The bytes of the notes, their errata mended, that the slip changes.
+    /// The bytes of the notes, with their errata corrected, that the slip changes.
     pub span: Span,
-    /// What stands there.
+    /// The text there.
     pub original: String,
-    /// What would stand there.
+    /// The text with the slip.
     pub replacement: String,
     /// The kind of slip.
     pub slip: Slip,
-    /// Why it passes, or what is suggested.
+    /// The reason why it passes, or the suggestions.
     pub because: String,
 }
 
@@ -78,24 +80,24 @@ pub struct Mutants {
     pub refuted: usize,
     /// How many were refused.
     pub refused: usize,
-    /// How many say the same.
+    /// How many are equivalent.
     pub equivalent: usize,
     /// Those that passed.
     pub survivors: Vec<Survivor>,
-    /// Why there are none, where the equation was left out.
+    /// The reason why the equation was left out, if it was.
     pub left_out: Option<String>,
-    /// How well the noticed ones were mended, if that was asked for.
+    /// The quality of the suggestions for detected mutants, if requested.
     pub repairs: Option<Repairs>,
 }
 
-/// How many noticed slips were tried to be mended, and for how many the original, or what says the same, was suggested.
+/// The quality of suggestions: for how many detected mutants the original, or an equivalent text, was suggested.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Repairs {
-    /// Mutants that were noticed.
+    /// The number of detected mutants.
     pub tried: usize,
-    /// For so many it was the first suggestion.
+    /// The number for which it was the first suggestion.
     pub first: usize,
-    /// For so many it was one of the suggestions, three at most.
+    /// The number for which it was among the suggestions, at most three.
     pub offered: usize,
     /// The others.
     pub missed: Vec<Survivor>,
@@ -112,12 +114,12 @@ impl Mutants {
         self.refuted + self.refused + self.equivalent + self.survivors.len()
     }
 
-    fn add(&mut self, fate: Fate) {
-        match fate {
-            Fate::Refuted => self.refuted += 1,
-            Fate::Refused => self.refused += 1,
-            Fate::Equivalent => self.equivalent += 1,
-            Fate::Survived => {}
+    fn add(&mut self, outcome: MutantOutcome) {
+        match outcome {
+            MutantOutcome::Refuted => self.refuted += 1,
+            MutantOutcome::Refused => self.refused += 1,
+            MutantOutcome::Equivalent => self.equivalent += 1,
+            MutantOutcome::Survived => {}
         }
     }
 }
@@ -127,29 +129,29 @@ impl Mutants {
 pub struct Mutated {
     /// The notes.
     pub path: String,
-    /// The notes as they were mutated: with their errata mended.
+    /// The notes that were mutated, with their errata corrected.
     pub source: Arc<Source>,
     /// Each claimed equation.
     pub equations: Vec<Mutants>,
 }
 
-/// Judges every single slip in the claimed equations of a document, and with `repair` tries to mend those that are noticed.
-/// Each equation done is told.
+/// Checks every mutant of the claimed equations of a document; with `repair`, also the suggestions for those detected.
+/// Reports each equation that is done to `run.progress`.
 ///
 /// # Errors
 /// As [`check_document`](super::check_document), and for an erratum that is not in the notes.
 pub fn mutate(run: &Run<'_>, claims: &Claims, notes: &Notes, repair: bool) -> Result<Mutated> {
-    let (claims, notes) = mended(claims, notes)?;
+    let (claims, notes) = with_errata_corrected(claims, notes)?;
     let silent = Run { progress: &(), ..*run };
-    let sound = check_in(&Run { only: None, ..silent }, &claims, &notes)?;
-    let sound: Vec<String> = sound.equations.into_iter().filter(|e| e.ok).map(|e| e.id).collect();
+    let passing = check_in(&Run { only: None, ..silent }, &claims, &notes)?;
+    let passing: Vec<String> = passing.equations.into_iter().filter(|e| e.ok).map(|e| e.id).collect();
     let equations = with_checker(&silent, &claims, &notes, |checker| {
         let chosen = wanted(&notes, checker.assigned, run.only);
         let all: Result<Vec<Mutants>> = chosen
             .par_iter()
             .with_max_len(1)
             .map(|at| {
-                let found = equation(&silent, &checker, *at, &sound, repair);
+                let found = equation(&silent, &checker, *at, &passing, repair);
                 run.progress.done(&notes.source.path);
                 found
             })
@@ -159,8 +161,8 @@ pub fn mutate(run: &Run<'_>, claims: &Claims, notes: &Notes, repair: bool) -> Re
     Ok(Mutated { path: notes.source.path.clone(), source: notes.source.clone(), equations })
 }
 
-/// The notes with their errata mended, and claims that know of none.
-fn mended(claims: &Claims, notes: &Notes) -> Result<(Claims, Notes)> {
+/// The notes with their errata corrected, and the claims without errata.
+fn with_errata_corrected(claims: &Claims, notes: &Notes) -> Result<(Claims, Notes)> {
     let mut text = notes.source.text.clone();
     let mut claims = claims.clone();
     let all = claims.clone();
@@ -171,10 +173,10 @@ fn mended(claims: &Claims, notes: &Notes) -> Result<(Claims, Notes)> {
         text.replace_range(display.body.range(), &body);
     }
     claims.equations.iter_mut().for_each(|(_, claim)| claim.errata.clear());
-    Ok((claims, retyped(notes, text)?))
+    Ok((claims, with_text(notes, text)?))
 }
 
-fn equation(run: &Run<'_>, checker: &Checker<'_>, at: usize, sound: &[String], repair: bool) -> Result<Mutants> {
+fn equation(run: &Run<'_>, checker: &Checker<'_>, at: usize, passing: &[String], repair: bool) -> Result<Mutants> {
     let display = &checker.notes.equations[at];
     let left_out = |why: &str| Ok(Mutants::none(display, Some(why.to_owned())));
     let plain = Claim::default();
@@ -185,54 +187,57 @@ fn equation(run: &Run<'_>, checker: &Checker<'_>, at: usize, sound: &[String], r
     if claim.expect.is_some() {
         return left_out("the claims file expects the equation not to pass");
     }
-    if !sound.contains(&shown(display)) {
+    if !passing.contains(&shown(display)) {
         return left_out("the equation does not pass");
     }
     let edits = slips::slips(&display.text, &checker.model.symbols, &checker.model.macros);
-    // An edit is of what stands in the file, and not of what was put in its place to be read.
-    let real = |edit: &Edit| is_real(checker, &display.text, edit, display.body.start);
+    // Only text of the file is edited, not text that an erratum put in its place.
+    let real = |edit: &Edit| is_in_source(checker, &display.text, edit, display.body.start);
     let edits: Vec<Edit> = edits.into_iter().filter(real).collect();
-    let pins: Vec<Pins<'_, '_>> = checker.readings[at]
+    let tests: Vec<DefinitionTests<'_, '_>> = checker.readings[at]
         .introduced
         .iter()
-        .map(|introduced| Pins::of(checker, introduced, false))
+        .map(|introduced| DefinitionTests::of(checker, introduced, false))
         .collect::<Result<_>>()?;
-    let judged: Result<Vec<Vec<(Fate, String)>>> = edits
+    let judged: Result<Vec<Vec<(MutantOutcome, String)>>> = edits
         .par_chunks(SHARE)
         .map(|share| {
             let trial = Trial::new(checker, at, &checker.readings[at], claim)?;
-            share.iter().map(|edit| fate(run, checker, (at, &pins), &trial, edit)).collect()
+            share.iter().map(|edit| outcome(run, checker, (at, &tests), &trial, edit)).collect()
         })
         .collect();
     let mut mutants = Mutants::none(display, None);
-    let judged: Vec<(Fate, String)> = judged?.into_iter().flatten().collect();
+    let judged: Vec<(MutantOutcome, String)> = judged?.into_iter().flatten().collect();
     if repair {
-        let noticed = edits.iter().zip(&judged).filter(|(_, (fate, _))| matches!(fate, Fate::Refuted | Fate::Refused));
-        let noticed: Vec<&Edit> = noticed.map(|(edit, _)| edit).collect();
-        mutants.repairs = Some(repairs(checker, at, claim, &noticed)?);
+        let detected = edits
+            .iter()
+            .zip(&judged)
+            .filter(|(_, (outcome, _))| matches!(outcome, MutantOutcome::Refuted | MutantOutcome::Refused));
+        let detected: Vec<&Edit> = detected.map(|(edit, _)| edit).collect();
+        mutants.repairs = Some(repairs(checker, at, claim, &detected)?);
     }
-    for (edit, (fate, because)) in edits.into_iter().zip(judged) {
-        mutants.add(fate);
-        if fate == Fate::Survived {
+    for (edit, (outcome, because)) in edits.into_iter().zip(judged) {
+        mutants.add(outcome);
+        if outcome == MutantOutcome::Survived {
             mutants.survivors.push(survivor(display, edit, because));
         }
     }
     Ok(mutants)
 }
 
-/// How well slips in a display are mended: from the first to the third suggestion.
+/// The quality of the suggestions for slips in a display.
 fn repairs(checker: &Checker<'_>, at: usize, claim: &Claim, slips: &[&Edit]) -> Result<Repairs> {
     let display = &checker.notes.equations[at];
     let original = &display.text;
     let place = |edit: &&Edit| -> Result<(Option<usize>, String)> {
         let text = edit.applied(original);
-        let reading = reread::read(checker, &checker.model.macros, at, &text, claim);
+        let reading = reread::read_in_place(checker, &checker.model.macros, at, &text, claim);
         let (places, steps) = (Vec::new(), Vec::new());
-        let wrong = Wrong { at, text: &text, reading: &reading, claim, places, steps };
+        let wrong = FailedDisplay { at, text: &text, reading: &reading, claim, places, steps };
         let trial = Trial::new(checker, at, &checker.readings[at], claim)?;
         let found = suggestions(checker, &wrong)?;
         for (place, found) in found.iter().enumerate() {
-            if found.edit.applied(&text) == *original || trial.is_as_true(&found.reading)? {
+            if found.edit.applied(&text) == *original || trial.is_equivalent(&found.reading)? {
                 return Ok((Some(place), String::new()));
             }
         }
@@ -253,65 +258,69 @@ fn repairs(checker: &Checker<'_>, at: usize, claim: &Claim, slips: &[&Edit]) -> 
     })
 }
 
-/// A slip, by its place in the notes.
+/// A slip with its place in the notes.
 fn survivor(display: &Display, edit: Edit, because: String) -> Survivor {
     let original = display.text[edit.span.range()].to_owned();
     let span = edit.span.shifted(display.body.start);
     Survivor { span, original, replacement: edit.replacement, slip: edit.slip, because }
 }
 
-/// What becomes of a mutant of a display, whose definitions are held by pins, and why.
-fn fate(
+/// The outcome of a mutant of a display, and the reason; `tests` are the tests of the definitions in the display.
+fn outcome(
     run: &Run<'_>,
     checker: &Checker<'_>,
-    (at, pins): (usize, &[Pins<'_, '_>]),
+    (at, tests): (usize, &[DefinitionTests<'_, '_>]),
     trial: &Trial<'_, '_>,
     edit: &Edit,
-) -> Result<(Fate, String)> {
+) -> Result<(MutantOutcome, String)> {
     let display = &checker.notes.equations[at];
     let because = String::new();
     let text = edit.applied(&display.text);
     let none = Claim::default();
-    let held = match checker.introduces(at, checker.assigned[at].unwrap_or(&none), &text) {
-        Some(formulas) => holds_fast(checker, at, pins, &formulas),
-        None => return Ok((Fate::Refused, because)),
+    let is_tested = match checker.introduced_formulas(at, checker.assigned[at].unwrap_or(&none), &text) {
+        Some(formulas) => definition_is_tested(checker, at, tests, &formulas),
+        None => return Ok((MutantOutcome::Refused, because)),
     };
-    Ok(match trial.of(&text)? {
-        Answer::Same => (Fate::Equivalent, because),
-        Answer::Refused => (Fate::Refused, because),
-        Answer::Refuted if held => (Fate::Refuted, because),
-        Answer::Refuted => match noticed(run, checker, at, edit)? {
-            Some(Verdict::Refuted | Verdict::Domain) => (Fate::Refuted, because),
-            Some(_) => (Fate::Refused, because),
-            None => (Fate::Survived, "the document passes with this change".to_owned()),
+    Ok(match trial.judge(&text)? {
+        Answer::Same => (MutantOutcome::Equivalent, because),
+        Answer::Refused => (MutantOutcome::Refused, because),
+        Answer::Refuted if is_tested => (MutantOutcome::Refuted, because),
+        Answer::Refuted => match first_failure(run, checker, at, edit)? {
+            Some(Verdict::Refuted | Verdict::Domain) => (MutantOutcome::Refuted, because),
+            Some(_) => (MutantOutcome::Refused, because),
+            None => (MutantOutcome::Survived, "the document passes with this change".to_owned()),
         },
         Answer::Passes(reading, parts) => match parts.iter().find(|part| part.finding.verdict != Verdict::Certified) {
-            Some(part) if !trial.is_as_true(&reading)? => {
-                (Fate::Survived, format!("{}: {}", part.finding.verdict, part.finding.message))
+            Some(part) if !trial.is_equivalent(&reading)? => {
+                (MutantOutcome::Survived, format!("{}: {}", part.finding.verdict, part.finding.message))
             }
-            _ => (Fate::Equivalent, because),
+            _ => (MutantOutcome::Equivalent, because),
         },
     })
 }
 
-/// Whether what a display defines is what it defined before, or else an equation that uses the name fails; what is a law
-/// is not held by others.
-fn holds_fast(checker: &Checker<'_>, at: usize, pins: &[Pins<'_, '_>], formulas: &[Expr]) -> bool {
+/// Whether the definitions in a display are unchanged, or an equation that uses a changed one fails; `false` for a law.
+fn definition_is_tested(
+    checker: &Checker<'_>,
+    at: usize,
+    tests: &[DefinitionTests<'_, '_>],
+    formulas: &[Expr],
+) -> bool {
     if checker.is_law(at) {
         return false;
     }
     let before = checker.readings[at].introduced.iter().map(|introduced| &introduced.formula);
-    let mut changed = before.zip(formulas).zip(pins).filter(|((was, is), _)| was != is).peekable();
-    changed.peek().is_none() || changed.any(|((_, formula), pins)| pins.notice(formula))
+    let mut changed = before.zip(formulas).zip(tests).filter(|((was, is), _)| was != is).peekable();
+    changed.peek().is_none() || changed.any(|((_, formula), tests)| tests.detects(formula))
 }
 
-/// The verdict on the first thing in the document that is not as expected when a display has a slip.
-fn noticed(run: &Run<'_>, checker: &Checker<'_>, at: usize, edit: &Edit) -> Result<Option<Verdict>> {
+/// The verdict on the first equation or sentence that is not as expected when a display has a slip.
+fn first_failure(run: &Run<'_>, checker: &Checker<'_>, at: usize, edit: &Edit) -> Result<Option<Verdict>> {
     let start = checker.notes.equations[at].body.start;
     let mut text = checker.notes.source.text.clone();
     text.replace_range(edit.span.shifted(start).range(), &edit.replacement);
-    let found = retyped(checker.notes, text)
-        .and_then(|notes| crate::check::trial::document::first_unexpected(run, checker.claims, &notes, at));
-    // What cannot be checked at all with the slip is noticed.
+    let found = with_text(checker.notes, text)
+        .and_then(|notes| crate::check::trial::edited_document::first_unexpected(run, checker.claims, &notes, at));
+    // A document that cannot be checked with the slip detects it.
     Ok(found.unwrap_or(Some(Verdict::Unreadable)))
 }

@@ -1,9 +1,10 @@
-//! A second print of equations: claims about one file, applied to the same equations in another file.
+//! A second print of the same equations, checked by the claims about the first.
 //!
-//! The claims file and its notes are the *reference*. Each display of the print with the number of an equation of
-//! the reference is read with the names of the reference, and tested by the claim of that number. It must also say
-//! as much: a link of a chain or a row that is lost leaves something true, and is reported. Sentences belong to the
-//! reference.
+//! The claims file and its own notes, the *reference*, give names, definitions, hypotheses and errata. Each display of the
+//! print with the number of an equation of the reference is read with these names and checked by the claim of that number.
+//! A statement that reads as in the reference is what it is there: a definition, for example. Any other statement must hold
+//! with the names of the reference, and the display must say as much as the reference: a missing link or row is reported.
+//! Sentences are quoted from the reference, and checked there only.
 //!
 //! # How a converted copy is checked
 //!
@@ -23,18 +24,18 @@ use crate::source::Span;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::{id, repeated, unjudged};
+use crate::check::document::names::{repeated, unjudged};
 use crate::check::document::reading::corrected;
-use crate::check::document::reread::{lost, read, reads_alike};
+use crate::check::document::reread::{missing_from_print, read_in_place, reads_alike};
 use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::equations::merge::worst;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::{Document, Equation, Part};
 
-/// Applies claims, each with its reference, to a print. Of an equation that several are about the worst finding counts;
-/// a numbered one that none is about is unclaimed. Where the print has a number twice, the first display is judged, and
-/// the number of the second is a finding of its own.
+/// Checks a print by claims, each with its reference. If several have a claim about an equation, the worst finding counts; a
+/// numbered equation without a claim is unclaimed. If the print uses a number twice, the first display is checked, and the
+/// second gets a finding about its number.
 ///
 /// # Errors
 /// As [`check_document`](super::check_document) for each reference, and for a print that has no number of any.
@@ -56,7 +57,7 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         }
     }
     for display in wanted(run, print) {
-        let Some(number) = id(display).filter(|number| equations.iter().all(|known| known.id != *number)) else {
+        let Some(number) = display.id().filter(|number| equations.iter().all(|known| known.id != *number)) else {
             continue;
         };
         let message = "no claims file has a claim about this number";
@@ -83,13 +84,13 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         source: print.source.clone(),
         equations,
         sentences: Vec::new(),
-        unnumbered: print.equations.iter().filter(|display| id(display).is_none()).count(),
+        unnumbered: print.equations.iter().filter(|display| display.id().is_none()).count(),
         inferred: inferred.collect(),
     })
 }
 
 fn wanted<'a>(run: &'a Run<'_>, notes: &'a Notes) -> impl Iterator<Item = &'a Display> {
-    notes.equations.iter().filter(|display| run.only.is_none_or(|only| id(display) == Some(only)))
+    notes.equations.iter().filter(|display| run.only.is_none_or(|only| display.id() == Some(only)))
 }
 
 /// The numbered equations of a reference, by their places, each with the display of the print that has its number.
@@ -99,17 +100,17 @@ fn pairs<'a>(reference: &'a Notes, print: &'a Notes) -> impl Iterator<Item = (us
     numbered.map(move |(at, wanted)| (at, print.equations.iter().find(|display| number(display) == Some(wanted))))
 }
 
-/// The equations of a reference that are to be judged; none, if the print has no number of it.
+/// The equations of a reference to check, each with its display in the print; none, if the print has none of its numbers.
 fn work<'a>(reference: &'a Notes, print: &'a Notes, only: Option<&str>) -> Vec<(usize, Option<&'a Display>)> {
     let all: Vec<_> = pairs(reference, print).collect();
     if all.iter().all(|(_, display)| display.is_none()) {
         return Vec::new();
     }
-    let chosen = |at: usize| only.is_none_or(|only| id(&reference.equations[at]) == Some(only));
+    let chosen = |at: usize| only.is_none_or(|only| reference.equations[at].id() == Some(only));
     all.into_iter().filter(|(at, _)| chosen(*at)).collect()
 }
 
-/// How many equations [`check_reprint`] judges.
+/// The number of equations that [`check_reprint`] checks.
 pub fn items(sets: &[(Claims, Notes)], print: &Notes, only: Option<&str>) -> usize {
     sets.iter().map(|(_, reference)| work(reference, print, only).len()).sum()
 }
@@ -140,18 +141,18 @@ fn apply(run: &Run<'_>, claims: &Claims, reference: &Notes, print: &Notes) -> Re
 fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display) -> Result<Equation> {
     let none = Claim::default();
     let claim = checker.assigned[at].unwrap_or(&none);
-    let reading = read(checker, macros, at, &display.text, claim);
+    let reading = read_in_place(checker, macros, at, &display.text, claim);
     let mut parts = judged(checker, (at, display), &reading, claim)?;
     let original = || checker.as_printed(&checker.notes.equations[at].text, claim, macros);
-    if let Some(message) = lost(checker, &reading, &checker.readings[at])
-        && (claim.errata.is_empty() || lost(checker, &reading, &original()).is_some())
+    if let Some(message) = missing_from_print(checker, &reading, &checker.readings[at])
+        && (claim.errata.is_empty() || missing_from_print(checker, &reading, &original()).is_some())
     {
         parts.push(
             checker.part(Finding::new(Code::LostInPrint, Verdict::Unreadable, display.body, message), String::new()),
         );
     }
     let failed = parts.iter().any(|part| !part.finding.verdict.passes());
-    // What is wrong in the reference, too, is known to be wrong, where it is the same that is wrong.
+    // A failure that the reference expects is expected here too, if both read the same.
     let excused = parts.iter().all(|p| p.finding.verdict.passes() || p.finding.verdict == Verdict::Refuted);
     let (mut ok, mut because) = (!failed, None);
     let known = claim.expect.as_ref().filter(|expect| expect.verdict.value == Expected::Refuted);
@@ -163,17 +164,17 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
     if failed && excused && !claim.errata.is_empty() {
         let edits: Vec<String> =
             claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
-        // The misprint may be spelled in another way here; where it is spelled alike, its correction must pass.
+        // If the print contains the printed text of the erratum, its correction must pass.
         let verdict = match corrected(checker.claims, &display.text, &claim.errata) {
             Ok(text) => {
-                let corrected = read(checker, macros, at, &text, claim);
-                let mended = judged(checker, (at, display), &corrected, claim)?;
-                let whole = lost(checker, &corrected, &checker.readings[at]).is_none();
-                ok = whole && mended.iter().all(|part| part.finding.verdict.passes());
+                let corrected = read_in_place(checker, macros, at, &text, claim);
+                let corrected_parts = judged(checker, (at, display), &corrected, claim)?;
+                let whole = missing_from_print(checker, &corrected, &checker.readings[at]).is_none();
+                ok = whole && corrected_parts.iter().all(|part| part.finding.verdict.passes());
                 if ok {
                     String::new()
                 } else {
-                    format!("; the corrected equation does not pass: {}", worst(&mended).message)
+                    format!("; the corrected equation does not pass: {}", worst(&corrected_parts).message)
                 }
             }
             Err(_) => {
@@ -186,15 +187,15 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
     Ok(checker.assembled(display, &reading, parts, ok, because))
 }
 
-/// The parts of a reading of the print. What a claim asks for and a damaged display does not have makes it unreadable.
+/// The parts of a reading of the print. A display that lacks what its claim needs is unreadable.
 fn judged(
     checker: &Checker<'_>,
     (at, display): (usize, &Display),
     reading: &Reading,
     claim: &Claim,
 ) -> Result<Vec<Part>> {
-    let topic = id(display).unwrap_or_default();
-    // The same claim on the reference tells whether it is the claim that is wrong, or the print.
+    let topic = display.id().unwrap_or_default();
+    // If the claim fails on the reference too, the claim is wrong, and not the print.
     checker.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
         checker.parts((at, display.body.start), &checker.readings[at], claim, topic)?;
         let message =
@@ -206,7 +207,7 @@ fn judged(
     })
 }
 
-/// The finding on an equation whose number the print lacks, at the number before it or, at the start, after it.
+/// The finding on an equation whose number the print lacks, placed at the number before it, or else after it.
 fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
     let present: Vec<(usize, &Numbered)> =
         pairs(reference, print).filter_map(|(at, display)| Some((at, display?.number.as_ref()?))).collect();
@@ -216,7 +217,7 @@ fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
         Some((_, number)) => (format!(" before ({})", number.id), number.span),
         None => (String::new(), Span::default()),
     };
-    let number = id(&reference.equations[at]).unwrap_or_default();
+    let number = reference.equations[at].id().unwrap_or_default();
     let message = format!("no display{side} has the number ({number}), which is in {}", reference.source.path);
     let line = print.source.line_column(span.start).0;
     unjudged(print, number, line, Finding::new(Code::LostInPrint, Verdict::Unreadable, span, message))

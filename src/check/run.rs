@@ -1,4 +1,4 @@
-//! A whole run: documents checked in parallel, each equation judged, repaired and placed in its derivation.
+//! The check of one document: each equation and sentence, then the steps of derivations, then repairs.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ use crate::notes::claims::Claims;
 use crate::notes::{Display, Notes};
 use crate::systems::Registry;
 
-use crate::check::document::names::{id, is_wrong, unjudged};
+use crate::check::document::names::{is_wrong, unjudged};
 use crate::check::document::setup::{Run, wanted, with_checker};
 use crate::check::equations::sentences;
 use crate::check::sample::context::Options;
@@ -16,7 +16,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::{Document, Equation};
 
-/// Checks a document; `only` restricts the work to one equation, and there may be none of that number.
+/// Checks a document; `only` restricts the check to the equation with this number, which the document may lack.
 ///
 /// # Errors
 /// For claims that do not fit the notes or the system, each at its place in the claims file.
@@ -42,51 +42,56 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         let work = wanted(notes, checker.assigned, run.only);
         let sentences = if run.only.is_some() { &[] } else { claims.sentences.as_slice() };
         let path = notes.source.path.as_str();
-        let told = |equation: Result<Equation>| {
+        let reported = |equation: Result<Equation>| {
             run.progress.done(path);
             equation
         };
         let derivations = checker.derivations()?;
         let judged = |at: usize| {
-            let found = checker.equation(at, checker.assigned[at]).or_else(|error| checker.excused(at, error))?;
-            Ok(checker.without_lost_laws(found, None))
+            let found =
+                checker.equation(at, checker.assigned[at]).or_else(|error| checker.equation_left_open(at, error))?;
+            Ok(checker.without_unreadable_laws(found, None))
         };
         let sentence = |(at, sentence)| {
             let found = sentences::check(&checker, at, sentence);
-            let found = found.or_else(|error| checker.excused_sentence(at, sentence, error))?;
-            Ok(checker.without_lost_laws(found, Some(sentence)))
+            let found = found.or_else(|error| checker.sentence_left_open(at, sentence, error))?;
+            Ok(checker.without_unreadable_laws(found, Some(sentence)))
         };
-        let equations: Result<Vec<Equation>> = work.par_iter().with_max_len(1).map(|at| told(judged(*at))).collect();
+        let equations: Result<Vec<Equation>> =
+            work.par_iter().with_max_len(1).map(|at| reported(judged(*at))).collect();
         let sentences: Result<Vec<Equation>> =
-            sentences.par_iter().enumerate().with_max_len(1).map(|s| told(sentence(s))).collect();
+            sentences.par_iter().enumerate().with_max_len(1).map(|s| reported(sentence(s))).collect();
         let (equations, sentences) = (equations?, sentences?);
         let alone = equations.iter().filter(|equation| !equation.ok && is_wrong(equation)).count() == 1;
-        // What several of them share comes first; but what a step follows from, and what it is to be mended to, depends on
-        // those before it.
+        // Shared repairs come first, except where there are steps: a step that follows from a false one gets no repair.
         let has_steps = !derivations.is_empty();
         let equations = if has_steps { equations } else { checker.with_shared_repairs(run, equations, &sentences) };
-        let mended = |(at, equation): (&usize, Equation)| {
+        let repaired = |(at, equation): (&usize, Equation)| {
             let is_step = derivations.iter().flatten().any(|step| step == at);
             match is_step || !equation.repairs.is_empty() {
                 true => Ok(equation),
                 false => checker.with_repairs(run, *at, equation, alone),
             }
         };
-        let equations: Result<Vec<Equation>> = work.par_iter().zip(equations).with_max_len(1).map(mended).collect();
+        let equations: Result<Vec<Equation>> = work.par_iter().zip(equations).with_max_len(1).map(repaired).collect();
         let equations = checker.with_steps(run, &derivations, (&work, equations?), judged)?;
         let equations = if has_steps { checker.with_shared_repairs(run, equations, &sentences) } else { equations };
         Ok(Document {
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),
             source: notes.source.clone(),
-            // Of one display alone nothing else is known.
-            equations: if run.only.is_none() { checker.with_doubts(run, equations, &sentences) } else { equations },
+            // With only one equation checked, no other can confirm its premises.
+            equations: if run.only.is_none() {
+                checker.with_unconfirmed_premises(run, equations, &sentences)
+            } else {
+                equations
+            },
             sentences,
             unnumbered: checker
                 .assigned
                 .iter()
                 .zip(&notes.equations)
-                .filter(|(claim, d)| claim.is_none() && id(d).is_none())
+                .filter(|(claim, d)| claim.is_none() && d.id().is_none())
                 .count(),
             inferred: checker.model.inferred.clone(),
         })
@@ -98,7 +103,7 @@ pub fn unclaimed(notes: &Notes) -> Document {
     let equation = |display: &Display| {
         let message = "these notes have no claims file, so this equation was not checked";
         let finding = Finding::new(Code::NoClaimsFile, Verdict::Unclaimed, display.body, message);
-        Some(unjudged(notes, id(display)?, display.line, finding))
+        Some(unjudged(notes, display.id()?, display.line, finding))
     };
     Document {
         path: notes.source.path.clone(),
@@ -106,7 +111,7 @@ pub fn unclaimed(notes: &Notes) -> Document {
         source: notes.source.clone(),
         equations: notes.equations.iter().filter_map(equation).collect(),
         sentences: Vec::new(),
-        unnumbered: notes.equations.iter().filter(|display| id(display).is_none()).count(),
+        unnumbered: notes.equations.iter().filter(|display| display.id().is_none()).count(),
         inferred: Vec::new(),
     }
 }

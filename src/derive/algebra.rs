@@ -157,7 +157,7 @@ impl Algebra {
         Polynomial::atom(atom)
     }
 
-    /// Uses every relation in positive powers, and cancels what stands in negative ones.
+    /// Applies every relation to positive powers, and cancels negative powers where it can.
     pub fn canonical(&self, polynomial: &Polynomial) -> Result<Polynomial> {
         let mut normal = polynomial.clone();
         // a relation speaks of atoms that came before
@@ -190,7 +190,7 @@ impl Algebra {
             if value.len() > 1
                 && let Some(power) = fraction.under.remove(&value.primitive()?)
             {
-                // what stands below is known as a power of an atom
+                // this factor of the denominator is a known power of an atom
                 let (monomial, number) = value.content();
                 for _ in 0..power {
                     fraction.top = fraction.top.scaled(&monomial.raised(atom, -(*degree as i32)), number)?;

@@ -37,7 +37,7 @@ pub struct Letter {
     pub class: Class,
 }
 
-/// What an input is. In a term they stand in this order.
+/// What an input is. The factors of a term are ordered by it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
     /// A parameter of the system, any other constant.

@@ -1,4 +1,4 @@
-//! The names of what is derived, and which input of the recording each stands for.
+//! The names of derived quantities, and the input of the recording that each denotes.
 
 use crate::formula::symbols::Kind;
 use crate::formula::{Expr, Node, SymbolId, Symbols, text};
@@ -22,7 +22,7 @@ pub(super) struct Names {
     pub masses: Vec<SymbolId>,
 }
 
-/// Where things stand among the inputs: time, coordinates, velocities, parameters, accelerations, momenta.
+/// The indices of the inputs: time, coordinates, velocities, parameters, accelerations, momenta.
 pub(super) struct Inputs {
     pub n: usize,
     pub parameters: usize,

@@ -12,7 +12,7 @@ use num_traits::{One, Signed, Zero};
 use super::rational::{self, Exact};
 use crate::{Error, Result};
 
-/// More products of terms than this are nothing that anybody would read.
+/// The largest number of products of terms that are multiplied out; a longer formula is not readable.
 const BUDGET: usize = 200_000;
 
 /// Atoms with their exponents, in the order of the atoms; no exponent is 0.

@@ -19,14 +19,14 @@ use crate::scalar::Function;
 use crate::source::Span;
 use crate::{Error, Result};
 
-/// Where a term stands in a sum: highest derivatives, then velocities and momenta; by parameters; few factors before
+/// The order of the terms of a sum: highest derivatives, then velocities and momenta; by parameters; few factors before
 /// many.
 type Place = (Reverse<i32>, Reverse<i32>, Factors, i32, Factors);
 
 /// Factors in their order, with their exponents.
 type Factors = Vec<(Rank, Reverse<i32>)>;
 
-/// Where a factor stands in a term.
+/// The order of the factors of a term.
 type Rank = (u8, u32, u8);
 
 /// A term of a sum with its sign.
@@ -213,7 +213,7 @@ impl Printer<'_> {
         Ok(Piece { place: self.place(group), sign, expr })
     }
 
-    /// Number times factors: what has a negative exponent stands below, beside `below`.
+    /// Number times factors: a negative exponent goes to the denominator, after `below`.
     fn product(&self, monomial: &Monomial, number: Exact, inside: Vec<Expr>, below: Vec<Expr>) -> Result<Expr> {
         let mut factors: Vec<(Rank, u32, i32)> =
             monomial.factors().iter().map(|&(atom, exponent)| (self.rank(atom), atom, exponent)).collect();
@@ -332,7 +332,7 @@ impl Printer<'_> {
             let parameters = ranked(&monomial.part(|atom, _| self.is_parameter(atom)));
             let factors = ranked(monomial);
             let count = monomial.factors().iter().map(|(_, exponent)| exponent.abs()).sum();
-            // a number alone stands first, as in 1 − v²/c²
+            // a number alone comes first, as in 1 − v²/c²
             let first = if factors.is_empty() { i32::MAX } else { degree(&[Class::Acceleration]) };
             (Reverse(first), Reverse(degree(&[Class::Velocity, Class::Momentum])), parameters, count, factors)
         });

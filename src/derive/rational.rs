@@ -11,7 +11,7 @@ use crate::{Error, Result};
 /// A rational number in lowest terms.
 pub(super) type Exact = Ratio<i128>;
 
-/// Above this a numerator or a denominator is not what anybody wrote, but the expansion of a decimal.
+/// The largest numerator or denominator of a fraction that is typeset as one; others are typeset as decimals.
 const SIMPLE: i128 = 1_000_000;
 
 fn too_large() -> Error {
@@ -51,12 +51,12 @@ pub(super) fn common(a: Exact, b: Exact) -> Exact {
     }
 }
 
-/// Whether somebody could have written it as a fraction.
+/// Whether a number is typeset as a fraction.
 pub(super) fn is_simple(a: Exact) -> bool {
     a.numer().abs() <= SIMPLE && *a.denom() <= SIMPLE
 }
 
-/// What a constant of the machine stands for, by the one rule for it: a rational number, and whether it is to be
+/// The exact constant that an `f64` was written for: a rational number, and whether it is to be
 /// multiplied by π.
 pub(super) fn read(x: f64) -> Result<(Exact, bool)> {
     let exact = |ratio: rational::Ratio| Ratio::new(ratio.numerator.into(), ratio.denominator.into());

@@ -127,7 +127,7 @@ fn weight(polynomial: &Polynomial) -> (usize, usize, u32) {
     (polynomial.len(), below.len(), factors.map(|&(_, exponent)| exponent.unsigned_abs()).sum())
 }
 
-/// Replaces the square of an atom, wherever it stands in a positive power.
+/// Replaces the square of an atom in every positive power of it.
 fn exchanged(polynomial: &Polynomial, atom: u32, square: &Polynomial) -> Result<Polynomial> {
     let mut result = Polynomial::default();
     for (exponent, coefficient) in polynomial.powers(atom)? {

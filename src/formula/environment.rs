@@ -31,16 +31,11 @@ pub trait Differentiable: Number {
     fn rate(&self) -> Option<Self> {
         None
     }
-    /// Keeps the first `terms` terms: the value and `terms - 1` derivatives.
-    fn truncate(&mut self, _terms: usize) {}
 }
 
 impl<B: Number> Differentiable for Series<B> {
     fn rate(&self) -> Option<Self> {
         (self.known() > 1).then(|| self.derivative())
-    }
-    fn truncate(&mut self, terms: usize) {
-        Series::truncate(self, terms);
     }
 }
 

@@ -28,6 +28,6 @@ pub use assignment::Assignment;
 pub use environment::{Differentiable, Environment, Unavailable};
 pub use evaluate::evaluate;
 pub use ids::{Index, IndexId, SymbolId};
-pub use symbols::{Entry, Kind, Symbols};
+pub use symbols::{Kind, Symbols};
 pub use tree::{Expr, Function, Node, Relation, Sign, Statement, Term};
 pub use value::Value;

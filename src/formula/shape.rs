@@ -1,9 +1,19 @@
 //! The type check of formulas: scalar, vector or matrix, and the free indices.
 //!
 //! [`bind`] makes every implied sum explicit: an index that a product repeats is summed over. It rejects a vector
-//! added
-//! to a scalar, terms with different free indices, and two vectors side by side. It runs before any number is
+//! added to a scalar, terms with different free indices, and two vectors side by side. It runs before any number is
 //! computed.
+//!
+//! # How indices work
+//!
+//! A subscript of declared letters makes a name a family. `bind` finds the free indices of every product. A
+//! component index that occurs twice in a product is summed over, and the sum is written into the tree. Two terms
+//! with different free indices are rejected. A link with free indices is tested for all their values. Shapes are
+//! settled before any number is computed, so a vector equated to a number is `unreadable` with its place. A letter
+//! inside of a word of a subscript is not an index: `r_{cm}` has none, also if c is declared.
+//!
+//! Labels are never summed by repetition. Components are summed because a vector is meant; particles are not. p_i =
+//! m_i v_i is one equation for each i, and notes that mean a sum over particles print Σ.
 
 use crate::source::{Fault, Span};
 

@@ -29,6 +29,14 @@ pub struct Display {
     pub line: usize,
 }
 
+impl Display {
+    /// The number, or else the first label.
+    pub fn id(&self) -> Option<&str> {
+        let number = self.number.as_ref().or(self.labels.first());
+        number.map(|numbered| numbered.id.as_str())
+    }
+}
+
 /// A number, a label or a name, and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Numbered {

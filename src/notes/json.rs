@@ -1,8 +1,14 @@
 //! JSON values with their places in the text.
 //!
-//! serde_json reads the text. Its raw values borrow from the text, so their places follow from their addresses. Some
-//! valid
-//! JSON is rejected here: a key given twice, a `"\theta"`, which JSON reads as a tab and "heta", and deep nesting.
+//! serde_json reads the text. Its raw values borrow from the text, so their places follow from their addresses.
+//! Some valid JSON is rejected here: a key given twice, a `"\theta"`, which JSON reads as a tab and "heta", and
+//! deep nesting.
+//!
+//! # Why there is a layer over `RawValue`
+//!
+//! serde_json keeps no places. Its raw values borrow from the text, so each value's address gives its place. The
+//! layer also rejects what JSON would accept without notice: a key given twice, a `"\theta"` that became a tab and
+//! "heta", endless nesting.
 
 use std::collections::HashMap;
 use std::fmt;

@@ -1,8 +1,13 @@
 //! Displays in Markdown: `$$…$$`, math fences, bare `\[…\]` and bare environments.
 //!
-//! pulldown-cmark finds code, fences and block quotes. The displays themselves are found by a separate scan, because
-//! they
-//! contain blank lines, `_` and `*`, which have another meaning in CommonMark.
+//! pulldown-cmark finds code, fences and block quotes. The displays themselves are found by a separate scan,
+//! because they contain blank lines, `_` and `*`, which have another meaning in CommonMark.
+//!
+//! # Why there is an own scan beside pulldown-cmark
+//!
+//! pulldown-cmark knows where code, comments and quotes are. But CommonMark allows no blank line in `$$…$$` and
+//! reads `_` and `*` in it as emphasis, and real notes are full of both. So pulldown-cmark says where not to look,
+//! and the scan finds the displays with exact bytes.
 
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
 

@@ -13,17 +13,17 @@
 //!
 //! Reading takes time linear in the size of a file, and does not recurse on its nesting.
 
-pub mod address;
-pub mod claims;
+pub(crate) mod address;
+pub(crate) mod claims;
 mod display;
 mod displays;
-pub mod document;
+pub(crate) mod document;
 mod file;
-pub mod json;
+pub(crate) mod json;
 mod macros;
 mod markdown;
-pub mod normalize;
-pub mod references;
+pub(crate) mod normalize;
+pub(crate) mod references;
 mod rows;
 mod tex;
 mod tex_scanner;

@@ -104,7 +104,7 @@ mod tests {
             let (plain, measured) = (function(which, t), function(which, RunningError::new(t)));
             prop_assert!((plain - measured.value).abs() <= 8.0 * f64::EPSILON * measured.magnitude);
             prop_assert!(measured.magnitude >= measured.value.abs());
-            // and it does not cry wolf
+            // and the bound is not far too large
             prop_assert!(measured.magnitude <= 1e4 * (1.0 + plain.abs()), "function {which}: {measured}");
         }
     }

@@ -128,9 +128,9 @@ impl<B: Number> Series<B> {
     pub fn truncate(&mut self, known: usize) {
         if known < self.known() {
             if known == 0 {
-                self.coefficients[0] = B::from(f64::NAN); // whoever looks shall not find a number
+                self.coefficients[0] = B::from(f64::NAN); // an unknown value must not look like a number
             }
-            // nobody looks at what is not known
+            // unknown coefficients are never read
             (self.known, self.length) = (known as u8, self.length.min(known.max(1) as u8));
         }
     }

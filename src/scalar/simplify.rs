@@ -308,7 +308,7 @@ pub fn try_simplify(outputs: &[Symbol], beside: &[Symbol]) -> Option<Vec<Symbol>
             waiting.extend(Symbol::at(place).node().operands());
         }
     }
-    // operands stand before what uses them
+    // operands precede their uses
     needed.sort_unstable();
     let mut normal = Normal::default();
     for place in needed {

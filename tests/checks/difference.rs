@@ -1,6 +1,5 @@
 //! What a refuted equation is off by: the difference of its sides reads as a physicist would write it, and is right.
 
-use onshell::check::kinds::compare as plain;
 use onshell::check::{Document, Finding, Options, Report, Verdict};
 use onshell::report;
 use onshell::systems::Registry;
@@ -17,8 +16,8 @@ fn refuted(claims: &Json, latex: &str, claim: Json) -> Finding {
 
 /// A formula is the one that a person wrote down, and no longer.
 fn reads_as(shown: &str, written: &str) {
-    let answer = plain::equal(shown, written, &[], Options { seed: 1, points: 24, explain: true });
-    let answer = answer.unwrap_or_else(|(_, fault)| panic!("{shown} or {written}: {}", fault.message));
+    let answer = onshell::compare(shown, written, &[], Options::default());
+    let answer = answer.unwrap_or_else(|error| panic!("{shown} or {written}: {error}"));
     assert!(answer.finding.verdict.passes(), "{shown} is not {written}");
     let [shown, written] = answer.readings.map(|reading| reading.chars().count());
     assert!(shown <= written, "{shown} letters in place of {written}");
@@ -149,7 +148,7 @@ fn a_report_shows_it_of_what_was_not_expected() {
         let claims = with(&pendulum(), "equations", json!({ "1": claim }));
         let notes = numbered(&[r"m l^2 \ddot\theta = m g l \sin\theta"]);
         let found: Document = document(&claims, &notes, &Registry::standard(), None).expect("it is checked");
-        Report { documents: vec![found] }
+        Report::new(vec![found])
     };
     let [unexpected, expected] = [json!({}), json!({ "expect": "refuted", "because": "the sign" })].map(claimed);
     let wide = report::Style::new(200, false);

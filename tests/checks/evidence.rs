@@ -114,7 +114,7 @@ fn a_definition_that_nothing_stands_on_is_no_pass() {
     // In its square the sign of s goes unnoticed, and the verdict says so; a factor in s² = s·s is not noticed at all.
     let notes = numbered(&["s = a + b", "s^2 = a^2 + 2ab + b^2"]);
     let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
-    assert!(found.equations[0].finding.message.contains("its sign aside"), "{:?}", found.equations[0]);
+    assert!(found.equations[0].finding.message.contains("except of its sign"), "{:?}", found.equations[0]);
     let notes = numbered(&["s = a + b", "s s = s^2"]);
     let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
     assert_eq!(found.equations[0].finding.verdict, Undecided);
@@ -303,7 +303,7 @@ fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
     let line = |display: &str| {
         let notes = numbered(&[display, "s^2 = a^2 + 2ab + b^2", "p (a + b) = a^2 b + a b^2"]);
         let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
-        let report = onshell::check::Report { documents: vec![found] };
+        let report = onshell::check::Report::new(vec![found]);
         onshell::report::text::report(&report, true, onshell::report::Style::new(300, false))
     };
     let says = "nothing checks the sign of a definition in it";
@@ -311,5 +311,5 @@ fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
     assert!(open.contains("(3 parts)") && open.contains(says), "{open}");
     // The twin: alone it says so itself.
     let alone = line(r"s = a + b , \quad p = ab");
-    assert!(alone.contains("its sign aside") && !alone.contains(says), "{alone}");
+    assert!(alone.contains("except of its sign") && !alone.contains(says), "{alone}");
 }

@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use onshell::Source;
 use onshell::check::{Document, Equation, Finding, Options, Verdict, check_document};
-use onshell::notes::document::Kind;
+use onshell::notes::Kind;
 use onshell::notes::{Claims, Notes};
-use onshell::source::Source;
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
@@ -80,7 +80,9 @@ pub fn seeded(
     let claims = Arc::new(Source::new("claims.json", format!("{claims:#}")));
     let claims = Claims::parse(claims, Path::new("claims.json"))?;
     let notes = Notes::parse(Arc::new(Source::new("notes.md", notes)), Kind::Markdown)?;
-    check_document(&claims, &notes, registry, Options { seed, points: 24, explain: true }, only)
+    let mut options = Options::default();
+    options.seed = seed;
+    check_document(&claims, &notes, registry, options, only)
 }
 
 /// The last of these displays, checked under a claim of its own.

@@ -16,7 +16,7 @@ fn fit(claims: &Json, latex: &str, claim: Json) -> Option<Fit> {
 /// The terms of a fit, each as printed with what it should be multiplied by, and the missing ones in plain text.
 fn terms(latex: &str, fit: &Fit) -> (Vec<(String, String)>, Vec<String>) {
     let start = "$$\n".len();
-    let printed = |span: onshell::source::Span| latex[span.start - start..span.end - start].to_owned();
+    let printed = |span: onshell::Span| latex[span.start - start..span.end - start].to_owned();
     let terms = fit.terms.iter().map(|misfit| (printed(misfit.span), misfit.coefficient.to_string()));
     (terms.collect(), fit.missing.iter().map(|formula| formula.text.clone()).collect())
 }
@@ -130,7 +130,7 @@ fn the_report_shows_the_terms_on_their_line() {
     let claims = crate::support::with(&top(), "equations", json!({ "1": {} }));
     let notes = crate::support::numbered(&[&motion(["-", "-", "-"])]);
     let found = crate::support::document(&claims, &notes, &onshell::systems::Registry::standard(), None).unwrap();
-    let report = Report { documents: vec![found] };
+    let report = Report::new(vec![found]);
     let text = report::text::report(&report, false, report::Style::PLAIN);
     assert_eq!(text.matches("should be -1 times as large").count(), 2, "{text}");
     let json = report::json::report(&report, &[]);

@@ -1,6 +1,6 @@
 //! The JSON report is a promise: which fields there are, of which type, and what they say of the notes.
 
-use onshell::code::Code;
+use onshell::Code;
 use serde_json::{Value, json};
 
 use crate::support::{Desk, SIGN};

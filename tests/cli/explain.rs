@@ -1,7 +1,7 @@
 //! `onshell explain`: every verdict and every code.
 
+use onshell::Code;
 use onshell::check::Verdict;
-use onshell::code::Code;
 
 use crate::support::Desk;
 

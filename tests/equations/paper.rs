@@ -5,16 +5,18 @@ use std::sync::{Arc, OnceLock};
 
 use libtest_mimic::Failed;
 use onshell::Result;
-use onshell::check::document::names as document;
+use onshell::Source;
 use onshell::check::{Document, Equation, Finding, Options, check_document};
-use onshell::notes::document::Kind;
-use onshell::notes::{Claims, Notes, json};
-use onshell::report::diagnostic;
-use onshell::source::Source;
+use onshell::notes::Kind;
+use onshell::notes::{Claims, Notes};
 use onshell::systems::Registry;
 
 /// What the command line checks with, unless told otherwise.
-const OPTIONS: Options = Options { seed: 1, points: 24, explain: false };
+fn options() -> Options {
+    let mut options = Options::default();
+    options.explain = false;
+    options
+}
 
 /// A document and its claims.
 pub struct Paper {
@@ -32,7 +34,9 @@ pub fn claims_files() -> Vec<PathBuf> {
     let paths = entries.map(|entry| entry.expect("derivations/ can be read").path());
     let is_claims = |path: &PathBuf| {
         path.extension().is_some_and(|extension| extension == "json")
-            && std::fs::read_to_string(path).is_ok_and(|text| json::read(&text).is_err() || text.contains("\"notes\""))
+            && std::fs::read_to_string(path).is_ok_and(|text| {
+                serde_json::from_str::<serde_json::Value>(&text).is_err() || text.contains("\"notes\"")
+            })
     };
     let mut found: Vec<PathBuf> = paths.filter(is_claims).collect();
     found.sort();
@@ -55,7 +59,7 @@ impl Paper {
 
     /// The numbers of its equations, in order.
     pub fn numbers(&self) -> Vec<String> {
-        self.notes.equations.iter().filter_map(document::id).map(str::to_owned).collect()
+        self.notes.equations.iter().filter_map(|display| display.id()).map(str::to_owned).collect()
     }
 
     /// What the `at`-th sentence is called in reports.
@@ -67,16 +71,14 @@ impl Paper {
     /// Notes like the paper's in which the errata of one equation have been followed, with claims that no longer list them.
     pub fn corrected(&self, notes: Notes, id: &str) -> Result<(Notes, Claims), Failed> {
         let mut claims = self.claims.clone();
-        let Some(display) = notes.equations.iter().find(|display| document::id(display) == Some(id)) else {
+        let Some(display) = notes.equations.iter().find(|display| display.id() == Some(id)) else {
             return Err(Failed::from(format!("({id}) is not in {}", notes.source.path)));
         };
         let (mut text, body) = (notes.source.text.clone(), display.body);
         let mut mended = text[body.start..body.end].to_owned();
         for (address, claim) in &mut claims.equations {
-            let of_this_one = address
-                .resolve(&notes, &self.claims.source)?
-                .iter()
-                .any(|at| document::id(&notes.equations[*at]) == Some(id));
+            let of_this_one =
+                address.resolve(&notes, &self.claims.source)?.iter().any(|at| notes.equations[*at].id() == Some(id));
             for erratum in claim.errata.extract_if(.., |_| of_this_one) {
                 let count = mended.matches(&erratum.printed.value).count();
                 if count != erratum.times {
@@ -110,7 +112,7 @@ impl Paper {
 
 /// Checks notes against claims as the command line does.
 pub fn check(claims: &Claims, notes: &Notes, only: Option<&str>) -> Result<Document> {
-    check_document(claims, notes, &Registry::standard(), OPTIONS, only)
+    check_document(claims, notes, &Registry::standard(), options(), only)
 }
 
 fn as_expected(item: &Equation) -> Result<(), Failed> {
@@ -125,8 +127,8 @@ pub fn describe(item: &Equation) -> String {
     }
     for finding in failing(item) {
         text.push_str(&format!("\n  {}: {}", finding.verdict, finding.message));
-        for line in diagnostic::evidence(finding) {
-            text.push_str(&format!("\n    {line}"));
+        if let Some(found) = &finding.counterexample {
+            text.push_str(&format!("\n    {} and {} at {:?}", found.lhs, found.rhs, found.state));
         }
     }
     text.push_str(&format!("\n  {}", item.latex.trim()));

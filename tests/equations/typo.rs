@@ -6,14 +6,9 @@
 use std::sync::Arc;
 
 use libtest_mimic::Failed;
-use onshell::check::document::names as document;
-use onshell::check::model::Model;
 use onshell::check::{Counterexample, Equation, Verdict};
-use onshell::formula::{Assignment, Expr, Value, evaluate};
-use onshell::latex::{Macros, names, read_display};
-use onshell::notes::{Notes, document::Kind};
-use onshell::source::Source;
-use onshell::systems::Registry;
+use onshell::notes::{Kind, Notes};
+use onshell::{Formula, Source};
 
 use crate::paper::{Paper, check, describe, failing};
 
@@ -62,7 +57,7 @@ impl Typo {
 
     /// The notes with the slip in them.
     pub fn apply(&self, paper: &Paper) -> Result<Notes, Failed> {
-        let numbered = |display: &&onshell::notes::Display| document::id(display) == Some(&self.equation);
+        let numbered = |display: &&onshell::notes::Display| display.id() == Some(&self.equation);
         let display = paper.notes.equations.iter().find(numbered);
         let display = display.ok_or_else(|| format!("({}) is not in {}", self.equation, self.document))?;
         let body = paper.notes.source.slice(display.body);
@@ -91,7 +86,7 @@ impl Typo {
         match equation.finding.verdict {
             Verdict::Unreadable if equation.finding.message.is_empty() => Err("refused without a reason".into()),
             Verdict::Unreadable => Ok(()),
-            Verdict::Refuted => stands(equation, &notes, paper),
+            Verdict::Refuted => stands(equation, &notes),
             Verdict::Undecided if self.unpinned && equation.finding.message.starts_with("defines") => Ok(()),
             _ => Err(Failed::from(format!("neither refuted nor unreadable: {}", describe(equation)))),
         }
@@ -100,8 +95,8 @@ impl Typo {
 
 /// Whether the counterexamples of a refuted equation are ones: finite, both sides as they must not be, and the printed sides have
 /// these values at that state wherever they are plain formulas of it.
-fn stands(equation: &Equation, notes: &Notes, paper: &Paper) -> Result<(), Failed> {
-    let links = links(equation, notes, paper)?;
+fn stands(equation: &Equation, notes: &Notes) -> Result<(), Failed> {
+    let links = links(equation, notes)?;
     for finding in failing(equation).into_iter().filter(|finding| finding.verdict == Verdict::Refuted) {
         let Some(found) = &finding.counterexample else { continue };
         let finite = found.state.iter().map(|(_, value)| *value).chain([found.lhs, found.rhs]).all(f64::is_finite);
@@ -123,43 +118,34 @@ fn stands(equation: &Equation, notes: &Notes, paper: &Paper) -> Result<(), Faile
 
 /// The printed sides of an equation, to be computed again without the checker.
 struct Links {
-    model: Model,
-    sides: Vec<(Expr, Expr)>,
+    sides: Vec<[Formula; 2]>,
     /// Whether what is checked is just these links, between numbers.
     plain: bool,
 }
 
-fn links(equation: &Equation, notes: &Notes, paper: &Paper) -> Result<Links, Failed> {
-    let mut model = Model::new(&paper.claims, Macros::default(), &Registry::standard()).map_err(|e| e.to_string())?;
-    // The names that the claims file defines are read where the document is; here their values are known.
-    for (name, formula) in &paper.claims.define {
-        read_display(&format!("{} = {}", name.value, formula.value), &mut model.symbols, &Macros::default());
-    }
-    let display = notes.equations.iter().find(|display| document::id(display) == Some(&equation.id));
-    let display = display.ok_or("the equation is gone")?;
-    let statements = read_display(&display.text, &mut model.symbols, &Macros::default()).statements;
-    let mut sides = Vec::new();
-    for statement in statements.iter().flatten() {
-        sides.extend(statement.members.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())));
-    }
+fn links(equation: &Equation, notes: &Notes) -> Result<Links, Failed> {
     let plain = ["5.69", "5.70", "6.71", "6.73", "6.74"].contains(&equation.id.as_str());
-    Ok(Links { model, sides, plain })
+    let display = notes.equations.iter().find(|display| display.id() == Some(&equation.id));
+    let display = display.ok_or("the equation is gone")?;
+    let statements =
+        if plain { Formula::read_all(&display.text).map_err(|error| error.to_string())? } else { Vec::new() };
+    let pairs = |statement: &Formula| {
+        let members = statement.members();
+        members.windows(2).map(|pair| [pair[0].clone(), pair[1].clone()]).collect::<Vec<_>>()
+    };
+    Ok(Links { sides: statements.iter().flat_map(pairs).collect(), plain })
 }
 
 impl Links {
     /// Whether one of the links has these values at this state.
     fn give(&self, found: &Counterexample) -> bool {
-        let mut state = Assignment::<f64>::new(&self.model.symbols);
-        for (name, value) in &found.state {
-            let Some((name, dots)) = names::parse(name) else { return false };
-            let Some((id, _)) = self.model.symbols.find(&name) else { return false };
-            state.set(id, dots, *value);
-        }
-        let value = |expr: &Expr| match evaluate(expr, &state, &[]) {
-            Ok(Value::Scalar(value)) => value.value(),
-            _ => f64::NAN,
+        let value = |formula: &Formula| {
+            let letters = formula.letters();
+            let needed = found.state.iter().filter(|(name, _)| letters.contains(name));
+            let needed: Vec<(&str, f64)> = needed.map(|(name, value)| (name.as_str(), *value)).collect();
+            formula.value(&needed).unwrap_or(f64::NAN)
         };
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * (1.0 + a.abs() + b.abs());
-        self.sides.iter().any(|(lhs, rhs)| near(value(lhs), found.lhs) && near(value(rhs), found.rhs))
+        self.sides.iter().any(|[lhs, rhs]| near(value(lhs), found.lhs) && near(value(rhs), found.rhs))
     }
 }

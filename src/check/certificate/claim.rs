@@ -1,4 +1,4 @@
-//! What a prime field can decide, and what it says.
+//! Claims that a prime field can decide, and the decision: a certificate or the reason why there is none.
 
 use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
@@ -14,23 +14,23 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// What a field says of a claim.
+/// The decision of a prime field on a claim.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Certificate {
-    /// It is an identity, up to a probability of two to this power.
+    /// An identity; the base-2 logarithm of the probability that this is wrong.
     Identity(f64),
-    /// Not decided, and why.
+    /// Not decided, for this reason: a noun phrase.
     Open(String),
-    /// Not decided, and this term in it is too small for numbers to decide.
+    /// Not decided, and this term is too small for floating-point numbers to test.
     NegligibleTerm(String),
-    /// It is none, although numbers do not show it.
+    /// Not an identity, although floating-point numbers do not show the difference.
     Differs,
-    /// It is none where families have so many members.
+    /// Not an identity for families with this number of members.
     DiffersFor(u32),
 }
 
 impl Certificate {
-    /// The finding on a claim that agreed in numbers, with what the field says of it.
+    /// The finding on a claim that passed by numbers, changed by this decision.
     pub fn stamp(self, finding: Finding) -> Finding {
         match self {
             Certificate::Identity(log2) => {
@@ -52,15 +52,15 @@ impl Certificate {
     }
 }
 
-/// What is evaluated at a point: differences that must all vanish.
+/// The differences at a point of the field, all of which must vanish; or the reason why there are none.
 pub(crate) type Differences<F> = Result<Vec<Modular<F>>, String>;
 
-/// What a field decides: differences, over whichever field.
+/// A claim as differences that must vanish, over any field.
 pub(crate) trait Claim {
-    /// The differences, at a state.
+    /// The differences at a state.
     fn differences<F: Modulus>(&self, state: &mut SampledState<'_, Modular<F>>) -> Differences<F>;
 
-    /// The free letters, where they are the differences of the formulas that are decided on, one by one.
+    /// The free letters, if the differences are those of the decided formulas one by one.
     fn free(&self) -> Option<&[IndexId]> {
         None
     }

@@ -1,8 +1,12 @@
-//! Certificates: whether a claim that holds at sampled states is an identity, decided over a prime field.
+//! Polynomial identity testing: whether a claim that passes by numbers is an identity, decided over a prime field.
 //!
-//! The claim, the equations of motion and the hypotheses are evaluated at random points of the field
-//! ([`crate::scalar::prime_field`]). Points are added until the bound on a false certificate is at most 2⁻⁸⁰. Hypotheses
-//! are solved exactly ([`super::solved`]). What has no meaning in a field is reported, and nothing is concluded.
+//! The claim, the equations of motion of the system and the claim's hypotheses are evaluated at random points of the
+//! field ([`crate::scalar::prime_field`]). An identity vanishes at all of them. A difference vanishes by accident with a
+//! probability that its degree bounds (Schwartz–Zippel). Points are added until that is at most 2⁻⁸⁰. Hypotheses are
+//! solved exactly ([`super::solved`]). A claim with parts that have no meaning in a field stays open, with the reason.
+//!
+//! A certificate is only asked for after the claim has passed by numbers. Ranges, branches of roots and mutants are
+//! tested there.
 //!
 //! # Why a prime field may decide
 //!
@@ -44,32 +48,32 @@ use crate::check::sample::projection::Projection;
 use crate::check::sample::sampler::{Sampler, last};
 use crate::check::state::generic_body::{Generality, PRINCIPAL_AXES};
 
-/// The probability that two false sides are taken for one is at most two to this power: of an equation with a thousand parts
-/// it is below 2⁻⁸⁰ all the same.
+/// The base-2 logarithm of the largest probability of a false acceptance. An equation with a thousand parts stays below
+/// 2⁻⁸⁰.
 pub(crate) const FALSE_ACCEPT_LOG2: f64 = -90.0;
 
-/// So many independent points are used at least, and so many at most.
+/// The least and the largest number of independent points.
 const POINTS: std::ops::RangeInclusive<usize> = 2..=6;
 
-/// So many points are tried for one at which no denominator vanishes and every root exists.
+/// The largest number of attempts to find a point at which no denominator vanishes and every root exists.
 const ATTEMPTS: u32 = 64;
 
-/// The reason to ask a second field.
+/// The reason for which a second field is used.
 const TOO_LARGE: &str = "coefficients that may be larger than the prime";
 
-/// Why a claim about families of any size stays open.
+/// The reason for which a claim about families of any size stays open.
 const HOW_IT_GROWS: &str = "sums over families, where the numbers of members that were tried do not decide all others";
 
-/// So many values of whole numbers are tried, one after the other.
+/// The largest number of integer values that are tried one after the other.
 const WHOLES: usize = 32;
 
-/// With more square roots than this the choices of their signs are too many.
+/// The largest number of square roots: all choices of their signs are tried.
 const MOST_ROOTS: u32 = 5;
 
 /// Decides a claim between two formulas, under the hypotheses by which an ensemble was drawn.
 pub fn certify(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>) -> Certificate {
     match decide(&[&link.lhs, &link.rhs], context, ensemble, link) {
-        // the agreement of numbers stands alone
+        // The claim then rests on numbers only, so its small terms matter.
         Certificate::Open(reason) => match negligible_terms::inside(link, &ensemble.states) {
             Some(term) => Certificate::NegligibleTerm(term),
             None => Certificate::Open(reason),
@@ -78,7 +82,7 @@ pub fn certify(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>) -> C
     }
 }
 
-/// Decides whether differences vanish; where families are counted, whatever the number of their members.
+/// Decides whether differences vanish, for families with any number of members.
 pub(crate) fn decide(
     formulas: &[&Expr],
     context: &Context<'_>,
@@ -93,7 +97,8 @@ pub(crate) fn decide(
     let grows = growing.of_difference(formulas).filter(|growth| claim.free().is_some() || *growth == 0);
     let distinguished = growing.distinguished_members(formulas, claim.free().unwrap_or_default());
     let mut reason = HOW_IT_GROWS.to_owned();
-    // One thing, or two, may be too few for anything to be defined. Hypotheses that are not solved for few are not for more.
+    // One member, or two, may be too few for a formula to have a value. Hypotheses that cannot be solved for few
+    // members cannot be solved for more.
     let attempts: &[u32] = if ensemble.projection.equalities().next().is_none() { &[1, 3] } else { &[1] };
     for least in attempts.iter().copied() {
         let (Some(growth), least) = (grows, distinguished.max(least)) else { break };
@@ -112,9 +117,9 @@ pub(crate) fn decide(
     Certificate::Open(reason)
 }
 
-/// Decides whether differences vanish, over a second field as well where coefficients may be as large as the first: what
-/// vanishes modulo two primes has coefficients that their product divides. With the hypotheses that are sums over members; not
-/// given, where none may be solved.
+/// Decides whether differences vanish. A second field is used if coefficients may be larger than the first prime: a
+/// coefficient that vanishes modulo two primes is divisible by their product. `sums` are the hypotheses that are sums
+/// over members; without it no hypothesis may be solved.
 fn decide_by(
     (projection, sums): (&Projection<'_>, Option<&SumHypotheses>),
     formulas: &[&Expr],
@@ -152,7 +157,7 @@ fn decide_by(
     }
 }
 
-/// Decides over one field, where coefficients have no more than so many bits.
+/// Decides over one field; coefficients may have up to `most_bits` bits.
 fn decide_in<F: Modulus>(
     integer_values: &[Vec<(usize, f64)>],
     (context, generality, sums): (&Context<'_>, Generality, Option<&SumHypotheses>),
@@ -161,7 +166,7 @@ fn decide_in<F: Modulus>(
     most_bits: f64,
 ) -> Certificate {
     let counts = sizes::counts(context.model);
-    // The number of members, and whether states were drawn with it.
+    // The number of members, and whether sampled states have this number.
     let size = |whole: &[(usize, f64)]| {
         let counted = |(at, _): &&(usize, f64)| projection.slots[*at].symbol.is_some_and(|id| counts.contains(&id));
         whole.iter().find(counted).map(|(_, value)| *value as u32)
@@ -175,7 +180,7 @@ fn decide_in<F: Modulus>(
     let (mut worst, least) = (f64::NEG_INFINITY, POINTS.start().div_ceil(integer_values.len()));
     for whole in integer_values {
         let found = match generality {
-            // hypotheses are of the particles
+            // The hypotheses are about the particles and not about a generic body.
             Generality::AnyTensor => Err(PRINCIPAL_AXES.to_owned()),
             _ => match sums {
                 None => Err(HOW_IT_GROWS.to_owned()),
@@ -185,7 +190,7 @@ fn decide_in<F: Modulus>(
         };
         let (solved, reason) = match found {
             Ok(solved) => (solved, (generality == Generality::AnyAxes).then(|| PRINCIPAL_AXES.to_owned())),
-            // what holds without its hypotheses holds with them
+            // A claim that holds without its hypotheses holds with them.
             Err(reason) => (Solved::without_hypotheses(projection, whole.clone()), Some(reason)),
         };
         let solved = solved.with(generality);
@@ -204,7 +209,7 @@ fn decide_in<F: Modulus>(
     Certificate::Identity(worst)
 }
 
-/// Decides at independent points, so many at least, and as many as the bound needs.
+/// Decides at independent points: at least `least`, and as many as the bound needs.
 fn at_points<F: Modulus>(
     solved: &Solved<'_, '_, F>,
     draw: &mut Sampler,
@@ -226,8 +231,8 @@ fn at_points<F: Modulus>(
     Certificate::Open("a degree that is too high for the prime field".to_owned())
 }
 
-/// All values that the whole numbers of a base can have, together, of those that are reached; none if they are too many. A
-/// field knows of such a number no more than one value at a time.
+/// All combinations of values of the integers in a base on which the claim depends; `None` if there are too many. Each
+/// combination is decided separately.
 fn integer_values(projection: &Projection<'_>, symbols: &[SymbolId]) -> Option<Vec<Vec<(usize, f64)>>> {
     let counts: Vec<SymbolId> = projection.model.symbols.indices.iter().filter_map(|index| index.count).collect();
     let mut all = vec![Vec::new()];
@@ -246,10 +251,10 @@ fn integer_values(projection: &Projection<'_>, symbols: &[SymbolId]) -> Option<V
     Some(all).filter(|all| !all.is_empty())
 }
 
-/// The symbols that a claim and its hypotheses speak of, through all definitions.
+/// The symbols on which a claim and its hypotheses depend, through all definitions.
 ///
 /// # Errors
-/// Why the claim cannot be decided over a field, as far as its formulas show.
+/// The reason why the claim cannot be decided over a field, as far as its formulas show it.
 pub(crate) fn all_symbols(formulas: &[&Expr], projection: &Projection<'_>) -> Result<Vec<SymbolId>, String> {
     let model = projection.model;
     let of_hypotheses = projection.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
@@ -258,7 +263,7 @@ pub(crate) fn all_symbols(formulas: &[&Expr], projection: &Projection<'_>) -> Re
         Action::EquationOfMotion { formula: Expr { node: Node::Quotient(_, coefficient), .. }, .. } => {
             !is_never_zero(model, coefficient)
         }
-        // Their determinant.
+        // The determinant of coupled laws may vanish.
         Action::Coupled(_) => true,
         _ => false,
     };
@@ -302,7 +307,7 @@ pub(crate) fn all_symbols(formulas: &[&Expr], projection: &Projection<'_>) -> Re
     reason.map_or(Ok(seen), |reason| Err(reason.to_owned()))
 }
 
-/// Whether differences vanish at a point, for all signs of square roots.
+/// Decides whether differences vanish at one point, for all signs of square roots.
 pub(crate) fn at_one_point<F: Modulus>(
     differences: &impl Fn() -> Differences<F>,
     is_free: bool,

@@ -1,13 +1,14 @@
 //! The number of family sizes that decides for all sizes, found from the formulas.
 //!
-//! SumHypotheses over labels, multiplied and added, are sums over tuples of labels, and so is a difference A − B of such formulas
-//! over one denominator. Of what each tuple gives nothing is known but which members it looks at. Let all members but k be
-//! alike. Then the difference depends on n as a polynomial, of a degree of at most the number of labels in the longest tuple,
-//! counting explicit powers of n: the *growth*. If it vanishes at one more number n ≥ k than the growth says, it vanishes
-//! for all n ≥ k; and a sum over tuples is put together from its values where all members but few are alike, k of them being
-//! told apart at most, k not above the growth. With `j < i` the polynomial is one in the gaps between the k labels, and vanishes
-//! likewise. Members that are named, `m_1`, labels that are free and ends that a Σ leaves out are told apart from the
-//! others in any case. So N + 1 numbers of members, from these on, tell for a growth of N.
+//! SumHypotheses over labels, multiplied and added, are sums over tuples of labels, and so is a difference A − B of
+//! such formulas over one denominator. Of what each tuple gives nothing is known but which members it looks at. Let all
+//! members but k be alike. Then the difference depends on n as a polynomial, of a degree of at most the number of
+//! labels in the longest tuple, counting explicit powers of n: the *growth*. If it vanishes at one more number n ≥ k
+//! than the growth says, it vanishes for all n ≥ k; and a sum over tuples is put together from its values where all
+//! members but few are alike, k of them being told apart at most, k not above the growth. With `j < i` the polynomial
+//! is one in the gaps between the k labels, and vanishes likewise. Members that are named, `m_1`, labels that are free
+//! and ends that a Σ leaves out are told apart from the others in any case. So N + 1 numbers of members, from these on,
+//! tell for a growth of N.
 //!
 //! # How many numbers of particles decide for all
 //!
@@ -34,38 +35,39 @@ use crate::check::model::claim::Hypothesis;
 use crate::check::model::meaning::{Meaning, ParticleQuantity};
 use crate::check::sample::projection::Projection;
 
-/// Definitions and laws are opened so often.
+/// The depth to which definitions and laws are inserted.
 const DEEPEST: usize = 64;
 
-/// So many derivatives of a hypothesis that holds throughout are looked at.
+/// The number of derivatives of a hypothesis under `throughout` that are considered.
 const DERIVATIVES: u8 = 3;
 
 /// The growth of formulas under rules and hypotheses.
 pub(crate) struct GrowthAnalysis<'a> {
     model: &'a Model,
     rules: &'a [Rule],
-    /// Families of which one member is what a hypothesis about a sum makes of it.
+    /// The families of which one member is the solution of a hypothesis about a sum.
     solved: Vec<SymbolId>,
     known: FxHashMap<(SymbolId, u8), Option<Growth>>,
     depth: usize,
-    /// What hypotheses say to be 0, and whether at all times.
+    /// The formulas that hypotheses set to 0, and whether at all times.
     zeros: Vec<(Expr, bool)>,
-    /// Whether a part of a family that is joined is at hand: there its name is the family as it is without the other parts.
+    /// Whether the current formula is a part of a joined family. In it the name means the family without the other
+    /// parts.
     in_parts: bool,
 }
 
 impl<'a> GrowthAnalysis<'a> {
-    /// Under these rules, and under no other hypotheses.
+    /// An analysis under these rules, without other hypotheses.
     pub fn new(model: &'a Model, rules: &'a [Rule]) -> Self {
         let (solved, zeros) = (Vec::new(), Vec::new());
         GrowthAnalysis { model, rules, solved, known: FxHashMap::default(), depth: 0, zeros, in_parts: false }
     }
 
-    /// Lets hypotheses hold that are solved for numbers of the state, as they were for states in numbers; and says which of
-    /// them is a sum over members. Nothing, if it is not known how these numbers grow.
+    /// Adds hypotheses that are solved for numbers of the state, and returns those of them that are sums over members.
+    /// Returns `None` if the growth of the solutions is not known.
     ///
-    /// One that sums over members, once, is solved for a number of one of them, and what that is then is such a sum. All
-    /// others may be about each member by itself, or about no member.
+    /// One hypothesis may be a single sum over members. It is solved for a number of one member, and the solution is
+    /// such a sum. All others must be about each member by itself, or about no member.
     pub fn obeys(&mut self, projection: &Projection<'_>) -> Option<SumHypotheses> {
         let mut sums = Vec::new();
         for (at, hypothesis) in projection.equalities() {
@@ -104,13 +106,13 @@ impl<'a> GrowthAnalysis<'a> {
             .try_fold(Growth::default(), |all, growth| Some(all.plus(growth?)))
     }
 
-    /// How the difference of two formulas grows, both over one denominator; none, if that is not known.
+    /// The growth of the difference of two formulas over their common denominator; `None` if that is not known.
     pub fn of_difference(&mut self, sides: &[&Expr]) -> Option<u32> {
         Some(self.of_sum(sides.iter().copied(), 0)?.numerator[0])
     }
 
-    /// How many members are told apart from the others: those that stand for free letters, those from the first to the last
-    /// that is named, those that a Σ leaves out at the end, and one that a hypothesis is solved for.
+    /// The number of members that are distinguished from the others: those of free letters, those from the first to the
+    /// last that is named, those that a Σ leaves out at the end, and one for which a hypothesis is solved.
     pub fn distinguished_members(&self, formulas: &[&Expr], free: &[IndexId]) -> u32 {
         let named = NamedMembers::of(formulas, self.model, self.rules);
         let solved = u32::from(!self.solved.is_empty());
@@ -125,17 +127,17 @@ impl<'a> GrowthAnalysis<'a> {
         self.model.symbols.indices[letter.0].count.is_some()
     }
 
-    /// Whether a formula under so many dots is 0 by a hypothesis.
+    /// Whether a formula under this number of dots is 0 by a hypothesis.
     fn vanishes(&self, expr: &Expr, dots: u8) -> bool {
         self.zeros.iter().any(|(zero, throughout)| (dots == 0 || *throughout) && zero == expr)
     }
 
-    /// The growth of a formula under so many dots.
+    /// The growth of a formula under this number of dots.
     fn of(&mut self, expr: &Expr, dots: u8) -> Option<Growth> {
         let plain = |inner: Growth| inner.is_none().then_some(inner);
         match &expr.node {
             Node::Number(_) | Node::Pi | Node::Euler | Node::Epsilon(_) | Node::Delta(_) => Growth::of([0; 2]),
-            // The whole of a family whose members are counted is no vector.
+            // A family without an index has no value.
             Node::Symbol { id, indices, .. } if indices.is_empty() && self.is_counted(*id) => None,
             Node::Symbol { id, dots: own, .. } => self.of_symbol(*id, own.checked_add(dots)?),
             Node::Sum(terms) => self.of_sum(terms.iter().map(|term| &term.expr), dots),
@@ -181,7 +183,7 @@ impl<'a> GrowthAnalysis<'a> {
         terms.try_fold(Growth::default(), |all, term| Some(all.plus(self.of(term, dots)?)))
     }
 
-    /// A single dot is on one of the factors.
+    /// The growth of a product. A single dot acts on one factor at a time.
     fn of_product(&mut self, factors: &[&Expr], dots: u8) -> Option<Growth> {
         if factors.iter().any(|factor| (0..=dots).all(|dots| self.vanishes(factor, dots))) {
             return Some(Growth::default());
@@ -198,7 +200,8 @@ impl<'a> GrowthAnalysis<'a> {
         }
     }
 
-    /// The rate of a quotient has a further divisor, if that varies. A divisor that is a sum must be one for all members.
+    /// The growth of a quotient. The rate of a quotient has a further factor of a divisor that varies. A divisor that
+    /// is a sum must not contain free letters.
     fn divided(&mut self, above: Growth, divisor: &Expr, dots: u8, times: u32) -> Option<Growth> {
         let growth = self.of(divisor, 0)?;
         let dots = if self.varies(divisor) { u32::from(dots) } else { 0 };
@@ -212,7 +215,7 @@ impl<'a> GrowthAnalysis<'a> {
         Some(above.over(self.opened(divisor), growth, times + dots))
     }
 
-    /// A name's own formula, so that one divisor has one name.
+    /// The formula of a defined name, so that equal divisors are recognised.
     fn opened<'e>(&self, expr: &'e Expr) -> &'e Expr
     where
         'a: 'e,
@@ -286,7 +289,7 @@ impl<'a> GrowthAnalysis<'a> {
                 None => Growth::default(),
             },
             Some(Meaning::Region(_) | Meaning::Density(_) | Meaning::Point) => return None,
-            // Axes and moments are any at all where a field decides: see `any_body`.
+            // Over a field, axes and moments are those of a generic body.
             _ => Growth::default(),
         };
         Some(all.plus(own))

@@ -1,8 +1,8 @@
 //! Whether two formulas are equal whatever their symbols mean. Each symbol, with its indices and derivatives, is a
-//! number, a vector or a matrix drawn from a field.
+//! random number, vector or matrix of a prime field.
 //!
-//! So x·y + y·x is 2xy, |−r|² is r², and Σ_ab I_ba ω_a ω_b is Σ_ab I_ab ω_a ω_b; that I is symmetric is not known
-//! here. What holds so holds for every meaning and needs no sampled state.
+//! So x·y + y·x equals 2xy, |−r|² equals r², and Σ_ab I_ba ω_a ω_b equals Σ_ab I_ab ω_a ω_b. That I is symmetric is not
+//! known here. An equality of this kind holds for every meaning, and needs no state of a system.
 
 use nalgebra::{DMatrix, Vector3};
 use std::cell::{Cell, RefCell};
@@ -21,13 +21,13 @@ use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
 use crate::check::state::residual;
 
-/// So many points are used.
+/// The number of points.
 const POINTS: u64 = 2;
 
-/// A family whose number is not fixed has so many members.
+/// The number of members of a family of any size.
 const MEMBERS: u8 = 3;
 
-/// Whether two formulas are one, or are made in one way of formulas that are.
+/// Whether two formulas are equal, or have the same outer form with equal parts.
 pub(crate) fn same(a: &Expr, b: &Expr, model: &Model) -> bool {
     a == b || is_identity(a, b, model) || {
         let (mut outer_a, mut outer_b) = (a.clone(), b.clone());
@@ -38,7 +38,7 @@ pub(crate) fn same(a: &Expr, b: &Expr, model: &Model) -> bool {
         blank(&mut outer_b);
         let (inner_a, inner_b) = (a.children(), b.children());
         let alike = || inner_a.iter().zip(&inner_b).all(|(a, b)| same(a, b, model));
-        // What is opposite is as large.
+        // Opposite vectors have the same norm.
         if let (Node::Norm(a), Node::Norm(b)) = (&a.node, &b.node) {
             return same(a, b, model) || same(a, &Expr::clone(b).negated(), model);
         }
@@ -46,17 +46,17 @@ pub(crate) fn same(a: &Expr, b: &Expr, model: &Model) -> bool {
     }
 }
 
-/// Whether two formulas agree in numbers of which nothing is known.
+/// Whether two formulas are equal for arbitrary symbols.
 pub(crate) fn is_identity(a: &Expr, b: &Expr, model: &Model) -> bool {
     is_identity_where(a, b, &[], model)
 }
 
-/// Whether two formulas agree in numbers of which nothing is known but that some are the values of formulas.
+/// Whether two formulas are equal for arbitrary symbols, some of which have the values of formulas.
 pub(crate) fn is_identity_where(a: &Expr, b: &Expr, rules: &[Rule], model: &Model) -> bool {
     is_one_of_multiples(a, b, &[(1, 1)], rules, model)
 }
 
-/// Whether one formula is another, or twice it, or half of it, or the opposite of one of these.
+/// Whether one formula is ±1, ±2 or ±1/2 times another.
 pub(crate) fn is_multiple(a: &Expr, b: &Expr, model: &Model) -> bool {
     is_one_of_multiples(a, b, &[(1, 1), (1, -1), (1, 2), (1, -2), (2, 1), (2, -1)], &[], model)
 }
@@ -74,7 +74,7 @@ fn is_one_of_multiples(a: &Expr, b: &Expr, multiples: &[(i64, i64)], rules: &[Ru
     if shapes[0] != shapes[1] && !a.is_null() && !b.is_null() {
         return false;
     }
-    // Of several the one that holds at the first point is meant: that it does so by accident has as many ways.
+    // The multiple that holds at the first point is tested at the others. An accident has as many chances as multiples.
     let (mut log2, mut finest) = ((multiples.len() as f64).log2(), 1);
     let mut multiples = multiples.to_vec();
     for seed in 1..=POINTS {
@@ -99,7 +99,7 @@ fn is_one_of_multiples(a: &Expr, b: &Expr, multiples: &[(i64, i64)], rules: &[Ru
     log2 <= decide::FALSE_ACCEPT_LOG2
 }
 
-/// The entries of two formulas, side by side.
+/// The entries of two formulas, in pairs.
 type Pairs<F> = Vec<(Modular<F>, Modular<F>)>;
 
 /// The values of symbols, by their indices.
@@ -108,15 +108,15 @@ type Drawings<F> = HashMap<(SymbolId, Vec<u8>), Value<Series<Modular<F>>>>;
 /// Symbols with random values.
 struct RandomValues<'s, F: Modulus> {
     model: &'s Model,
-    /// What some of them are.
+    /// The rules of some of them.
     rules: &'s [Rule],
     values: RefCell<Drawings<F>>,
-    /// Those whose formulas are being evaluated: in them they are numbers.
+    /// The symbols whose rules are being evaluated; within these they are random.
     opened: RefCell<Vec<SymbolId>>,
 }
 
 impl<F: Modulus> RandomValues<'_, F> {
-    /// The numbers of two formulas, side by side.
+    /// The entries of two formulas, in pairs.
     fn pairs(&self, a: &Expr, b: &Expr, free: &[IndexId]) -> Result<Pairs<F>, Unavailable> {
         let mut indices: Vec<(IndexId, u8)> = free.iter().map(|id| (*id, 1)).collect();
         let mut all = Vec::new();
@@ -140,7 +140,7 @@ impl<F: Modulus> RandomValues<'_, F> {
         }
     }
 
-    /// A number; a constant is not more than its value.
+    /// A random series; a constant has no derivatives.
     fn number(varies: bool) -> Series<Modular<F>> {
         if !varies {
             return Series::constant(Modular::random());
@@ -192,8 +192,8 @@ impl<F: Modulus> Environment<Series<Modular<F>>> for RandomValues<'_, F> {
     }
 }
 
-/// Whether one formula vanishes wherever another does, whatever their symbols mean: it is a multiple of it, by a symbol
-/// or over one that `is_never_zero`, or its rate.
+/// Whether one formula vanishes wherever another does, whatever their symbols mean: it is the other times a symbol, or
+/// divided by one that `is_never_zero`, or its time derivative.
 pub(crate) fn vanishes_with(it: &Expr, other: &Expr, model: &Model, is_never_zero: &impl Fn(&Expr) -> bool) -> bool {
     let times = |a: &Expr, b: &Expr| Expr::new(Node::Product(vec![a.clone(), b.clone()]), a.span);
     let one = Expr::integer(1, it.span);

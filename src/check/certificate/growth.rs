@@ -34,7 +34,7 @@ impl Growth {
         self.numerator == [0; 2] && self.denominators.is_empty()
     }
 
-    /// The growth of the product with a sum over so many more labels.
+    /// The growth after `by` labels are added to the numerator.
     pub(crate) fn raised(mut self, by: [u32; 2]) -> Self {
         self.numerator = [self.numerator[0] + by[0], self.numerator[1] + by[1]];
         self

@@ -1,7 +1,8 @@
 //! Certificates: claims decided as polynomial identities over a prime field.
 //!
-//! Offers [`decide`], the decision with its false-accept bound; [`claim::Claim`], what can be decided; [`formulas`], whether
-//! two formulas are one whatever their symbols mean. Knows `sample` and below, and [`crate::scalar::prime_field`].
+//! Offers [`decide`], the decision with its bound on false acceptance; [`claim::Claim`], what can be decided;
+//! [`formulas`], whether two formulas are equal whatever their symbols mean. Knows `sample`, `state` and below, and
+//! [`crate::scalar::prime_field`].
 
 pub(crate) mod claim;
 pub(crate) mod decide;

@@ -1,4 +1,4 @@
-//! Terms that are too small beside the others for sampled states to see.
+//! Terms that are too small beside the others to be tested at sampled states.
 
 use crate::formula::{Expr, Node, Value, text};
 use crate::scalar::RunningError;
@@ -8,8 +8,8 @@ use crate::check::state::residual;
 use crate::check::state::residual::DIFFERENCE;
 use crate::check::state::sampled_state::SampledState;
 
-/// A term of a claim that cannot be seen at any state: it is there, and so small beside the others that leaving it out
-/// would change nothing that can be told from rounding.
+/// A term of a claim that is not zero and at all states so small beside the others that its omission is within rounding
+/// error.
 pub fn of_claim(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<String> {
     fn terms(side: &Expr) -> Vec<&Expr> {
         match &side.node {
@@ -24,12 +24,12 @@ pub fn of_claim(link: &Link, states: &[SampledState<'_, RunningError>]) -> Optio
     hidden(&all, states)
 }
 
-/// What is said of a claim with such a term.
+/// The message about a claim with such a term.
 pub(crate) fn message(term: &str) -> String {
     format!("“{term}” is too small beside the other terms to be tested; choose ranges in which it matters")
 }
 
-/// The same of a term of a sum inside of a claim: below a root, in a sine, in an exponent.
+/// Such a term of a sum inside of a claim: under a root, in a sine, in an exponent.
 pub fn inside(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<String> {
     let mut sums: Vec<Vec<&Expr>> = Vec::new();
     for side in [&link.lhs, &link.rhs] {
@@ -41,9 +41,9 @@ pub fn inside(link: &Link, states: &[SampledState<'_, RunningError>]) -> Option<
     sums.iter().find_map(|terms| hidden(terms, states))
 }
 
-/// Of terms that are added the first that cannot be seen beside the others at any state.
+/// The first term of a sum that is negligible beside the others at all states.
 fn hidden(all: &[&Expr], states: &[SampledState<'_, RunningError>]) -> Option<String> {
-    // A literal zero is not there, and need not be seen.
+    // A literal zero is not tested.
     let (mut seen, mut there): (Vec<bool>, Vec<bool>) = all.iter().map(|term| (term.is_null(), false)).unzip();
     for state in states {
         if seen.iter().all(|seen| *seen) {

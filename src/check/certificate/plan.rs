@@ -1,4 +1,4 @@
-//! The plan for solving hypotheses over a prime field: which hypothesis for which number, and in which order.
+//! The plan that solves hypotheses over a prime field: which row for which number, one after the other.
 
 use crate::check::certificate::solved::{NOT_SOLVED, OTHER_WAYS, Solved, Step};
 use crate::check::certificate::zeros::Zeros;
@@ -9,15 +9,15 @@ use crate::formula::{Kind, Relation, SymbolId};
 use crate::scalar::Modular;
 use crate::scalar::prime_field::{Modulus, evaluate_at_point};
 
-/// So many numbers are tried to solve a hypothesis for.
+/// The largest number of candidates for which a hypothesis is solved.
 const CANDIDATES: usize = 40;
 
-/// Of so many of them it is asked whether the slope vanishes; of the first of these, where.
+/// The number of candidates whose slope is tested for zeros, and the number of those whose zeros are located.
 const ASKED: usize = 8;
 
 const FOLLOWED: usize = 2;
 
-/// So many points are tried for one at which the hypotheses can be solved.
+/// The largest number of points that are tried to find one at which the hypotheses can be solved.
 const ATTEMPTS: u32 = 8;
 
 /// Whether two rows are components of one vector.
@@ -26,10 +26,10 @@ fn of_one_vector(a: Row, b: Row) -> bool {
 }
 
 impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
-    /// Finds what the hypotheses are solved for, at a point of which nothing else is used.
+    /// Finds the plan for the hypotheses, at a point that is not used otherwise.
     ///
     /// # Errors
-    /// The reason why they are not solved, or not in the only way.
+    /// The reason why they cannot be solved, or may have other solutions.
     pub fn new(projection: &'s Projection<'m>, whole: Vec<(usize, f64)>, seed: u64) -> Result<Self, String> {
         let mut solved = Self::without_hypotheses(projection, whole);
         solved.obeys = true;
@@ -59,7 +59,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         let mut base = self.drawn();
         let (rows, mut values): (Vec<Row>, Vec<Modular<F>>) =
             self.projection.rows(&self.state(&base)?).into_iter().unzip();
-        // What was known before the rows of the vector at hand.
+        // The plan before the rows of the current vector.
         let (mut at, mut outset) = (0, (0, base.clone(), Vec::new(), false));
         while at < rows.len() {
             if at == 0 || !of_one_vector(rows[at - 1], rows[at]) {
@@ -83,8 +83,8 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         Ok(())
     }
 
-    /// Finds numbers to solve rows for, such that the rows before them hold still, and such that this is the only way to
-    /// obey them.
+    /// Finds the numbers for which rows are solved, such that the rows before them stay solved and the solution is
+    /// unique.
     fn extend(&mut self, base: &mut Vec<Modular<F>>, wanted: &[Row], rows: &[Row]) -> Result<(), String> {
         let before: Vec<Row> = rows.iter().copied().take_while(|other| *other != wanted[0]).collect();
         let (mut chosen, mut reason, mut asked) = (None, NOT_SOLVED, 0);
@@ -118,7 +118,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         Ok(())
     }
 
-    /// The numbers that rows may be solved for: one, or the components of a vector.
+    /// The candidates for which rows may be solved: one number, or the components of a vector.
     fn candidates(&self, wanted: &[Row]) -> Vec<Vec<usize>> {
         let matters = |slot: &usize| wanted.iter().any(|row| !self.is_idle(*row, *slot));
         if let [row] = wanted {
@@ -139,7 +139,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         vectors.into_iter().rev().filter(|vector| vector.len() == 3).filter(is_open).collect()
     }
 
-    /// The same for rows that may not be linear; nothing then.
+    /// Solves the rows of a step if they are linear; returns the determinant of the slopes.
     pub(crate) fn put_if_linear(&self, base: &mut [Modular<F>], step: &Step) -> Result<Option<Modular<F>>, String> {
         let zero = self.values(base, &step.rows)?;
         let slopes = self.slopes(base, step, &zero)?;

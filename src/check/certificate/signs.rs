@@ -1,4 +1,4 @@
-//! Whether a coefficient may vanish, as far as its form and the declared ranges tell.
+//! Whether a coefficient may vanish, as far as its form shows.
 
 use crate::formula::{Expr, Node, Sign};
 use crate::notes::claims::Range;
@@ -7,7 +7,7 @@ use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::sampler::contains;
 
-/// Whether a coefficient that does not vary is different from 0 in all declared ranges, as far as that can be read off it.
+/// Whether a constant coefficient is different from 0 in all declared ranges, as far as its form shows.
 pub fn is_never_zero(model: &Model, expr: &Expr) -> bool {
     match &expr.node {
         Node::Product(factors) => factors.iter().all(|factor| is_never_zero(model, factor)),

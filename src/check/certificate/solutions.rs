@@ -11,7 +11,8 @@ use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::state::sampled_state::SampledState;
 
-/// Decides whether formulas solve a target for an unknown, and are all of its solutions: as many as its degree.
+/// Decides whether formulas solve a target equation for an unknown and, if asked, are all its solutions: as many as its
+/// degree.
 pub fn certify_solutions(
     target: &Link,
     unknown: SymbolId,
@@ -24,7 +25,7 @@ pub fn certify_solutions(
     decide(&formulas, context, ensemble, &Solutions { target, unknown, branches, all_of_them })
 }
 
-/// That formulas solve an equation.
+/// The claim that formulas solve an equation.
 struct Solutions<'a> {
     target: &'a Link,
     unknown: SymbolId,
@@ -62,7 +63,8 @@ impl Solutions<'_> {
         found
     }
 
-    /// Vanishes if the target is a polynomial of no more than some degree in the unknown: its differences of the next order.
+    /// The finite differences of order `degree + 1` of the target in the unknown. They vanish for a polynomial of at
+    /// most this degree.
     fn degree_exceeds<F: Modulus>(&self, degree: usize, state: &mut SampledState<'_, Modular<F>>) -> Differences<F> {
         let start = Modular::random();
         let columns = (0..=degree + 1).map(|step| self.with(start + step as f64, state));

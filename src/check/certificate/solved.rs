@@ -1,16 +1,11 @@
-//! Hypotheses over a field: each is solved exactly for a number in which it is linear, if that is the only way to
-//! meet it.
+//! Hypotheses over a prime field, solved exactly: each for a number in which it is linear, with a unique solution.
 //!
-//! The *slope* is the coefficient A in A·s + B = 0. If it vanishes nowhere in the declared ranges, the hypothesis
-//! is an equation for s. If it vanishes only where B does not, the solutions are still of one piece; but a further
-//! hypothesis could cut them into several, so no other may follow. What cannot be decided gets no certificate. If a
-//! hypothesis is about a vector, its components may be solved for those of another vector together; then A is the
-//! determinant of their slopes.
-//!
-//! A hypothesis that can be met in another way is not solved exactly. A·s + B = 0 means s = −B/A only if A and B
-//! have no common factor, as x cos θ = y cos θ has. The slope A must vanish nowhere in the ranges, or, for the last
-//! hypothesis that is solved, not together with B. A claim that is an identity without its hypotheses needs none of
-//! this.
+//! A·s + B = 0 has the one solution s = −B/A, unless A and B have a common factor: (x − y)(z − 1) = 0 is solved by x =
+//! y, and by z = 1 with x and y free. So the zeros of the *slope* A are examined. If A vanishes nowhere in the declared
+//! ranges, the hypothesis is an equation for s. If A vanishes where B does not, the two have no common factor, and the
+//! solutions are irreducible. A further hypothesis could make them reducible, so none may follow. A claim with an
+//! unclear case is not certified. If the components of a vector hypothesis cannot be solved one by one, they are solved
+//! together for those of another vector; then A is the determinant of their slopes.
 
 use nalgebra::Vector3;
 use std::cell::RefCell;
@@ -31,7 +26,7 @@ use crate::check::state::numbers;
 use crate::check::state::numbers::Slot;
 use crate::check::state::sampled_state::SampledState;
 
-/// Hypotheses that are sums over members, by their places, and the families that they are solved for.
+/// Hypotheses that are sums over members, by their places, and the families for which they are solved.
 #[derive(Default)]
 pub(crate) struct SumHypotheses {
     pub hypotheses: Vec<usize>,
@@ -41,10 +36,10 @@ pub(crate) struct SumHypotheses {
 pub(crate) const NOT_SOLVED: &str =
     "hypotheses that are not linear in any symbol, so that they cannot be solved exactly";
 
-/// Why a claim stays open of whose hypotheses one solution alone was looked at.
+/// The reason for which a claim stays open if only one solution of its hypotheses was tested.
 pub(crate) const OTHER_WAYS: &str = "hypotheses that may have more than one solution";
 
-/// The determinant of one number, or of three columns.
+/// The determinant of a 1 × 1 or 3 × 3 matrix, given by columns.
 pub(crate) fn determinant<F: Modulus>(columns: &[Vec<Modular<F>>]) -> Modular<F> {
     let vector = |column: &Vec<Modular<F>>| Vector3::new(column[0], column[1], column[2]);
     match columns {
@@ -65,24 +60,24 @@ fn unit_vector<F: Modulus>(direction: &mut [Modular<F>]) {
 /// States at points of the field at which the hypotheses hold exactly.
 pub(crate) struct Solved<'s, 'm, F> {
     pub(crate) projection: &'s Projection<'m>,
-    /// The values of the whole numbers that matter, by their places in a base.
+    /// The values of integers, by their places in a base.
     whole: Vec<(usize, f64)>,
-    /// What of the hypotheses is solved for which numbers.
+    /// The steps of the solution.
     pub(crate) plan: Vec<Step>,
-    /// Whether the slope of the last of them may vanish.
+    /// Whether the slope of the last step may vanish.
     pub(crate) may_vanish: bool,
-    /// Whether the hypotheses hold.
+    /// Whether the states must obey the hypotheses.
     pub(crate) obeys: bool,
-    /// What stands in for particles whose principal axes are stated of; not by the hypotheses.
+    /// The generic body in place of particles whose principal axes occur in the claim.
     generality: Generality,
-    /// Numbers that obey no hypothesis: there nothing is at rest by accident.
+    /// A generic base of floating-point numbers, which obeys no hypothesis.
     pub(crate) anywhere: Vec<f64>,
-    /// Of each row that was asked about, the numbers that it does not depend on.
+    /// For each row that was examined, whether it is independent of each number.
     idle: RefCell<Vec<(Row, Vec<bool>)>>,
     field: PhantomData<F>,
 }
 
-/// One row of the hypotheses and the number that it is solved for, or the three of a vector and as many numbers.
+/// A row with the number for which it is solved, or the three rows of a vector with three numbers.
 #[derive(Clone)]
 pub(crate) struct Step {
     pub(crate) rows: Vec<Row>,
@@ -108,18 +103,18 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         }
     }
 
-    /// The same with particles that others stand in for.
+    /// The same states with a generic body in place of particles.
     pub fn with(self, generality: Generality) -> Self {
         Solved { generality, ..self }
     }
 
-    /// Whether there was anything to solve.
+    /// Whether no hypothesis had to be solved.
     pub fn is_free(&self) -> bool {
         self.plan.is_empty()
     }
 
-    /// Whether hypotheses that are sums over members are solved for numbers of these families, and the others for none of
-    /// other families.
+    /// Whether the hypotheses that are sums over members are solved for numbers of these families, and no others are
+    /// solved for numbers of other families.
     pub fn moves(&self, sums: &SumHypotheses) -> bool {
         let Projection { model, slots, .. } = self.projection;
         let is_known = |at: &usize| slots[*at].symbol.is_some_and(|id| sums.families.contains(&id));
@@ -129,10 +124,10 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         sums.hypotheses.is_empty() || self.plan.iter().all(moves)
     }
 
-    /// The state at the point at hand.
+    /// A random state at the current point of the field.
     pub fn draw_state(&self) -> Result<SampledState<'m, Modular<F>>, String> {
         let mut base = self.drawn();
-        // That the rows are linear, so that this is the only way, is seen at every point anew.
+        // The rows must be linear at every point, so that the solution is unique.
         for step in &self.plan {
             self.put_if_linear(&mut base, step)?.ok_or(NOT_SOLVED)?;
         }
@@ -151,7 +146,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         }
         match &self.projection.slots[at] {
             Slot { range: Range::Integer { low, .. }, .. } => Modular::from(*low as f64),
-            // nobody takes the sine of a velocity
+            // Velocities need no sine and cosine.
             slot if slot.order > 0 => Modular::random_plain(),
             _ => Modular::random(),
         }
@@ -161,7 +156,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         let mut base: Vec<Modular<F>> = (0..self.projection.slots.len()).map(|at| self.drawn_at(at)).collect();
         if let Some(direction) = numbers::direction(self.projection.model) {
             unit_vector(&mut base[direction.clone()]);
-            // ω comes from R and Ṙ, as long polynomials; it is no accident that it is this
+            // ω is computed from R and Ṙ as long polynomials; its simple form is known.
             let rate = self.projection.slots.iter().rposition(|slot| slot.order == 1 && slot.symbol.is_none());
             for component in direction {
                 base[component].remembered();
@@ -182,7 +177,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         Ok(self.projection.values(&self.state(base)?, rows).ok_or(NOT_SOLVED)?)
     }
 
-    /// Moves a base so that all that is planned holds, one after the other.
+    /// Solves the steps of the plan for a base, one after the other.
     pub(crate) fn follow(&self, base: &mut [Modular<F>]) -> Result<(), String> {
         for step in &self.plan {
             self.put(base, step)?.ok_or(NOT_SOLVED)?;
@@ -190,7 +185,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         Ok(())
     }
 
-    /// What rows change by as one number after the other changes by 1: for each number the changes of all rows.
+    /// The slopes: for each number of the step the changes of all rows when it changes by 1.
     pub(crate) fn slopes(
         &self,
         base: &[Modular<F>],
@@ -205,15 +200,14 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         step.slots.iter().map(along).collect()
     }
 
-    /// Moves numbers of the base so that rows vanish that are linear in them, if they are independent; the determinant of
-    /// their slopes.
+    /// Solves the rows of a step, which are linear; returns the determinant of the slopes, or `None` if it vanishes.
     fn put(&self, base: &mut [Modular<F>], step: &Step) -> Result<Option<Modular<F>>, String> {
         let zero = self.values(base, &step.rows)?;
         let slopes = self.slopes(base, step, &zero)?;
         Ok(self.put_by(base, step, (&zero, &slopes)))
     }
 
-    /// The same for rows of which these are the values and slopes.
+    /// Solves rows with these values and slopes by Cramer's rule.
     pub(crate) fn put_by(
         &self,
         base: &mut [Modular<F>],
@@ -221,7 +215,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         (zero, slopes): (&Vec<Modular<F>>, &[Vec<Modular<F>>]),
     ) -> Option<Modular<F>> {
         let slope = determinant(slopes);
-        // most numbers have nothing to do with a row
+        // A row is independent of most numbers.
         if slope.vanishes() {
             return None;
         }
@@ -233,7 +227,7 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         Some(slope)
     }
 
-    /// Whether a row has nothing to do with a number; doubles tell that at once.
+    /// Whether a row is independent of a number, as found with floating-point numbers.
     pub(crate) fn is_idle(&self, row: Row, slot: usize) -> bool {
         let mut known = self.idle.borrow_mut();
         if !known.iter().any(|(other, _)| *other == row) {
@@ -243,14 +237,14 @@ impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
         known.iter().any(|(other, idle)| *other == row && idle[slot])
     }
 
-    /// Whether a number can still be moved.
+    /// Whether a number may still be solved for.
     pub(crate) fn is_open(&self, slot: usize) -> bool {
         !self.plan.iter().any(|step| step.slots.contains(&slot))
             && !numbers::direction(self.projection.model).is_some_and(|direction| direction.contains(&slot))
             && !matches!(self.projection.slots[slot].range, Range::Integer { .. })
     }
 
-    /// The base with another value for one number, on what is planned.
+    /// The base with another value of one number, with the plan solved again.
     pub(crate) fn moved(&self, base: &[Modular<F>], at: usize, to: Modular<F>) -> Result<Vec<Modular<F>>, String> {
         let mut moved = base.to_vec();
         moved[at] = to;

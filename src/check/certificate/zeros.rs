@@ -1,4 +1,4 @@
-//! The places where the slope of a solved hypothesis vanishes: there it may be met in another way.
+//! The zeros of the slope of a hypothesis that is solved for a number: there it may have another solution.
 
 use std::f64::consts::PI;
 
@@ -11,25 +11,26 @@ use crate::check::model::state_cache::Row;
 use crate::check::sample::sampler::contains;
 use crate::check::state::numbers;
 
-/// The highest power of a number that is recognised in a slope.
+/// The largest power of a number that is recognised in a slope.
 const POWERS: i32 = 4;
 
-/// Where the slope of a row vanishes.
+/// The zeros of the slope of a row.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Zeros {
+    /// There are none.
     Nowhere,
-    /// Where the row does not.
+    /// At its zeros the row does not vanish.
     Apart,
 }
 
 impl<F: Modulus> Solved<'_, '_, F> {
-    /// What rows, which are linear in as many numbers, change by as these change by 1: the determinant of that.
+    /// The slope of a step: the determinant of the slopes of its rows.
     fn slope(&self, base: &[Modular<F>], step: &Step) -> Result<Modular<F>, String> {
         Ok(determinant(&self.slopes(base, step, &self.values(base, &step.rows)?)?))
     }
 
-    /// Where the slope of a step vanishes; none where that is not known, or where its row vanishes with it. Of a slope that
-    /// varies nothing more is asked if it must vanish nowhere.
+    /// The zeros of the slope of a step; `None` if they are not known, or if the row vanishes there too. With
+    /// `only_nowhere` the zeros of a slope that varies are not located.
     pub(crate) fn zeros(
         &self,
         (base, slope): (&[Modular<F>], Modular<F>),
@@ -58,7 +59,7 @@ impl<F: Modulus> Solved<'_, '_, F> {
             }
         }
         let mut found = Zeros::Nowhere;
-        // What is planned moves with a number, and may move the row.
+        // The planned numbers change with a number, and may change the row.
         let is_idle = |at| self.plan.is_empty() && step.rows.iter().all(|row| self.is_idle(*row, at));
         for at in (0..base.len()).filter(|at| !step.slots.contains(at) && self.is_open(*at) && !is_idle(*at)) {
             let other = self.moved(base, at, self.drawn_at(at))?;
@@ -68,7 +69,7 @@ impl<F: Modulus> Solved<'_, '_, F> {
             }
             let Some(zeros) = self.zeros_in(base, step, at, (other[at], ratio))? else { return Ok(None) };
             for zero in zeros {
-                // Where several rows are solved together, only one of them may vanish with their slope.
+                // For several rows it is not enough that one of them does not vanish with the slope.
                 let [row] = step.rows.as_slice() else { return Ok(None) };
                 if self.values(&self.moved(base, at, zero)?, &[*row])?[0].vanishes() {
                     return Ok(None);
@@ -79,8 +80,8 @@ impl<F: Modulus> Solved<'_, '_, F> {
         Ok(Some(found))
     }
 
-    /// Whether a row is linear in a number and its like together, the components of a vector, and the squares of their slopes
-    /// have a sum that does not vary. Then some of them can always be solved for.
+    /// Whether a row is linear in the components of a vector together, and the sum of the squares of their slopes is
+    /// constant. Then the row can always be solved for one of them.
     fn one_of_them_is_never_zero(
         &self,
         base: &[Modular<F>],
@@ -113,8 +114,8 @@ impl<F: Modulus> Solved<'_, '_, F> {
         Ok((sum - elsewhere).vanishes() && !sum.vanishes())
     }
 
-    /// The values of one number at which a slope vanishes and that may lie in its range, given the ratio by which the slope
-    /// changes with it: of powers of the number, of its sine and cosine, and of what is linear in it.
+    /// The zeros of a slope in one number that may lie in its range, given the ratio by which the slope changes with
+    /// it. Recognised are powers of the number, of its sine and cosine, and linear functions. `None` for others.
     fn zeros_in(
         &self,
         base: &[Modular<F>],
@@ -145,12 +146,12 @@ impl<F: Modulus> Solved<'_, '_, F> {
     }
 }
 
-/// Whether an angle lies in a range, give or take whole turns.
+/// Whether an angle lies in a range, up to whole turns.
 fn contains_turned(range: &Range, angle: f64) -> bool {
     match range {
         Range::Interval { low, high, .. } => {
             let (first, last) = ((low - angle) / (2.0 * PI), (high - angle) / (2.0 * PI));
-            // the ends are looked at one turn beyond, as they are rounded
+            // One more turn is tried at each end, because of rounding.
             let (first, last) = (first.floor() as i64, last.ceil() as i64);
             last - first > 3 || (first..=last).any(|turns| contains(range, angle + 2.0 * PI * turns as f64))
         }

@@ -1,5 +1,5 @@
-//! The document that is being checked: claims, notes, symbols and readings, and what a claims file names among them
-//! (an equation, a symbol, a formula, a condition, a limit).
+//! The [`Checker`]: one document with its claims, notes, symbols and readings, and the lookup of what a claims file names
+//! in them (an equation, a symbol, a formula, a hypothesis, a limit).
 //!
 //! # Which text of a wrong equation is used
 //!
@@ -37,18 +37,21 @@ use crate::check::verdict::finding::Finding;
 pub(crate) struct Checker<'a> {
     pub claims: &'a Claims,
     pub notes: &'a Notes,
-    /// The file whose displays are judged: that of the notes, or another print of them.
+    /// The file whose displays are checked: the notes, or another print of them.
     pub source: &'a Source,
     pub model: &'a Model,
     pub readings: &'a [Reading],
     pub assigned: &'a [Option<&'a Claim>],
     pub options: Options,
-    /// What the units of the document come to, where it declares any.
+    /// The units of the document, where it declares any.
     pub units: Option<Arc<Units<'a>>>,
 }
 
 impl Checker<'_> {
-    /// A link between two formulas, typed.
+    /// The link between two formulas, with their shapes bound.
+    ///
+    /// # Errors
+    /// When the shapes of the two sides differ.
     pub fn link(&self, lhs: &Expr, relation: Relation, rhs: &Expr) -> Result<Link> {
         let typed = |expr: &Expr| shape::bind(expr.clone(), &self.model.symbols);
         let fault = |fault: Fault| Error::new(fault.message);
@@ -57,7 +60,7 @@ impl Checker<'_> {
         let (lhs, a) = shape::entries_of((&lhs, &a), (&rhs, &b), symbols).unwrap_or((lhs, a));
         let (rhs, b) = shape::entries_of((&rhs, &b), (&lhs, &a), symbols).unwrap_or((rhs, b));
         shape::comparable((&lhs, &a), (&rhs, &b), symbols).map_err(fault)?;
-        // Vectors differ where one of their components does, and not only where all of them do.
+        // Two vectors differ where one of their components differs.
         let (lhs, rhs) = match relation == Relation::NotEqual && [a.shape, b.shape].contains(&Shape::Vector) {
             true => {
                 let span = lhs.span.to(rhs.span);
@@ -68,7 +71,7 @@ impl Checker<'_> {
         Ok(Link { lhs, relation, rhs, free: shape::union(&a.free, &b.free) })
     }
 
-    /// What a statement takes for granted, link by link; of a = b = 0 each is said to be 0.
+    /// The links of a statement that is a hypothesis; a = b = 0 gives a = 0 and b = 0.
     fn links(&self, statement: &Statement) -> Result<Vec<Link>> {
         let (members, last) = (&statement.members, statement.members.len() - 1);
         let ends_in_zero =
@@ -117,7 +120,7 @@ impl Checker<'_> {
         Ok(found)
     }
 
-    /// What a claim says of a relation that none of the statements has.
+    /// The message for a claim that needs a relation that none of the statements has.
     pub fn lacks_a_relation<'s>(
         &self,
         claim: &Claim,
@@ -143,7 +146,7 @@ impl Checker<'_> {
         claim.exactly_when.iter().map(all).collect()
     }
 
-    /// What the claim says that symbols mean in its equation only.
+    /// The meanings that the claim gives to symbols in its equation only.
     pub fn local(&self, claim: &Claim) -> Result<Vec<Rule>> {
         let mut rules = Vec::new();
         for (name, meaning) in &claim.meanings {
@@ -189,8 +192,7 @@ impl Checker<'_> {
         Ok(rules)
     }
 
-    /// The laws of the claims file, as hypotheses; and those that a display takes with it that cannot be read, each with
-    /// what is wrong.
+    /// The laws of the claims file, as hypotheses; and those whose display cannot be read, each with the cause.
     pub fn laws(&self) -> Result<(Vec<Law>, Vec<Unread>)> {
         let (mut laws, mut lost) = (Vec::new(), Vec::new());
         for (name, what) in &self.claims.laws {
@@ -228,7 +230,7 @@ impl Checker<'_> {
         Ok(Law { name: name.value.clone(), printed, hypotheses, units_off })
     }
 
-    /// The statements that an address names: of each, its display and its place in it. None, if the text is no address.
+    /// The statements that an address names, as the display and the index in it. `None`, if the text is not an address.
     fn printed(&self, what: &Spanned<String>) -> Result<Option<Vec<(usize, usize)>>> {
         let Ok(address) = Address::parse(what, &self.claims.source) else { return Ok(None) };
         let Some(point) = address.single() else { return Ok(None) };

@@ -1,13 +1,13 @@
-//! A document made ready to be checked.
+//! The preparation of a document for its check.
 //!
-//! Offers [`setup`], which reads the displays in rounds, assigns the claims and infers the units; [`checker::Checker`], what one
-//! equation needs of its document. Knows `kinds` only for the types of their parameters.
+//! Offers [`setup::with_checker`], which reads the displays, assigns the claims to them and infers the units, and
+//! [`checker::Checker`], all that the check of one equation needs. Knows `kinds` and below.
 
 pub(crate) mod checker;
-pub mod names;
+pub(crate) mod names;
 pub(crate) mod reading;
 pub(crate) mod reread;
-pub mod setup;
+pub(crate) mod setup;
 pub(crate) mod unit_conflicts;
-pub mod units;
+pub(crate) mod units;
 pub(crate) mod unreadable;

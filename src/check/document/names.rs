@@ -1,4 +1,4 @@
-//! What messages call a display, and what is said of one that is not judged.
+//! The names of displays in messages, and the finding on a display that is not checked.
 
 use std::collections::HashMap;
 
@@ -15,7 +15,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
 
-/// The numbers that stood on a display before, each with the line of the first.
+/// The numbers that an earlier display has too, each with the line of the first display.
 pub(crate) fn repeated(notes: &Notes) -> Vec<(&Numbered, usize)> {
     let mut seen: HashMap<&str, usize> = HashMap::new();
     let mut repeated = Vec::new();
@@ -29,7 +29,7 @@ pub(crate) fn repeated(notes: &Notes) -> Vec<(&Numbered, usize)> {
     repeated
 }
 
-/// An equation of which no more is said than that it cannot be judged.
+/// The report of an equation that was not checked, with the finding that says why.
 pub(crate) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -> Equation {
     Equation {
         id: id.to_owned(),
@@ -45,18 +45,12 @@ pub(crate) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -
     }
 }
 
-/// What a message calls a display: its number or label, or the line that it is on.
+/// The name of a display in messages: its number or label, or else its line.
 pub(crate) fn shown(display: &Display) -> String {
-    id(display).map_or_else(|| format!("line {}", display.line), str::to_owned)
+    display.id().map_or_else(|| format!("line {}", display.line), str::to_owned)
 }
 
-/// The number or else the first label of a display.
-pub fn id(display: &Display) -> Option<&str> {
-    let number = display.number.as_ref().or(display.labels.first());
-    number.map(|numbered| numbered.id.as_str())
-}
-
-/// Whether an equation says something false, or nothing that can be read.
+/// Whether an equation, or a part of it, is false or cannot be read.
 pub(crate) fn is_wrong(equation: &Equation) -> bool {
     let wrong = |verdict| matches!(verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
     wrong(equation.finding.verdict) || equation.parts.iter().any(|part| wrong(part.finding.verdict))
@@ -76,7 +70,7 @@ pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) ->
     })
 }
 
-/// Whether a claim is that the equation holds, and nothing more.
+/// Whether a claim says only that the equation holds.
 pub(crate) fn is_plain(claim: &Claim) -> bool {
     claim.solves.is_none()
         && claim.generates.is_none()

@@ -1,7 +1,8 @@
-//! All displays and definitions of a document, each read as soon as the names that it uses are known.
+//! The readings of all displays and definitions of a document, each as soon as the names that it uses are known.
 //!
-//! What cannot be read in the end is reported. What the claims file builds on such a display is unreadable too
-//! ([`super::unreadable`]).
+//! Notes use names before they define them, and the prose defines names through those of displays. So a display that lacks
+//! a name is read again when more names are known, until a round adds nothing. What still cannot be read then has a fault of
+//! its own. Definitions of the claims file that need such a display are dropped with it ([`super::unreadable`]).
 //!
 //! # Why displays are read in rounds
 //!
@@ -18,12 +19,11 @@ use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
 use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
-use crate::check::document::names::id;
-use crate::check::document::unreadable::{Damage, faults};
+use crate::check::document::unreadable::{UnreadableDisplays, faults};
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::{Model, particles};
 
-/// Reads what is wanted: the displays, by their places, and the claims file's definitions, which go into the model.
+/// Reads the displays, in their order, and the definitions of the claims file, which are added to the model.
 ///
 /// # Errors
 /// For a definition that cannot be read, at its place.
@@ -37,7 +37,7 @@ pub(crate) fn read_all(
         .equations
         .iter()
         .zip(assigned)
-        .map(|(display, claim)| match id(display).is_some() || claim.is_some() {
+        .map(|(display, claim)| match display.id().is_some() || claim.is_some() {
             true => None,
             false => Some(Reading::default()),
         })
@@ -56,7 +56,7 @@ pub(crate) fn read_all(
         definitions: claims.define.iter().collect(),
         of_particles: claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect(),
     };
-    pending.settle(model);
+    pending.define_what_is_ready(model);
     loop {
         let mut progress = true;
         while progress {
@@ -65,13 +65,13 @@ pub(crate) fn read_all(
                 if readings[at].is_none() {
                     readings[at] = pending.read(&texts[at], assigned[at], model);
                     if readings[at].is_some() {
-                        pending.settle(model);
+                        pending.define_what_is_ready(model);
                         progress = true;
                     }
                 }
             }
         }
-        // What is damaged whatever else be known gives the names that it has left; what it takes with it is given up.
+        // A display with a fault of its own still defines the names that can be read in it.
         let unread: Vec<(usize, Symbols, Reading)> = (0..readings.len())
             .filter(|at| readings[*at].is_none())
             .map(|at| {
@@ -81,7 +81,9 @@ pub(crate) fn read_all(
             .collect();
         let broken = |(_, symbols, reading): &(usize, Symbols, Reading)| {
             let lacks_nothing = |fault: &Fault| fault.missing.is_none();
-            faults(reading).next().is_some() && faults(reading).all(lacks_nothing) && !pending.takes(symbols, reading)
+            faults(reading).next().is_some()
+                && faults(reading).all(lacks_nothing)
+                && !pending.introduces_pending(symbols, reading)
         };
         if let Some(first) = unread.iter().position(broken).filter(|_| model.tie_components()) {
             let (at, symbols, reading) = unread.into_iter().nth(first).unwrap_or_default();
@@ -89,24 +91,24 @@ pub(crate) fn read_all(
         } else {
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
             let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
-            if !pending.give_up(&Damage::of(notes, all), model)? {
+            if !pending.drop_unreadable(&UnreadableDisplays::of(notes, all), model)? {
                 break;
             }
         }
-        pending.settle(model);
+        pending.define_what_is_ready(model);
     }
     for at in 0..readings.len() {
         if readings[at].is_none() {
             readings[at] = Some(accept(read(&texts[at], assigned[at], model), model));
         }
     }
-    assemble(model);
+    assemble_families(model);
     Ok(readings.into_iter().map(Option::unwrap_or_default).collect())
 }
 
-/// Puts together every family whose members all have names of their own, so that the claims file may name it where no
-/// display does: λ_a beside λ₁, λ₂, λ₃.
-fn assemble(model: &mut Model) {
+/// Makes a family of symbols from members that are all declared: λ_a from λ₁, λ₂, λ₃. The claims file may then name the
+/// family where no display does.
+fn assemble_families(model: &mut Model) {
     let letters: Vec<String> = model.symbols.indices.iter().map(|index| index.letter.clone()).collect();
     let firsts: Vec<Name> = model.symbols.iter().map(|(_, entry)| entry.name.clone()).collect();
     for mut name in firsts {
@@ -118,7 +120,10 @@ fn assemble(model: &mut Model) {
     }
 }
 
-/// The text of a display, its errata mended: what is wrong as printed is known as corrected.
+/// The text of a display with its errata corrected.
+///
+/// # Errors
+/// When the printed text of an erratum does not occur as often as the claims file says.
 pub(crate) fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> Result<String> {
     let mut text = printed.to_owned();
     for erratum in errata {
@@ -133,7 +138,7 @@ pub(crate) fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> R
     Ok(text)
 }
 
-/// What the claims file defines and is not known yet, since it stands on names that are not.
+/// The definitions of the claims file that use names which are not known yet.
 struct Pending<'a> {
     claims: &'a Claims,
     definitions: Vec<&'a (Spanned<String>, Spanned<String>)>,
@@ -141,8 +146,8 @@ struct Pending<'a> {
 }
 
 impl Pending<'_> {
-    /// Adds what can be added now.
-    fn settle(&mut self, model: &mut Model) {
+    /// Adds every definition whose names are all known now.
+    fn define_what_is_ready(&mut self, model: &mut Model) {
         loop {
             let before = self.definitions.len() + self.of_particles.len();
             self.definitions.retain(|(name, body)| define(self.claims, name, body, model).is_err());
@@ -153,18 +158,18 @@ impl Pending<'_> {
         }
     }
 
-    /// Reads a display, if it can be read wholly and takes no name that is still to be defined.
+    /// The reading of a display, if all of it can be read and it introduces no name that is still pending.
     fn read(&self, text: &str, claim: Option<&Claim>, model: &mut Model) -> Option<Reading> {
         if !model.tie_components() {
             return None;
         }
         let found = read(text, claim, model);
         let whole = faults(&found.1).next().is_none();
-        (whole && !self.takes(&found.0, &found.1)).then(|| accept(found, model))
+        (whole && !self.introduces_pending(&found.0, &found.1)).then(|| accept(found, model))
     }
 
-    /// Whether a reading introduces a name that is still to be defined.
-    fn takes(&self, symbols: &Symbols, reading: &Reading) -> bool {
+    /// Whether a reading introduces a name that is still pending.
+    fn introduces_pending(&self, symbols: &Symbols, reading: &Reading) -> bool {
         let reserved = |name: &Name| {
             let all = self.definitions.iter().chain(&self.of_particles);
             all.filter_map(|(latex, _)| names::parse_decorated(&latex.value)).any(|pending| pending == *name)
@@ -172,22 +177,22 @@ impl Pending<'_> {
         reading.introduced.iter().any(|introduced| reserved(&symbols.entry(introduced.symbol).name))
     }
 
-    /// Refuses definitions that stand on each other.
+    /// Rejects definitions that are defined through each other.
     ///
     /// # Errors
     /// For the first of them, at its place.
-    fn refuse_circles(&self, model: &Model) -> Result<()> {
+    fn reject_circular_definitions(&self, model: &Model) -> Result<()> {
         if self.definitions.is_empty() {
             return Ok(());
         }
         let mut unread = model.clone();
-        let stands_on = |(name, body): &(Spanned<String>, Spanned<String>), unread: &mut Model| {
+        let depends_on_display = |(name, body): &(Spanned<String>, Spanned<String>), unread: &mut Model| {
             let error = define(self.claims, name, body, unread).err()?;
             let Some(Missing::Name(missing)) = error.missing() else { return None };
             self.definitions.iter().position(|(other, _)| names::same(&other.value, missing))
         };
         let next: Vec<Option<usize>> =
-            self.definitions.iter().map(|definition| stands_on(definition, &mut unread)).collect();
+            self.definitions.iter().map(|definition| depends_on_display(definition, &mut unread)).collect();
         for (start, (name, body)) in self.definitions.iter().enumerate() {
             let circle: Vec<usize> = std::iter::successors(next[start], |at| next[*at]).take(next.len()).collect();
             if let Some(length) = circle.iter().position(|at| *at == start) {
@@ -204,18 +209,18 @@ impl Pending<'_> {
         Ok(())
     }
 
-    /// Gives up what stands on a display that cannot be read; whether there was any.
+    /// Drops the definitions that need a display that cannot be read; returns whether there were any.
     ///
     /// # Errors
     /// For a definition that cannot be read for another reason, at its place.
-    fn give_up(&mut self, damage: &Damage<'_>, model: &mut Model) -> Result<bool> {
+    fn drop_unreadable(&mut self, unreadable: &UnreadableDisplays<'_>, model: &mut Model) -> Result<bool> {
         let claims = self.claims;
-        self.refuse_circles(model)?;
+        self.reject_circular_definitions(model)?;
         let mut wrong = None;
         let mut lost = Vec::new();
         let mut known = |name: &Spanned<String>, found: Result<()>, model: &Model| {
             let Err(error) = found else { return false };
-            match damage.cause(error.missing(), model) {
+            match unreadable.cause(error.missing(), model) {
                 Some(cause) => {
                     lost.push((name.value.clone(), cause));
                     return false;
@@ -261,7 +266,7 @@ fn read(text: &str, claim: Option<&Claim>, model: &Model) -> (Symbols, Reading) 
     (symbols, reading)
 }
 
-/// Takes over a reading, with the meaning of the names that it introduces.
+/// Adds the names that a reading introduces to the model, and returns the reading.
 fn accept((symbols, reading): (Symbols, Reading), model: &mut Model) -> Reading {
     model.symbols = symbols;
     for introduced in &reading.introduced {

@@ -1,4 +1,4 @@
-//! Another text read with the names that a document gives.
+//! Another text of a display, read with the names of the document, and compared with the original.
 
 use crate::formula::{Expr, Relation, Statement, text};
 use crate::latex::{DefinedSymbol, Macros, Reading};
@@ -6,8 +6,8 @@ use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
 
-/// The reading of a text in the place of the `at`-th equation, with the definitions that it shares with the reference.
-pub(crate) fn read(checker: &Checker<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) -> Reading {
+/// The reading of a text in place of the `at`-th equation, with the definitions that both have.
+pub(crate) fn read_in_place(checker: &Checker<'_>, macros: &Macros, at: usize, text: &str, claim: &Claim) -> Reading {
     let mut reading = checker.as_printed(text, claim, macros);
     for introduced in &checker.readings[at].introduced {
         let Some(Ok(original)) = checker.readings[at].statements.get(introduced.statement) else { continue };
@@ -21,9 +21,9 @@ pub(crate) fn read(checker: &Checker<'_>, macros: &Macros, at: usize, text: &str
     reading
 }
 
-/// What a print has lost of what the reference says: it has fewer relations of a kind, or does not call constant what is
-/// constant there. How it spells what it has is free, and what cannot be read in it is reported as that.
-pub(crate) fn lost(checker: &Checker<'_>, reading: &Reading, reference: &Reading) -> Option<String> {
+/// The message for a print that says less than the reference: it has fewer relations of a kind, or lacks "is constant".
+/// `None` where it says as much, or where it cannot be read, which is reported by itself.
+pub(crate) fn missing_from_print(checker: &Checker<'_>, reading: &Reading, reference: &Reading) -> Option<String> {
     let kind = |relation: Relation| match relation {
         Relation::Identical => Relation::Equal,
         Relation::Greater => Relation::Less,
@@ -57,7 +57,7 @@ pub(crate) fn lost(checker: &Checker<'_>, reading: &Reading, reference: &Reading
         .then(|| format!("{source} says that a quantity is constant, and this print does not"))
 }
 
-/// Whether two readings say the same, wherever it stands.
+/// Whether two readings have the same statements, apart from their places in the text.
 pub(crate) fn reads_alike(a: &Reading, b: &Reading) -> bool {
     let alike = |(a, b): (&_, &_)| matches!((a, b), (Ok(a), Ok(b)) if says_the_same(a, b));
     a.statements.len() == b.statements.len() && a.statements.iter().zip(&b.statements).all(alike)
@@ -69,7 +69,7 @@ pub(crate) fn defined<'a>(statement: &'a Statement, introduced: &DefinedSymbol) 
     Some((statement.members.get(introduced.member)?, statement.members.get(beside)?))
 }
 
-/// Whether two statements are one, wherever they stand.
+/// Whether two statements are the same, apart from their places in the text.
 pub(crate) fn says_the_same(a: &Statement, b: &Statement) -> bool {
     let relations = |s: &Statement| s.relations.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
     a.members == b.members && relations(a) == relations(b) && a.constant.is_some() == b.constant.is_some()

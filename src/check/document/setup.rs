@@ -1,6 +1,4 @@
-//! A whole document made ready: its displays are read, its claims are assigned to them, and its units are inferred.
-//!
-//! A key that is read and not supported is an error. A claim that is ignored would look like a pass.
+//! The set-up of a document: options of a run, claims assigned to displays, and the [`Checker`] made of them.
 
 use std::sync::{Arc, LazyLock};
 
@@ -12,43 +10,46 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::{id, repeated};
+use crate::check::document::names::repeated;
 use crate::check::document::{reading, units};
 use crate::check::model::Model;
 use crate::check::sample::context::Options;
 use crate::check::verdict::progress::Progress;
 
-/// How a run is made, beside its documents.
+/// The options of a run.
 #[derive(Clone, Copy)]
 pub struct Run<'a> {
     /// The systems that claims may name.
     pub registry: &'a Registry,
     /// The seed and the number of states.
     pub options: Options,
-    /// The number or label of the one equation that is wanted; there may be none of it.
+    /// The number or label of the only equation to check; a document may lack it.
     pub only: Option<&'a str>,
-    /// Who is told of every item done.
+    /// The receiver of progress reports.
     pub progress: &'a dyn Progress,
 }
 
 /// The displays that are to be checked, by their places.
 pub(crate) fn wanted(notes: &Notes, assigned: &[Option<&Claim>], only: Option<&str>) -> Vec<usize> {
-    let chosen = |display: &Display| only.is_none_or(|only| id(display) == Some(only));
-    let claimed = |at: usize| id(&notes.equations[at]).is_some() || assigned[at].is_some();
+    let chosen = |display: &Display| only.is_none_or(|only| display.id() == Some(only));
+    let claimed = |at: usize| notes.equations[at].id().is_some() || assigned[at].is_some();
     (0..notes.equations.len()).filter(|at| chosen(&notes.equations[*at]) && claimed(*at)).collect()
 }
 
-/// How many equations and sentences [`check_in`] will report.
+/// The number of equations and sentences that [`check_in`](crate::check::check_in) will report.
 pub fn items(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
     equations(claims, notes, only) + if only.is_some() { 0 } else { claims.sentences.len() }
 }
 
-/// How many equations [`check_in`] will report; 0 where the claims do not fit the notes.
+/// The number of equations that [`check_in`](crate::check::check_in) will report; 0 if the claims do not fit the notes.
 pub fn equations(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
     assign(claims, notes).map_or(0, |assigned| wanted(notes, &assigned, only).len())
 }
 
-/// Lays all that a document's equations need on a checker, and has them worked on.
+/// Makes the checker of a document, and passes it to `work`.
+///
+/// # Errors
+/// For claims that do not fit the notes, at their place in the claims file, and those of `work`.
 pub(crate) fn with_checker<T>(
     run: &Run<'_>,
     claims: &Claims,
@@ -79,7 +80,7 @@ pub(crate) fn with_checker<T>(
     let units = units::of_document(claims, &model, &known, &readings, &assigned)?.map(Arc::new);
     let checker =
         Checker { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units };
-    checker.granted_conflicts()?;
+    checker.check_units_of_hypotheses()?;
     work(checker)
 }
 
@@ -90,7 +91,7 @@ pub(crate) fn define_macros(notes: &Notes, macros: &mut Macros) {
     }
 }
 
-/// Refuses two displays with one number: a claim about it would be about either.
+/// Rejects two displays with the same number, since a claim about it would be ambiguous.
 fn repeated_numbers(notes: &Notes) -> Result<()> {
     match repeated(notes).first() {
         None => Ok(()),
@@ -114,7 +115,7 @@ pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option
             }
         }
     }
-    // What is a step is tested, also where nothing more is claimed of it.
+    // A step of a derivation is checked even without a claim of its own.
     for derivation in &claims.steps {
         for at in derivation.resolve(notes, &claims.source)? {
             assigned[at].get_or_insert(&NOTHING_MORE);
@@ -126,7 +127,7 @@ pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option
 /// The claim that an equation holds.
 static NOTHING_MORE: LazyLock<Claim> = LazyLock::new(Claim::default);
 
-/// Refuses what the format has and this version does not check yet, rather than pass it over.
+/// Rejects keys that the format has and that are not supported, so that none is ignored silently.
 pub(crate) fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> Result<()> {
     let spans = [
         ("up to a constant", claim.up_to_a_constant),

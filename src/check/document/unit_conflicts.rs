@@ -8,14 +8,13 @@ use crate::notes::claims::Claim;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::id;
 use crate::check::document::units::{Trust, Units, declared, trust};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
 impl<'a> Checker<'a> {
-    /// The same checker with units that are not learnt from one of the displays.
-    pub fn doubting(&self, at: usize) -> Checker<'a> {
+    /// The same checker, with units that are inferred without the `at`-th display.
+    pub fn without_units_of(&self, at: usize) -> Checker<'a> {
         let units = self.units.clone().and_then(|units| {
             let known = declared(self.claims, self.model, &|_| true).ok()?;
             let of = |claim: &Option<&Claim>| claim.map_or(Trust::Sound, trust);
@@ -31,8 +30,8 @@ impl<'a> Checker<'a> {
 }
 
 impl Checker<'_> {
-    /// The term of a statement that does not fit the units of the document: no number is computed of it. The text of
-    /// the display starts at `offset`.
+    /// The finding on the first term of a statement with the wrong unit; such a statement is not evaluated. The text of the
+    /// display starts at `offset` of the file.
     pub(crate) fn unit_conflict(
         &self,
         (display, offset): (usize, usize),
@@ -44,7 +43,7 @@ impl Checker<'_> {
         let others = mismatch.origins.iter().filter(|origin| **origin != display);
         let names: Vec<String> = others
             .map(|origin| &self.notes.equations[*origin])
-            .map(|other| id(other).map_or_else(|| format!("line {}", other.line), |id| format!("({id})")))
+            .map(|other| other.id().map_or_else(|| format!("line {}", other.line), |id| format!("({id})")))
             .collect();
         let message = match names.as_slice() {
             [] => mismatch.message,
@@ -55,17 +54,17 @@ impl Checker<'_> {
 }
 
 impl Checker<'_> {
-    /// The term of a statement of the claims file that does not fit.
-    pub(crate) fn claimed_conflict(&self, statement: &Statement) -> Option<String> {
+    /// The message for the first term with the wrong unit in a statement of the claims file.
+    pub(crate) fn unit_conflict_of_claim(&self, statement: &Statement) -> Option<String> {
         Some(self.units.as_ref()?.mismatch(statement)?.message)
     }
 
-    /// Holds what the claims file takes for granted against the units: its hypotheses, and the laws that it writes out.
-    /// The hypotheses of a claim whose units are off are left alone.
+    /// Checks the units of the hypotheses in the claims file, and of the laws that it writes out, except for claims with
+    /// `"units": "off"`.
     ///
     /// # Errors
-    /// For a term that does not fit, at the place of its LaTeX.
-    pub(crate) fn granted_conflicts(&self) -> Result<()> {
+    /// For the first term with the wrong unit, at the place of its LaTeX.
+    pub(crate) fn check_units_of_hypotheses(&self) -> Result<()> {
         let claims = self.claims;
         let all = claims.equations.iter().map(|(_, claim)| claim).chain(claims.sentences.iter().map(|s| &s.claim));
         let checked = all.filter(|claim| claim.units_off.is_none());
@@ -76,7 +75,7 @@ impl Checker<'_> {
         for latex in claims.assume.iter().chain(named).chain(of_claims).chain(laws) {
             // The name of a hypothesis or the number of an equation is no LaTeX of its own.
             let Ok(statements) = self.statements(latex) else { continue };
-            if let Some(message) = statements.iter().find_map(|statement| self.claimed_conflict(statement)) {
+            if let Some(message) = statements.iter().find_map(|statement| self.unit_conflict_of_claim(statement)) {
                 return Err(Error::at(&claims.source, latex.span, format!("in “{}”: {message}", latex.value)));
             }
         }

@@ -1,12 +1,8 @@
-//! The units of a document: those that are declared, those that its equations determine, and the term that does not
-//! fit.
+//! Dimensional analysis of a document: declared units, units inferred from equations, and terms that do not fit.
 //!
-//! A unit conflict makes its statement unreadable, at its place, before any number is computed. An equation that is
-//! known to be wrong determines no units, and one whose units are switched off is left out.
-//!
-//! All equations are used first to infer dimensions, and then each is compared with everything that is known. So a
-//! term is judged by later equations too. If terms do not agree, the one that disagrees with most others is named.
-//! A conflict is a shape error and needs no state: a sum of unlike things has no truth to test.
+//! A conflict is a type error: it is found before anything is evaluated, and its statement counts as unreadable. Units
+//! that are not declared are inferred from the equations in their order; then each equation is checked against all units.
+//! Nothing is inferred from an equation that is known to be wrong. An equation with `"units": "off"` is left out.
 
 use std::collections::BTreeSet;
 
@@ -15,33 +11,34 @@ use crate::formula::{Expr, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Claims};
 use crate::notes::json::place_in_string;
-use crate::source::{Fault, Span};
+use crate::source::Fault;
 use crate::{Error, Result};
 
 use crate::check::document::names;
 use crate::check::model::Model;
 use crate::check::model::meaning::{FrameQuantity, Meaning, ParticleQuantity, Quantity};
 
-/// How far an equation is to be believed.
+/// What the units of an equation are used for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trust {
-    /// It is checked, and teaches the dimensions of what nobody declared.
+    /// It is checked, and the units of undeclared symbols are inferred from it.
     Sound,
-    /// It is checked; it has an erratum or is expected to fail, so it teaches nothing.
+    /// It is checked; nothing is inferred from it, since it has an erratum or is expected to fail.
     Doubted,
-    /// Its units are off.
+    /// It is not checked.
     Off,
 }
 
-/// A term of the notes that does not fit.
+#[cfg(test)]
+/// A term of the notes with the wrong unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Conflict {
-    /// Which of the readings.
+    /// The index of the reading.
     pub display: usize,
-    /// Which of its statements.
+    /// The index of the statement in it.
     pub statement: usize,
     /// The term, as a place in the text of the display.
-    pub span: Span,
+    pub span: crate::source::Span,
     /// What is wrong, naming the term.
     pub message: String,
     /// The other displays that the dimensions in the message were inferred from.
@@ -57,15 +54,15 @@ pub struct Contradiction {
     pub message: String,
 }
 
-/// All that a document says of its units.
+/// The units of a document.
 pub struct Units<'a> {
     survey: UnitCheck<'a>,
-    /// The definitions of the claims file that do not fit.
+    /// The definitions of the claims file whose formula has another unit.
     pub contradictions: Vec<Contradiction>,
 }
 
 impl<'a> Units<'a> {
-    /// Learns from the declared units, the definitions, and the readings; the trust of a reading that has none is
+    /// The units that follow from declarations, definitions and readings. A reading without an entry in `trust` is
     /// [`Trust::Sound`].
     pub fn new(
         model: &'a Model,
@@ -157,6 +154,7 @@ impl<'a> Units<'a> {
         survey.statement(statement).into_iter().next()
     }
 
+    #[cfg(test)]
     /// The terms of the readings that do not fit, one to a statement at most.
     pub fn conflicts(&self, readings: &[Reading], trust: &[Trust]) -> Vec<Conflict> {
         let mut conflicts = Vec::new();
@@ -177,6 +175,7 @@ impl<'a> Units<'a> {
     }
 }
 
+#[cfg(test)]
 /// The terms of a document that do not fit the declared units and one another.
 pub fn conflicts(model: &Model, declared: &[(SymbolId, Dimension)], readings: &[Reading]) -> Vec<Conflict> {
     Units::new(model, declared, readings, &[]).conflicts(readings, &[])

@@ -1,9 +1,8 @@
-//! What a display that cannot be read leaves undefined in other places.
+//! Unreadable displays, and which of them makes a name unknown.
 //!
-//! A misprint in a display that defines a name, or prints a law, makes the name or the law unknown wherever it is
-//! used, also in the claims file, which is not wrong for that. So an error about an unknown name is attributed to
-//! an unreadable display that contains the letters of the name. If that display only lacks other names, it is
-//! attributed to one that has the name for a side. What needs the name is unreadable, and the rest is checked.
+//! A misprint in a display that defines a name, or prints a law, makes the name or the law unknown wherever it is used, in
+//! the claims file too. So an unknown name is attributed to an unreadable display that contains it. If that display only
+//! lacks other names, it must have the name as one of its sides. What needs the name is unreadable; the rest is checked.
 
 use crate::latex::{Reading, names};
 use crate::notes::Notes;
@@ -14,19 +13,19 @@ use crate::check::document::names::shown;
 use crate::check::model::Model;
 
 /// The displays of a document that cannot be read, each with the faults of its statements.
-pub(crate) struct Damage<'a> {
+pub(crate) struct UnreadableDisplays<'a> {
     notes: &'a Notes,
     faults: Vec<(usize, Vec<&'a Fault>)>,
 }
 
-impl<'a> Damage<'a> {
-    /// The damage of a document whose displays read like this, each with its place.
-    pub fn of(notes: &'a Notes, readings: impl Iterator<Item = (usize, &'a Reading)>) -> Damage<'a> {
+impl<'a> UnreadableDisplays<'a> {
+    /// The unreadable displays among these readings, which come with the index of their display.
+    pub fn of(notes: &'a Notes, readings: impl Iterator<Item = (usize, &'a Reading)>) -> UnreadableDisplays<'a> {
         let faults = readings.map(|(at, reading)| (at, faults(reading).collect::<Vec<_>>()));
-        Damage { notes, faults: faults.filter(|(_, faults)| !faults.is_empty()).collect() }
+        UnreadableDisplays { notes, faults: faults.filter(|(_, faults)| !faults.is_empty()).collect() }
     }
 
-    /// Which unreadable display leaves this open, in words; none, if no display could be to blame.
+    /// The clause of a message that names the unreadable display which makes this unknown; `None`, if there is none.
     pub fn cause(&self, missing: Option<&Missing>, model: &Model) -> Option<String> {
         let name = match missing? {
             Missing::Equation(id) => return Some(format!("({id}) cannot be read")),
@@ -47,7 +46,7 @@ impl<'a> Damage<'a> {
     }
 }
 
-/// Why statements of a display cannot be read.
+/// The faults of the statements of a display that cannot be read.
 pub(crate) fn faults(reading: &Reading) -> impl Iterator<Item = &Fault> {
     reading.statements.iter().filter_map(|read| read.as_ref().err())
 }

@@ -1,8 +1,8 @@
-//! A chain `a = b = c` with a failing link: which member is wrong, and how many slips there are.
+//! Mistakes in a chain `a = b = c`: which member is wrong, and how many mistakes there are.
 //!
-//! The links are tested one by one, and a wrong member breaks two of them. So the members on either side of a
-//! failing link are compared: if `a = b` and `b = c` fail and `a = c` holds, only b is wrong. If the links after a
-//! failing one hold, the rest follows from the wrong member, and is no slip of its own.
+//! A wrong member breaks two links. So the members around failing links are compared: where `a = b` and `b = c` fail and
+//! `a = c` holds, only b is wrong. Where the links after a failing link hold, the later members follow from the wrong one,
+//! and are not mistakes of their own.
 
 use crate::Result;
 use crate::formula::{Expr, Relation, Statement, text};
@@ -14,9 +14,9 @@ use crate::check::sample::context::{Context, Options};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// A link of a chain that was judged.
-pub(crate) struct Step {
-    /// Which of its members it starts from.
+/// A link of a chain with its finding.
+pub(crate) struct JudgedLink {
+    /// The index of the member that it starts from.
     pub at: usize,
     /// The relation.
     pub relation: Relation,
@@ -24,7 +24,7 @@ pub(crate) struct Step {
     pub finding: Finding,
 }
 
-impl Step {
+impl JudgedLink {
     fn fails(&self) -> bool {
         is_equality(self.relation) && self.finding.verdict == Verdict::Refuted
     }
@@ -36,36 +36,37 @@ impl Step {
 }
 
 impl Checker<'_> {
-    /// The slips in a chain, a finding each, in their order; none, if no equality of it is refuted, or if something else is
-    /// worse than what can be told from the others. The findings on the links are taken from them.
-    pub(crate) fn slips(
+    /// The findings on the mistakes in a chain, in their order. None, if no equality is refuted, or if a link is neither
+    /// refuted nor passes.
+    pub(crate) fn mistakes(
         &self,
         statement: &Statement,
-        steps: &mut [Step],
+        links: &mut [JudgedLink],
         context: &Context<'_>,
     ) -> Result<Vec<Finding>> {
         let members = statement.members.len();
         if members < 3
             || !self.options.explain
-            || steps.iter().any(|step| !step.fails() && !step.finding.verdict.passes())
+            || links.iter().any(|step| !step.fails() && !step.finding.verdict.passes())
         {
             return Ok(Vec::new());
         }
-        let failing: Vec<usize> = (0..steps.len()).filter(|n| steps[*n].fails()).collect();
-        let link = |steps: &[Step], at: usize| steps.iter().find(|step| step.at == at).is_some_and(Step::holds);
-        let mut slips = Vec::new();
+        let failing: Vec<usize> = (0..links.len()).filter(|n| links[*n].fails()).collect();
+        let link =
+            |links: &[JudgedLink], at: usize| links.iter().find(|step| step.at == at).is_some_and(JudgedLink::holds);
+        let mut mistakes = Vec::new();
         let mut next = 0;
         while let Some(n) = failing.get(next).copied() {
-            let (before, wrong) = (steps[n].at, steps[n].at + 1);
-            let carried = (wrong..members - 1).take_while(|at| link(steps, *at)).count();
-            // Where the chain comes back to what it was before, what lies between is wrong.
-            let back = failing.get(next + 1).map(|m| steps[*m].at).filter(|at| *at == wrong + carried);
+            let (before, wrong) = (links[n].at, links[n].at + 1);
+            let carried = (wrong..members - 1).take_while(|at| link(links, *at)).count();
+            // Where a later member equals the one before, the members between are wrong.
+            let back = failing.get(next + 1).map(|m| links[*m].at).filter(|at| *at == wrong + carried);
             let returns = match back {
                 Some(at) => self.agree(&statement.members[before], &statement.members[at + 1], context)?,
                 None => false,
             };
             next += if returns { 2 } else { 1 };
-            let mut finding = steps[n].finding.clone();
+            let mut finding = links[n].finding.clone();
             let named = |at: usize| text::formula(&statement.members[at], &self.model.symbols);
             if returns {
                 let what = match carried {
@@ -77,17 +78,17 @@ impl Checker<'_> {
             } else if carried > 0 {
                 finding.message.push_str("; the rest of the chain follows from this mistake");
             }
-            // What was right so far is not to be mended.
-            if returns || before > 0 && link(steps, before - 1) {
+            // The members before this one are correct, so they are not part of the finding.
+            if returns || before > 0 && link(links, before - 1) {
                 finding.span = statement.members[wrong].span.shifted(context.span.start - statement.span.start);
             }
             finding.carried = carried;
-            slips.push(finding);
+            mistakes.push(finding);
         }
-        Ok(slips)
+        Ok(mistakes)
     }
 
-    /// Whether two members of a chain are one.
+    /// Whether two members of a chain are equal.
     fn agree(&self, a: &Expr, b: &Expr, context: &Context<'_>) -> Result<bool> {
         let Ok(link) = self.link(a, Relation::Equal, b) else { return Ok(false) };
         let options = Options { explain: false, ..context.options };

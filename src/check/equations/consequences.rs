@@ -1,4 +1,4 @@
-//! What a display that cannot be read leaves undefined in other equations and sentences.
+//! Findings on equations and sentences that need a display that cannot be read.
 
 use crate::Error;
 use crate::code::Code;
@@ -7,42 +7,48 @@ use crate::source::{Missing, Span};
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::{shown, unjudged};
-use crate::check::document::unreadable::Damage;
+use crate::check::document::unreadable::UnreadableDisplays;
 use crate::check::equations::sentences;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::{Equation, Part};
 
 impl Checker<'_> {
-    /// Which unreadable display leaves this open, in words.
+    /// The clause of a message that names the unreadable display which makes this unknown.
     pub fn cause(&self, missing: Option<&Missing>) -> Option<String> {
         missing?;
-        let damage = Damage::of(self.notes, self.readings.iter().enumerate());
-        damage.cause(missing, self.model)
+        let unreadable = UnreadableDisplays::of(self.notes, self.readings.iter().enumerate());
+        unreadable.cause(missing, self.model)
     }
 
-    /// The finding on a display whose claim needs what an unreadable display leaves open; else the error.
-    pub fn excused(&self, at: usize, error: Error) -> Result<Equation, Error> {
+    /// The finding on a display whose claim needs an unreadable display.
+    ///
+    /// # Errors
+    /// The error itself, if no unreadable display is its cause.
+    pub fn equation_left_open(&self, at: usize, error: Error) -> Result<Equation, Error> {
         let display = &self.notes.equations[at];
-        let finding = self.unjudgeable(error, display.body)?;
+        let finding = self.left_open(error, display.body)?;
         Ok(unjudged(self.notes, &shown(display), display.line, finding))
     }
 
-    /// The same for a sentence.
-    pub fn excused_sentence(&self, at: usize, sentence: &Sentence, error: Error) -> Result<Equation, Error> {
+    /// The same finding on a sentence.
+    ///
+    /// # Errors
+    /// The error itself, if no unreadable display is its cause.
+    pub fn sentence_left_open(&self, at: usize, sentence: &Sentence, error: Error) -> Result<Equation, Error> {
         let quoted = self.notes.find_quote(&sentence.quote.value).first().copied().unwrap_or_default();
-        let finding = self.unjudgeable(error, quoted)?;
+        let finding = self.left_open(error, quoted)?;
         let line = self.notes.source.line_column(quoted.start).0;
         Ok(unjudged(self.notes, &sentences::name(at, sentence), line, finding))
     }
 
-    fn unjudgeable(&self, error: Error, span: Span) -> Result<Finding, Error> {
+    fn left_open(&self, error: Error, span: Span) -> Result<Finding, Error> {
         match self.cause(error.missing()) {
             Some(cause) => {
                 let message = format!("this cannot be checked: {}; {cause}", error.message());
                 Ok(Finding::new(Code::DependsOnUnreadable, Verdict::Unreadable, span, message))
             }
-            // What is wrong at every state is wrong with this claim alone.
+            // An error without a place concerns the states of this claim only.
             None if error.place().is_none() => Ok(Finding::new(
                 Code::NotDecided,
                 Verdict::Undecided,
@@ -53,9 +59,9 @@ impl Checker<'_> {
         }
     }
 
-    /// What is found without a law that is lost. A pass stays one, since a law only adds to what holds, but for a
-    /// sentence that asks for a counterexample.
-    pub fn without_lost_laws(&self, mut equation: Equation, sentence: Option<&Sentence>) -> Equation {
+    /// The equation, with failures withdrawn where a law cannot be read. A pass stays a pass, since a law can only make more
+    /// equations hold, except for a sentence that asks for a counterexample.
+    pub fn without_unreadable_laws(&self, mut equation: Equation, sentence: Option<&Sentence>) -> Equation {
         let Some((law, cause)) = self.model.unread_laws.first() else { return equation };
         let wants_failure = sentence.is_some_and(|sentence| matches!(sentence.test, Test::NotAlways(_)));
         let withdraw = |finding: &mut Finding, ok: &mut bool| {

@@ -1,4 +1,4 @@
-//! One equation: its statements link by link, and what else is claimed of it.
+//! The finding on one equation: its statements link by link, and what else is claimed of it.
 
 use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
@@ -12,10 +12,10 @@ use crate::check::certificate::formulas;
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::document::reading::for_each;
-use crate::check::equations::chain::Step;
-use crate::check::equations::chain_gaps;
+use crate::check::equations::chain::JudgedLink;
+use crate::check::equations::chain_certificates;
 use crate::check::equations::merge::{expected, merged, worst};
-use crate::check::equations::whole::{is_inequality, is_made_of, with_dropped};
+use crate::check::equations::whole::{contains, is_inequality, with_dropped};
 use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::judge::{identity, term_fit};
 use crate::check::kinds::{conserved, exactly_when, limit};
@@ -30,6 +30,9 @@ use crate::check::verdict::report::{Equation, Part};
 
 impl Checker<'_> {
     /// The finding on an equation, with its parts.
+    ///
+    /// # Errors
+    /// For a claim that does not fit the equation, at its place in the claims file.
     pub fn equation(&self, at: usize, claim: Option<&Claim>) -> Result<Equation> {
         let display = &self.notes.equations[at];
         let none = Claim::default();
@@ -51,34 +54,35 @@ impl Checker<'_> {
         let mut as_expected = match &claim.expect {
             Some(expect) => {
                 let verdict = expected(expect);
-                let pinned = |part: &Part| part.finding.verdict == verdict;
-                parts.iter().any(pinned) && parts.iter().all(|part| pinned(part) || part.finding.verdict.passes())
+                let is_expected = |part: &Part| part.finding.verdict == verdict;
+                parts.iter().any(is_expected)
+                    && parts.iter().all(|part| is_expected(part) || part.finding.verdict.passes())
             }
             None => passes(&parts),
         };
         if !claim.errata.is_empty() {
-            let mended = self.parts(place, reading, claim, &topic)?;
+            let corrected = self.parts(place, reading, claim, &topic)?;
             let fails =
                 |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
             let failed = parts.iter().any(fails);
-            as_expected = failed && passes(&mended);
+            as_expected = failed && passes(&corrected);
             let edits: Vec<String> =
                 claim.errata.iter().map(|e| format!("for “{}” read “{}”", e.printed.value, e.read.value)).collect();
             let verdict = match (failed, as_expected) {
                 (true, true) => "the corrected equation passes".to_owned(),
-                (true, false) => format!("the corrected equation does not pass: {}", worst(&mended).message),
+                (true, false) => format!("the corrected equation does not pass: {}", worst(&corrected).message),
                 (false, _) => "the printed equation is not wrong, so remove the erratum".to_owned(),
             };
             because = Some(format!("{}; {verdict}", edits.join(", ")));
         }
         if let Some(expect) = &claim.expect {
-            // A pinned equation is as expected as a whole; its sound parts need no excuse.
+            // An equation with an expected verdict is as expected as a whole; its passing parts are as well.
             parts.iter_mut().for_each(|part| part.ok = part.ok || part.finding.verdict == expected(expect));
         }
         Ok(self.assembled(display, reading, parts, as_expected, because))
     }
 
-    /// A display with what was found of its parts.
+    /// The equation of the report that the parts of a display make.
     pub(crate) fn assembled(
         &self,
         display: &Display,
@@ -103,14 +107,13 @@ impl Checker<'_> {
         }
     }
 
-    /// The reading of a text by the names of the notes: an equation with errata as it stands, of which only the
-    /// correction is known, or an equation as another print has it.
+    /// The reading of a text with the names of the notes only: a printed equation with errata, whose correction defines the
+    /// names, or an equation of another print. A name that only this text introduces makes its statement unreadable.
     pub(crate) fn as_printed(&self, text: &str, claim: &Claim, macros: &Macros) -> Reading {
         let mut symbols = self.model.symbols.clone();
         symbols.for_each = for_each(Some(claim), self.model);
         let known = symbols.len();
         let mut reading = read_display(text, &mut symbols, macros);
-        // What only this text names is not known.
         for new in reading.introduced.drain(..).filter(|introduced| introduced.symbol.0 >= known) {
             let statement = &mut reading.statements[new.statement];
             if let Ok(read) = statement {
@@ -138,8 +141,8 @@ impl Checker<'_> {
         }
         let hypotheses = self.hypotheses(claim)?;
         let local = self.local(claim)?;
-        // The equalities that a claim assumes which adds "also equals" are those of the addition alone; what a number is
-        // greater than says where all of it is meant.
+        // With "also equals", the equalities that a claim assumes are hypotheses of the added expression only. Its
+        // inequalities restrict the states of the whole equation.
         let printed = match claim.also_equals {
             Some(_) => {
                 let of_all = self.hypotheses(&Claim::default())?.into_iter().filter(|c| !is_inequality(c.relation));
@@ -184,7 +187,7 @@ impl Checker<'_> {
                     continue;
                 }
             };
-            // Nobody asks for the rest of what is wrong already.
+            // Without explanations, the first failure decides.
             let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
             if !self.options.explain && claim.expect.is_none() && parts.iter().any(is_wrong) {
                 return Ok(parts);
@@ -246,13 +249,13 @@ impl Checker<'_> {
         context: &Context<'_>,
     ) -> Result<Vec<Part>> {
         let reading = text::statement(statement, &self.model.symbols);
-        let (mut findings, mut steps) = (Vec::new(), Vec::new());
+        let (mut findings, mut links) = (Vec::new(), Vec::new());
         for (at, (relation, place)) in statement.relations.iter().enumerate() {
             let last = at + 1 == statement.relations.len();
             if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
                 continue;
             }
-            // What defines a name is checked right here, where the chain goes on or the claim says more of it.
+            // A definition is checked by its uses, unless the chain continues or the claim says more of the name.
             let says_more = claim.also_equals.is_some()
                 || claim.generates.is_some()
                 || claim.solves.is_some()
@@ -274,7 +277,7 @@ impl Checker<'_> {
             let mut link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
             if let (true, Some(dropped), None) = (last, &claim.dropping, &claim.also_equals) {
                 let dropped = self.formula(dropped)?;
-                if is_made_of(&dropped, &link.lhs) {
+                if contains(&dropped, &link.lhs) {
                     let message = "\"dropping\" contains the left side, so nothing is checked; drop other terms";
                     findings.push(context.finding(Code::Circular, Verdict::Undecided, message));
                     continue;
@@ -309,24 +312,25 @@ impl Checker<'_> {
                     exactly_when::check(&link, &self.alternatives(claim)?, &context)?
                 }
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
-                // A ± is two equations in one print, and what was dropped has no place in it.
+                // A fit of single terms needs one equation: not two by ±, and none with dropped terms.
                 _ if statement.branch.is_none() && claim.dropping.is_none() => {
                     term_fit::fitted(&link, &context, identity::check(&link, &context)?)
                 }
                 _ => identity::check(&link, &context)?,
             };
-            steps.push(Step { at, finding, relation: *relation });
+            links.push(JudgedLink { at, finding, relation: *relation });
         }
         let mut parts = Vec::new();
-        let slips = match claim.dropping.is_none() && claim.continuum_limit_of.is_none() {
+        let mistakes = match claim.dropping.is_none() && claim.continuum_limit_of.is_none() {
             true => {
-                chain_gaps::close(self, statement, &mut steps, context)?;
-                self.slips(statement, &mut steps, context)?
+                chain_certificates::certify_links(self, statement, &mut links, context)?;
+                self.mistakes(statement, &mut links, context)?
             }
             false => Vec::new(),
         };
-        findings.extend(steps.into_iter().map(|step| step.finding));
-        let one = if slips.len() > 1 { slips } else { slips.into_iter().chain(merged(findings)).take(1).collect() };
+        findings.extend(links.into_iter().map(|step| step.finding));
+        let one =
+            if mistakes.len() > 1 { mistakes } else { mistakes.into_iter().chain(merged(findings)).take(1).collect() };
         for mut finding in one {
             if finding.verdict.passes() {
                 finding.span = context.span;
@@ -346,7 +350,7 @@ impl Checker<'_> {
         Ok(parts)
     }
 
-    /// Whether a link says of a formula what the display says by naming it, or the same in another order.
+    /// Whether a link only repeats a definition of the display, or is the same formula in another order.
     pub(crate) fn only_repeats(&self, link: &Link, introduced: &[DefinedSymbol]) -> bool {
         let names: Vec<SymbolId> = introduced.iter().map(|new| new.symbol).collect();
         let is_made_of_them = |formula: &Expr| self.model.depends_on(formula, &names);

@@ -1,8 +1,8 @@
-//! Laws: equations that hold and are not checked, and the cases in which such an equation is not a law.
+//! Laws: statements that the claims file assumes, and the checks that they are needed and consistent.
 //!
-//! A law is declared in the claims file. It must not be true anyway, and not stand beside a system. Laws must leave
-//! states to test at: laws that contradict each other, or that leave one value for something that is said to vary,
-//! would let anything pass.
+//! A law is not checked. But it must not hold without being assumed, nor be given beside a system. Laws must also leave
+//! states to test at: laws that contradict each other, or allow only one value of a quantity that varies, would make
+//! every claim pass.
 
 use crate::Result;
 use crate::code::Code;
@@ -19,14 +19,14 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
 impl Checker<'_> {
-    /// The verdict on a statement that the claims file calls a law: it is not checked, unless it can be.
+    /// The finding on a statement that the claims file calls a law; `None`, if the statement is not one.
     pub(crate) fn law(&self, display: usize, statement: &Statement, context: &Context<'_>) -> Result<Option<Finding>> {
-        // What another print has in the place of a law is no law, unless it says the same.
+        // A statement of another print is the law only if it is the same statement.
         let is_law = |place: &(usize, usize)| {
             let law = self.readings[place.0].statements.get(place.1);
             place.0 == display && law.is_some_and(|law| law.as_ref().is_ok_and(|law| says_the_same(law, statement)))
         };
-        // A law that the claims file writes out is one wherever the notes print it.
+        // A law that the claims file writes out is a law wherever the notes print it.
         let mut links = Vec::new();
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
             links.push(self.link(&statement.members[at], *relation, &statement.members[at + 1])?);
@@ -40,7 +40,7 @@ impl Checker<'_> {
         for link in &links {
             let always = Context { on_shell: Some(false), hypotheses: &[], local: &[], ..*context };
             let finding = identity::check(link, &always)?;
-            // What a display of laws says of a name in passing is checked as any definition is.
+            // A definition in a display of several laws is checked like any definition.
             if finding.verdict == Verdict::Definition && law.printed.len() > 1 {
                 return Ok(None);
             }
@@ -54,14 +54,14 @@ impl Checker<'_> {
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
         }
-        if let Some(finding) = self.leaves_no_choice(&links, context)? {
+        if let Some(finding) = self.too_strong(&links, context)? {
             return Ok(Some(finding));
         }
         Ok(Some(context.finding(Code::Law, Verdict::Law, format!("assumed, not checked: {}", law.title()))))
     }
 
-    /// What is wrong with the laws together, on the statement of one: no state obeys them, or hardly any does.
-    fn leaves_no_choice(&self, links: &[Link], context: &Context<'_>) -> Result<Option<Finding>> {
+    /// The finding that no sampled state satisfies all laws, or that they allow only one value of a varying quantity.
+    fn too_strong(&self, links: &[Link], context: &Context<'_>) -> Result<Option<Finding>> {
         let lawful = Context { on_shell: Some(true), hypotheses: &[], local: &[], ..*context };
         let sides: Vec<&Expr> = links.iter().flat_map(|link| [&link.lhs, &link.rhs]).collect();
         let ensemble = lawful.ensemble(lawful.mode(true, &sides), false, FEWEST)?;

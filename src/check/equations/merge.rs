@@ -1,4 +1,4 @@
-//! The finding on a whole of several parts: the worst of them, and what was expected.
+//! Several findings merged into one, and the verdict that a claims file expects.
 
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -18,12 +18,13 @@ pub(crate) fn expected(expect: &Expect) -> Verdict {
     }
 }
 
-/// Several findings as one: the worst speaks, the evidence is taken together.
+/// The worst of several findings. If it is a pass, it gets the messages and the evidence of all: the fewest states, the
+/// largest residual, the sum of the false-accept probabilities.
 pub(crate) fn merged(findings: Vec<Finding>) -> Option<Finding> {
     let fewest = findings.iter().filter(|f| f.points > 0).map(|f| f.points).min();
     let largest = findings.iter().filter_map(|f| f.max_residual).reduce(f64::max);
     let tried = findings.iter().map(|f| f.tried).max();
-    // that one or the other is false is at most as probable as both together
+    // The probability that any of them is false is at most the sum.
     let false_accept = findings.iter().filter_map(|f| f.false_accept_log2).map(f64::exp2).reduce(|a, b| a + b);
     let leaves_sign_open = findings.iter().any(|finding| finding.code == Code::DefinitionUpToSign);
     let mut messages: Vec<String> = Vec::new();
@@ -48,7 +49,7 @@ pub(crate) fn merged(findings: Vec<Finding>) -> Option<Finding> {
     Some(worst)
 }
 
-/// Of several verdicts the one of the highest rank counts: the worst; and of passes the one that was tested most.
+/// The rank of a verdict in a merge; the highest counts. A pass that was tested ranks above one that was not.
 fn rank(verdict: Verdict) -> usize {
     match verdict {
         Verdict::Definition => 0,
@@ -59,7 +60,7 @@ fn rank(verdict: Verdict) -> usize {
     }
 }
 
-/// The worst finding of some parts, which the whole carries.
+/// The merged finding of the parts of an equation.
 pub(crate) fn worst(parts: &[Part]) -> Finding {
     merged(parts.iter().map(|part| part.finding.clone()).collect())
         .unwrap_or_else(|| Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::default(), "nothing is claimed"))

@@ -1,7 +1,7 @@
-//! Sentences of the notes turned into tests.
+//! Findings on sentences of the notes.
 //!
-//! A sentence is quoted verbatim, so that the quote cannot become stale. It makes one claim: a formula holds or
-//! does not always hold, a quantity is conserved, a function has a shape, an equation has a number of solutions.
+//! A claims file quotes a sentence word for word and states what it claims: a formula that holds (or does not always hold),
+//! a constant of the motion, the shape of a function, the number of solutions of an equation, a reference.
 
 use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
@@ -11,7 +11,6 @@ use crate::source::Missing;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::id;
 use crate::check::equations::merge::{expected, merged};
 use crate::check::judge::identity;
 use crate::check::kinds::limit::Towards;
@@ -72,12 +71,12 @@ pub(crate) fn check(checker: &Checker<'_>, at: usize, sentence: &Sentence) -> Re
     })
 }
 
-/// What the report calls the `at`-th sentence.
+/// The name of the `at`-th sentence in the report.
 pub(crate) fn name(at: usize, sentence: &Sentence) -> String {
     sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone())
 }
 
-/// Refuses the keys of an equation's claim that mean nothing for a sentence, or are not supported yet.
+/// Rejects keys of an equation's claim that have no meaning for a sentence.
 pub(crate) fn unsupported(claims: &Claims, sentence: &Sentence) -> Result<()> {
     let claim = &sentence.claim;
     let spans = [
@@ -162,7 +161,7 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
                 .iter()
                 .zip(checker.readings)
                 .filter(|(_, reading)| contains(reading))
-                .filter_map(|(display, _)| id(display))
+                .filter_map(|(display, _)| display.id())
                 .collect();
             let finding = match checker.display(&number.value) {
                 Some(reading) if contains(reading) => {
@@ -218,7 +217,7 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
 }
 
 impl Checker<'_> {
-    /// What a sentence says in formulas that must hold, if it does.
+    /// The statements that a sentence claims to hold, if it claims any.
     pub(crate) fn claimed_by(&self, sentence: &Sentence) -> Option<Vec<Statement>> {
         let latex = match &sentence.test {
             Test::Claim(latex) if sentence.claim.limit.is_none() => latex.clone(),
@@ -229,8 +228,7 @@ impl Checker<'_> {
     }
 }
 
-/// Where a function of numbers has another sign than it is said to have: its zeros are looked for there, as the edges of
-/// an inequality.
+/// The counterexample to the sign of a function, found like that of an inequality; `None`, if there is none.
 fn of_one_sign(function: &Expr, property: &Property, context: &Context<'_>) -> Result<Option<Finding>> {
     let relation = match property {
         Property::Sign(sign) if sign.value == Sign::Positive => Relation::Greater,
@@ -261,7 +259,7 @@ fn claim(
         return Ok(context.finding(Code::ClaimDoesNotFit, Verdict::Unreadable, message));
     }
     if sentence.claim.units_off.is_none()
-        && let Some(message) = statements.iter().find_map(|statement| checker.claimed_conflict(statement))
+        && let Some(message) = statements.iter().find_map(|statement| checker.unit_conflict_of_claim(statement))
     {
         return Ok(context.finding(Code::UnitMismatch, Verdict::Unreadable, message));
     }

@@ -1,4 +1,4 @@
-//! The uses of a defined name: the equations and sentences that mention it, and those that hold by a law that does.
+//! The uses of a defined name: equations and sentences that contain it, and equations that hold by a law that contains it.
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, text};
@@ -9,7 +9,7 @@ use crate::{Error, Result};
 use crate::check::document::checker::Checker;
 use crate::check::document::names;
 use crate::check::document::names::shown;
-use crate::check::equations::noticed::Use;
+use crate::check::equations::definition_tests::Use;
 use crate::check::kinds::definitions;
 use crate::check::kinds::definitions::User;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
@@ -20,7 +20,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
 impl Use {
-    /// The user that this is in a context.
+    /// This use as a test of the definition, in a context.
     fn by<'a>(&'a self, context: &Context<'a>) -> User<'a> {
         let Use { id, link, hypotheses, local, .. } = self;
         let context = Context { hypotheses, local, topic: id, on_shell: None, ..*context };
@@ -29,7 +29,7 @@ impl Use {
 }
 
 impl Checker<'_> {
-    /// The verdict on a statement that introduces a symbol.
+    /// The finding on a statement that introduces a symbol.
     pub(crate) fn definition(&self, introduced: &DefinedSymbol, context: &Context<'_>) -> Result<Finding> {
         let symbol = introduced.symbol;
         let (uses, restated) = self.uses(introduced)?;
@@ -47,7 +47,7 @@ impl Checker<'_> {
         definitions::check(symbol, &introduced.formula, (&mut users, &by_law), context)
     }
 
-    /// Says of a name that a statement introduces, and of which nothing is known but that it is constant, what that leaves open.
+    /// Adds to the finding on "is constant" that a factor in a newly defined name is not tested, where nothing else uses it.
     pub(crate) fn only_constant(
         &self,
         introduced: &[&DefinedSymbol],
@@ -70,7 +70,7 @@ impl Checker<'_> {
         Ok(())
     }
 
-    /// What holds only because a law does that stands on a defined name: it would notice another definition.
+    /// The equations that may hold only by a law that contains a defined name, and so test its definition.
     fn uses_by_law(&self, introduced: &DefinedSymbol) -> Result<Vec<Use>> {
         let model = self.model;
         let depends = |expr: &Expr| model.depends_on(expr, &[introduced.symbol]);
@@ -98,8 +98,8 @@ impl Checker<'_> {
         Ok(uses)
     }
 
-    /// The equations and sentences that use a defined name; and those that only say the definition in other words, which
-    /// hold whatever the definition says.
+    /// The equations and sentences that use a defined name, and the names of those that only repeat its definition and hold
+    /// for any definition.
     pub(crate) fn uses(&self, introduced: &DefinedSymbol) -> Result<(Vec<Use>, Vec<String>)> {
         let symbol = introduced.symbol;
         let depends = |expr: &Expr| self.model.depends_on(expr, &[symbol]);
@@ -117,7 +117,7 @@ impl Checker<'_> {
             if how == Some(Restated::Differentiated)
                 && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
             {
-                // Of a chain that goes on from there, the name is also held to the rest: Ė = … = 0 says Ė = 0.
+                // In a longer chain the name is also equal to the other members: Ė = … = 0 says Ė = 0.
                 let member = if depends(a) { a } else { b };
                 let others = (0..statement.members.len()).filter(|at| *at != k && *at != k + 1);
                 for other in others.map(|at| &statement.members[at]).filter(|other| !depends(other)) {
@@ -137,7 +137,7 @@ impl Checker<'_> {
             }
             Ok::<(), Error>(())
         };
-        // A law is taken for granted, and holds whatever the name stands for.
+        // A law is assumed, so it holds for any definition of the name.
         for (at, reading) in self.readings.iter().enumerate().filter(|(at, _)| !self.is_law(*at)) {
             let none = Claim::default();
             let claim = self.assigned[at].unwrap_or(&none);
@@ -178,7 +178,7 @@ impl Checker<'_> {
         Ok((uses, restated))
     }
 
-    /// Whether a display is taken for granted, as a law.
+    /// Whether a display is a law.
     pub(crate) fn is_law(&self, at: usize) -> bool {
         self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at))
     }

@@ -1,4 +1,4 @@
-//! What a claims file says of an equation as a whole: conserved, solves, generates, where it holds.
+//! Claims about an equation as a whole: `solves`, `also equals`, `conserved`, `generates`.
 
 use crate::check::document::checker::Checker;
 use crate::check::hypotheses::rule::Rule;
@@ -17,7 +17,10 @@ use crate::notes::claims::{Claim, Conserved, Holds, Solved, Spanned};
 use crate::{Error, Result};
 
 impl Checker<'_> {
-    /// What a claim adds to the statements: solutions, other expressions, conservation, the motion.
+    /// Adds the findings on `solves`, `also equals`, `conserved` and `generates` to the parts of an equation.
+    ///
+    /// # Errors
+    /// For a claim that does not fit the equation, at its place in the claims file.
     pub(crate) fn whole(
         &self,
         reading: &Reading,
@@ -116,7 +119,7 @@ impl Checker<'_> {
         Ok(())
     }
 
-    /// Whether a member is the unknown that a claim solves for: then what stands beside it is the solution.
+    /// Whether a member is the unknown that a claim solves for; the member beside it is then the solution.
     pub(crate) fn is_unknown_of(&self, member: &Expr, claim: &Claim) -> Result<bool> {
         let Some(solves) = &claim.solves else { return Ok(false) };
         let unknowns: Result<Vec<SymbolId>> = solves.unknowns.iter().map(|unknown| self.symbol(unknown)).collect();
@@ -124,20 +127,20 @@ impl Checker<'_> {
     }
 }
 
-/// `expr + dropped`: the side of a claim with what its author left out.
+/// The sum `expr + dropped`: a side of a claim with the terms that its author dropped.
 pub fn with_dropped(expr: &Expr, dropped: &Expr) -> Expr {
     let plus = |expr: &Expr| crate::formula::Term { sign: Sign::Plus, sign_span: None, expr: expr.clone() };
     Expr::new(Node::Sum(vec![plus(expr), plus(dropped)]), expr.span)
 }
 
-/// Whether a hypothesis says where something is meant.
+/// Whether a relation restricts states to a range instead of fixing a value.
 pub(crate) fn is_inequality(relation: Relation) -> bool {
     use Relation::{Greater, GreaterEqual, Less, LessEqual, NotEqual};
     matches!(relation, Less | Greater | LessEqual | GreaterEqual | NotEqual)
 }
 
-/// Whether a formula stands in another.
-pub(crate) fn is_made_of(whole: &Expr, part: &Expr) -> bool {
+/// Whether a formula contains another.
+pub(crate) fn contains(whole: &Expr, part: &Expr) -> bool {
     let mut found = false;
     whole.walk(&mut |inner| found |= inner == part);
     found

@@ -1,8 +1,8 @@
-//! Hypotheses that set all components of a vector to zero, rewritten as one hypothesis about the vector.
+//! Hypotheses that every component of a vector vanishes, combined into one about the vector.
 //!
-//! People write "torque free" as `M_1 = M_2 = M_3 = 0`, as `M_a = 0` and as `\vec M = \vec 0`. Only the last gives
-//! the vector directly ([`super::explicit`]). Projecting numbers until three components vanish at all times would
-//! need more derivatives than a state has.
+//! Authors write "torque free" as `M_1 = M_2 = M_3 = 0`, as `M_a = 0` and as `\vec M = \vec 0`. Only the last gives the
+//! vector explicitly ([`super::explicit`]). To solve for three components that vanish at all times, a state would need
+//! more derivatives than it has.
 
 use crate::formula::symbols::Components;
 use crate::formula::{Expr, Index, Node, Relation, SymbolId};
@@ -12,7 +12,7 @@ use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::meaning::Meaning;
 
-/// The same hypotheses, those about all the components of a vector made one about the vector.
+/// The same hypotheses, with those about all components of a vector combined into one about the vector.
 pub(crate) fn vectors(model: &Model, hypotheses: Vec<Hypothesis>) -> Vec<Hypothesis> {
     let vanishing: Vec<Option<Part>> = hypotheses.iter().map(|hypothesis| vanishing(model, hypothesis)).collect();
     let mut whole = Vec::with_capacity(hypotheses.len());
@@ -42,9 +42,9 @@ pub(crate) fn vectors(model: &Model, hypotheses: Vec<Hypothesis>) -> Vec<Hypothe
 /// A component of a vector.
 struct Part {
     vector: Expr,
-    /// The triad whose axes are numbered, if it is one that was named.
+    /// The named axes along which the component is taken, if they are named.
     triad: Option<SymbolId>,
-    /// Which component; each of them if none.
+    /// The number of the component, from 1; `None` for all of them.
     axis: Option<u8>,
 }
 
@@ -54,7 +54,7 @@ impl Part {
     }
 }
 
-/// The component that a hypothesis says is zero.
+/// The component that a hypothesis sets to zero.
 fn vanishing(model: &Model, hypothesis: &Hypothesis) -> Option<Part> {
     let is_equality = matches!(hypothesis.relation, Relation::Equal | Relation::Identical);
     let side = match (hypothesis.lhs.is_null(), hypothesis.rhs.is_null()) {

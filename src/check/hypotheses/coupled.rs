@@ -1,12 +1,9 @@
-//! CoupledLaws that give the highest derivatives of several things together, as those of coupled bodies do.
+//! Coupled laws: those that give the highest derivatives of several symbols together, as for coupled bodies.
 //!
 //! `(M + m)\ddot x + m l\ddot\theta\cos\theta = …` and `\ddot x\cos\theta + l\ddot\theta = …` are linear in both
-//! accelerations, and neither gives one of them alone.
-//!
-//! The laws of a cart with a pole give two accelerations together, each with a coefficient that varies. They are
-//! taken as printed: their residuals with all accelerations 0, and with one after the other 1, are a linear system,
-//! whose matrix serves the higher derivatives too. A law of an arm whose torque may be anything is not of this
-//! kind: solved for the torque, it needs no determinant, and what follows from it can be certified.
+//! accelerations, and neither gives one of them by itself. Such laws are solved at each state as they are printed.
+//! Their residuals with all highest derivatives 0, and with one after the other 1, make a system of linear equations.
+//! The time derivatives of the laws give all further derivatives, with the same matrix.
 
 use std::sync::Arc;
 
@@ -19,16 +16,16 @@ use crate::check::model::meaning::Meaning;
 use crate::check::model::order::order;
 use crate::check::model::{Model, free_symbols};
 
-/// More laws are not solved together.
+/// The largest number of laws that are solved together.
 const MOST: usize = 6;
 
-/// A law among the hypotheses: the highest derivatives that stand in it.
+/// A law among the hypotheses, by its place, with the highest derivatives in it.
 struct Law {
     at: usize,
     highest: Vec<(SymbolId, u8)>,
 }
 
-/// Whether a hypothesis says how several numbers move.
+/// Whether a hypothesis contains time derivatives of several symbols.
 pub(crate) fn is_coupled(model: &Model, hypothesis: &Hypothesis) -> bool {
     let sides = [&hypothesis.lhs, &hypothesis.rhs];
     let moves = |symbol: &SymbolId| sides.iter().any(|side| order(model, side, *symbol).is_some_and(|order| order > 0));
@@ -36,15 +33,15 @@ pub(crate) fn is_coupled(model: &Model, hypothesis: &Hypothesis) -> bool {
         > 1
 }
 
-/// Whether a symbol is a free function of time, and no vector or family.
+/// Whether a symbol is a scalar free function of time, and not a family.
 fn is_number(model: &Model, symbol: SymbolId) -> bool {
     let entry = model.symbols.entry(symbol);
     let varies = matches!(model.meaning(symbol), Some(Meaning::Varying(_)));
     varies && entry.kind == Kind::Scalar && entry.slots.is_empty()
 }
 
-/// Replaces rules that need one another in a circle, and laws that are none, by laws that are solved together. `owners` are
-/// the hypotheses that the rules after the first `local` come from.
+/// Replaces rules that depend on each other in a circle, and laws that are not rules, by coupled laws. `owners` are the
+/// hypotheses from which the rules after the first `local` come.
 pub(crate) fn couple(
     model: &Model,
     hypotheses: &[Hypothesis],
@@ -66,7 +63,7 @@ pub(crate) fn couple(
         let sides: Vec<[Expr; 2]> =
             group.iter().map(|law| &hypotheses[law.at]).map(|c| [c.lhs.clone(), c.rhs.clone()]).collect();
         let is_linear = |side: &Expr| degree(model, side, &unknowns).is_some_and(|degree| degree <= 1);
-        // What is an unknown here must not be given by anything else.
+        // No other rule may give an unknown of this group.
         let is_given = |symbol: SymbolId| {
             let from = rules[local..].iter().zip(owners.iter()).find(|(rule, _)| rule.symbol == symbol);
             from.is_some_and(|(_, owner)| !group.iter().any(|law| law.at == *owner))
@@ -76,7 +73,7 @@ pub(crate) fn couple(
         if !fits || !sides.iter().flatten().all(is_linear) || unknowns.iter().any(|(symbol, _)| is_given(*symbol)) {
             continue;
         }
-        // Where each follows from those before it, nothing is gained.
+        // Rules that can be evaluated one after the other stay as they are.
         if group.iter().all(|law| explicit[law.at]) && !in_a_circle(model, rules, &unknowns) {
             continue;
         }
@@ -98,7 +95,7 @@ pub(crate) fn couple(
     }
 }
 
-/// The hypotheses that hold at all times and say something of the highest derivative of a number; not those that are rules
+/// The hypotheses that hold at all times and contain the highest derivative of a symbol, without those that are rules
 /// of another kind.
 fn laws(model: &Model, hypotheses: &[Hypothesis], rules: &[Rule], owners: &[usize], explicit: &[bool]) -> Vec<Law> {
     let is_scalar = |expr: &Expr| {
@@ -136,7 +133,7 @@ fn laws(model: &Model, hypotheses: &[Hypothesis], rules: &[Rule], owners: &[usiz
     laws.filter(|law| !law.highest.is_empty()).collect()
 }
 
-/// The laws that have unknowns in common with a law, directly or by way of others.
+/// The laws that share unknowns with a law, directly or through others.
 fn group<'l>(laws: &'l [Law], first: &'l Law) -> Vec<&'l Law> {
     let mut group = vec![first];
     while let Some(next) = laws.iter().find(|law| {
@@ -149,7 +146,7 @@ fn group<'l>(laws: &'l [Law], first: &'l Law) -> Vec<&'l Law> {
     group
 }
 
-/// Whether what the rules say of unknowns depends on itself.
+/// Whether the rules of the unknowns depend on each other in a circle.
 fn in_a_circle(model: &Model, rules: &[Rule], unknowns: &[(SymbolId, u8)]) -> bool {
     let formula = |symbol: SymbolId| {
         rules.iter().find_map(|rule| match &rule.action {
@@ -177,14 +174,14 @@ fn in_a_circle(model: &Model, rules: &[Rule], unknowns: &[(SymbolId, u8)]) -> bo
     })
 }
 
-/// The degree of a formula in derivatives none of which is exceeded in it; `None` where it is no polynomial of them.
+/// The degree of a formula in the unknown derivatives, which are the highest in it; `None` if it is not a polynomial.
 fn degree(model: &Model, expr: &Expr, unknowns: &[(SymbolId, u8)]) -> Option<u32> {
     if !unknowns.iter().any(|(symbol, top)| order(model, expr, *symbol).is_some_and(|order| order >= *top)) {
         return Some(0);
     }
     let of = |inner: &Expr| degree(model, inner, unknowns);
     match &expr.node {
-        // What a derivative ends in is the highest derivative, times something lower.
+        // A time derivative is linear in the highest derivative.
         Node::TimeDerivative(..) => Some(1),
         Node::Symbol { id, dots, .. } => match model.meaning(*id) {
             Some(Meaning::Defined(formula)) if *dots == 0 => of(formula),

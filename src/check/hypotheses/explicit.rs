@@ -1,9 +1,10 @@
-//! Hypotheses that give a symbol directly, and need no solver.
+//! Explicit hypotheses: those that give the value of a symbol, so that they need no numerical solution.
 //!
-//! `\vec F_{ij} = -\vec F_{ji}` is a symmetry, `\vec F_{ij} \propto \vec r_{ij}` a direction, and Newton's second
-//! law can be the value of one of its forces. Such a hypothesis about a vector or a family becomes a rule. Laws
-//! that share their highest derivatives are solved together ([`super::coupled`]). The others are left to constraint
-//! projection.
+//! `\vec F_{ij} = -\vec F_{ji}` is a symmetry, `\vec F_{ij} \propto \vec r_{ij}` a direction, and Newton's second law
+//! can be written as the value of one of its forces. Such a hypothesis about a vector or a family becomes a [`Rule`].
+//! The state applies it whenever it evaluates the symbol: exactly, for all members, over any kind of number, and with
+//! all derivatives if it holds throughout. [`super::coupled`] laws are solved together. The other hypotheses are left
+//! to the constraint projection of the sampler.
 //!
 //! # Why some hypotheses are rules
 //!
@@ -24,18 +25,18 @@ use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::meaning::Meaning;
 
-/// The rules that these hypotheses are, after those of the claim itself, and whether each of them is one.
+/// The rules that these hypotheses give, after those of the claim itself; and for each hypothesis whether it is a rule.
 pub fn rules(model: &Model, local: &[Rule], hypotheses: &[Hypothesis]) -> (Vec<Rule>, Vec<bool>) {
     let mut rules: Vec<Rule> = local.to_vec();
     let mut explicit = vec![false; hypotheses.len()];
     let mut owners = Vec::new();
-    // A hypothesis that fixes a whole vector by itself goes before the laws, which leave a choice.
+    // A hypothesis that fixes a whole vector goes before the laws, which can be solved for one of several symbols.
     for (at, hypothesis) in hypotheses.iter().enumerate() {
         let found = symmetry(model, hypothesis).or_else(|| parallel(model, hypothesis, &rules));
         let is_new = |rule: &Rule| !rules.iter().any(|known| known.symbol == rule.symbol);
         let moves = |hypothesis: &Hypothesis| motion(model, hypothesis).filter(is_new);
-        let outright = || Some(at).filter(|_| hypothesis.throughout && coupled::is_coupled(model, hypothesis));
-        let found = found.or_else(|| value(model, hypothesis, &rules, number_of(model, hypotheses, outright()?)));
+        let couples = || Some(at).filter(|_| hypothesis.throughout && coupled::is_coupled(model, hypothesis));
+        let found = found.or_else(|| value(model, hypothesis, &rules, number_of(model, hypotheses, couples()?)));
         let found = found.or_else(|| moves(hypothesis).filter(|_| hypothesis.throughout && is_equality(hypothesis)));
         let found = found.or_else(|| value(model, hypothesis, &rules, |term| free_symbol(model, term)));
         if let Some(rule) = found {
@@ -52,7 +53,7 @@ fn is_equality(hypothesis: &Hypothesis) -> bool {
     matches!(hypothesis.relation, Relation::Equal | Relation::Identical)
 }
 
-/// A symbol that is drawn, a vector or a family, with a letter of its own for each index.
+/// A drawn vector or family, with a different letter for each index.
 fn free_symbol(model: &Model, expr: &Expr) -> Option<(SymbolId, Vec<IndexId>)> {
     let Node::Symbol { id, indices, dots: 0 } = &expr.node else { return None };
     if !matches!(model.meaning(*id)?, Meaning::Varying(_) | Meaning::Constant(_)) {
@@ -65,7 +66,7 @@ fn free_symbol(model: &Model, expr: &Expr) -> Option<(SymbolId, Vec<IndexId>)> {
     Some((*id, letters(indices)?))
 }
 
-/// `X_{ij} = ± X_{ji}`.
+/// The rule of a symmetry, `X_{ij} = ± X_{ji}`.
 fn symmetry(model: &Model, hypothesis: &Hypothesis) -> Option<Rule> {
     if !is_equality(hypothesis) {
         return None;
@@ -95,7 +96,7 @@ fn symmetry(model: &Model, hypothesis: &Hypothesis) -> Option<Rule> {
     })
 }
 
-/// `\vec X \propto \vec Y`.
+/// The rule of a direction, `\vec X \propto \vec Y`.
 fn parallel(model: &Model, hypothesis: &Hypothesis, before: &[Rule]) -> Option<Rule> {
     if hypothesis.relation != Relation::Proportional {
         return None;
@@ -111,7 +112,7 @@ fn parallel(model: &Model, hypothesis: &Hypothesis, before: &[Rule]) -> Option<R
     })
 }
 
-/// A number that may have any value, and of which no other hypothesis says anything: the force that makes a motion.
+/// A test for a scalar that may have any value and that occurs in no other hypothesis: the force that causes a motion.
 fn number_of<'c>(
     model: &'c Model,
     hypotheses: &'c [Hypothesis],
@@ -128,7 +129,7 @@ fn number_of<'c>(
     }
 }
 
-/// An equation with a term that is a free symbol alone, which occurs nowhere else in it: solved for that term.
+/// The rule of an equation that is solved for a term: a free symbol that occurs nowhere else in the equation.
 fn value(
     model: &Model,
     hypothesis: &Hypothesis,
@@ -142,7 +143,7 @@ fn value(
     flatten(model, &hypothesis.lhs, Sign::Plus, 0, &mut terms);
     let left = terms.len();
     flatten(model, &hypothesis.rhs, Sign::Minus, 0, &mut terms);
-    // The left side is what is being said; and of two candidates the later one is the finer.
+    // The left side goes first. Of two candidates on it the later one is used.
     let order = (0..left).rev().chain(left..terms.len());
     for at in order {
         let (sign, term) = &terms[at];
@@ -173,7 +174,7 @@ fn value(
     None
 }
 
-/// Whether the labels that are free in the other terms are all among the letters of the symbol.
+/// Whether all free labels of the other terms are among the letters of the symbol.
 fn same_letters(model: &Model, letters: &[IndexId], others: &[&(Sign, Expr)]) -> bool {
     others.iter().all(|(_, other)| {
         crate::formula::shape::bind(other.clone(), &model.symbols)
@@ -181,7 +182,7 @@ fn same_letters(model: &Model, letters: &[IndexId], others: &[&(Sign, Expr)]) ->
     })
 }
 
-/// The terms of a formula, definitions opened where a term is nothing but a defined name.
+/// The terms of a formula; a term that is a defined name is replaced by the terms of its definition.
 fn flatten(model: &Model, expr: &Expr, sign: Sign, depth: usize, into: &mut Vec<(Sign, Expr)>) {
     match &expr.node {
         Node::Sum(terms) => {

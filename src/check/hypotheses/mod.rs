@@ -1,7 +1,7 @@
-//! Hypotheses and laws that say outright what a symbol is.
+//! Hypotheses and laws that give a symbol explicitly, so that they need no numerical solution.
 //!
-//! Offers [`rule::Rule`], what a hypothesis makes of a symbol, and [`explicit::rules`], which sorts hypotheses into rules and
-//! those that must be solved. Knows `model` and nothing above it.
+//! Offers [`rule::Rule`], the value that a hypothesis gives a symbol, and [`explicit::rules`], which sorts hypotheses
+//! into rules and those that must be solved. Knows `model` and no other folder of `check`.
 
 pub(crate) mod components;
 pub(crate) mod coupled;

@@ -1,7 +1,8 @@
-//! Laws that give the highest derivative of a symbol: `m_i \ddot{\vec r}_i = …`, however it is printed.
+//! Equations of motion: laws that give the highest derivative of a symbol, `m_i \ddot{\vec r}_i = …`, in any form.
 //!
-//! `\vec F_i = \dot{\vec p}_i` is such a law: with the definitions of p and F inserted it is linear in the second
-//! derivative of the positions, with a coefficient that does not vary.
+//! `\vec F_i = \dot{\vec p}_i` is such a law. With the definitions of p and F inserted it is linear in the second
+//! derivative of the positions, with a constant coefficient. Solved for it, the law gives the motion from any positions
+//! and velocities. All higher derivatives follow one after the other.
 //!
 //! # How a law is obeyed
 //!
@@ -21,17 +22,17 @@ use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::meaning::Meaning;
 
-/// How deep definitions are opened.
+/// The depth to which definitions are inserted.
 const DEPTH: usize = 8;
 
-/// A term of a law: a sign, factors that do not vary, and what varies.
+/// A term of a law: a sign, constant factors, and the factor that varies.
 struct Opened {
     sign: Sign,
     fixed: Vec<Expr>,
     core: Expr,
 }
 
-/// The rule that a law is, if it gives the highest derivative of a free function of time.
+/// The rule of a law that gives the highest derivative of a free function of time.
 pub(crate) fn motion(model: &Model, hypothesis: &Hypothesis) -> Option<Rule> {
     let mut terms = Vec::new();
     let whole = |expr: &Expr, sign| Opened { sign, fixed: Vec::new(), core: expr.clone() };
@@ -52,7 +53,7 @@ pub(crate) fn motion(model: &Model, hypothesis: &Hypothesis) -> Option<Rule> {
     None
 }
 
-/// −rest / coefficient.
+/// The formula −rest / coefficient.
 fn solved(term: &Opened, rest: &[&Opened]) -> Expr {
     let span = Span::default();
     let product = |factors: Vec<Expr>| match factors.len() {
@@ -77,7 +78,7 @@ fn solved(term: &Opened, rest: &[&Opened]) -> Expr {
     }
 }
 
-/// A free function of time under at least one dot, with a letter of its own for each index.
+/// A free function of time under at least one dot, with a different letter for each index, and the number of dots.
 fn derivative(model: &Model, core: &Expr) -> Option<(SymbolId, Vec<IndexId>, u8)> {
     let Node::Symbol { id, indices, dots: order @ 1.. } = &core.node else { return None };
     if !matches!(model.meaning(*id)?, Meaning::Varying(_)) {
@@ -86,7 +87,7 @@ fn derivative(model: &Model, core: &Expr) -> Option<(SymbolId, Vec<IndexId>, u8)
     Some((*id, letters(indices)?, *order))
 }
 
-/// Opens sums, products with constants, derivatives and definitions; `dots` derivatives are taken of the term.
+/// Expands sums, products with constants, derivatives and definitions; the term is under `dots` time derivatives.
 fn open(model: &Model, term: Opened, dots: u8, depth: usize, into: &mut Vec<Opened>) {
     let Opened { sign, fixed, core } = term;
     let keep = |core: Expr, fixed: Vec<Expr>, into: &mut Vec<Opened>| {
@@ -135,7 +136,7 @@ fn open(model: &Model, term: Opened, dots: u8, depth: usize, into: &mut Vec<Open
     }
 }
 
-/// Whether a formula is a number that does not vary.
+/// Whether a formula is a constant scalar.
 fn is_constant(model: &Model, expr: &Expr) -> bool {
     expr.symbols().iter().all(|(id, _)| match model.meaning(*id) {
         Some(Meaning::Constant(_)) => model.symbols.entry(*id).kind == crate::formula::Kind::Scalar,

@@ -1,4 +1,4 @@
-//! A rule: what a hypothesis, or a meaning given in one claim only, makes of a symbol.
+//! A rule: the value that a hypothesis, or a definition within one claim, gives a symbol.
 
 use std::sync::Arc;
 
@@ -6,57 +6,58 @@ use crate::formula::{Expr, Index, IndexId, Sign, SymbolId};
 
 use crate::check::model::Model;
 
-/// As many laws as unknowns.
+/// Laws that are solved together: as many as unknowns.
 #[derive(Debug)]
 pub struct CoupledLaws {
-    /// What they are solved for: a number that varies, and which of its derivatives.
+    /// The unknowns: a scalar function of time, and the order of its derivative.
     pub unknowns: Vec<(SymbolId, u8)>,
-    /// The sides of each.
+    /// The two sides of each law.
     pub sides: Vec<[Expr; 2]>,
 }
 
-/// What a hypothesis, or the meaning of a symbol in one equation, makes of a symbol.
+/// The value that a hypothesis, or a definition within one claim, gives a symbol.
 #[derive(Clone, Debug)]
 pub struct Rule {
     /// The symbol.
     pub symbol: SymbolId,
     /// The letters that stand for its indices.
     pub letters: Vec<IndexId>,
-    /// What it is.
+    /// How the value is given.
     pub action: Action,
-    /// Whether at all times, and not only at the instant.
+    /// Whether the value holds at all times, with its derivatives, and not only at the instant.
     pub throughout: bool,
 }
 
-/// What a rule makes of a symbol.
+/// How a rule gives the value of a symbol.
 #[derive(Clone, Debug)]
 pub enum Action {
     /// The value of a formula.
     Equals(Expr),
-    /// The part of what it was before that goes over into itself, or into its negative, when its indices are permuted.
+    /// The part of the earlier value that is symmetric, or antisymmetric, under a permutation of its indices.
     Symmetric {
-        /// For each of its indices, which one takes its place.
+        /// For each index, the index that replaces it.
         permutation: Vec<usize>,
-        /// The sign.
+        /// The sign: plus for symmetric.
         sign: Sign,
     },
-    /// The part of what it was before that is parallel to a vector.
+    /// The part of the earlier value that is parallel to a vector.
     Parallel(Expr),
-    /// What follows from its derivatives below this order, all members at once: that derivative is the formula's value.
+    /// The solution of an equation of motion, for all members at once: the derivative of this order is the formula's
+    /// value.
     EquationOfMotion {
-        /// Which derivative.
+        /// The order of the derivative.
         order: u8,
         /// Its value.
         formula: Expr,
     },
-    /// What laws give it together with other symbols.
+    /// The solution of coupled laws, together with other symbols.
     Coupled(Arc<CoupledLaws>),
-    /// The members of several families, one after the other.
+    /// The members of several families, one family after the other.
     Union(Vec<Expr>),
 }
 
 impl Action {
-    /// The formulas that a symbol's value depends on by it.
+    /// The formulas on which the value depends.
     pub fn formulas(&self) -> Vec<&Expr> {
         match self {
             Action::Equals(formula) | Action::Parallel(formula) | Action::EquationOfMotion { formula, .. } => {
@@ -68,7 +69,7 @@ impl Action {
     }
 }
 
-/// The letters of indices, if each is one of its own.
+/// The letters of indices, if all are letters and no two are the same.
 pub(crate) fn letters(indices: &[Index]) -> Option<Vec<IndexId>> {
     let mut letters = Vec::new();
     for index in indices {
@@ -83,7 +84,7 @@ pub(crate) fn letters(indices: &[Index]) -> Option<Vec<IndexId>> {
 /// Whether the value of a formula depends on a symbol, through definitions and earlier rules.
 pub(crate) fn depends_through_rules(model: &Model, rules: &[Rule], expr: &Expr, symbol: SymbolId) -> bool {
     let mut dependent = vec![symbol];
-    // Whatever a rule builds on the symbol depends on it as well.
+    // A symbol whose rule uses the symbol depends on it as well.
     loop {
         let more = rules.iter().find(|rule| {
             !dependent.contains(&rule.symbol)

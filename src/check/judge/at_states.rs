@@ -1,4 +1,4 @@
-//! A claim at states with the values of its sides kept, since mutants share one of them.
+//! A claim at sampled states, with cached values of its sides, since each mutant shares one of them.
 
 use std::cell::OnceCell;
 
@@ -18,7 +18,7 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// A link at states, with the values of its sides where they were needed: mutants share one of the two.
+/// A link at sampled states, with the values of its sides as far as they were needed.
 pub(crate) struct AtStates<'a, 'm> {
     pub(crate) link: &'a Link,
     pub(crate) states: &'a [SampledState<'m, RunningError>],
@@ -42,18 +42,18 @@ impl<'a, 'm> AtStates<'a, 'm> {
         })
     }
 
-    /// What a state says of a mutant.
+    /// Tests a mutant at one of the states.
     pub(crate) fn test(&self, mutant: &Link, at: usize) -> Result<Point, Unavailable> {
         residual::test_mutant(mutant, self.link, self.sides(at), &self.states[at])
     }
 
-    /// Whether a mutant fails at one of the states; it counts as failing where it has no value at all.
+    /// Whether a mutant fails at one of the states. It also fails where it has no value.
     fn fails(&self, mutant: &Link) -> bool {
         (0..self.states.len()).any(|at| !matches!(self.test(mutant, at), Ok(Point::Holds(_) | Point::Useless)))
     }
 }
 
-/// A pass stands only if the states refute every mutant that is not as true as the claim itself.
+/// The finding on a claim that passed: undecided if a mutant that is not equivalent to the claim passes as well.
 pub(crate) fn tested_against_mutants(
     states: &AtStates<'_, '_>,
     context: &Context<'_>,
@@ -66,7 +66,7 @@ pub(crate) fn tested_against_mutants(
     if survivors.is_empty() {
         return Ok(finding);
     }
-    // A mutant that holds where the claim does and fails where it does, far beyond the ranges, says the same.
+    // A mutant that holds and fails exactly where the claim does, also far beyond the ranges, is equivalent to it.
     let wide = context.ensemble(mode, true, 3 * context.options.points)?;
     let holds = |found: Result<Point, Unavailable>| match found {
         Ok(Point::Holds(_)) => Some(true),

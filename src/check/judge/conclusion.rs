@@ -1,4 +1,4 @@
-//! The finding that follows from what all states say.
+//! The finding on a claim from its outcome at all states.
 
 use crate::code::Code;
 use crate::formula::Relation;
@@ -63,7 +63,7 @@ pub(crate) fn conclude(
     evidence(Code::Holds, Verdict::Verified, confirmation(context, ensemble.mode.on_shell))
 }
 
-/// What is said of a claim that fails, with the entry at which it fails, if it has several.
+/// The code and the message of a claim that fails, with the entry at which it fails if it has several.
 fn refutation(relation: Relation, entry: Option<&str>, context: &Context<'_>, on_shell: bool) -> (Code, String) {
     let laws = Law::phrases(&context.model.laws);
     let circumstances = match (on_shell, laws.is_empty(), context.has_hypotheses()) {
@@ -91,7 +91,7 @@ fn refutation(relation: Relation, entry: Option<&str>, context: &Context<'_>, on
     (Code::SidesDiffer, message)
 }
 
-/// What is said of a claim that holds.
+/// The message of a claim that holds.
 fn confirmation(context: &Context<'_>, on_shell: bool) -> String {
     let place = match (on_shell, context.model.laws.as_slice()) {
         (false, _) if context.has_hypotheses() => return "holds under its hypotheses".to_owned(),
@@ -103,7 +103,7 @@ fn confirmation(context: &Context<'_>, on_shell: bool) -> String {
     format!("holds {place}{hypotheses}")
 }
 
-/// The first mutant that holds at all states: what may have been meant.
+/// The first mutant of a refuted claim that holds at all states: what may have been meant.
 fn surviving_mutant(states: &AtStates<'_, '_>, model: &Model) -> Option<Mutant> {
     let count = states.states.len();
     mutants_of(states.link, model).into_iter().find(|mutant| {

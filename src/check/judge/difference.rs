@@ -1,12 +1,12 @@
 //! The difference of the two sides of a refuted claim, as a formula, with the derived equation of motion.
 //!
 //! Both sides are evaluated over [`Symbol`]s in a [`SampledState`] whose base numbers are symbols: q, q̇ and the
-//! constants. [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are the derived
-//! ones. If the claim prints momenta and not the velocities, the difference is written in these momenta.
+//! constants. [`mod@crate::derive`] brings their difference into normal form. On shell the accelerations are the
+//! derived ones. If the claim prints momenta and not the velocities, the difference is written in these momenta.
 //!
-//! The formula explains and decides nothing: the verdict rests on numbers. It is shown only if it is short, and if it has
-//! the value of the difference at the counterexample and at all other states. It is not shown where hypotheses would have
-//! to be solved.
+//! The formula explains and decides nothing: the verdict rests on numbers. It is shown only if it is short, and if it
+//! has the value of the difference at the counterexample and at all other states. It is not shown where hypotheses
+//! would have to be solved.
 
 use crate::derive;
 use crate::derive::{Class, Letter};
@@ -41,34 +41,34 @@ const MOST_DIGITS: usize = 4;
 /// The largest relative error of a shown formula at a sampled state.
 const NEAR: f64 = 1e-9;
 
-/// A finding, with what is left of one side without the other if the claim is refuted.
+/// The finding, with the difference of the sides and the derived equation if the claim is refuted.
 pub(crate) fn explained(link: &Link, context: &Context<'_>, finding: Finding) -> Finding {
     let Some(failed) = Failed::of(link, context, &finding) else { return finding };
     let difference = failed.difference().map(|formula| shown(&formula, context.model));
     Finding { difference, derived: failed.derived(), ..finding }
 }
 
-/// Left side minus right side of a link that is refuted, where that is worth reading.
+/// The left side minus the right side of a refuted link, if that is worth showing.
 pub(crate) fn formula(link: &Link, context: &Context<'_>, finding: &Finding) -> Option<Expr> {
     Failed::of(link, context, finding)?.difference()
 }
 
-/// Two numbers of a state that is made of symbols.
+/// A function that gives two numbers of a symbolic state.
 pub(crate) type Numbers<'n> = dyn Fn(&SampledState<'_, Symbol>) -> Option<(Symbol, Symbol)> + 'n;
 
-/// A claim with the states at which it was refuted.
+/// A refuted claim with the states at which it fails.
 struct Failed<'a> {
     link: &'a Link,
     ensemble: Ensemble<'a>,
     model: &'a Model,
-    /// Which of the states is the counterexample.
+    /// The place of the counterexample among the states.
     at: usize,
-    /// Which entry fails there, counted over the free indices and the components.
+    /// The entry that fails there, counted over the free indices and the components.
     entry: usize,
 }
 
 impl<'a> Failed<'a> {
-    /// Finds the states of an equality that is refuted, on shell or off.
+    /// Finds the states of a refuted equality, on shell or off shell.
     fn of(link: &'a Link, context: &Context<'a>, finding: &Finding) -> Option<Self> {
         let is_wrong = finding.verdict == Verdict::Refuted && is_equality(link.relation);
         let counterexample = finding.counterexample.as_ref().filter(|_| is_wrong)?;
@@ -81,7 +81,7 @@ impl<'a> Failed<'a> {
         modes.iter().find_map(|on_shell| Failed::find(link, context, *on_shell, counterexample))
     }
 
-    /// Finds the state of a counterexample again, and the entry at which it fails.
+    /// Finds the state of a counterexample, and the entry that fails.
     fn find(link: &'a Link, context: &Context<'a>, on_shell: bool, known: &Counterexample) -> Option<Self> {
         let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
         let ensemble = context.ensemble(mode, false, context.options.points).ok()?;
@@ -101,7 +101,7 @@ impl<'a> Failed<'a> {
         Some(Failed { link, ensemble, model: context.model, at, entry })
     }
 
-    /// Left side minus right side, in momenta if it can be, and if it is worth reading.
+    /// The left side minus the right side, in momenta if possible, if it is worth showing.
     fn difference(&self) -> Option<Expr> {
         let momenta = momenta(self.link, self.model);
         let in_momenta = (!momenta.is_empty()).then(|| self.in_terms_of(&momenta)).flatten();
@@ -109,7 +109,7 @@ impl<'a> Failed<'a> {
         self.tells_more(&text::formula(&found, &self.model.symbols)).then_some(found)
     }
 
-    /// Whether a formula says more than the claim itself: of a = b it does not help to know that a − b is left.
+    /// Whether a formula says more than the claim itself: for a = b the difference a − b is no help.
     fn tells_more(&self, text: &str) -> bool {
         let Failed { link, model, .. } = self;
         let sides = [&link.lhs, &link.rhs];
@@ -120,7 +120,7 @@ impl<'a> Failed<'a> {
         sides.into_iter().any(is_derived) || length(text) < printed
     }
 
-    /// The same with these momenta in place of their velocities: of each, the coordinate and the name.
+    /// The difference with these momenta in place of their velocities: the coordinate and the name of each.
     fn in_terms_of(&self, momenta: &[(usize, SymbolId)]) -> Option<Expr> {
         let Failed { link, ensemble, model, .. } = self;
         let needed = derivatives(&link.lhs, model).max(derivatives(&link.rhs, model)) + 1;
@@ -129,7 +129,7 @@ impl<'a> Failed<'a> {
         (is_short(&found, model) && self.is_the_difference(&found)).then_some(found)
     }
 
-    /// Whether a formula has the value of left side minus right side, wherever these have one.
+    /// Whether a formula has the value of left side minus right side at all states where both have one.
     fn is_the_difference(&self, formula: &Expr) -> bool {
         self.ensemble.states.iter().enumerate().all(|(at, state)| {
             let Some((a, b)) = entries(self.link, state).ok().and_then(|all| all.get(self.entry).copied()) else {
@@ -147,7 +147,7 @@ impl<'a> Failed<'a> {
         })
     }
 
-    /// The Euler–Lagrange equation of the one acceleration that the claim is about.
+    /// The derived Euler–Lagrange equation, if the claim is about one acceleration.
     fn derived(&self) -> Option<Formula> {
         let Failed { link, ensemble, model, at, .. } = self;
         let coordinate = acceleration(link, model).filter(|_| ensemble.mode.on_shell)?;
@@ -183,8 +183,8 @@ impl<'a> Failed<'a> {
     }
 }
 
-/// What some states say of two numbers, one without the other, in normal form: where they are made of names alone. The link
-/// is what the numbers are made from.
+/// The difference of two numbers of symbolic states, in normal form. The numbers are made from the link. `None` if the
+/// states do not consist of named numbers.
 pub(crate) fn normal(model: &Model, ensemble: &Ensemble<'_>, link: &Link, numbers: &Numbers<'_>) -> Option<Expr> {
     let sides = [&link.lhs, &link.rhs];
     if !is_nameable(&sides, model, ensemble) {
@@ -197,15 +197,15 @@ pub(crate) fn normal(model: &Model, ensemble: &Ensemble<'_>, link: &Link, number
     is_short(&found, model).then_some(found)
 }
 
-/// Whether states are made of numbers that have names, and not moved onto hypotheses.
+/// Whether states consist of named numbers, without hypotheses that must be solved.
 fn is_nameable(sides: &[&Expr], model: &Model, ensemble: &Ensemble<'_>) -> bool {
     ensemble.projection.equalities().next().is_none()
         && decide::all_symbols(sides, &ensemble.projection).is_ok()
         && Generality::of(sides, model, &ensemble.rules) == Some(Generality::GivenParticles)
 }
 
-/// The difference of two numbers of a state that is made of symbols, with momenta in place of their velocities: of each the
-/// coordinate and the name. So many derivatives are needed.
+/// The difference of two numbers of a symbolic state, with momenta in place of their velocities: the coordinate and the
+/// name of each. `needed` is the number of derivatives.
 fn recorded(
     model: &Model,
     ensemble: &Ensemble<'_>,
@@ -231,7 +231,7 @@ fn recorded(
     derive::difference(&graph, left, right, &inputs.letters).ok()
 }
 
-/// Both sides, for all values of the free indices and entry by entry.
+/// The entries of both sides, for all values of the free indices.
 pub(crate) fn entries<B: Number>(link: &Link, state: &SampledState<'_, B>) -> Result<Vec<(B, B)>, Unavailable> {
     let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
     let mut all = Vec::new();
@@ -246,7 +246,7 @@ pub(crate) fn entries<B: Number>(link: &Link, state: &SampledState<'_, B>) -> Re
     }
 }
 
-/// The value of a number at a state.
+/// The value of a scalar formula at a state, if it is finite.
 pub(crate) fn value(formula: &Expr, state: &SampledState<'_, RunningError>) -> Option<RunningError> {
     match state.now(formula, &[]) {
         Ok(Value::Scalar(value)) => Some(value).filter(|value| value.value.is_finite()),
@@ -254,12 +254,12 @@ pub(crate) fn value(formula: &Expr, state: &SampledState<'_, RunningError>) -> O
     }
 }
 
-/// A formula to be shown.
+/// A formula for display.
 pub(crate) fn shown(formula: &Expr, model: &Model) -> Formula {
     Formula { latex: typeset(formula, &model.symbols), text: text::formula(formula, &model.symbols) }
 }
 
-/// Whether somebody would read it, and could have written its numbers.
+/// Whether a formula is short enough to be shown, with simple numbers.
 fn is_short(formula: &Expr, model: &Model) -> bool {
     let mut simple = true;
     formula.walk(&mut |part| {
@@ -270,7 +270,7 @@ fn is_short(formula: &Expr, model: &Model) -> bool {
     simple && text::formula(formula, &model.symbols).chars().count() <= LONGEST
 }
 
-/// Every symbol of a claim with its dots, through definitions too.
+/// The symbols of a claim with their dots, through definitions too.
 fn symbols(link: &Link, model: &Model) -> Vec<(SymbolId, u8)> {
     let mut all = [link.lhs.symbols(), link.rhs.symbols()].concat();
     let mut at = 0;
@@ -290,7 +290,7 @@ fn symbols(link: &Link, model: &Model) -> Vec<(SymbolId, u8)> {
     all
 }
 
-/// The momenta that a claim prints without the velocity of their coordinate.
+/// The momenta in a claim that does not contain the velocity of their coordinate: the coordinate and the name of each.
 fn momenta(link: &Link, model: &Model) -> Vec<(usize, SymbolId)> {
     let printed = symbols(link, model);
     let moves = |coordinate: usize| {
@@ -311,7 +311,7 @@ fn momenta(link: &Link, model: &Model) -> Vec<(usize, SymbolId)> {
     momenta
 }
 
-/// The coordinate whose acceleration a claim is about, if there is a single one and no other derivative but velocities.
+/// The coordinate whose acceleration a claim contains, if it is the only one and there are no derivatives of formulas.
 fn acceleration(link: &Link, model: &Model) -> Option<usize> {
     let mut is_differentiated = false;
     for side in [&link.lhs, &link.rhs] {

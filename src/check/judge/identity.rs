@@ -1,4 +1,4 @@
-//! Claims that two formulas are equal, or ordered: always or on shell, under hypotheses.
+//! The check of a claim between two formulas: always or on shell, under hypotheses.
 
 use crate::Result;
 use crate::code::Code;
@@ -22,10 +22,10 @@ use crate::check::vacuity::{forced_value, premises, zero};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// Checks a claim between two formulas; if it is refuted, the finding says what it is off by.
+/// Checks a claim between two formulas. If it is refuted, the finding shows the difference of the two sides.
 ///
 /// # Errors
-/// When the system's mass matrix is singular.
+/// If the mass matrix of the system is singular.
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let finding = judged(link, context)?;
     Ok(if context.options.explain { difference::explained(link, context, finding) } else { finding })
@@ -67,7 +67,7 @@ enum Next {
     OnShell,
 }
 
-/// Checks a claim at states on shell or off.
+/// Checks a claim at states on shell or off shell.
 fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Finding, Next)> {
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
     let mut ensemble = context.ensemble(mode, false, context.options.points)?;
@@ -78,7 +78,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     if !is_equality(link.relation) {
         let special = context.special(mode)?;
         ensemble.tried += special.tried;
-        // What nothing but drawn numbers is made of has its edges off shell, where it was tried.
+        // Off shell the boundary of a formula of drawn numbers has been tested already.
         let plain = |expr: &Expr| context.model.is_plain(expr) && derivatives(expr, context.model) == 0;
         if !on_shell || !plain(&link.lhs) || !plain(&link.rhs) {
             let own: Vec<_> = boundary::of_link(link).into_iter().collect();
@@ -90,7 +90,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
             ensemble.states.extend(edges);
         }
         ensemble.states.extend(special.states);
-        double_range::reached(link, context, &mut ensemble);
+        double_range::without_rounded_equalities(link, context, &mut ensemble);
     }
     double_range::within_doubles(link, context, &mut ensemble)?;
     let fails = |state: &SampledState<'_, RunningError>| matches!(residual::test(link, state), Ok(Point::Fails(_)));
@@ -101,14 +101,14 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         Err(reason) => return Ok((context.unavailable(&reason), Next::Settled)),
     };
     let finding = conclude(&states, context, &ensemble, &outcome);
-    // What is claimed of all states is claimed of the motions: an inequality may fail on them alone.
+    // An inequality that holds off shell is tested on shell as well, since it may fail on the motions only.
     let open = outcome.failure.is_some() || outcome.doubtful > 0 || !is_equality(link.relation);
     let next = if open { Next::OnShell } else { Next::Settled };
     if let (Verdict::Verified, Some(symbol)) = (finding.verdict, forced) {
         let message = forced_value::message(symbol, context);
         return Ok((finding.replaced(Code::ForcedValue, Verdict::Undecided, message), next));
     }
-    // Near misses of an inequality are inequalities too: only an equality is held against its mutants.
+    // A mutant of an inequality may be true as well, so only an equality is compared with its mutants.
     if finding.verdict != Verdict::Verified {
         return Ok((finding, next));
     }

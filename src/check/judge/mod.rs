@@ -1,7 +1,8 @@
-//! One claim between two formulas.
+//! The judgement on one claim between two formulas.
 //!
-//! Offers [`identity::check`]: tested at sampled states, held against its mutants, certified over a prime field, and explained
-//! where it is refuted. Knows everything below `kinds`.
+//! Offers [`identity::check`], which tests a claim at sampled states, compares it with its mutants, certifies it over a
+//! prime field, and explains it if it is refuted; [`mutants`]; [`difference`], what a refuted claim is off by; and
+//! [`term_fit`], which terms of it are wrong. Knows `vacuity`, `search`, `certificate`, `sample` and below.
 
 pub(crate) mod at_states;
 pub(crate) mod conclusion;

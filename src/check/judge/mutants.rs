@@ -1,7 +1,7 @@
-//! The mutants of a claim: the same claim with one slip in it, of a kind that authors make.
+//! The mutants of a claim: the same claim with one mistake in it, such as authors make.
 //!
-//! Every pass is compared with its mutants at the states that it used. The mutants of a refuted claim that hold are
-//! what its author may have meant.
+//! A check that accepts a mutant has not tested much. Every claim that passes is compared with its mutants at the same
+//! states. A mutant of a refuted claim that holds is what its author may have meant.
 //!
 //! # What mutants of a claim are for
 //!
@@ -22,18 +22,18 @@ use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
 
-/// A claim with one slip.
+/// A claim with one mistake.
 #[derive(Clone, Debug)]
 pub struct Mutant {
     /// The claim.
     pub link: Link,
-    /// What kind of slip it is.
+    /// The kind of mistake.
     pub slip: Slip,
-    /// What was changed, as it continues "with …".
+    /// The change, as a phrase after "with".
     pub change: String,
 }
 
-/// The kinds of slip.
+/// The kinds of mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slip {
     /// A sign flipped.
@@ -58,7 +58,7 @@ pub enum Slip {
     Structure,
 }
 
-/// All mutants of a link; those of a literal zero are none.
+/// The mutants of a link. A literal zero has none.
 pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
     let mut present: Vec<SymbolId> = Vec::new();
     for side in [&link.lhs, &link.rhs] {
@@ -71,11 +71,11 @@ pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
         side.walk(&mut |_| nodes += 1);
         nodes
     };
-    // Of a formula too long to try every slip, slips are taken at even distances.
+    // A formula with too many possible mistakes gets a sample of them at even distances.
     let nodes = count(&link.lhs) + count(&link.rhs);
     let stride = (4 * nodes / MOST.min(LARGEST / nodes.max(1)).max(1)).max(1);
     let slips = Slips { model, present, stride, met: Cell::new(0) };
-    // The whole of a side with another sign, and twice as large.
+    // The whole right side with the other sign, and multiplied by 2.
     let whole =
         [(Slip::Sign, "−"), (Slip::Number, "2 ")].into_iter().filter(|_| !link.rhs.is_null()).map(|(slip, sign)| {
             let words = text::formula(&link.rhs, &model.symbols);
@@ -90,24 +90,25 @@ pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
     left.chain(right).map(|(link, slip, change)| Mutant { link, slip, change }).chain(whole).collect()
 }
 
-/// About as many mutants of one claim are tried.
+/// The approximate largest number of mutants of one claim.
 const MOST: usize = 2_000;
 
-/// All mutants of one claim together have about as many nodes at most.
+/// The approximate largest number of nodes in all mutants of one claim together.
 const LARGEST: usize = 1_000_000;
 
+/// A generator of formulas with one mistake.
 struct Slips<'a> {
     model: &'a Model,
-    /// One in so many slips is made.
+    /// The distance between mistakes that are made: 1 for all.
     stride: usize,
-    /// How many slips were met.
+    /// The number of possible mistakes so far.
     met: Cell<usize>,
     /// The symbols of the claim.
     present: Vec<SymbolId>,
 }
 
 impl Slips<'_> {
-    /// A formula with one slip anywhere in it, in every way.
+    /// The copies of a formula with one mistake anywhere in it.
     fn of(&self, expr: &Expr) -> Vec<(Expr, Slip, String)> {
         let mut slips = self.here(expr);
         let count = expr.children().len();
@@ -126,7 +127,7 @@ impl Slips<'_> {
         slips
     }
 
-    /// Whether the slip met now is one of those that are made.
+    /// Whether the next possible mistake is made.
     fn is_wanted(&self) -> bool {
         self.met.set(self.met.get() + 1);
         self.met.get().is_multiple_of(self.stride)
@@ -136,7 +137,7 @@ impl Slips<'_> {
         text::formula(expr, &self.model.symbols)
     }
 
-    /// Slips at the root of a formula.
+    /// The copies of a formula with one mistake at its root.
     fn here(&self, expr: &Expr) -> Vec<(Expr, Slip, String)> {
         let span = expr.span;
         let mut slips: Vec<(Node, Slip, String)> = Vec::new();
@@ -169,7 +170,7 @@ impl Slips<'_> {
                     slips.push((rest, Slip::Omission, format!("the factor “{}” left out", self.words(&gone))));
                 }
                 for at in 1..factors.len() {
-                    // The order counts for matrices alone.
+                    // The order matters for matrices only.
                     if [at - 1, at].iter().all(|k| self.is_matrix(&factors[*k])) {
                         let mut swapped = factors.clone();
                         swapped.swap(at - 1, at);
@@ -303,7 +304,7 @@ impl Slips<'_> {
         }
     }
 
-    /// Whether an author could write one for the other.
+    /// Whether an author could confuse two symbols.
     fn alike(&self, a: SymbolId, b: SymbolId) -> bool {
         let (x, y) = (self.model.symbols.entry(a), self.model.symbols.entry(b));
         let coordinates = [a, b].iter().all(|id| matches!(self.model.meaning(*id), Some(Meaning::Coordinate(_))));

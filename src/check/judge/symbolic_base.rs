@@ -43,7 +43,7 @@ impl SymbolicBase {
         let (mut letters, mut places) = (Vec::new(), Vec::new());
         let (mut last, mut number) = (None, 0);
         for (at, slot) in slots(model, mode).iter().enumerate() {
-            // the numbers of one symbol follow one another, each with its derivatives
+            // The numbers of one symbol follow one another, each with its derivatives.
             number = if slot.symbol == last { number + usize::from(slot.order == 0) } else { 0 };
             last = slot.symbol;
             places.push(match (&slot.range, letter(model, at, slot, number)) {
@@ -97,8 +97,8 @@ fn letter(model: &Model, at: usize, slot: &Slot, n: usize) -> Option<Letter> {
     Some(Letter { expr, class })
 }
 
-/// Replaces the velocities of some coordinates in a base by those that belong to these momenta: p = M q̇ + b. This is wrong
-/// where L is not quadratic in the velocities; the result is then not shown, since its value is compared before.
+/// Replaces the velocities of some coordinates in a base by those that belong to these momenta: p = M q̇ + b. This is
+/// wrong where L is not quadratic in the velocities; the result is then not shown, since its value is compared before.
 pub(crate) fn velocities_from_momenta(
     model: &Model,
     mode: Mode,

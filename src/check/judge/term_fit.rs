@@ -1,8 +1,13 @@
-//! The wrong terms of a refuted equation, if several are wrong at once.
+//! The wrong terms of a refuted equation, where several are wrong at once.
 //!
-//! Everything is brought to one side, sums are multiplied out, and every term is evaluated at sampled states. A row
-//! of the matrix is a number that should vanish; a column is a term. The coefficients in the null vector that are
-//! not 1 are the finding.
+//! All terms are brought to one side, the printed sums expanded, and every term evaluated at sampled states. The values
+//! make a matrix, with a row for each number that should vanish and a column for each term. Its null vector gives the
+//! coefficients with which the terms add up to zero. If there is exactly one, the coefficients that are not 1 are the
+//! result. If there is none, the difference of the sides ([`super::difference`]) is compared with the printed terms one
+//! by one: a multiple of a printed term changes its coefficient, and all other terms are missing.
+//!
+//! The fit only proposes. It is reported if its coefficients are small fractions and the equation with them passes the
+//! full check. Terms that depend on each other linearly have no unique fit, and nothing is reported.
 //!
 //! # What is reported where several terms are wrong
 //!
@@ -29,29 +34,29 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::{Finding, Fit, Fraction, Misfit};
 
-/// Of more terms nobody would look for the wrong ones, and fewer tell nothing.
+/// The numbers of terms for which a fit is tried.
 const TERMS: std::ops::RangeInclusive<usize> = 2..=24;
 
-/// So many states more than two for each term are drawn.
+/// The number of states beyond two for each term.
 const SPARE: usize = 8;
 
-/// The terms add up to zero if the smallest singular value is at most this share of the largest.
+/// The relative size of the smallest singular value up to which the terms add up to zero.
 const NULL: f64 = 1e-11;
 
-/// And in one way only, if the next is at least this share.
+/// The relative size of the next singular value from which the coefficients are unique.
 const CLEAR: f64 = 1e-5;
 
-/// How near a coefficient comes to its fraction.
+/// The largest distance of a coefficient from its fraction.
 const NEAR: f64 = 1e-7;
 
 /// The largest numerator and denominator of a coefficient.
 const LARGEST: i32 = 12;
 
-/// No more terms than these are said to be missing.
+/// The largest number of missing terms.
 const MOST_MISSING: usize = 2;
 
-/// A finding; if the equality is refuted, with the terms that must change for it to hold. The places in the link are those
-/// in the text that the span of the context is about.
+/// The finding, with the terms that must change if the equality is refuted. Spans in the link are those of the text
+/// that the span of the context covers.
 pub(crate) fn fitted(link: &Link, context: &Context<'_>, finding: Finding) -> Finding {
     let is_wrong = finding.verdict == Verdict::Refuted && is_equality(link.relation);
     let whole = link.lhs.span.to(link.rhs.span);
@@ -68,15 +73,15 @@ pub(crate) fn fitted(link: &Link, context: &Context<'_>, finding: Finding) -> Fi
     Finding { fit, ..finding }
 }
 
-/// A term of an equation whose sums are multiplied out.
+/// A term of an expanded equation.
 #[derive(Clone)]
 pub(crate) struct Leaf {
     sign: Sign,
     /// The term itself.
     pub expr: Expr,
-    /// The terms that it is part of, as printed, the outermost first and the innermost last.
+    /// The printed terms of which it is a part, the outermost first.
     places: Vec<Span>,
-    /// Whether it stands on the left.
+    /// Whether it is on the left side.
     on_the_left: bool,
 }
 
@@ -86,7 +91,7 @@ impl Leaf {
         if self.sign == Sign::Plus { self.expr.clone() } else { self.expr.clone().negated() }
     }
 
-    /// Its sign where all is brought to the left.
+    /// The sign of the term when all terms are brought to the left.
     pub(crate) fn brought_left(&self) -> f64 {
         if (self.sign == Sign::Plus) == self.on_the_left { 1.0 } else { -1.0 }
     }
@@ -106,7 +111,8 @@ pub(crate) fn leaves(link: &Link) -> Vec<Leaf> {
     side(&link.lhs, true).chain(side(&link.rhs, false)).collect()
 }
 
-/// The terms of a formula. Of a product of several sums none is multiplied out: its terms would have no place of their own.
+/// The expanded terms of a formula. A product of several sums is not expanded, since its terms would have no place of
+/// their own.
 pub(crate) fn multiplied_out(expr: &Expr) -> Vec<Leaf> {
     if let Node::Sum(terms) = &expr.node {
         let term = |term: &Term| {
@@ -181,7 +187,7 @@ impl Printed<'_> {
         self.fit(&coefficients, &[])
     }
 
-    /// The coefficients and the missing terms by what the left side is off from the right.
+    /// The coefficients and the missing terms from the difference of the sides.
     fn difference(&self) -> Option<Fit> {
         let formula = difference::formula(self.link, self.context, self.finding)?;
         let off = multiplied_out(&formula);
@@ -212,8 +218,8 @@ impl Printed<'_> {
         self.fit(&coefficients, &missing)
     }
 
-    /// Whether a term may be what is wrong: no name of a derived quantity, and no acceleration, whose value on shell is that
-    /// of other terms.
+    /// Whether a term may be wrong. The name of a derived quantity, and an acceleration on shell, whose value is that
+    /// of other terms, may not.
     fn may_change(&self, at: usize) -> bool {
         let (model, expr) = (self.context.model, &self.leaves[at].expr);
         let is_name = expr.as_plain_symbol().is_some() && !model.is_plain(expr);
@@ -224,7 +230,8 @@ impl Printed<'_> {
         self.context.on_shell.unwrap_or(true) && self.context.model.has_motion()
     }
 
-    /// The terms, and others after them, at so many states: a row for each number that an equation of them sets to zero.
+    /// The values of the terms, and of others after them, at this number of states: a row for each number that their
+    /// equation sets to zero.
     fn values(&self, others: &[Leaf], states: usize) -> Option<DMatrix<f64>> {
         let topic = format!("{} terms", self.context.topic);
         let context = Context { topic: &topic, ..*self.context };
@@ -244,7 +251,7 @@ impl Printed<'_> {
         (height >= states).then(|| DMatrix::from_row_slice(height, all.len(), &rows))
     }
 
-    /// What is told of coefficients and missing terms, if the equation passes with them.
+    /// The fit of these coefficients and missing terms, if the equation passes with them.
     fn fit(&self, coefficients: &[Fraction], missing: &[Leaf]) -> Option<Fit> {
         let terms = self.misfits(coefficients)?;
         if terms.is_empty() && missing.is_empty() {
@@ -261,13 +268,13 @@ impl Printed<'_> {
                 terms => Some(Expr::new(Node::Sum(terms), span)),
             }
         };
-        // A side that was not zero does not become so.
-        let mended = |on_the_left: bool, printed: &Expr| match side(on_the_left) {
+        // A side that was not 0 must not become 0.
+        let corrected = |on_the_left: bool, printed: &Expr| match side(on_the_left) {
             None if printed.is_null() => Some(printed.clone()),
             found => found,
         };
         let link =
-            Link { lhs: mended(true, &self.link.lhs)?, rhs: mended(false, &self.link.rhs)?, ..self.link.clone() };
+            Link { lhs: corrected(true, &self.link.lhs)?, rhs: corrected(false, &self.link.rhs)?, ..self.link.clone() };
         let options = Options { explain: false, ..self.context.options };
         let finding = identity::check(&link, &Context { options, ..*self.context }).ok()?;
         let model: &Model = self.context.model;
@@ -278,7 +285,7 @@ impl Printed<'_> {
         finding.verdict.holds().then(|| Fit { terms, missing: missing.iter().map(shown).collect() })
     }
 
-    /// The printed terms whose coefficient is not 1, the widest that have a single one; none, if one has no place of its own.
+    /// The widest printed terms with a single coefficient that is not 1; `None` if one has no place of its own.
     fn misfits(&self, coefficients: &[Fraction]) -> Option<Vec<Misfit>> {
         let mut misfits: Vec<Misfit> = Vec::new();
         for (leaf, coefficient) in self.leaves.iter().zip(coefficients).filter(|(_, c)| **c != Fraction::ONE) {
@@ -295,7 +302,7 @@ impl Printed<'_> {
     }
 }
 
-/// The values of some terms at a state, term beside term, entry after entry; none, if one has no value or another shape.
+/// The values of some terms at a state, a row for each entry; `None` if one has no value or another shape.
 fn row_by_row(terms: &[&Expr], indices: &[(IndexId, u8)], state: &SampledState<'_, RunningError>) -> Option<Vec<f64>> {
     let values: Vec<_> = terms.iter().map(|term| state.now(term, indices).ok()).collect::<Option<_>>()?;
     let shape = values.first()?.shape();
@@ -314,7 +321,7 @@ fn row_by_row(terms: &[&Expr], indices: &[(IndexId, u8)], state: &SampledState<'
     Some(rows)
 }
 
-/// The coefficients, up to a common factor, with which the columns of a matrix add up to zero, if there is one way only.
+/// The coefficients with which the columns of a matrix add up to zero, if they are unique up to a common factor.
 fn null_vector(mut matrix: DMatrix<f64>) -> Option<Vec<f64>> {
     let norms: Vec<f64> = matrix.column_iter().map(|column| column.norm()).collect();
     let width = norms.len();
@@ -329,7 +336,7 @@ fn null_vector(mut matrix: DMatrix<f64>) -> Option<Vec<f64>> {
     Some(rows.row(width - 1).iter().zip(&norms).map(|(c, norm)| c / norm).collect())
 }
 
-/// Coefficients as fractions, on the scale on which most of them are 1, and the first of several such.
+/// Coefficients as fractions, scaled such that most of them are 1; of several such scales the first.
 fn scaled(coefficients: &[f64]) -> Option<Vec<Fraction>> {
     let on = |scale: f64| coefficients.iter().map(move |c| c / scale);
     let ones = |scale: f64| on(scale).filter(|c| (c - 1.0).abs() < NEAR).count();
@@ -348,7 +355,7 @@ fn proportion(rows: &DMatrix<f64>, of: usize, to: usize) -> Option<f64> {
 }
 
 impl Fraction {
-    /// The small fraction that a number is.
+    /// The small fraction that is equal to a number, if there is one.
     pub(crate) fn near(value: f64) -> Option<Fraction> {
         (1..=LARGEST).find_map(|denominator| {
             let numerator = (value * f64::from(denominator)).round();
@@ -358,7 +365,7 @@ impl Fraction {
         })
     }
 
-    /// So many times a term, with its sign; nothing, if that is zero.
+    /// The product of the fraction and a term, with its sign; `None` if it is zero.
     fn times(self, leaf: &Leaf) -> Option<(Sign, Expr)> {
         let sign = if self.numerator < 0 { leaf.sign.flipped() } else { leaf.sign };
         let span = leaf.expr.span;

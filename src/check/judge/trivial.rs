@@ -1,4 +1,4 @@
-//! Claims that are settled without a state: both sides one formula, a hypothesis, a law.
+//! Claims that are decided without a state: both sides the same formula, a hypothesis, a law.
 
 use crate::code::Code;
 use crate::formula::Expr;
@@ -12,7 +12,7 @@ use crate::check::vacuity::tautology;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// Claims that say nothing: both sides the same formula, or the hypothesis itself.
+/// The finding on a claim that is decided without a state, if it is.
 pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
     if link.lhs == link.rhs {
         return Some(context.finding(

@@ -1,4 +1,4 @@
-//! Two formulas without a document: every letter is a real number, and so is every dotted letter.
+//! The comparison of two formulas without a document; each letter, with or without dots, is a real number.
 
 use crate::Result;
 use crate::code::Code;
@@ -22,9 +22,9 @@ use crate::check::verdict::finding::Finding;
 pub struct Answer {
     /// The verdict, with its evidence.
     pub finding: Finding,
-    /// How the two were read.
+    /// The readings of both formulas.
     pub readings: [String; 2],
-    /// What was taken for granted.
+    /// What was assumed about the letters.
     pub assumed: Vec<String>,
 }
 

@@ -16,8 +16,8 @@ use crate::check::vacuity::forced_value;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// Checks that a formula does not change along the motion, and that this says something. What is assumed of
-/// anything but families is assumed at all times.
+/// Checks that a formula is constant on shell, and not for any motion. Hypotheses hold at all times here, except those about
+/// families.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
@@ -32,8 +32,8 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if let Some(finding) = context.unclear(&[expr]) {
         return Ok(finding);
     }
-    // Constant is said of all times; a hypothesis about an instant would make of any turning point a constant.
-    // What is said of families, and of constants alone, stays as it is.
+    // With a hypothesis about one instant, any quantity would pass that is stationary at a turning point. Hypotheses
+    // about families, and about constants only, are kept.
     let symbols = &context.model.symbols;
     let varies = |symbol: &SymbolId| !matches!(context.model.meaning(*symbol), Some(Meaning::Constant(_)));
     let at_all_times = |hypothesis: &Hypothesis| {

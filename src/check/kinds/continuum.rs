@@ -1,14 +1,8 @@
-//! Integrals as limits of sums: a body is cut into ever finer cells and compared with the quadrature of the same
-//! body.
+//! Integrals as limits of sums: a body cut into smaller and smaller cells, compared with quadrature over the same body.
 //!
-//! The cells are particles with the mass that the density gives them, in the place of the family that the equation
-//! sums over. The error of midpoints is a series in the square of the cell size, so the difference for vanishing
-//! cells is extrapolated from a few cuts and must be zero.
-//!
-//! A body is cut into cells, 2, 3 and 4 along each edge, with particles at their midpoints. The sum is compared
-//! with a cubature of the same body that is exact up to degree 7. The difference must fall at least as the power
-//! 1.5 of the cell size; midpoints give 2. To be near is not enough, because a missing factor of the density can be
-//! near too.
+//! Each cell is a particle with the mass of its volume at its midpoint, and the particles are the family that the equation
+//! for particles sums over. The error of the midpoint rule is a series in the square of the cell size. So the difference of
+//! the sides is extrapolated from a few cuts to vanishing cells (Richardson), and must vanish there.
 
 use crate::Result;
 use crate::code::Code;
@@ -28,10 +22,10 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// Into how many cells each edge is cut.
+/// The numbers of cells along each edge.
 const CUTS: [usize; 3] = [2, 3, 4];
 
-/// How much of the difference may be left for vanishing cells, beside the largest that was found.
+/// The largest extrapolated difference that counts as zero, relative to the largest difference of the cuts.
 const LEFT: f64 = 0.02;
 
 /// Checks that a formula with integrals is the limit of one for particles.
@@ -82,9 +76,12 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
             let link = &mutant.link;
             move |state: &SampledState<'_, RunningError>| approach(link, at, state).is_ok_and(|(left, _)| left < most)
         };
-        // One that holds for all other bodies as well says the same.
+        // A mutant that holds for bodies from wider ranges too is equivalent.
         if ensemble.states.iter().all(within(LEFT)) && !wide.states.iter().all(within(5.0 * LEFT)) {
-            let message = format!("the sampled bodies cannot tell this from the same claim with {}", mutant.change);
+            let message = format!(
+                "the sampled bodies do not distinguish this from the same claim with {}; widen the ranges",
+                mutant.change
+            );
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
@@ -106,7 +103,7 @@ fn region(expr: &Expr, model: &Model) -> Option<usize> {
     found
 }
 
-/// What is left of the difference of the sides for vanishing cells, beside the largest that was found; and that one.
+/// The difference of the sides extrapolated to vanishing cells, relative to the largest of the cuts, and that largest one.
 fn approach(
     link: &Link,
     at: usize,
@@ -144,7 +141,7 @@ fn approach(
     Ok((limits.iter().fold(0.0_f64, |most, limit| most.max(limit.abs())) / largest, failure))
 }
 
-/// The weight of the n-th cut in the extrapolation to cells of no size: Lagrange's at 0, in the square of the size.
+/// The weight of the n-th cut in the extrapolation: the Lagrange polynomial in the square of the cell size, at 0.
 fn weight(n: usize) -> f64 {
     let square = |k: usize| 1.0 / (k * k) as f64;
     let others = CUTS.iter().enumerate().filter(|(at, _)| *at != n);

@@ -1,4 +1,7 @@
-//! Whether a definition is tested: each slip in it must make another checked equation fail.
+//! The test of a definition: each mutant of it must make another equation fail.
+//!
+//! A definition cannot be false by itself. It passes if every mutant of it, put in its place, makes an equation fail that
+//! uses the symbol.
 //!
 //! # How a definition can be checked
 //!
@@ -34,7 +37,7 @@ pub struct User<'a> {
     pub context: Context<'a>,
 }
 
-/// The verdict on `symbol = formula`, which `users` stand on, and others `by_law`: a law that they hold by names the symbol.
+/// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
@@ -69,11 +72,11 @@ pub fn check(
     let mut names: Vec<String> = Vec::new();
     let mut points = 0;
     for user in users.iter_mut() {
-        // Nothing is left to be noticed.
+        // All mutants are detected.
         if surviving.is_empty() && !names.is_empty() {
             break;
         }
-        // The user's own check settles whether it holds always or on shell; here the mode in which it holds is used.
+        // The mode in which the equation holds is used: always, or else on shell.
         for on_shell in [false, true] {
             let mode = user.context.mode(on_shell, &[&user.link.lhs, &user.link.rhs, formula]);
             let mut ensemble = user.context.ensemble(mode, false, context.options.points)?;
@@ -107,14 +110,14 @@ pub fn check(
             names.push(user.id.clone());
         }
     }
-    // A mutant that is the same formula in other words breaks nothing, and need not.
+    // An equivalent mutant makes nothing fail.
     let mode = context.mode(false, &[formula]);
     let states = context.ensemble(mode, true, context.options.points)?;
     surviving.retain(|(mutant, _)| {
         let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
         !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
     });
-    // The sign of the whole is often a convention, as of a root that is only used squared.
+    // The sign of the whole is often a convention, such as that of a root that is only used squared.
     let whole = formula.clone().negated();
     let signed = surviving.len();
     surviving.retain(|(mutant, _)| {
@@ -159,9 +162,9 @@ fn holds_by_law(user: &User<'_>, model: &Model) -> Result<bool> {
     Ok(run(&user.link, &states.states).is_ok_and(|o| o.failure.is_none() && o.points > 0))
 }
 
-/// Whether an equation does not hold on shell any more where a name that its laws use stands for another formula.
+/// Whether an equation fails on shell if a name in its laws is defined by a mutant.
 fn breaks_by_law(user: &User<'_>, symbol: SymbolId, mutant: &Expr) -> bool {
-    // What is defined by itself is not defined.
+    // A name cannot be defined by itself.
     if user.context.model.depends_on(mutant, &[symbol]) {
         return true;
     }

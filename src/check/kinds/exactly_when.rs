@@ -1,7 +1,4 @@
-//! Claims that hold if and only if a condition holds.
-//!
-//! The claim and its conditions must agree at every state, and there must be states of both kinds. Special states
-//! are tested, since such sentences fail at the edge, where two moments are equal.
+//! Claims that hold exactly when given conditions hold, tested where these hold and where they fail.
 
 use crate::Result;
 use crate::code::Code;
@@ -20,7 +17,7 @@ use crate::check::vacuity::forced_value;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// Checks that `link` holds where one of the alternatives does, all conditions of it, and nowhere else.
+/// Checks that `link` holds where all conditions of one of the alternatives hold, and nowhere else.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.

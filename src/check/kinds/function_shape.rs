@@ -1,7 +1,10 @@
 //! Sentences about the shape of a function: its sign, its minima, its limits, the number of solutions of an
 //! equation.
 //!
-//! Every symbol of the formula is an independent number (an *atom*), also a momentum.
+//! Each symbol of the formula is an independent number here (an *atom*): a momentum, for example, is not computed from a
+//! state. Random atoms would miss what happens only where two momenta are equal and opposite, or only for a fast top. So
+//! special places are tried too: symbols of the same letter equal and opposite, each at zero, angles at multiples of π/2,
+//! each constant and each momentum far larger and far smaller than the others.
 //!
 //! # Why these sentences are tested on independent numbers
 //!
@@ -16,7 +19,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Relation, SymbolId, text};
 use crate::scalar::RunningError;
 
-use crate::check::kinds::scan::{Atoms, Look, Probe, difference};
+use crate::check::kinds::scan::{Atoms, Observation, Probe, difference};
 use crate::check::kinds::shape::{Shape, Target};
 use crate::check::kinds::solves::mentions;
 use crate::check::model::Model;
@@ -29,13 +32,13 @@ use crate::check::state::residual;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::{Counterexample, Finding};
 
-/// Moves a state to a special place.
+/// A function that moves a state to a special place.
 type Place = Box<dyn Fn(&mut Atoms)>;
 
-/// How many random states a sentence gets, besides the special ones.
+/// The number of random states, besides the special ones.
 const RANDOM: usize = 16;
 
-/// How many draws each special place gets.
+/// The number of samples at each special place.
 const SPECIAL: usize = 1;
 
 /// Checks a sentence about `function`, as `variable` runs over its range, for all atoms that obey the hypotheses.
@@ -85,13 +88,13 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
     let mut points = 0;
     for atoms in &states {
         let probe = Probe { model, function, variable, atoms, bounds: &bounds };
-        match probe.look(shape, &range) {
-            Look::Holds => points += 1,
-            Look::Useless => {}
-            Look::Open(message) => {
+        match probe.observe(shape, &range) {
+            Observation::Holds => points += 1,
+            Observation::Useless => {}
+            Observation::Open(message) => {
                 return Finding { points, tried, ..context.finding(Code::TooClose, Verdict::Undecided, message) };
             }
-            Look::Fails { at, found, wanted, what } => {
+            Observation::Fails { at, found, wanted, what } => {
                 let mut state: Vec<(String, f64)> =
                     atoms.iter().filter(|(id, _)| *id != variable).map(|(id, x)| (model.name(*id), *x)).collect();
                 state.extend(at.map(|x| (model.name(variable), x)));
@@ -118,7 +121,7 @@ fn is_momentum(quantity: crate::check::model::meaning::Quantity) -> bool {
     matches!(quantity, crate::check::model::meaning::Quantity::Momentum(_))
 }
 
-/// Atoms that obey the hypotheses: random ones, and those at special places.
+/// Atoms that satisfy the hypotheses, random and at special places, and the number of attempts.
 fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec<Atoms>, usize) {
     let model = context.model;
     let mut draw = Sampler::new(context.options.seed, context.topic);
@@ -188,7 +191,7 @@ fn set(state: &mut Atoms, id: SymbolId, f: impl Fn(f64) -> f64) {
     }
 }
 
-/// Moves a state onto the hypotheses that are equalities, and asks whether it obeys the others.
+/// Projects a state onto the hypotheses that are equalities; returns whether it then satisfies all hypotheses.
 fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, hypotheses: &[Hypothesis]) -> bool {
     let candidates = |hypothesis: &Hypothesis| -> Vec<SymbolId> {
         let ids = hypothesis.lhs.symbols().into_iter().chain(hypothesis.rhs.symbols()).map(|(id, _)| id);

@@ -60,7 +60,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         let message = format!("the momentum of {coordinate} has no name; give it one under \"means\"");
         return Ok(context.finding(Code::UndeclaredName, Verdict::Undecided, message));
     }
-    // What is varied: the names of each.
+    // The names of each coordinate and of each momentum.
     let varied: Vec<Vec<SymbolId>> = coordinates.iter().map(|id| vec![*id]).chain(momenta).collect();
     let mode = context.mode(true, &[hamiltonian]);
     let ensemble = context.ensemble(mode, false, context.options.points)?;
@@ -68,11 +68,11 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.no_state(&ensemble));
     }
     let (mut points, mut worst) = (0, 0.0_f64);
-    for (scene, base) in ensemble.states.iter().zip(&ensemble.bases) {
+    for (state, base) in ensemble.states.iter().zip(&ensemble.bases) {
         let base: Vec<Dual<RunningError>> = base.iter().map(|x| Dual::from_re(RunningError::new(*x))).collect();
         let mut free = SampledState::new(model, mode, &base, &ensemble.rules)?;
-        let Some(known) = scene.quantities() else { continue };
-        let values: Vec<RunningError> = scene.coordinates().iter().chain(&known.momenta).map(Series::value).collect();
+        let Some(known) = state.quantities() else { continue };
+        let values: Vec<RunningError> = state.coordinates().iter().chain(&known.momenta).map(Series::value).collect();
         for place in 0..varied.len() {
             let seeded: Vec<(SymbolId, Series<Dual<RunningError>>)> = (0..varied.len())
                 .flat_map(|other| varied[other].iter().map(move |id| (other, *id)))
@@ -102,7 +102,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             } else {
                 let i = place - n;
                 let name = text::plain(&model.name(coordinates[i]));
-                (slope, scene.coordinates()[i].derivative().value(), format!("the rate of {name}"))
+                (slope, state.coordinates()[i].derivative().value(), format!("the rate of {name}"))
             };
             let difference = printed - derived;
             if !printed.value.is_finite() || !derived.value.is_finite() {
@@ -111,7 +111,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             let residual = difference.value.abs() / difference.magnitude.max(f64::MIN_POSITIVE);
             if !residual::vanishes(difference) {
                 let counterexample = Counterexample {
-                    state: counterexample::values(&[hamiltonian], scene),
+                    state: counterexample::values(&[hamiltonian], state),
                     lhs: printed.value,
                     rhs: derived.value,
                     entry: Some(equation.clone()),
@@ -136,7 +136,10 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(
             Code::NotDecided,
             Verdict::Undecided,
-            format!("only {points} of {} sampled states gave a number; narrow the ranges", ensemble.tried),
+            format!(
+                "only {points} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
+                ensemble.tried
+            ),
         ));
     }
     let finding = Finding {
@@ -149,8 +152,8 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     Ok(decide::decide(&[hamiltonian], context, &ensemble, &claim).stamp(finding))
 }
 
-/// The name of something in a formula that the state determines and that is no coordinate or momentum: how it varies with
-/// these the name does not say.
+/// The name of a quantity in a formula that the state determines and that is not a coordinate or momentum. Its derivatives
+/// by these are not known from its name.
 fn fixed_by_the_state(formula: &Expr, model: &Model) -> Option<String> {
     formula.symbols().into_iter().find_map(|(id, _)| match model.meaning(id)? {
         Meaning::System(Quantity::Momentum(_)) => None,
@@ -160,7 +163,7 @@ fn fixed_by_the_state(formula: &Expr, model: &Model) -> Option<String> {
     })
 }
 
-/// That a formula generates the motion, for a field to decide.
+/// The claim that a formula generates the motion, for polynomial identity testing.
 struct Generates<'a> {
     hamiltonian: &'a Expr,
     /// The names of each coordinate, then of each momentum.

@@ -1,8 +1,9 @@
 //! Claims that hold in a limit: `A ≈ B` as x → a.
 //!
-//! The ratio of the sides must tend to 1, or the difference to 0 if the right side has the limit 0. The error must
-//! fall as a power, which is reported. Steps at which rounding hides the error are not used. A number is approached
-//! from both sides, as far as the range of the symbol and the hypotheses allow.
+//! The ratio of the sides must tend to 1, or their difference to 0 where the right side is 0. The error is computed at
+//! several steps towards the limit and must fall as a power of the distance, which is reported. Steps at which rounding
+//! exceeds the error are not used. A number is approached from both sides, as far as the range of the symbol and the
+//! hypotheses allow.
 //!
 //! # When ≈ holds
 //!
@@ -48,8 +49,8 @@ pub enum Towards {
 }
 
 impl Towards {
-    /// The k-th step towards the limit, and what lies between two; towards a number from above, if `side` is 1, and from
-    /// below, if it is −1.
+    /// The value at the k-th step towards the limit, where k need not be whole; a number is approached from above, if `side`
+    /// is 1, and from below, if it is −1.
     pub fn step(self, k: f64, side: f64) -> f64 {
         let far = 16.0 * k.exp2();
         match self {
@@ -72,13 +73,13 @@ pub(crate) fn sides(range: &Range, end: f64) -> &'static [f64] {
     }
 }
 
-/// How the two sides of a claim approach each other at one state.
+/// The approach of the two sides of a claim at one state.
 enum Approach {
     /// The error falls as this power of the distance from the limit.
     Power(f64),
-    /// It does not fall, from this side, up to this step.
+    /// The error does not fall, from this side, up to this step.
     Fails(Failure, f64, f64),
-    /// Too few steps can tell.
+    /// Too few steps are usable.
     Useless,
 }
 
@@ -141,8 +142,8 @@ fn check_in(
             format!("only {} of {} sampled states reach the limit; narrow the ranges", powers.len(), ensemble.tried);
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
-    // Each printed term must earn its place: without it, or with a slip in it, the right side must be farther off.
-    // On the left, terms that the limit drops may be anything; there only symbols must be told apart.
+    // Each mutant of the right side must have a larger error. Terms on the left that vanish in the limit are not tested, so
+    // there only exchanged symbols count.
     for mutant in mutants_of(link, context.model) {
         if mutant.link.rhs == link.rhs && mutant.slip != Slip::Symbol {
             continue;
@@ -151,7 +152,10 @@ fn check_in(
             |(steps, power)| matches!(steps.approach(&mutant.link, LAST), Ok(Approach::Power(other)) if other > power - 0.5),
         );
         if as_near {
-            let message = format!("the sampled states cannot tell this from the same claim with {}", mutant.change);
+            let message = format!(
+                "the sampled states do not distinguish this from the same claim with {}; widen the ranges",
+                mutant.change
+            );
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
@@ -171,16 +175,16 @@ fn check_in(
     })
 }
 
-/// The last step that is taken with a slip; and with the claim itself, as long as rounding leaves an error: what is left of
-/// it may be small, as the 10⁻⁴ of √(1 + a) ≈ 1.0001.
+/// The last step for mutants.
 const LAST: i32 = 10;
 
+/// The last step for the claim itself, since a remaining error may be small, such as 10⁻⁴ for √(1 + a) ≈ 1.0001.
 const FARTHEST: i32 = 26;
 
-/// Where the error is gone at the first steps, as that of tanh a ≈ 1 − 2e⁻²ᵃ, shorter ones are taken before them: so many, of
-/// this share of a step.
+/// The number of short steps before the first one, for an error that vanishes at once, such as that of tanh a ≈ 1 − 2e⁻²ᵃ.
 const BEFORE: i32 = 16;
 
+/// The length of a short step.
 const SHORT: f64 = 0.25;
 
 /// The states on the way to a limit: one base, with the variable moved.
@@ -221,7 +225,7 @@ impl<'a> Steps<'a> {
         let Towards::Number(end) = self.towards else { return vec![1.0] };
         let context = self.context;
         if self.slot().is_none() {
-            // What is no number of its own is on the side on which the state has it.
+            // A dependent quantity approaches from the side on which the state has it.
             let base: Vec<RunningError> = self.base.iter().map(|x| RunningError::new(*x)).collect();
             let name = Expr::new(Node::Symbol { id: self.variable, indices: Vec::new(), dots: 0 }, context.span);
             let state = SampledState::new(context.model, self.mode, &base, self.rules).ok();
@@ -270,7 +274,7 @@ impl<'a> Steps<'a> {
         let Errors { list, last: Some((failure, k)) } = errors else { return Ok(Approach::Useless) };
         let tail = &list[list.len().saturating_sub(4)..];
         let ([(first, more), .., (end, less)], 3..) = (tail, list.len()) else {
-            // The sides are one to rounding: then they agree in the limit too.
+            // Sides that are equal within rounding agree in the limit.
             return Ok(if failure.residual < 1e-9 { Approach::Power(f64::INFINITY) } else { Approach::Useless });
         };
         let power = (more / less).log2() / (end - first);
@@ -301,7 +305,7 @@ impl<'a> Steps<'a> {
     }
 }
 
-/// What was seen on the way to a limit: steps and errors, and the last state.
+/// The steps towards a limit with their errors, and the last state.
 struct Errors {
     list: Vec<(f64, f64)>,
     last: Option<(Failure, f64)>,

@@ -1,17 +1,18 @@
-//! The kinds of claim beside an identity, a file each.
+//! The kinds of claim other than an identity, one file for each.
 //!
-//! A new kind of claim goes here. Each file has a `check(…, &Context) -> Result<Finding>`, draws its states by
-//! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and says what its mutants are. Knows `judge` and
-//! below; `equations` calls it.
+//! A new kind of claim goes here. Each file has a function `check(…, &Context) -> Result<Finding>`, which samples states with
+//! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and tests mutants of the claim. [`scan`] and
+//! [`root_isolation`] follow a function along one variable. Knows `judge` and below; `equations` calls it.
 
-pub mod compare;
+pub(crate) mod compare;
 pub(crate) mod conserved;
 pub(crate) mod continuum;
-pub mod definitions;
+pub(crate) mod definitions;
 pub(crate) mod exactly_when;
 pub(crate) mod function_shape;
 pub(crate) mod generates;
 pub(crate) mod limit;
+pub(crate) mod root_isolation;
 pub(crate) mod scan;
 pub(crate) mod shape;
 pub(crate) mod small;

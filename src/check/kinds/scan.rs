@@ -1,9 +1,8 @@
-//! A function of one variable along its range, with its other symbols fixed.
+//! The scan of a function of one variable along its range, with the other symbols fixed.
 //!
-//! The range is followed on a grid, evenly inside, more densely towards its ends, and in decades if it has no end.
-//!
-//! The variable is followed piece by piece where a hypothesis bounds it, with the edges of the pieces tested
-//! closely. Everything is counted twice, on grids of which one is three times finer; what changes is not counted.
+//! The grid is even inside the range and finer towards its ends, and logarithmic for an infinite range. Hypotheses about the
+//! variable restrict the range, and the grid is finer towards their edges. Minima, maxima and solutions are counted on a
+//! finer grid as well.
 
 use num_dual::Dual;
 
@@ -13,29 +12,29 @@ use crate::notes::claims::Range;
 use crate::scalar::RunningError;
 
 use crate::check::kinds::limit::{Towards, sides};
+use crate::check::kinds::root_isolation::{count_roots_on_grid, minimum};
 use crate::check::kinds::shape::{Shape, Target};
-use crate::check::kinds::solves::{lowest, roots_on_the_grid};
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::sample::sampler::last;
 use crate::check::state::residual;
 
-/// So many times finer is the second look at what is counted.
+/// The ratio of the finer grid to the usual one.
 const FINER: u32 = 3;
 
-/// A limit is followed until the distance has been halved so many times.
+/// The number of times that the distance to a limit is halved.
 const NEAREST: i32 = 32;
 
-/// Roots are looked for below this, and above its inverse.
+/// The largest absolute value at which roots are searched; the smallest is its inverse.
 const ROOTS: f64 = 1e7;
 
-/// From this share of the scale on, values far apart are two.
+/// The relative difference above which two values are different.
 const CHANGED: f64 = 1e-9;
 
-/// A state's atoms.
+/// The values of the atoms of a state.
 pub(crate) type Atoms = Vec<(SymbolId, f64)>;
 
-/// Atoms as plain numbers: nothing here moves.
+/// An environment in which atoms are numbers without rates.
 pub(crate) struct Still<'a, D> {
     symbols: &'a Symbols,
     values: Vec<(SymbolId, D)>,
@@ -52,7 +51,7 @@ impl<D: Differentiable> Environment<D> for Still<'_, D> {
     }
 }
 
-/// The sides of a hypothesis at a state, the one minus the other.
+/// The left side minus the right side of a hypothesis at a state.
 pub(crate) fn difference<D: Differentiable>(
     state: &Atoms,
     hypothesis: &Hypothesis,
@@ -71,32 +70,39 @@ fn value_of<D: Differentiable>(expr: &Expr, environment: &impl Environment<D>) -
     }
 }
 
-/// What a look at one state shows.
-pub(crate) enum Look {
+/// What a scan at one state shows of a claimed shape.
+pub(crate) enum Observation {
+    /// The function has the shape.
     Holds,
+    /// The function has no value there.
     Useless,
-    /// What is counted depends on how closely one looks.
+    /// The finer grid shows another number; the message says which.
     Open(String),
+    /// The function does not have the shape.
     Fails {
+        /// The value of the variable.
         at: Option<f64>,
+        /// The value or number that was found.
         found: f64,
+        /// The value or number that is claimed.
         wanted: f64,
+        /// The message.
         what: String,
     },
 }
 
-/// A function of one variable, its other atoms fixed.
+/// A function of one variable, with its other atoms fixed.
 pub(crate) struct Probe<'a> {
     pub model: &'a Model,
     pub function: &'a Expr,
     pub variable: SymbolId,
     pub atoms: &'a Atoms,
-    /// The hypotheses that say where the variable runs.
+    /// The hypotheses that restrict the variable.
     pub bounds: &'a [&'a Hypothesis],
 }
 
 impl Probe<'_> {
-    /// Whether the variable runs through a point.
+    /// Whether the hypotheses allow a value of the variable.
     fn runs_through(&self, x: f64) -> bool {
         if self.bounds.is_empty() {
             return true;
@@ -109,7 +115,7 @@ impl Probe<'_> {
         })
     }
 
-    /// The points of the range through which the variable runs, piece by piece, so many times finer than usual.
+    /// The grid points that the hypotheses allow, interval by interval; `finer` times as many as usual.
     fn pieces(&self, range: &Range, finer: u32) -> Vec<Vec<f64>> {
         let mut points = grid(range, finer);
         if self.bounds.is_empty() {
@@ -145,7 +151,7 @@ impl Probe<'_> {
         pieces
     }
 
-    /// The last point from one inside towards one outside through which the variable runs.
+    /// The last allowed value between an allowed one and a forbidden one, by bisection.
     fn edge(&self, mut inside: f64, mut outside: f64) -> f64 {
         for _ in 0..60 {
             let middle = 0.5 * (inside + outside);
@@ -158,7 +164,7 @@ impl Probe<'_> {
         inside
     }
 
-    /// Value and slope at a point; a number that rounding drowns is none.
+    /// The value and the slope at a point, if both are finite.
     fn at(&self, x: f64) -> Option<(RunningError, RunningError)> {
         let atom = |(id, value): &(SymbolId, f64)| match *id == self.variable {
             true => (*id, Dual::new(RunningError::new(x), RunningError::new(1.0))),
@@ -169,47 +175,47 @@ impl Probe<'_> {
         (value.re.value.is_finite() && value.eps.value.is_finite()).then_some((value.re, value.eps))
     }
 
-    /// The value alone; not a number where there is none.
+    /// The value at a point; NaN where it is not defined.
     fn value(&self, x: f64) -> f64 {
         let atom = |(id, value): &(SymbolId, f64)| (*id, if *id == self.variable { x } else { *value });
         let still = Still { symbols: &self.model.symbols, values: self.atoms.iter().map(atom).collect() };
         value_of(self.function, &still).unwrap_or(f64::NAN)
     }
 
-    /// What its values show of a shape.
-    pub(crate) fn look(&self, shape: &Shape, range: &Range) -> Look {
+    /// The observation of a shape along the range.
+    pub(crate) fn observe(&self, shape: &Shape, range: &Range) -> Observation {
         let name = typeset_name(self.model, self.variable);
         match shape {
             Shape::Solutions(wanted) => {
-                let found = roots_on_the_grid(range, |x| self.value(x));
+                let found = count_roots_on_grid(range, |x| self.value(x));
                 let ordinary = |x: &f64| (ROOTS.recip()..ROOTS).contains(&x.abs());
                 let finer = grid(range, FINER).into_iter().filter(ordinary);
                 let values: Vec<f64> = finer.map(|x| self.value(x)).collect();
                 let changes = values.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
                 if changes > found {
-                    return Look::Open(closer(&name, "solutions", found, changes));
+                    return Observation::Open(counts_differ(&name, "solutions", found, changes));
                 }
                 if found == *wanted {
-                    return Look::Holds;
+                    return Observation::Holds;
                 }
                 let what = format!("there are {found} real solutions for {name}, not {wanted}");
-                Look::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
+                Observation::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
             }
             Shape::TendsTo(end, target) => self.tends(*end, target, range),
             _ => self.along(shape, range, &name),
         }
     }
 
-    fn along(&self, shape: &Shape, range: &Range, name: &str) -> Look {
+    fn along(&self, shape: &Shape, range: &Range, name: &str) -> Observation {
         if let Shape::Minima(wanted) | Shape::Maxima(wanted) = shape {
             let (what, minima) = if matches!(shape, Shape::Minima(_)) { ("minima", true) } else { ("maxima", false) };
-            let Some(found) = self.extrema(range, 1, minima) else { return Look::Useless };
+            let Some(found) = self.extrema(range, 1, minima) else { return Observation::Useless };
             return match self.extrema(range, FINER, minima) {
-                Some(finer) if finer != found => Look::Open(closer(name, what, found, finer)),
-                _ if found == *wanted => Look::Holds,
+                Some(finer) if finer != found => Observation::Open(counts_differ(name, what, found, finer)),
+                _ if found == *wanted => Observation::Holds,
                 _ => {
                     let what = format!("the function has {found} {what} along {name}, not {wanted}");
-                    Look::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
+                    Observation::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
                 }
             };
         }
@@ -228,7 +234,8 @@ impl Probe<'_> {
             let (sign, slope_sign) = (clear(value), clear(slope));
             positive |= sign > 0.0;
             negative |= sign < 0.0;
-            let fails = |found: f64, what: &str| Look::Fails { at: Some(x), found, wanted: 0.0, what: what.to_owned() };
+            let fails =
+                |found: f64, what: &str| Observation::Fails { at: Some(x), found, wanted: 0.0, what: what.to_owned() };
             let step = last_value.map(|last: RunningError| clear(value - last));
             last_value = Some(value);
             match shape {
@@ -247,7 +254,7 @@ impl Probe<'_> {
                 }
                 Shape::Independent if has_changed(first, value) => {
                     let what = "the function has another value at this state".to_owned();
-                    return Look::Fails { at: Some(x), found: value.value, wanted: first.value, what };
+                    return Observation::Fails { at: Some(x), found: value.value, wanted: first.value, what };
                 }
                 _ => {}
             }
@@ -259,20 +266,20 @@ impl Probe<'_> {
             }
         }
         if seen == 0 {
-            return Look::Useless;
+            return Observation::Useless;
         }
         if matches!(shape, Shape::Positive | Shape::Negative) {
-            // Between two points where it falls towards zero and rises again it may reach zero.
+            // The function may reach zero between two points where it falls towards zero and rises again.
             let dip = |pair: &&[(f64, f64, f64, f64)]| pair[0].3 == pair[1].3 && pair[0].2 < 0.0 && pair[1].2 > 0.0;
             for pair in signs.windows(2).filter(dip) {
-                let (lowest, x) = lowest(pair[0].0, pair[1].0, |x| pair[0].3 * self.value(x));
-                if lowest <= 1e-13 * pair[0].1.max(pair[1].1) {
+                let (least, x) = minimum(pair[0].0, pair[1].0, |x| pair[0].3 * self.value(x));
+                if least <= 1e-13 * pair[0].1.max(pair[1].1) {
                     let what = "the function reaches zero at this state".to_owned();
-                    return Look::Fails { at: Some(x), found: pair[0].3 * lowest, wanted: 0.0, what };
+                    return Observation::Fails { at: Some(x), found: pair[0].3 * least, wanted: 0.0, what };
                 }
             }
         }
-        let fails = |what: String| Look::Fails { at: None, found: 0.0, wanted: 0.0, what };
+        let fails = |what: String| Observation::Fails { at: None, found: 0.0, wanted: 0.0, what };
         match shape {
             Shape::ChangesSign if !positive => fails(format!("the function is nowhere positive along {name}")),
             Shape::ChangesSign if !negative => fails(format!("the function is nowhere negative along {name}")),
@@ -281,11 +288,11 @@ impl Probe<'_> {
             Shape::Rises | Shape::Falls if last_slope == 0.0 => {
                 fails(format!("the function does not change along {name}"))
             }
-            _ => Look::Holds,
+            _ => Observation::Holds,
         }
     }
 
-    /// How many minima, or maxima, it has inside the range; none where it has no value.
+    /// The number of minima or maxima inside the range; `None`, where the function has no value.
     fn extrema(&self, range: &Range, finer: u32, minima: bool) -> Option<usize> {
         let (mut seen, mut found) = (false, 0);
         let towards = if minima { 1.0 } else { -1.0 };
@@ -303,20 +310,20 @@ impl Probe<'_> {
         seen.then_some(found)
     }
 
-    fn tends(&self, end: f64, target: &Target, range: &Range) -> Look {
+    fn tends(&self, end: f64, target: &Target, range: &Range) -> Observation {
         let near = |inward: &&f64| self.runs_through(end + *inward * 0.5f64.powi(NEAREST));
-        let mut look = Look::Useless;
+        let mut look = Observation::Useless;
         for inward in sides(range, end).iter().filter(near) {
             look = self.tends_from(end, *inward, target);
-            if !matches!(look, Look::Holds) {
+            if !matches!(look, Observation::Holds) {
                 break;
             }
         }
         look
     }
 
-    /// The same from one side.
-    fn tends_from(&self, end: f64, inward: f64, target: &Target) -> Look {
+    /// The observation of a limit from one side.
+    fn tends_from(&self, end: f64, inward: f64, target: &Target) -> Observation {
         let wanted = match target {
             Target::Infinite(Towards::MinusInfinity) => f64::NEG_INFINITY,
             Target::Infinite(_) => f64::INFINITY,
@@ -324,7 +331,7 @@ impl Probe<'_> {
                 let still = Still { symbols: &self.model.symbols, values: self.atoms.clone() };
                 match value_of(formula, &still) {
                     Some(value) => value,
-                    None => return Look::Useless,
+                    None => return Observation::Useless,
                 }
             }
         };
@@ -335,23 +342,24 @@ impl Probe<'_> {
                 (value.value.abs() > 1e-9 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
             })
             .collect();
-        let [_, _, _, _, .., last] = steps.as_slice() else { return Look::Useless };
-        let fails = |what: &str| Look::Fails { at: Some(last.0), found: last.1.value, wanted, what: what.to_owned() };
+        let [_, _, _, _, .., last] = steps.as_slice() else { return Observation::Useless };
+        let fails =
+            |what: &str| Observation::Fails { at: Some(last.0), found: last.1.value, wanted, what: what.to_owned() };
         if wanted.is_infinite() {
-            // Each halving of the distance adds at least as much as the one before, if only a logarithm's share.
+            // Each halving of the distance adds about as much as the one before, or more, as for a logarithm.
             let gains: Vec<f64> =
                 steps.windows(2).map(|two| (two[1].1.value - two[0].1.value) * wanted.signum()).collect();
             let tail = &gains[gains.len().saturating_sub(4)..];
             let diverges = tail.iter().all(|gain| *gain > 0.0)
                 && tail.windows(2).all(|two| two[1] > 0.95 * two[0])
                 && last.1.value * wanted.signum() > 0.0;
-            return if diverges { Look::Holds } else { fails("the function does not diverge there") };
+            return if diverges { Observation::Holds } else { fails("the function does not diverge there") };
         }
         let errors: Vec<f64> = steps.iter().map(|(_, value)| (value.value - wanted).abs()).collect();
         let scale = wanted.abs().max(1e-3 * last.1.magnitude);
-        let [.., a, b] = errors.as_slice() else { return Look::Useless };
+        let [.., a, b] = errors.as_slice() else { return Observation::Useless };
         let approaches = *b <= 1e-9 * scale || b < &(0.95 * a) && *b < 0.05 * errors[0].max(scale);
-        if approaches { Look::Holds } else { fails("the function does not tend to this value") }
+        if approaches { Observation::Holds } else { fails("the function does not tend to this value") }
     }
 }
 
@@ -362,25 +370,25 @@ fn typeset_name(model: &Model, id: SymbolId) -> String {
     crate::formula::text::plain(&typeset(&expr, &model.symbols))
 }
 
-/// That a closer look shows another number.
-fn closer(name: &str, what: &str, found: usize, finer: usize) -> String {
+/// The message that a finer grid shows another number.
+fn counts_differ(name: &str, what: &str, found: usize, finer: usize) -> String {
     format!(
         "along {name} a grid shows {found} {what} and a finer grid {finer}; they are too close to count, so narrow the ranges"
     )
 }
 
-/// Whether two values of a function are clearly not one.
+/// Whether two values of a function differ by more than rounding.
 fn has_changed(first: RunningError, value: RunningError) -> bool {
     let difference = value - first;
     difference.value.abs() > CHANGED * difference.magnitude
 }
 
-/// Points, each with whether it is the first of its piece.
+/// The points of an interval, each with whether it is the first.
 fn beginning(piece: Vec<f64>) -> impl Iterator<Item = (f64, bool)> {
     piece.into_iter().enumerate().map(|(at, x)| (x, at == 0))
 }
 
-/// Points along a range: evenly inside, and ever closer to its ends; so many times more of them than usual.
+/// The grid of a range, even inside and finer towards its ends; `finer` times as many points as usual.
 fn grid(range: &Range, finer: u32) -> Vec<f64> {
     let pi = std::f64::consts::PI;
     let near = |end: f64, inward: f64, width: f64| -> Vec<f64> {
@@ -406,7 +414,7 @@ fn grid(range: &Range, finer: u32) -> Vec<f64> {
     }
 }
 
-/// Positive numbers of any order of magnitude that parameters can bring about.
+/// A logarithmic grid of positive numbers, from 10⁻¹² to 10¹².
 fn decades(finer: u32) -> Vec<f64> {
     let (most, a_decade) = (72 * finer as i32, f64::from(6 * finer));
     (-most..=most).map(|k| 10f64.powf(f64::from(k) / a_decade)).collect()

@@ -1,10 +1,10 @@
-//! The shapes of functions that sentences mention: minima, divergences, monotony, signs.
+//! The shapes of functions that sentences claim: minima, divergences, monotonicity, signs.
 
 use crate::formula::Expr;
 
 use crate::check::kinds::limit::Towards;
 
-/// What is said of a function.
+/// A claim about the shape of a function.
 #[derive(Clone, Debug)]
 pub enum Shape {
     /// Positive everywhere along the variable.

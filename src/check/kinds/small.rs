@@ -1,5 +1,9 @@
 //! Claims that hold while some quantities are small: `A ≈ B` to an order in ε, when these are scaled by ε.
 //!
+//! Each state gives a family of states in which the small quantities are scaled by ε and the other free numbers stay. Along
+//! the family the difference of the sides must fall as a power of ε above the claimed order; the power is measured. A term
+//! that falls so fast off shell too is not tested, and makes the claim undecided.
+//!
 //! # When something holds for small quantities
 //!
 //! They are scaled together by 2⁻², …, 2⁻⁸, and the rest of the state stays; on shell the motion follows. The power
@@ -17,7 +21,7 @@ use crate::scalar::RunningError;
 use crate::check::judge::mutants::mutants_of;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
-use crate::check::model::sampling::Mode;
+use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::context::Context;
 use crate::check::sample::prescribed_values::PrescribedValues;
 use crate::check::sample::setting::FEWEST;
@@ -30,34 +34,35 @@ use crate::check::verdict::finding::Finding;
 /// The steps: ε = 2⁻ᵏ.
 const STEPS: std::ops::RangeInclusive<i32> = 2..=8;
 
-/// The steps after these, as long as an error is left that is not small beside rounding: what is left over may be small.
+/// The steps after these, as long as the error exceeds rounding; a remaining error may be small.
 const FURTHER: [i32; 4] = [11, 14, 17, 20];
 
-/// Along so many of the states: what is left over shows at any.
+/// The number of families that have the further steps.
 const FOLLOWED: usize = 4;
 
-/// Most slips are seen along so many.
+/// The number of families that screen texts in a trial.
 const SCREENED: usize = 3;
 
-/// The share of the sides that rounding may make, and so many times that is clear of it.
+/// The relative size of rounding errors.
 const ROUNDING: f64 = 1e-12;
 
+/// The multiple of the rounding error above which an error is significant.
 const CLEAR: f64 = 10.0;
 
-/// How far below a whole power a measured one may lie.
+/// The largest distance of a measured power below a whole one.
 const SLACK: f64 = 0.25;
 
-/// States along which some quantities become small.
-pub(crate) struct Shrinkage<'m> {
+/// A family of states along which some quantities become small.
+pub(crate) struct ShrinkingFamily<'m> {
     states: Vec<SampledState<'m, RunningError>>,
-    /// Where they are smaller still, and at which step.
+    /// The further states, each with its step.
     further: Vec<(i32, SampledState<'m, RunningError>)>,
 }
 
-/// A state, and what fails there.
+/// A state and the failure there.
 type Shown<'s, 'm> = (&'s SampledState<'m, RunningError>, Failure);
 
-/// A few families of states for claims about what stands in some formulas, and in others like them.
+/// A few families of states that screen other texts of a claim.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
@@ -66,16 +71,16 @@ pub(crate) fn screen<'m>(
     mode: Mode,
     small: &[Expr],
     context: &Context<'_>,
-) -> Result<Vec<Shrinkage<'m>>> {
+) -> Result<Vec<ShrinkingFamily<'m>>> {
     families(model, (mode, SCREENED, 0), small, context)
 }
 
 /// Whether a claim to an order fails along one of these families for certain.
-pub(crate) fn is_missed(link: &Link, order: u32, families: &[Shrinkage<'_>]) -> bool {
+pub(crate) fn misses_order(link: &Link, order: u32, families: &[ShrinkingFamily<'_>]) -> bool {
     families.iter().any(|family| family.power(link).is_ok_and(|(power, _)| power < missed(order)))
 }
 
-/// Below this power an order is missed for certain, and not by what rounding makes of the measurement.
+/// The power below which an order is missed for certain, rounding included.
 fn missed(order: u32) -> f64 {
     f64::from(order) + SLACK
 }
@@ -88,7 +93,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     let on_shell = context.on_shell.unwrap_or(context.model.has_motion());
     let wanted = f64::from(order + 1) - SLACK;
     let missed = missed(order);
-    let families = drawn(link, small, context, on_shell)?;
+    let families = families_of(link, small, context, on_shell)?;
     if families.len() < FEWEST.min(context.options.points) {
         let message = format!(
             "only at {} sampled states can the small quantities be scaled; assume less about them",
@@ -96,7 +101,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
-    let (mut slowest, mut told) = (f64::INFINITY, 0);
+    let (mut slowest, mut usable) = (f64::INFINITY, 0);
     for family in &families {
         match family.power_further(link) {
             Err(reason) => return Ok(context.unavailable(&reason)),
@@ -115,12 +120,15 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
             }
             Ok((power, _)) => {
                 slowest = slowest.min(power);
-                told += usize::from(!power.is_nan());
+                usable += usize::from(!power.is_nan());
             }
         }
     }
-    if told < FEWEST.min(context.options.points) {
-        let message = format!("only {told} of {} sampled states gave a number; narrow the ranges", families.len());
+    if usable < FEWEST.min(context.options.points) {
+        let message = format!(
+            "only {usable} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
+            families.len()
+        );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     if slowest < wanted {
@@ -129,15 +137,15 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
-    let all_reach = |link: &Link, families: &[Shrinkage<'_>], least: f64| {
+    let all_reach = |link: &Link, families: &[ShrinkingFamily<'_>], least: f64| {
         families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
     };
     let not_tested = |term: &Expr| {
         let words = crate::formula::text::formula(term, &context.model.symbols);
         format!("“{words}” is smaller than the claimed order, so it is not tested; remove it, or raise `order`")
     };
-    // Off shell nothing makes a term small but what it is made of. One beyond the order could be anything.
-    let free = drawn(link, small, context, false)?;
+    // A term that is small off shell too is beyond the order, and is not tested.
+    let free = families_of(link, small, context, false)?;
     for term in terms(link) {
         let alone = Link { lhs: term.clone(), rhs: Expr::integer(0, term.span), ..link.clone() };
         if !free.is_empty() && all_reach(&alone, &free, wanted) {
@@ -155,14 +163,17 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
         .filter(|mutant| all_reach(&mutant.link, &families, wanted))
         .collect();
     if !survivors.is_empty() {
-        let wide = Context { spread: crate::check::model::sampling::Spread::BeyondRanges, ..*context };
-        let mut wide = drawn(link, small, &wide, on_shell)?;
-        // Far out not every state has a family: those at which the claim itself can be seen to hold count.
+        let wide = Context { spread: Spread::BeyondRanges, ..*context };
+        let mut wide = families_of(link, small, &wide, on_shell)?;
+        // In wider ranges some families are unusable; only those count where the claim itself holds.
         wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
-        // Far out rounding may drown the last steps: what falls on the whole falls.
+        // In wider ranges rounding may exceed the error at the last steps, so the first and last steps are compared.
         let falls = |link: &Link| wide.iter().all(|family| family.falls(link, missed));
         if let Some(mutant) = survivors.iter().find(|mutant| !falls(&mutant.link)) {
-            let message = format!("the sampled states cannot tell this from the same claim with {}", mutant.change);
+            let message = format!(
+                "the sampled states do not distinguish this from the same claim with {}; widen the ranges",
+                mutant.change
+            );
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
@@ -174,7 +185,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     Ok(Finding { points, tried: points, ..context.verified(message, "an approximation") })
 }
 
-/// The terms of both sides, but for a literal 0.
+/// The terms of both sides, except a literal 0.
 fn terms(link: &Link) -> Vec<&Expr> {
     let mut found = Vec::new();
     for side in [&link.lhs, &link.rhs] {
@@ -187,7 +198,7 @@ fn terms(link: &Link) -> Vec<&Expr> {
     found
 }
 
-/// A formula without one of the terms of a sum inside of it, for each of these.
+/// The variants of a formula in which a sum inside it lacks one term, each with that term.
 fn omissions(expr: &Expr) -> Vec<(Expr, Expr)> {
     let mut found = Vec::new();
     for (at, child) in expr.children().into_iter().enumerate() {
@@ -213,18 +224,23 @@ fn omissions(expr: &Expr) -> Vec<(Expr, Expr)> {
 }
 
 /// Families of states for a claim.
-fn drawn<'m>(link: &Link, small: &[Expr], context: &Context<'m>, on_shell: bool) -> Result<Vec<Shrinkage<'m>>> {
+fn families_of<'m>(
+    link: &Link,
+    small: &[Expr],
+    context: &Context<'m>,
+    on_shell: bool,
+) -> Result<Vec<ShrinkingFamily<'m>>> {
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
     families(context.model, (mode, context.options.points.min(2 * FEWEST), FOLLOWED), small, context)
 }
 
-/// Families of states, from so many states of the claim; so many of them are followed further.
+/// Families from `points` states of the claim; the first `followed` of them have the further steps.
 fn families<'m>(
     model: &'m Model,
     (mode, points, followed): (Mode, usize, usize),
     small: &[Expr],
     context: &Context<'_>,
-) -> Result<Vec<Shrinkage<'m>>> {
+) -> Result<Vec<ShrinkingFamily<'m>>> {
     let setting = context.setting(mode);
     let ensemble = context.ensemble_of(model, mode, points, "")?;
     let mut family = PrescribedValues::new(model, &setting, small);
@@ -246,14 +262,14 @@ fn families<'m>(
                 let scaled: Vec<f64> = values.iter().map(|value| value * 2f64.powi(-k)).collect();
                 further.extend(family.at(base, &scaled)?.map(|state| (*k, state)));
             }
-            found.push(Shrinkage { states, further });
+            found.push(ShrinkingFamily { states, further });
         }
     }
     Ok(found)
 }
 
-impl<'m> Shrinkage<'m> {
-    /// Whether the difference of the sides falls as this power at least, in the last steps or on the whole.
+impl<'m> ShrinkingFamily<'m> {
+    /// Whether the difference of the sides falls at least as this power, in the last steps or from first to last.
     fn falls(&self, link: &Link, least: f64) -> bool {
         let at = |state: &SampledState<'_, RunningError>| -> Option<f64> {
             let sides = pair(state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?);
@@ -265,12 +281,12 @@ impl<'m> Shrinkage<'m> {
             || self.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least)
     }
 
-    /// The power of ε with which the difference of the sides falls, infinite where there is none but rounding.
+    /// The power of ε with which the difference of the sides falls; infinite, if it is within rounding.
     fn power(&self, link: &Link) -> Result<(f64, Option<Failure>), Unavailable> {
         let mut errors: Vec<f64> = Vec::new();
         let mut last = None;
         for state in &self.states {
-            // Where too little is left of a number to tell, nothing is told.
+            // A state without a value makes the power NaN.
             let Some((error, noise, failure)) = error(link, state)? else { return Ok((f64::NAN, None)) };
             last = failure;
             if error <= noise {
@@ -285,7 +301,7 @@ impl<'m> Shrinkage<'m> {
         Ok(((tail[0] / tail[2]).log2() / 2.0, last))
     }
 
-    /// The same, or the power with which it falls further on, where that is less; and the last state that shows it.
+    /// The same, or the power at the further steps, if that is smaller; and the last state that shows it.
     fn power_further(&self, link: &Link) -> Result<(f64, Option<Shown<'_, 'm>>), Unavailable> {
         let (mut slowest, failure) = self.power(link)?;
         let Some(end) = self.states.last() else { return Ok((slowest, None)) };
@@ -306,8 +322,7 @@ impl<'m> Shrinkage<'m> {
     }
 }
 
-/// The difference of the sides at a state, what rounding may make of it, and the entry where it is largest; nothing where
-/// too little is left of a number.
+/// The largest difference of the sides at a state, its rounding error, and the entry; `None`, where it is NaN.
 fn error(
     link: &Link,
     state: &SampledState<'_, RunningError>,

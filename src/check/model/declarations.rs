@@ -10,8 +10,8 @@ use crate::notes::claims::{Axes, Count, Declaration, Range, Role, Spanned};
 use crate::source::Span;
 use crate::{Error, Result};
 
-/// The largest number of members at which states are drawn first. The smallest is one less, so that a claim that is true
-/// for one number only fails for the other.
+/// The largest number of members at which states are drawn first. The smallest is one less, so that a claim that is
+/// true for one number only fails for the other.
 const MOST_THINGS: u8 = 4;
 
 impl Builder<'_> {
@@ -139,7 +139,8 @@ impl Builder<'_> {
         self.model.symbols.extents(id).into_iter().map(usize::from).product()
     }
 
-    /// Adds a vector that is fixed in a turning frame, or the angular velocity of a frame that turns about a fixed direction.
+    /// Adds a vector that is fixed in a turning frame, or the angular velocity of a frame that turns about a fixed
+    /// direction.
     fn moving_with_a_frame(&mut self, declaration: &Declaration, kind: Kind) -> Result<()> {
         let latex = &declaration.name;
         if kind != Kind::Vector {
@@ -190,7 +191,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Makes this the angular velocity of the document's frame. A free vector becomes that of a frame that turns freely.
+    /// Makes this the angular velocity of the document's frame. A free vector becomes that of a frame that turns
+    /// freely.
     pub(crate) fn turning_with<T>(&mut self, latex: &str, place: &Spanned<T>) -> Result<()> {
         let id = self.declared(latex, place)?;
         match self.model.meaning(id) {

@@ -1,12 +1,12 @@
 //! What the symbols of a document mean: the declarations of the claims file, mapped to the system that they describe.
 //!
 //! The model connects the printed side with the derived side. It owns the table of names. For each name it knows what
-//! gives its value: a coordinate, a parameter, a quantity that the Lagrangian determines, or a formula that the prose or
-//! an earlier equation defines.
+//! gives its value: a coordinate, a parameter, a quantity that the Lagrangian determines, or a formula that the prose
+//! or an earlier equation defines.
 //!
 //! Offers [`Model`], built by [`build`]; [`claim`], the claims and hypotheses between two formulas; [`sampling`] and
-//! [`state_cache`], which the samplers share. Knows `formula`, `latex`, `notes`, `mechanics` and `systems`, and no other
-//! folder of `check`.
+//! [`state_cache`], which the samplers share. Knows `formula`, `latex`, `notes`, `mechanics` and `systems`, and no
+//! other folder of `check`.
 
 use std::sync::Arc;
 

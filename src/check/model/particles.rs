@@ -76,7 +76,7 @@ pub(crate) fn declare(
         (ParticleQuantity::PrincipalAxes, 1) => Kind::Vector,
         _ => {
             return Err(error(latex, format!("{name} has {slots} indices, which does not fit its meaning")).help(
-                "the inertia tensor has two indices or none; principal moments and axes have one, which runs over \"1..3\"",
+                "the inertia tensor has two indices or none; principal moments and axes have one, over \"1..3\"",
             ));
         }
     };

@@ -1,7 +1,9 @@
-//! The edits of a display that defines a name after which everything that uses the name holds.
+//! Repairs of definitions: edits of a display that defines a name, with which the equations that use the name pass.
 //!
-//! Such an edit makes another model. It is compared with the equations that use the name, then with the display
-//! itself in the other model. It is offered if the whole document passes with it.
+//! A refuted equation may be correct, and a definition that it uses wrong; or a display may define its own name wrongly.
+//! Such an edit makes another model. It is tested by the equations that use the name
+//! ([`DefinitionTests`](crate::check::equations::definition_tests::DefinitionTests)), then by the display itself in the
+//! other model. It is offered if the whole document passes with it.
 //!
 //! # Where a wrong definition is corrected
 //!
@@ -22,48 +24,49 @@ use crate::check::certificate::formulas;
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::document::setup::Run;
-use crate::check::equations::noticed::Pins;
-use crate::check::repair::suggest::{Suggestion, in_file, is_real, likelihood};
+use crate::check::equations::definition_tests::DefinitionTests;
+use crate::check::repair::ranking::rank;
+use crate::check::repair::suggest::{Suggestion, as_repairs, is_in_source};
 use crate::check::sample::context::Options;
 use crate::check::sample::setting::FEWEST;
-use crate::check::trial::document::{first_unexpected, retyped};
-use crate::check::trial::wrong::{MISSING, OFFERED, Wrong};
+use crate::check::trial::edited_document::{first_unexpected, with_text};
+use crate::check::trial::failed_display::{FailedDisplay, MISSING, OFFERED};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 
-/// With so many edits the whole document is checked at most.
+/// The largest number of edits with which the whole document is checked.
 const DOCUMENTS: usize = 4;
 
-/// Nothing is put in, then what stands in the display, then what stands in the document.
+/// The number of pools: nothing is inserted, then parts of the display, then parts of the document.
 const POOLS: usize = 3;
 
-/// So many of the likeliest that nothing notices are tried in the display itself: much goes unnoticed of what its constancy
-/// alone tests.
+/// The number of edits, the likeliest first, that are tried in the display itself after no equation has detected them. It is
+/// large, since "is constant" alone detects few changes.
 const TRIED: usize = 160;
 
-/// The same where each takes longer, as solutions are counted, or where the display is not known to be wrong there.
+/// The same number where each trial takes longer, or where the definition is not known to be wrong.
 const FEW: usize = 24;
 
 impl Checker<'_> {
-    /// The edits of what a wrong equation defines, or, if it is alone in being wrong, of a definition that it stands on,
-    /// with which the whole document passes.
+    /// The edits of a definition with which the whole document passes: of the definition in a wrong equation or, if no other
+    /// equation is wrong, of one that it uses.
     ///
     /// # Errors
     /// As for a check of the equation.
     pub(crate) fn repairs_of_definitions(&self, run: &Run<'_>, at: usize, alone: bool) -> Result<Vec<Repair>> {
-        self.redefined_by(run, at, alone, POOLS)
+        self.repairs_from_pools(run, at, alone, POOLS)
     }
 
-    /// The edits of what a display defines itself, of what stands in it, with which the whole document passes.
+    /// The edits of the definition in a display, from parts of the display only, with which the whole document passes.
     ///
     /// # Errors
-    /// As there.
+    /// As for a check of the equation.
     pub(crate) fn repairs_of_own_definition(&self, run: &Run<'_>, at: usize) -> Result<Vec<Repair>> {
-        self.redefined_by(run, at, false, 1)
+        self.repairs_from_pools(run, at, false, 1)
     }
 
-    /// The same with so many pools of what may be put in, the first of which is empty.
-    fn redefined_by(&self, run: &Run<'_>, at: usize, alone: bool, pools: usize) -> Result<Vec<Repair>> {
+    /// The same, with the first `pools` pools of parts to insert; the first pool is empty.
+    fn repairs_from_pools(&self, run: &Run<'_>, at: usize, alone: bool, pools: usize) -> Result<Vec<Repair>> {
         let members = || self.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         let used = |new: &DefinedSymbol| members().any(|member| self.model.depends_on(member, &[new.symbol]));
         let others = (0..self.notes.equations.len()).filter(|other| alone && *other != at);
@@ -76,34 +79,35 @@ impl Checker<'_> {
                 continue;
             }
             let (places, steps) = (Vec::new(), Vec::new());
-            let wrong = Wrong { at: other, text: &display.text, reading, claim, places, steps };
-            let found = self.doubting(other).redefinitions(run, &wrong, pools)?;
+            let wrong = FailedDisplay { at: other, text: &display.text, reading, claim, places, steps };
+            let found = self.without_units_of(other).redefinitions(run, &wrong, pools)?;
             if !found.is_empty() {
-                return Ok(in_file(self, &wrong, display.body.start, found));
+                return Ok(as_repairs(self, &wrong, display.body.start, found));
             }
         }
         Ok(Vec::new())
     }
 
-    /// Whether something that stands on a name fails with what a display says of the name: then it is there that it is
-    /// wrong, though the rest of the display could be made to agree.
+    /// Whether an equation that uses a name of a display fails with its definition. Then the definition is wrong, even if the
+    /// rest of the display could be made to agree with it.
     ///
     /// # Errors
     /// As for a check of the equation.
     pub(crate) fn contradicts_definitions(&self, at: usize) -> Result<bool> {
         for new in &self.readings[at].introduced {
-            if Pins::of(self, new, true)?.notice(&new.formula) {
+            if DefinitionTests::of(self, new, true)?.detects(&new.formula) {
                 return Ok(true);
             }
         }
         Ok(false)
     }
 
-    /// The edits of a display that defines something, with which all that uses the name holds, and the document passes.
-    fn redefinitions(&self, run: &Run<'_>, wrong: &Wrong<'_>, most: usize) -> Result<Vec<Suggestion>> {
+    /// The edits of a display that defines names, with which the equations that use the names hold and the document passes.
+    fn redefinitions(&self, run: &Run<'_>, wrong: &FailedDisplay<'_>, most: usize) -> Result<Vec<Suggestion>> {
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let introduced = &wrong.reading.introduced;
-        let pins: Vec<Pins<'_, '_>> = introduced.iter().map(|new| Pins::of(self, new, true)).collect::<Result<_>>()?;
+        let tests: Vec<DefinitionTests<'_, '_>> =
+            introduced.iter().map(|new| DefinitionTests::of(self, new, true)).collect::<Result<_>>()?;
         let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING).factors_only();
         let others = self.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
         let texts = std::iter::once(wrong.text).chain(others.map(|(_, display)| display.text.as_str()));
@@ -114,23 +118,27 @@ impl Checker<'_> {
         let tries = if most == POOLS && wrong.claim.solves.is_none() { TRIED } else { FEW };
         for pool in pools.into_iter().take(most) {
             let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
-            edits.retain(|edit| is_real(self, wrong.text, edit, start) && !tried.contains(edit));
-            // With a rate that is 0 by a law all is conserved.
+            edits.retain(|edit| is_in_source(self, wrong.text, edit, start) && !tried.contains(edit));
+            // A factor that is a vanishing rate makes anything conserved.
             edits.retain(|edit| edit.slip != Slip::Factor || !edit.replacement.contains("\\dot"));
-            let mut unnoticed: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
+            let mut undetected: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
             for edit in &edits {
                 let text = edit.applied(wrong.text);
-                let Some(formulas) = self.redefines(wrong.at, wrong.claim, &text) else { continue };
-                let mut changed =
-                    introduced.iter().zip(&formulas).zip(&pins).filter(|((was, is), _)| was.formula != **is).peekable();
-                if changed.peek().is_some() && !changed.any(|((_, formula), holds)| holds.notice(formula)) {
-                    unnoticed.push((edit, text, formulas));
+                let Some(formulas) = self.new_definitions(wrong.at, wrong.claim, &text) else { continue };
+                let mut changed = introduced
+                    .iter()
+                    .zip(&formulas)
+                    .zip(&tests)
+                    .filter(|((was, is), _)| was.formula != **is)
+                    .peekable();
+                if changed.peek().is_some() && !changed.any(|((_, formula), tests)| tests.detects(formula)) {
+                    undetected.push((edit, text, formulas));
                 }
             }
-            unnoticed.sort_by_key(|(edit, ..)| likelihood(wrong.text, edit, false));
-            // A factor put in at two places is one edit; and where a sign is noticed by nothing, so are the two signs.
+            undetected.sort_by_key(|(edit, ..)| rank(wrong.text, edit, false));
+            // Edits that give the same definition, or the same except for its sign, count once.
             let mut distinct: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
-            for candidate in unnoticed {
+            for candidate in undetected {
                 let same = |known: &Expr, new: &Expr| {
                     formulas::same(known, new, self.model) || formulas::same(known, &new.clone().negated(), self.model)
                 };
@@ -142,7 +150,7 @@ impl Checker<'_> {
             let passes = |(edit, text, formulas): (&Edit, String, Vec<Expr>)| {
                 let (edit, reading) = (edit.clone(), wrong.reading.clone());
                 let suggestion =
-                    || Suggestion { edit, reading, verdict: Verdict::Definition, step: false, idle: false };
+                    || Suggestion { edit, reading, verdict: Verdict::Definition, step: false, vacuous: false };
                 self.passes_redefined(wrong, &text, &formulas).then(suggestion)
             };
             let mut candidates: Vec<Suggestion> = distinct.into_par_iter().filter_map(passes).collect();
@@ -157,9 +165,9 @@ impl Checker<'_> {
         Ok(Vec::new())
     }
 
-    /// Whether nothing in a display is refuted, or cannot be read, where it has this text and so defines other things.
-    fn passes_redefined(&self, wrong: &Wrong<'_>, text: &str, formulas: &[Expr]) -> bool {
-        let Some((model, reading)) = self.redefined(wrong.at, wrong.claim, text, formulas) else { return false };
+    /// Whether a display with this text, and so with other definitions, is neither refuted nor unreadable.
+    fn passes_redefined(&self, wrong: &FailedDisplay<'_>, text: &str, formulas: &[Expr]) -> bool {
+        let Some((model, reading)) = self.redefined_model(wrong.at, wrong.claim, text, formulas) else { return false };
         let options = Options { points: FEWEST.min(self.options.points), explain: false, ..self.options };
         let checker = Checker { model: &model, options, units: self.units.clone(), ..*self };
         let display = &self.notes.equations[wrong.at];
@@ -168,11 +176,11 @@ impl Checker<'_> {
         parts.is_ok_and(|parts| !parts.iter().any(|part| is_wrong(part.finding.verdict)))
     }
 
-    /// Whether all of the document is as it should be with an edit of a display.
+    /// Whether the whole document is as expected with an edit of a display.
     fn document_passes(&self, run: &Run<'_>, at: usize, edit: &Edit) -> bool {
         let mut file = self.notes.source.text.clone();
         file.replace_range(edit.span.shifted(self.notes.equations[at].body.start).range(), &edit.replacement);
-        let unexpected = retyped(self.notes, file).and_then(|notes| first_unexpected(run, self.claims, &notes, at));
+        let unexpected = with_text(self.notes, file).and_then(|notes| first_unexpected(run, self.claims, &notes, at));
         unexpected.is_ok_and(|unexpected| unexpected.is_none())
     }
 }

@@ -1,7 +1,9 @@
-//! The edit of one display that corrects several others.
+//! Shared repairs: one edit of a law or definition that repairs several equations.
 //!
-//! If several items are refuted, what they have in common, which may be one of them, is tried with every edit that
-//! undoes a slip.
+//! A slip in a law or a definition makes all equations fail that use it, and each of these could be changed to agree with the
+//! slip. One slip in the shared display is likelier than one in each equation. So where at least two equations are refuted,
+//! or an equation and a sentence, each display that they use is tried with every single edit. An edit that repairs several
+//! of them, and with which everything else still passes, is offered for each.
 //!
 //! # Why one slip is preferred to several
 //!
@@ -29,26 +31,27 @@ use crate::check::document::names::{is_wrong, shown};
 use crate::check::document::reading::for_each;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::equations::sentences;
-use crate::check::repair::suggest::{has_branches, is_each, is_real, likelihood};
+use crate::check::repair::ranking::rank;
+use crate::check::repair::suggest::{agree_memberwise, has_branches, is_in_source};
 use crate::check::sample::context::Options;
-use crate::check::trial::document::retyped;
-use crate::check::trial::trial_text::Trial;
-use crate::check::trial::wrong::{MISSING, OFFERED};
+use crate::check::trial::edited_document::with_text;
+use crate::check::trial::failed_display::{MISSING, OFFERED};
+use crate::check::trial::text_trial::Trial;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::{Repair, Shared};
 use crate::check::verdict::report::Equation;
 
-/// With so many edits of one display the whole document is checked at most.
+/// The largest number of edits of one display with which the whole document is checked.
 const DOCUMENTS: usize = 4;
 
-/// So many of the likeliest are tried, as each of them makes another document.
+/// The largest number of edits that are tried, the likeliest first, since each makes another document.
 const TRIED: usize = 160;
 
-/// Most edits mend nothing, which so many states show.
+/// The number of states that reject most edits.
 const STATES: usize = 2;
 
 impl Checker<'_> {
-    /// The equations of a document, those that one edit mends together with that edit as their first repair.
+    /// The equations of a document; those that one edit repairs together get it as their first repair.
     pub(crate) fn with_shared_repairs(
         &self,
         run: &Run<'_>,
@@ -60,50 +63,51 @@ impl Checker<'_> {
             .enumerate()
             .filter(|(_, equation)| equation.finding.follows_from.is_none() && !equation.ok && is_wrong(equation))
             .filter_map(|(nth, equation)| Some((nth, self.display_of(equation)?)))
-            .filter(|(_, at)| self.is_open(*at))
+            .filter(|(_, at)| self.may_be_edited(*at))
             .collect();
         let failing: Vec<Item> =
             (0..sentences.len()).filter(|at| is_refuted(&sentences[*at])).map(Item::Sentence).collect();
         if wrong.is_empty() || wrong.len() + failing.len() < 2 || !self.options.explain {
             return equations;
         }
-        let held = self.held(&equations, sentences);
-        let mut best: Vec<Found> = Vec::new();
-        for at in (0..self.notes.equations.len()).filter(|at| self.is_open(*at)) {
+        let passing = self.items_as_expected(&equations, sentences);
+        let mut best: Vec<SharedEdit> = Vec::new();
+        for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at)) {
             let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
             let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
-            // What stands on a display that cannot be read cannot be told either.
-            let mut stand_on_it: Vec<usize> = match self.is_damaged(at) && wrong.iter().any(|(_, other)| *other == at) {
+            // Which equations use a display that cannot be read is unknown, so all are tried.
+            let mut dependents: Vec<usize> = match self.is_unreadable(at) && wrong.iter().any(|(_, other)| *other == at)
+            {
                 true => std::iter::once(at).chain(others).collect(),
                 false => {
-                    let stands = |other: &usize| self.stands_on(*other, at) || self.solves(*other, at);
+                    let stands = |other: &usize| self.depends_on_display(*other, at) || self.solves(*other, at);
                     refuted.filter(|other| *other == at || stands(other)).collect()
                 }
             };
-            // Its own definition takes the longest to judge.
-            stand_on_it.sort_by_key(|other| *other == at && !self.is_damaged(at));
+            // The display itself takes the longest to check, so it comes last.
+            dependents.sort_by_key(|other| *other == at && !self.is_unreadable(at));
             let said = failing.iter().filter(|_| !self.readings[at].introduced.is_empty() || self.is_law(at)).copied();
-            let stand_on_it: Vec<Item> = stand_on_it.into_iter().map(Item::Display).chain(said).collect();
-            if stand_on_it.len() < 2 || !matches!(stand_on_it[0], Item::Display(_)) {
+            let dependents: Vec<Item> = dependents.into_iter().map(Item::Display).chain(said).collect();
+            if dependents.len() < 2 || !matches!(dependents[0], Item::Display(_)) {
                 continue;
             }
-            let found = self.edits_that_mend(run, at, &stand_on_it, &held);
-            let most = |found: &[Found]| found.first().map_or(0, |found| found.mended.len());
+            let found = self.repairing_edits(run, at, &dependents, &passing);
+            let most = |found: &[SharedEdit]| found.first().map_or(0, |found| found.repaired.len());
             match most(&found).cmp(&most(&best)) {
                 Ordering::Greater => best = found,
                 Ordering::Equal => best.extend(found),
                 Ordering::Less => {}
             }
         }
-        // Of edits of several displays the likeliest first; a minus too much is rarer than a wrong sign.
-        best.sort_by_key(|Found { at, edit, .. }| match edit.slip == Slip::Sign && edit.replacement.is_empty() {
+        // The likeliest edits come first; a superfluous minus is rarer than a wrong sign.
+        best.sort_by_key(|SharedEdit { at, edit, .. }| match edit.slip == Slip::Sign && edit.replacement.is_empty() {
             true => Slip::Fraction,
-            false => likelihood(&self.notes.equations[*at].text, edit, false).0,
+            false => rank(&self.notes.equations[*at].text, edit, false).0,
         });
         best.truncate(OFFERED);
-        for Found { at, edit, mended } in best.into_iter().rev() {
-            let repairs = self.shared_repairs(at, &edit, &mended);
-            for ((item, _), repair) in mended.into_iter().zip(repairs) {
+        for SharedEdit { at, edit, repaired } in best.into_iter().rev() {
+            let repairs = self.shared_repairs(at, &edit, &repaired);
+            for ((item, _), repair) in repaired.into_iter().zip(repairs) {
                 for (nth, _) in wrong.iter().filter(|(_, other)| item == Item::Display(*other)) {
                     equations[*nth].parts.iter_mut().for_each(|part| part.finding.fit = None);
                     equations[*nth].finding.fit = None;
@@ -117,14 +121,14 @@ impl Checker<'_> {
         equations
     }
 
-    /// An edit of a display as a repair of each equation that it mends.
-    pub(crate) fn shared_repairs(&self, at: usize, edit: &Edit, mended: &[(Item, Verdict)]) -> Vec<Repair> {
+    /// An edit of a display as a repair of each equation that passes with it.
+    pub(crate) fn shared_repairs(&self, at: usize, edit: &Edit, repaired: &[(Item, Verdict)]) -> Vec<Repair> {
         let display = &self.notes.equations[at];
         let name = |item: &Item| match item {
             Item::Display(at) => shown(&self.notes.equations[*at]),
             Item::Sentence(at) => sentences::name(*at, &self.claims.sentences[*at]),
         };
-        let mends: Vec<String> = mended.iter().map(|(item, _)| name(item)).collect();
+        let mends: Vec<String> = repaired.iter().map(|(item, _)| name(item)).collect();
         let repair = |(_, verdict): &(Item, Verdict)| Repair {
             span: edit.span.shifted(display.body.start),
             replacement: edit.replacement.clone(),
@@ -134,28 +138,29 @@ impl Checker<'_> {
             idle: false,
             shared: Some(Shared { of: shown(display), mends: mends.clone() }),
         };
-        mended.iter().map(repair).collect()
+        repaired.iter().map(repair).collect()
     }
 
-    /// What is as it should be.
-    pub(crate) fn held(&self, equations: &[Equation], sentences: &[Equation]) -> Held {
-        Held {
+    /// The displays and sentences that are as expected.
+    pub(crate) fn items_as_expected(&self, equations: &[Equation], sentences: &[Equation]) -> Passing {
+        Passing {
             displays: equations.iter().filter(|equation| equation.ok).filter_map(|e| self.display_of(e)).collect(),
             sentences: (0..sentences.len()).filter(|at| sentences[*at].ok).collect(),
         }
     }
 
+    /// The display of an equation of the report.
     pub(crate) fn display_of(&self, equation: &Equation) -> Option<usize> {
         self.notes.equations.iter().position(|display| shown(display) == equation.id)
     }
 
-    /// Whether nothing is said of a display that makes its slips no slips.
-    pub(crate) fn is_open(&self, at: usize) -> bool {
+    /// Whether a display may be edited: it is not expected to fail, and has no erratum.
+    pub(crate) fn may_be_edited(&self, at: usize) -> bool {
         self.assigned[at].is_none_or(|claim| claim.expect.is_none() && claim.errata.is_empty())
     }
 
-    /// Whether what an equation says depends on what a display takes for granted or introduces.
-    pub(crate) fn stands_on(&self, equation: usize, at: usize) -> bool {
+    /// Whether an equation depends on a law or a definition in another display.
+    pub(crate) fn depends_on_display(&self, equation: usize, at: usize) -> bool {
         let is_law = self.is_law(at);
         let members = || self.readings[equation].statements.iter().flatten().flat_map(|statement| &statement.members);
         let uses = |new: &DefinedSymbol| members().any(|member| self.model.depends_on(member, &[new.symbol]));
@@ -174,7 +179,7 @@ impl Checker<'_> {
         matches!(solves.map(|solves| &solves.of), Some(Solved::Equation(address)) if self.place(&address.text) == Some(other))
     }
 
-    /// Whether a claim assumes something of a name that a display introduces, or means something else by it.
+    /// Whether a claim has a hypothesis about a name that a display introduces, or gives it another meaning.
     fn speaks_of(&self, claim: &Claim, at: usize) -> bool {
         let says_nothing = claim.assume.is_empty() && claim.throughout.is_empty() && claim.meanings.is_empty();
         let introduced: Vec<_> = self.readings[at].introduced.iter().map(|new| new.symbol).collect();
@@ -188,7 +193,7 @@ impl Checker<'_> {
         formulas.any(|formula| self.model.depends_on(formula, &introduced))
     }
 
-    /// Whether a claim is about which states something holds at.
+    /// Whether a claim needs many states, since it says at which states something holds.
     fn takes_many_states(&self, item: Item) -> bool {
         let claim = match item {
             Item::Display(at) => self.assigned[at],
@@ -197,14 +202,21 @@ impl Checker<'_> {
         claim.is_some_and(|claim| !claim.exactly_when.is_empty())
     }
 
-    /// The edits of a display that mend most of these equations, two at least if there are several, and spoil nothing.
-    pub(crate) fn edits_that_mend(&self, run: &Run<'_>, at: usize, wrong: &[Item], held: &Held) -> Vec<Found> {
+    /// The edits of a display with which most of these equations pass, at least two if there are several, and with which
+    /// everything that passed still passes.
+    pub(crate) fn repairing_edits(
+        &self,
+        run: &Run<'_>,
+        at: usize,
+        wrong: &[Item],
+        passing: &Passing,
+    ) -> Vec<SharedEdit> {
         let display = &self.notes.equations[at];
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
         let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
         let least = wrong.len().min(2);
-        // What takes many states to tell waits for the full check, where others can be looked at.
+        // A claim that needs many states waits for the full check, if the others suffice to reject edits.
         let soon: Vec<Item> = wrong.iter().copied().filter(|item| !self.takes_many_states(*item)).collect();
         let soon = if soon.len() < least { wrong } else { &soon };
         let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
@@ -216,24 +228,27 @@ impl Checker<'_> {
         {
             let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
             edits.retain(|edit| !tried.contains(edit) && (!of_terms || edit.slip == Slip::Term));
-            edits.retain(|edit| is_real(self, &display.text, edit, display.body.start));
-            // That something is 0 says more than that it does not change; what it is that does not change is the law.
+            edits.retain(|edit| is_in_source(self, &display.text, edit, display.body.start));
+            // In a law that a rate is 0, another name or dot makes a stronger law, with which more equations hold.
             let names = |edit: &Edit| matches!(edit.slip, Slip::Dot | Slip::Symbol | Slip::Name);
-            edits.retain(|edit| !names(edit) || !self.says_that_nothing_moves(at));
+            edits.retain(|edit| !names(edit) || !self.states_a_zero_rate(at));
             edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(&display.text));
-            edits.retain(|edit| !self.is_damaged(at) || self.is_readable(at, &edit.applied(&display.text)));
-            edits.sort_by_key(|edit| likelihood(&display.text, edit, false));
+            edits.retain(|edit| !self.is_unreadable(at) || self.is_readable(at, &edit.applied(&display.text)));
+            edits.sort_by_key(|edit| rank(&display.text, edit, false));
             edits.truncate(TRIED);
             tried.extend(edits.iter().cloned());
-            let mended = |edit: &Edit| match self.is_damaged(at) {
-                true => self.edited(&Run { options: quick, ..*run }, at, edit, |checker| checker.mended(soon, true)),
-                false => self.with_text(quick, at, &edit.applied(&display.text), |checker| checker.mended(soon, true)),
+            let repaired = |edit: &Edit| match self.is_unreadable(at) {
+                true => self
+                    .edited(&Run { options: quick, ..*run }, at, edit, |checker| checker.items_that_pass(soon, true)),
+                false => self.with_edited_text(quick, at, &edit.applied(&display.text), |checker| {
+                    checker.items_that_pass(soon, true)
+                }),
             };
             let likely = edits.into_par_iter().filter_map(|edit| {
-                let mended = mended(&edit)?;
-                Some(Found { at, edit, mended }).filter(|found| found.mended.len() >= least)
+                let repaired = repaired(&edit)?;
+                Some(SharedEdit { at, edit, repaired }).filter(|found| found.repaired.len() >= least)
             });
-            let found = self.confirmed(run, at, likely.collect(), (wrong, held));
+            let found = self.confirmed(run, at, likely.collect(), (wrong, passing));
             if !found.is_empty() {
                 return found;
             }
@@ -241,93 +256,95 @@ impl Checker<'_> {
         Vec::new()
     }
 
-    /// Those of some edits of a display that mend most, by the full check.
+    /// The edits of a display that repair most equations by the full check.
     fn confirmed(
         &self,
         run: &Run<'_>,
         at: usize,
-        mut likely: Vec<Found>,
-        (wrong, held): (&[Item], &Held),
-    ) -> Vec<Found> {
+        mut likely: Vec<SharedEdit>,
+        (wrong, passing): (&[Item], &Passing),
+    ) -> Vec<SharedEdit> {
         let text = &self.notes.equations[at].text;
         let least = wrong.len().min(2);
-        likely.sort_by_key(|found| (Reverse(found.mended.len()), likelihood(text, &found.edit, false)));
-        // Two edits may say the same; of what cannot be read as it stands that is not known.
+        likely.sort_by_key(|found| (Reverse(found.repaired.len()), rank(text, &found.edit, false)));
+        // Of two edits that give equal equations one is enough; in an unreadable display this cannot be decided.
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
         let equal = |a: &Expr, b: &Expr| formulas::is_identity(a, b, self.model);
-        let mut distinct: Vec<(Found, Reading)> = Vec::new();
+        let mut distinct: Vec<(SharedEdit, Reading)> = Vec::new();
         for found in likely {
             let reading = self.as_printed(&found.edit.applied(text), claim, &self.model.macros);
-            let is_known = || distinct.iter().any(|(_, known)| is_each(known, &reading, equal));
-            if distinct.len() < DOCUMENTS && (self.is_damaged(at) || !is_known()) {
+            let is_known = || distinct.iter().any(|(_, known)| agree_memberwise(known, &reading, equal));
+            if distinct.len() < DOCUMENTS && (self.is_unreadable(at) || !is_known()) {
                 distinct.push((found, reading));
             }
         }
         let full = Options { explain: false, ..self.options };
-        let mut found: Vec<Found> = Vec::new();
-        for (Found { edit, .. }, _) in distinct {
-            let judge = |checker: &Checker<'_>| checker.still_holds(held).then(|| checker.mended(wrong, false));
+        let mut found: Vec<SharedEdit> = Vec::new();
+        for (SharedEdit { edit, .. }, _) in distinct {
+            let judge =
+                |checker: &Checker<'_>| checker.still_passes(passing).then(|| checker.items_that_pass(wrong, false));
             match self.edited(&Run { options: full, ..*run }, at, &edit, judge).flatten() {
-                Some(mut mended) if mended.len() >= least => {
-                    mended.sort_by_key(|(item, _)| *item);
-                    found.push(Found { at, edit, mended });
+                Some(mut repaired) if repaired.len() >= least => {
+                    repaired.sort_by_key(|(item, _)| *item);
+                    found.push(SharedEdit { at, edit, repaired });
                 }
                 _ => {}
             }
         }
-        let most = found.iter().map(|found| found.mended.len()).max().unwrap_or(0);
-        found.retain(|found| found.mended.len() == most);
+        let most = found.iter().map(|found| found.repaired.len()).max().unwrap_or(0);
+        found.retain(|found| found.repaired.len() == most);
         found
     }
 
-    /// Whether a display cannot be read, and no other is to blame.
-    pub(crate) fn is_damaged(&self, at: usize) -> bool {
+    /// Whether a display cannot be read, and no other display is the cause.
+    pub(crate) fn is_unreadable(&self, at: usize) -> bool {
         let own = |statement: &Result<Statement, Fault>| {
             statement.as_ref().is_err_and(|fault| self.cause(fault.missing.as_ref()).is_none())
         };
         self.readings[at].statements.iter().any(own)
     }
 
-    /// Whether a text in the place of a display can be read, whatever it names.
+    /// Whether a text in place of a display can be read, with any names.
     fn is_readable(&self, at: usize, text: &str) -> bool {
         let mut symbols = self.model.symbols.clone();
         symbols.for_each = for_each(self.assigned[at], self.model);
         read_display(text, &mut symbols, &self.model.macros).statements.iter().all(Result::is_ok)
     }
 
-    /// Whether a statement of a display is that a rate is 0.
-    fn says_that_nothing_moves(&self, at: usize) -> bool {
+    /// Whether a display is a law that a rate is 0.
+    fn states_a_zero_rate(&self, at: usize) -> bool {
         let moves = |member: &Expr| matches!(member.node, Node::Symbol { dots: 1.., .. } | Node::TimeDerivative(..));
         let is_law = self.is_law(at);
         let says_so = |s: &Statement| s.members.iter().any(Expr::is_null) && s.members.iter().any(moves);
         is_law && self.readings[at].statements.iter().flatten().any(says_so)
     }
 
-    /// What is found on the checker of the same document with an edit of a display; nothing, if that is none.
+    /// The result of `judge` on the document with an edit of a display; `None`, if the edited document cannot be set up or
+    /// introduces other names there.
     fn edited<T>(&self, run: &Run<'_>, at: usize, edit: &Edit, judge: impl FnOnce(&Checker<'_>) -> T) -> Option<T> {
         let mut file = self.notes.source.text.clone();
         file.replace_range(edit.span.shifted(self.notes.equations[at].body.start).range(), &edit.replacement);
-        let notes: Notes = retyped(self.notes, file).ok()?;
+        let notes: Notes = with_text(self.notes, file).ok()?;
         let is_alike = notes.equations.len() == self.notes.equations.len();
         let introduced = |checker: &Checker<'_>| -> Vec<String> {
             checker.readings[at].introduced.iter().map(|new| checker.model.name(new.symbol)).collect()
         };
-        // A display that names other things says something else, however it is judged.
-        let is_same = |checker: &Checker<'_>| introduced(checker) == introduced(self) || self.is_damaged(at);
+        // An edit that introduces other names changes the meaning of the display.
+        let is_same = |checker: &Checker<'_>| introduced(checker) == introduced(self) || self.is_unreadable(at);
         let judged = |checker: Checker<'_>| Ok(is_same(&checker).then(|| judge(&checker)));
         is_alike.then(|| with_checker(run, self.claims, &notes, judged).ok())??
     }
 
-    /// Those of these that pass, with their verdicts; none is looked at after two that do not, or where too few are left.
-    /// In haste what holds at a few states passes where it defines something.
-    fn mended(&self, wrong: &[Item], haste: bool) -> Vec<(Item, Verdict)> {
+    /// The items that pass, with their verdicts; stops where too few can pass. With `quickly`, a display that defines a name
+    /// passes if it holds at a few states.
+    fn items_that_pass(&self, wrong: &[Item], quickly: bool) -> Vec<(Item, Verdict)> {
         let none = Claim::default();
         let display = |at: usize| -> Option<Verdict> {
             let (reading, claim) = (&self.readings[at], self.assigned[at].unwrap_or(&none));
-            if haste && !reading.introduced.is_empty() && names::is_plain(claim) {
+            if quickly && !reading.introduced.is_empty() && names::is_plain(claim) {
                 let is_readable = reading.statements.iter().all(Result::is_ok);
-                let stands = is_readable && Trial::new(self, at, reading, claim).ok()?.stands();
+                let stands = is_readable && Trial::new(self, at, reading, claim).ok()?.passes_screen();
                 return stands.then_some(Verdict::Definition);
             }
             let found = self.equation(at, self.assigned[at]).ok()?;
@@ -340,34 +357,36 @@ impl Checker<'_> {
                 found.ok.then_some(found.finding.verdict)
             }
         };
-        let mut mended = Vec::new();
+        let mut repaired = Vec::new();
         let least = wrong.len().min(2);
         for (looked_at, item) in wrong.iter().enumerate() {
             match judged(*item) {
-                Some(verdict) => mended.push((*item, verdict)),
-                _ if looked_at > mended.len() || mended.len() + wrong.len() <= looked_at + least => return mended,
+                Some(verdict) => repaired.push((*item, verdict)),
+                _ if looked_at > repaired.len() || repaired.len() + wrong.len() <= looked_at + least => {
+                    return repaired;
+                }
                 _ => {}
             }
         }
-        mended
+        repaired
     }
 
-    /// Whether what held still does.
-    fn still_holds(&self, held: &Held) -> bool {
+    /// Whether all items that passed still pass.
+    fn still_passes(&self, passing: &Passing) -> bool {
         let sentence =
             |at: &usize| sentences::check(self, *at, &self.claims.sentences[*at]).is_ok_and(|found| found.ok);
-        held.displays.iter().all(|at| self.equation(*at, self.assigned[*at]).is_ok_and(|found| found.ok))
-            && held.sentences.iter().all(sentence)
+        passing.displays.iter().all(|at| self.equation(*at, self.assigned[*at]).is_ok_and(|found| found.ok))
+            && passing.sentences.iter().all(sentence)
     }
 }
 
-/// What is as it should be, by its place.
-pub(crate) struct Held {
+/// The displays and sentences that are as expected, by their indices.
+pub(crate) struct Passing {
     displays: Vec<usize>,
     sentences: Vec<usize>,
 }
 
-/// What may be wrong, by its place.
+/// A display or a sentence, by its index.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Item {
     /// A display.
@@ -376,14 +395,14 @@ pub(crate) enum Item {
     Sentence(usize),
 }
 
-/// An edit of a display, and what passes with it.
-pub(crate) struct Found {
+/// An edit of a display, and the items that pass with it.
+pub(crate) struct SharedEdit {
     pub at: usize,
     pub edit: Edit,
-    pub mended: Vec<(Item, Verdict)>,
+    pub repaired: Vec<(Item, Verdict)>,
 }
 
-/// Whether an equation says something false.
+/// Whether an equation is false, against expectation.
 pub(crate) fn is_refuted(equation: &Equation) -> bool {
     !equation.ok && matches!(equation.finding.verdict, Verdict::Refuted | Verdict::Domain)
 }

@@ -18,47 +18,57 @@ use crate::check::sample::setting::Setting;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// What a check is run with.
+/// The options of a check.
+///
+/// Start from [`Options::default`] and change what you need: fields may be added.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Options {
-    /// The seed of all states.
+    /// The seed of all sampled states; 1 by default.
     pub seed: u64,
-    /// How many usable states are asked for.
+    /// The number of usable sampled states that are asked for; 24 by default.
     pub points: usize,
-    /// Whether of what is refuted it is said by how much it is off, what may have been meant, and how the notes are mended.
+    /// Whether refuted claims are explained: their difference, what may have been meant, and suggestions. True by
+    /// default.
     pub explain: bool,
 }
 
-/// A claim's hypotheses and its name, which seeds its states.
+impl Default for Options {
+    fn default() -> Self {
+        Options { seed: 1, points: 24, explain: true }
+    }
+}
+
+/// The context of one claim: what it assumes, and the name that seeds its states.
 #[derive(Clone, Copy)]
 pub struct Context<'a> {
-    /// The symbols and the system.
+    /// The model of the document.
     pub model: &'a Model,
     /// Seed and number of states.
     pub options: Options,
     /// The hypotheses.
     pub hypotheses: &'a [Hypothesis],
-    /// Whether the claim is pinned to hold always (`false`) or on shell (`true`).
+    /// Whether the claim must hold always (`false`) or on shell (`true`); `None` tries both.
     pub on_shell: Option<bool>,
     /// The name of the claim.
     pub topic: &'a str,
     /// The bytes of the notes that the claim is about.
     pub span: Span,
-    /// How far from the declared ranges its states are drawn.
+    /// How wide the ranges are from which its states are drawn.
     pub spread: Spread,
-    /// What symbols mean in this claim only.
+    /// The rules of symbols that are defined in this claim only.
     pub local: &'a [Rule],
 }
 
 impl<'a> Context<'a> {
-    /// The mode of states on shell or off, with enough derivatives for these formulas and one more dot.
+    /// The mode on shell or off shell, with enough derivatives for these formulas and one more dot.
     pub fn mode(&self, on_shell: bool, formulas: &[&Expr]) -> Mode {
         let of_hypotheses = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
         let of_laws = self.model.laws.iter().flat_map(|law| &law.hypotheses).flat_map(|c| [&c.lhs, &c.rhs]);
         let of_laws = of_laws.filter(|_| on_shell);
         let of_rules = self.local.iter().flat_map(|rule| rule.action.formulas());
-        // A symbol that a hypothesis or a law gives its value is differentiated as often as it is itself, and then as
-        // often as the formula is.
+        // The value that a hypothesis or a law gives a symbol has derivatives of its own, and is then differentiated as
+        // often as the formula asks.
         let beneath = of_hypotheses.chain(of_laws).chain(of_rules).map(|f| derivatives(f, self.model)).max();
         let needed = formulas.iter().map(|f| derivatives(f, self.model)).max();
         let stacked = on_shell && !self.model.laws.is_empty() || !self.local.is_empty();
@@ -68,7 +78,7 @@ impl<'a> Context<'a> {
         Mode { on_shell, order: (needed.unwrap_or(0) + 1).max(least).min(TERMS - 1) }
     }
 
-    /// What its states obey.
+    /// The setting of its states.
     pub(crate) fn setting(&self, mode: Mode) -> Setting<'a> {
         Setting { hypotheses: self.hypotheses, local: self.local, mode, spread: self.spread }
     }
@@ -76,16 +86,16 @@ impl<'a> Context<'a> {
     /// States of the claim.
     ///
     /// # Errors
-    /// When the mass matrix is singular at all of them.
+    /// If the mass matrix is singular at all of them.
     pub fn ensemble(&self, mode: Mode, relaxed: bool, points: usize) -> Result<Ensemble<'a>> {
         let spread = if relaxed { Spread::BeyondRanges } else { self.spread };
         Context { spread, ..*self }.ensemble_of(self.model, mode, points, if relaxed { "beyond" } else { "" })
     }
 
-    /// States of the claim as a model has it, from a stream of their own.
+    /// States of the claim in another model, from a random stream of their own.
     ///
     /// # Errors
-    /// When the mass matrix is singular at all of them.
+    /// If the mass matrix is singular at all of them.
     pub(crate) fn ensemble_of<'m>(
         &self,
         model: &'m Model,
@@ -99,17 +109,17 @@ impl<'a> Context<'a> {
     /// States of the claim at special places.
     ///
     /// # Errors
-    /// When the mass matrix is singular at all of them.
+    /// If the mass matrix is singular at all of them.
     pub fn special(&self, mode: Mode) -> Result<Ensemble<'a>> {
         Ensemble::special(self.model, &self.setting(mode), self.options.seed, &self.stream(mode, "special"))
     }
 
-    /// The random numbers of its states.
+    /// The random stream of its states.
     pub(crate) fn draw(&self, mode: Mode, what: &str) -> Sampler {
         Sampler::new(self.options.seed, &self.stream(mode, what))
     }
 
-    /// The name of their stream.
+    /// The name of the random stream.
     fn stream(&self, mode: Mode, what: &str) -> String {
         format!("{}/{}/{what}", self.topic, mode.on_shell)
     }
@@ -124,7 +134,7 @@ impl<'a> Context<'a> {
         Finding::new(code, verdict, self.span, message)
     }
 
-    /// The finding that this claim holds, by numbers alone: a field has no word for what it is about.
+    /// The finding that this claim holds by numbers only; `about` is the reason why it is not certified.
     pub fn verified(&self, message: impl Into<String>, about: &str) -> Finding {
         Finding {
             not_certified_because: Some(about.to_owned()),
@@ -147,7 +157,7 @@ impl<'a> Context<'a> {
         Finding { tried: ensemble.tried, ..self.finding(Code::NoState, Verdict::Undecided, message) }
     }
 
-    /// Why a formula has no value, as a finding.
+    /// The finding that a formula has no value.
     pub fn unavailable(&self, reason: &Unavailable) -> Finding {
         let (code, message) = match reason {
             Unavailable::Symbol(id) => {

@@ -1,6 +1,9 @@
-//! The sampled states of a claim: drawn, and projected onto its hypotheses.
+//! The states at which a claim is tested: drawn at random and projected onto the claim's hypotheses.
 //!
-//! *Assuming* a hypothesis, it holds at the instant; *throughout*, its time derivatives vanish too.
+//! A hypothesis `A = B` is solved for one number of the base. Numbers in which it is linear go first; then higher
+//! derivatives go before velocities, coordinates and constants. A hypothesis under `assuming` holds at the instant.
+//! Under `throughout` its time derivatives vanish too: each is solved for a further number, or vanishes by itself.
+//! Inequalities reject states.
 //!
 //! # Why inequalities get special states
 //!
@@ -25,10 +28,10 @@ use crate::check::sample::setting::{FEWEST, Setting};
 use crate::check::sample::special::{Place, of_groups};
 use crate::check::state::sampled_state::SampledState;
 
-/// More states than these are seldom asked for.
+/// The number of states for which memory is reserved at most.
 const USUAL: usize = 128;
 
-/// Where a few states are enough, so many bases are tried before hypotheses are given up that none could be moved onto.
+/// The number of failed projections after which a request for a few states is given up.
 const FEW_ATTEMPTS: usize = 4;
 
 /// States that obey a setting.
@@ -37,21 +40,21 @@ pub struct Ensemble<'m> {
     pub states: Vec<SampledState<'m, RunningError>>,
     /// The base of each.
     pub bases: Vec<Vec<f64>>,
-    /// How many were tried to get them.
+    /// The number of states that were tried.
     pub tried: usize,
-    /// The mode they were made in.
+    /// Their mode.
     pub mode: Mode,
-    /// What the hypotheses make of some symbols.
+    /// The rules of the hypotheses.
     pub rules: Arc<[Rule]>,
-    /// How they were moved onto the hypotheses.
+    /// The projection onto the hypotheses.
     pub projection: Projection<'m>,
 }
 
 impl<'m> Ensemble<'m> {
-    /// Draws `points` states; there may be fewer where the hypotheses leave no room.
+    /// Draws `points` states; there may be fewer if the hypotheses are hard to satisfy.
     ///
     /// # Errors
-    /// When no state could be made because the mass matrix is singular at all of them.
+    /// If there is no state because the mass matrix is singular at all of them.
     pub fn draw(model: &'m Model, setting: &Setting<'_>, points: usize, draw: &mut Sampler) -> Result<Self> {
         let mode = setting.mode;
         let mut projection = Projection::new(model, setting);
@@ -80,8 +83,7 @@ impl<'m> Ensemble<'m> {
 }
 
 impl<'m> Ensemble<'m> {
-    /// The states that [`Ensemble::draw`] gives for a stream of this name. Where they have to be moved onto hypotheses,
-    /// those that were found before are taken again.
+    /// The states that [`Ensemble::draw`] gives for a stream of this name. States with hypotheses to solve are cached.
     ///
     /// # Errors
     /// As there.
@@ -90,8 +92,7 @@ impl<'m> Ensemble<'m> {
         Self::kept(model, setting, points, (seed, name), draw)
     }
 
-    /// The states of this name that are kept, or else those that are found now. Where nothing has to be moved they are not
-    /// kept.
+    /// The cached states of this name, or those that are found now. States without hypotheses to solve are not cached.
     fn kept(
         model: &'m Model,
         setting: &Setting<'_>,
@@ -101,7 +102,7 @@ impl<'m> Ensemble<'m> {
     ) -> Result<Self> {
         let mut projection = Projection::new(model, setting);
         let mut draw = Sampler::new(seed, name);
-        // What symbols mean in one claim only is not compared.
+        // The key has no definitions of one claim, so states with them are not cached.
         if projection.equalities().next().is_none() || !setting.local.is_empty() {
             return find(&mut draw);
         }
@@ -121,11 +122,11 @@ impl<'m> Ensemble<'m> {
         Ok(Ensemble { states, bases, tried, mode, rules: projection.rules.clone(), projection })
     }
 
-    /// States at special places: each number of the base in turn far larger and far smaller than the rest, zero, of the
-    /// other sign, at the ends of its range, equal and opposite to another; and at rest.
+    /// States at special places. Each number of the base in turn is far larger or smaller than the others, zero, of the
+    /// other sign, at an end of its range, or equal or opposite to another. Further states are at rest.
     ///
     /// # Errors
-    /// When the mass matrix is singular at all of them.
+    /// If the mass matrix is singular at all of them.
     pub fn special(model: &'m Model, setting: &Setting<'_>, seed: u64, name: &str) -> Result<Self> {
         Self::kept(model, setting, 0, (seed, name), |draw| Self::at_special_places(model, setting, draw))
     }
@@ -149,7 +150,7 @@ impl<'m> Ensemble<'m> {
         places.extend([Place::AtRest, Place::AllZero]);
         places.extend(of_groups(model, &projection.slots));
         for place in places {
-            // Hypotheses may exclude a state that is drawn, and not the place.
+            // Hypotheses may exclude one state at a place and allow another.
             for _ in 0..8 {
                 if projection.record.hopeless {
                     break;

@@ -9,10 +9,10 @@ use crate::check::model::claim::Hypothesis;
 use crate::check::state::residual;
 use crate::check::state::sampled_state::SampledState;
 
-/// How many derivatives of a hypothesis that holds throughout are made to vanish, where so many are known.
+/// The largest number of time derivatives of a hypothesis under `throughout` that are made to vanish.
 pub(crate) const THROUGHOUT: usize = 3;
 
-/// lhs − rhs, entry by entry, for all values of the free indices; with the derivatives that are made to vanish.
+/// The residual lhs − rhs, entry by entry, for all values of the free indices, with the derivatives that must vanish.
 pub(crate) fn difference<B: Number>(
     state: &SampledState<'_, B>,
     hypothesis: &Hypothesis,
@@ -20,7 +20,7 @@ pub(crate) fn difference<B: Number>(
     difference_to((THROUGHOUT + 1, usize::MAX), state, hypothesis)
 }
 
-/// The same where no more than so many terms are used, of so many entries.
+/// The residual to this number of terms, for at least this number of entries.
 pub(crate) fn difference_to<B: Number>(
     (terms, entries): (usize, usize),
     state: &SampledState<'_, B>,
@@ -44,7 +44,7 @@ pub(crate) fn difference_to<B: Number>(
     }
 }
 
-/// What should vanish of two sides for a hypothesis to hold: their difference, or the product of vectors that are parallel.
+/// The numbers that vanish if a hypothesis holds: the difference, or the cross product for `∝`.
 fn apart<D: Number>((lhs, rhs): (Value<D>, Value<D>), hypothesis: &Hypothesis) -> Result<Vec<D>, Unavailable> {
     Ok(match (lhs, rhs) {
         (Value::Vector(a), Value::Vector(b)) if hypothesis.relation == Relation::Proportional => {

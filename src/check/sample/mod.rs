@@ -1,8 +1,9 @@
 //! Sampled states that obey the hypotheses of a claim.
 //!
-//! Offers [`sampler::Sampler`], which draws numbers; [`projection::Projection`], which moves them onto the hypotheses by
-//! Newton's method; [`ensemble::Ensemble`], the states; [`context::Context`], a claim's hypotheses and the name that seeds
-//! its states; [`outcome`], what all states together say of a claim. Knows `state` and below.
+//! Offers [`sampler::Sampler`], which draws numbers; [`projection::Projection`], the equations of the hypotheses, which
+//! [`newton`] solves; [`ensemble::Ensemble`], the states; [`context::Context`], a claim's hypotheses and the name that
+//! seeds its states; [`prescribed_values`], states with given values of some quantities; [`outcome`], the result of a
+//! claim at all states. Knows `state`, `hypotheses`, `model` and `verdict`.
 
 pub(crate) mod context;
 pub(crate) mod ensemble;

@@ -1,7 +1,7 @@
 //! Newton's method for the hypotheses of a claim, with derivatives from dual numbers.
 //!
-//! Each row is solved for one number of the base. Which row is solved for which number is the *plan*. Pivoting finds it at
-//! the first base, and later bases use it again.
+//! Each row is solved for one number of the base. Which row is solved for which number is the *plan*. Pivoting finds it
+//! at the first base, and later bases use it again.
 
 use nalgebra::{DMatrix, DVector};
 use num_dual::Dual64;
@@ -48,7 +48,10 @@ struct Projected<'m> {
 }
 
 impl<'m> Projection<'m> {
-    /// The state near a base at which every hypothesis holds, if there is one.
+    /// The state near a base at which every hypothesis holds, if Newton's method finds one.
+    ///
+    /// # Errors
+    /// If the mass matrix is singular.
     pub(crate) fn project(&mut self, base: Vec<f64>) -> Result<Option<(Vec<f64>, SampledState<'m, RunningError>)>> {
         let Some(Projected { base, state, obeys }) = self.solve(base)? else {
             self.record.moved.0 += 1;
@@ -60,14 +63,14 @@ impl<'m> Projection<'m> {
         Ok(self.accepts(&state, &obeys).then_some((base, state)))
     }
 
-    /// The hypotheses all of whose rows vanish.
+    /// The hypotheses of which all rows vanish.
     fn obeyed(&self, rows: &[(Row, RunningError)]) -> Vec<usize> {
         let of = |at: usize| rows.iter().filter(move |(row, _)| row.0 == at).map(|(_, value)| *value);
         let vanish = |at: &usize| of(*at).next().is_some() && of(*at).all(residual::vanishes);
         self.equalities().map(|(at, _)| at).filter(vanish).collect()
     }
 
-    /// Moves a base onto the equalities.
+    /// Projects a base onto the equalities.
     fn solve(&mut self, mut base: Vec<f64>) -> Result<Option<Projected<'m>>> {
         if self.equalities().next().is_none() {
             let state = self.measured(&base)?;
@@ -81,7 +84,7 @@ impl<'m> Projection<'m> {
         if let Some(state) = self.newton(&mut base, &self.record.plan)? {
             return self.complete(base, state);
         }
-        // Another number of particles may want another plan.
+        // Another number of members may need another plan.
         let known = std::mem::take(&mut self.record.plan);
         let state = self.measured(&drawn)?;
         let solved = self.complete(drawn, state);
@@ -91,7 +94,7 @@ impl<'m> Projection<'m> {
         solved
     }
 
-    /// Solves the rows that are not planned yet, from a base that obeys those that are.
+    /// Solves the rows that are not in the plan yet, from a base that obeys the others.
     fn complete(
         &mut self,
         mut base: Vec<f64>,
@@ -107,7 +110,7 @@ impl<'m> Projection<'m> {
             if self.record.plan.iter().any(|(planned, _)| *planned == row) {
                 continue;
             }
-            // What was moved for a row before this one may have moved the others.
+            // The solution for a row before this one may have changed the others.
             if obeys.is_empty() {
                 let Some(values) = self.values(&state, &[row]) else { return Ok(None) };
                 value = values[0];
@@ -125,8 +128,8 @@ impl<'m> Projection<'m> {
         Ok(Some(Projected { base, state, obeys }))
     }
 
-    /// The slot to solve a row for, besides those of the plan: one in which it is linear, else of the highest class; one
-    /// that would have to vanish and may not comes last.
+    /// The number for which a row is solved, beside those of the plan. Numbers in which the row is linear go first,
+    /// then those of the highest derivative. A number that would become 0 outside of its range goes last.
     fn pivot(&self, base: &[f64], row: Row) -> Result<Option<usize>> {
         let class = |slot: &Slot| match (slot.constant, slot.order) {
             (true, _) => 0,
@@ -134,7 +137,7 @@ impl<'m> Projection<'m> {
         };
         let hypothesis = &self.hypotheses[row.0];
         let sides = [&hypothesis.lhs, &hypothesis.rhs];
-        // What nothing but drawn symbols is made of depends on those in it, and on no higher derivatives.
+        // A formula of drawn symbols only depends on these symbols and on no higher derivatives.
         let moves = self.mode.on_shell && self.model.system.is_some();
         let plain = sides.iter().all(|side| self.model.is_plain(side)) && self.rules.is_empty() && !moves;
         let concerns = |slot: &Slot| {
@@ -157,7 +160,7 @@ impl<'m> Projection<'m> {
         let (mut other, mut outside) = (None, None);
         for slot in candidates {
             let Some(column) = self.column(base, slot, &rows)? else { continue };
-            // What the row changes by with the slot while the planned slots keep the planned rows as they are.
+            // The change of the row with the number while the planned numbers keep the planned rows constant.
             let mut moved = DVector::from_fn(n, |i, _| column[i].eps);
             if planned.as_ref().is_some_and(|planned| !planned.solve_mut(&mut moved)) {
                 continue;
@@ -183,7 +186,7 @@ impl<'m> Projection<'m> {
         Ok(other.or(outside))
     }
 
-    /// Rows, with their derivatives by a slot.
+    /// The rows with their derivatives by one number of the base.
     fn column(&self, base: &[f64], slot: usize, rows: &[Row]) -> Result<Option<Vec<Dual64>>> {
         let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
         dual[slot].eps = 1.0;
@@ -191,7 +194,7 @@ impl<'m> Projection<'m> {
         Ok(values.filter(|values| values.iter().all(|value| value.re.is_finite() && value.eps.is_finite())))
     }
 
-    /// Whether the value of a row changes with a number, at a base where nothing keeps it from doing so by accident.
+    /// Whether the value of a row changes with a number, at a generic base.
     pub(crate) fn depends(&self, base: &[f64], row: Row, slot: usize) -> bool {
         !matches!(self.column(base, slot, &[row]), Ok(Some(column)) if column.iter().all(|value| value.eps == 0.0))
     }
@@ -208,7 +211,7 @@ impl<'m> Projection<'m> {
         Ok(bend.abs() <= 1e-9 * values.iter().map(|v: &f64| v.abs()).sum::<f64>())
     }
 
-    /// The planned rows and their derivatives by the planned slots.
+    /// The Jacobian and the values of the planned rows.
     fn linearised(&self, base: &[f64], plan: &[(Row, usize)]) -> Result<Option<(DMatrix<f64>, DVector<f64>)>> {
         let n = plan.len();
         let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
@@ -223,7 +226,8 @@ impl<'m> Projection<'m> {
         Ok(Some((jacobian, values)))
     }
 
-    /// Moves a base until the rows of a plan are as near to 0 as rounding lets them come, if they do; the state there.
+    /// Moves a base by Newton steps until the rows of a plan vanish to rounding error; `None` if the steps do not
+    /// converge.
     fn newton(&self, base: &mut [f64], plan: &[(Row, usize)]) -> Result<Option<SampledState<'m, RunningError>>> {
         let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
         let in_range = |base: &[f64]| plan.iter().all(|(_, slot)| self.allows(*slot, base[*slot]));
@@ -239,7 +243,7 @@ impl<'m> Projection<'m> {
             if largest.is_nan() || largest > 1e6 {
                 return Ok(None);
             }
-            // Steps that no longer become shorter lead nowhere, but for those that are rounding.
+            // Steps that do not get shorter diverge, unless they are rounding error.
             stalled = if largest < SHORTER * shortest { 0 } else { stalled + 1 };
             shortest = shortest.min(largest);
             let is_last = stalled == MOST_STALLED && shortest < ROUNDED || round == MOST_ROUNDS;
@@ -256,9 +260,9 @@ impl<'m> Projection<'m> {
         Ok(None)
     }
 
-    /// Whether every hypothesis holds at a state, beside those of which that is known.
+    /// Whether every hypothesis holds at a state, apart from those that are known to hold.
     fn accepts(&mut self, state: &SampledState<'m, RunningError>, obeyed: &[usize]) -> bool {
-        // Rules hold by what they are, unless one undoes another: that shows at once.
+        // Rules hold by construction, unless one contradicts another. The first states show that.
         let all = self.record.accepted < 2;
         let is_open = |(at, _): &(usize, &Hypothesis)| (all || !self.explicit()[*at]) && !obeyed.contains(at);
         for (_, hypothesis) in self.hypotheses.iter().enumerate().filter(is_open) {

@@ -1,4 +1,4 @@
-//! What a set of sampled states says of a claim.
+//! The outcome of testing a claim at a set of sampled states.
 
 use crate::Result;
 use crate::formula::evaluate::Unavailable;
@@ -9,17 +9,17 @@ use crate::check::state::residual;
 use crate::check::state::residual::{Failure, Point};
 use crate::check::state::sampled_state::SampledState;
 
-/// What a set of states says of a link.
+/// The outcome of testing a link at a set of states.
 pub struct Outcome {
-    /// The states at which it could be judged.
+    /// The number of states at which both sides have a value and the result is clear.
     pub points: usize,
-    /// The largest relative residual where it holds.
+    /// The largest relative residual among the states at which it holds.
     pub residual: f64,
-    /// The clearest failure, and the state.
+    /// The clearest failure, and the place of the state.
     pub failure: Option<(Failure, usize)>,
-    /// A state at which one side alone is defined.
+    /// A state at which only one side is defined, and its place.
     pub one_sided: Option<(Failure, usize)>,
-    /// The states at which the sides differ by too little to call it a difference.
+    /// The number of states at which the sides differ by more than rounding error and by less than a clear difference.
     pub doubtful: usize,
 }
 
@@ -28,7 +28,7 @@ pub fn run(link: &Link, states: &[SampledState<'_, RunningError>]) -> Result<Out
     gathered(states.len(), |at| residual::test(link, &states[at]))
 }
 
-/// What so many states say.
+/// The outcome of a test at this number of states.
 pub(crate) fn gathered(
     states: usize,
     test: impl Fn(usize) -> Result<Point, Unavailable>,

@@ -1,4 +1,4 @@
-//! States that differ from a state in the values of given quantities alone, for limits and small quantities.
+//! States with prescribed values of some quantities, for limits and small quantities.
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation};
@@ -10,16 +10,16 @@ use crate::check::sample::projection::Projection;
 use crate::check::sample::setting::Setting;
 use crate::check::state::sampled_state::SampledState;
 
-/// States that differ from others in the values of some quantities and in nothing else that is free.
+/// A maker of states in which some quantities have prescribed values, and all other free numbers are unchanged.
 pub struct PrescribedValues<'m> {
     projection: Projection<'m>,
-    /// Where each quantity stands in a base that is a number of it; the values of the others are hypotheses, the last of
-    /// the claim's.
+    /// The place of each quantity that is a number of the base. The values of the others are hypotheses, after those of
+    /// the claim.
     places: Vec<Option<usize>>,
 }
 
 impl<'m> PrescribedValues<'m> {
-    /// Of these quantities, under a setting.
+    /// The states of a setting with prescribed values of these quantities.
     pub fn new(model: &'m Model, setting: &Setting<'_>, quantities: &[Expr]) -> Self {
         let value = |quantity: &Expr| Hypothesis {
             lhs: quantity.clone(),
@@ -42,7 +42,7 @@ impl<'m> PrescribedValues<'m> {
     /// The state near a base at which the quantities have these values, if there is one.
     ///
     /// # Errors
-    /// When the mass matrix is singular there.
+    /// If the mass matrix is singular there.
     pub fn at(&mut self, base: &[f64], values: &[f64]) -> Result<Option<SampledState<'m, RunningError>>> {
         let laws: usize = match self.projection.mode.on_shell {
             true => self.projection.model.laws.iter().map(|law| law.hypotheses.len()).sum(),

@@ -1,7 +1,7 @@
-//! Constraint projection: the numbers of a state are changed until the hypotheses of a claim hold.
+//! Constraint projection: the equations that the hypotheses of a claim set for the numbers of a state.
 //!
-//! Which hypothesis is solved for which number is the *plan*. It is found at the first state that works, by
-//! pivoting, and kept for the others.
+//! Each hypothesis that is not a rule gives *rows*: one scalar equation for each entry and each derivative that must
+//! vanish. This file evaluates rows over any kind of number. [`super::newton`] solves them for numbers of the base.
 //!
 //! # How hypotheses are met
 //!
@@ -35,16 +35,16 @@ use crate::check::sample::setting::Setting;
 use crate::check::state::numbers::{Layout, Slot, slots};
 use crate::check::state::sampled_state::SampledState;
 
-/// How states are moved onto the hypotheses of a claim.
+/// The projection of states onto the hypotheses of a claim.
 pub struct Projection<'m> {
     pub(crate) model: &'m Model,
     pub(crate) mode: Mode,
     spread: Spread,
     pub(crate) hypotheses: Vec<Hypothesis>,
-    /// Which of the hypotheses are rules, and so need no solving.
+    /// For each hypothesis whether it is a rule, which needs no solution.
     explicit: Vec<bool>,
     pub(crate) rules: Arc<[Rule]>,
-    /// What a base consists of.
+    /// The descriptions of the numbers of a base.
     pub(crate) slots: Vec<Slot>,
     /// What is known from the states that were projected so far.
     pub(crate) record: ProjectionRecord,
@@ -54,7 +54,7 @@ pub struct Projection<'m> {
 }
 
 impl<'m> Projection<'m> {
-    /// For states that obey a setting.
+    /// The projection of a setting.
     pub(crate) fn new(model: &'m Model, setting: &Setting<'_>) -> Self {
         let mode = setting.mode;
         let mut hypotheses = setting.hypotheses.to_vec();
@@ -80,18 +80,18 @@ impl<'m> Projection<'m> {
         projection
     }
 
-    /// Which of the hypotheses are rules.
+    /// For each hypothesis whether it is a rule.
     pub(crate) fn explicit(&self) -> &[bool] {
         &self.explicit
     }
 
-    /// The hypotheses that are solved.
+    /// The equalities that must be solved, with their places among the hypotheses.
     pub(crate) fn equalities(&self) -> impl Iterator<Item = (usize, &Hypothesis)> {
         let is_equality = |c: &Hypothesis| matches!(c.relation, Relation::Equal | Relation::Identical);
         self.hypotheses.iter().enumerate().filter(move |(at, c)| is_equality(c) && !self.explicit[*at])
     }
 
-    /// The values of rows over any number; `None` where one has none. Each hypothesis is evaluated once.
+    /// The values of rows; `None` if one has no value. Each hypothesis is evaluated once.
     pub(crate) fn values<B: Number>(&self, state: &SampledState<'m, B>, rows: &[Row]) -> Option<Vec<B>> {
         let mut known: Vec<(usize, Vec<Series<B>>)> = Vec::new();
         let mut values = Vec::with_capacity(rows.len());
@@ -109,12 +109,12 @@ impl<'m> Projection<'m> {
         Some(values)
     }
 
-    /// Whether a number of a base may have a value.
+    /// Whether a number of a base may have this value.
     pub(crate) fn allows(&self, slot: usize, value: f64) -> bool {
         self.spread == Spread::BeyondRanges || contains(&self.slots[slot].range, value)
     }
 
-    /// Where a quantity stands in a base, if it is a number of it that no rule gives.
+    /// The place of a quantity in a base, if it is a number of the base that no rule gives.
     pub(crate) fn place(&self, quantity: &Expr) -> Option<usize> {
         let Node::Symbol { id, indices, dots } = &quantity.node else { return None };
         let is_free = |rule: &Rule| match &rule.action {
@@ -153,13 +153,13 @@ impl<'m> Projection<'m> {
         let throughout = self.equalities().any(|(_, hypothesis)| hypothesis.throughout);
         let sides = self.equalities().flat_map(|(_, hypothesis)| [&hypothesis.lhs, &hypothesis.rhs]);
         let highest = sides.map(|side| derivatives(side, self.model)).max().unwrap_or(0);
-        // What a rule says a symbol is may have derivatives of its own.
+        // The value that a rule gives may contain derivatives.
         let said = self.rules.iter().flat_map(|rule| rule.action.formulas());
         let said = said.map(|formula| derivatives(formula, self.model)).max().unwrap_or(0);
         (highest + said + 1 + if throughout { THROUGHOUT } else { 0 }).clamp(2, self.mode.order + 1)
     }
 
-    /// The rows of the hypotheses that are solved, with their values at a state.
+    /// The rows of the equalities, with their values at a state.
     pub(crate) fn rows<B: Number>(&self, state: &SampledState<'m, B>) -> Vec<(Row, B)> {
         let mut rows = Vec::new();
         let differences: Vec<_> = self

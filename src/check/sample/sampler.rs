@@ -1,9 +1,7 @@
-//! Numbers for a state: independent values in the declared ranges, away from special values.
+//! The sampler: random numbers for a state, independent and away from special values, where false claims may hold.
 //!
-//! Angles stay away from the multiples of π/2, numbers from zero, and similar symbols from each other.
-//!
-//! States come from PCG, whose stream is fixed, seeded by `--seed` and the name of the claim. So `--only` and the
-//! number of threads change nothing, and a report repeats byte for byte.
+//! Angles stay away from the multiples of π/2, numbers from zero, and similar symbols from each other. The random
+//! stream depends on the seed and the claim only, so that `--only` and the number of threads do not change it.
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -14,10 +12,10 @@ use crate::check::model::meaning::is_angle;
 use crate::check::model::sampling::Spread;
 use crate::check::state::numbers::Slot;
 
-/// How far |sin| and |cos| of a drawn angle stay from zero.
+/// The smallest |sin| and |cos| of a drawn angle.
 const MARGIN: f64 = 0.1;
 
-/// So many turns either way an angle has at most.
+/// The largest number of turns of an angle, in either direction.
 const TURNS: f64 = 8.0;
 
 /// A seeded stream of numbers.
@@ -40,7 +38,7 @@ impl Sampler {
         self.generator.next_u64()
     }
 
-    /// A number between 0 and 1.
+    /// A uniform number between 0 and 1.
     pub fn unit(&mut self) -> f64 {
         (self.generator.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -49,12 +47,12 @@ impl Sampler {
         low + (high - low) * self.unit()
     }
 
-    /// A magnitude of order one, spread over `decade` factors of e either way.
+    /// A number between `low` and `high`, both positive, uniform in its logarithm.
     fn magnitude(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    /// A value of a range.
+    /// A random value of a range.
     pub fn value(&mut self, range: &Range, spread: Spread) -> f64 {
         let (small, large) = match spread {
             Spread::Declared | Spread::OrderOne => (0.3, 3.0),
@@ -77,7 +75,7 @@ impl Sampler {
             Range::Interval { low, high, low_open, high_open } => {
                 let width = high - low;
                 if relaxed && !is_angle(range) {
-                    // A little beyond, and far beyond: a narrow range must not hide what happens outside of it.
+                    // A little beyond or far beyond the range, so that a narrow range does not hide a difference.
                     let far = self.magnitude(0.1, 10.0) * low.abs().max(high.abs());
                     let near = self.between(low - width, high + width);
                     let side = if *high <= 0.0 || *low < 0.0 && self.unit() < 0.5 { -1.0 } else { 1.0 };
@@ -117,11 +115,11 @@ impl Sampler {
         angle
     }
 
-    /// A base: a value for each slot, like ones apart from each other.
+    /// A random base: a value for each slot, with similar numbers apart from each other.
     pub fn base(&mut self, slots: &[Slot], spread: Spread) -> Vec<f64> {
         let mut base: Vec<f64> = Vec::with_capacity(slots.len());
         for slot in slots {
-            // Of a crowd of numbers none needs to be far from another, nor evenly spread in the logarithm.
+            // Numbers of a large group need not be apart from each other, nor uniform in their logarithm.
             if slot.one_of_many && slot.range == Range::Any && spread == Spread::Declared {
                 let value = self.between(-2.5, 2.5);
                 base.push(value + 0.3_f64.copysign(value));
@@ -144,7 +142,7 @@ impl Sampler {
     }
 }
 
-/// The last number of an integer range; a count that is a symbol is three or four.
+/// The last number of an integer range.
 pub fn last(high: &Count, low: i64) -> i64 {
     match high {
         Count::Number(high) => *high,
@@ -152,7 +150,7 @@ pub fn last(high: &Count, low: i64) -> i64 {
     }
 }
 
-/// Whether a value lies in a range; how it is spread there does not count.
+/// Whether a value lies in a range.
 pub fn contains(range: &Range, value: f64) -> bool {
     match range {
         Range::Positive => value > 0.0,

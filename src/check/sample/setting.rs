@@ -1,21 +1,21 @@
-//! What a claim takes for granted, and how its states are made.
+//! The setting of a claim's states: what they obey, and how they are drawn.
 
 use crate::check::hypotheses::rule::Rule;
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::sampling::{Mode, Spread};
 
-/// What a claim takes for granted, and how its states are made.
+/// The setting of a claim's states: what they obey, and how they are drawn.
 #[derive(Clone, Debug)]
 pub struct Setting<'c> {
     /// The hypotheses; on shell, the laws are added to them.
     pub hypotheses: &'c [Hypothesis],
-    /// What symbols mean in this claim only.
+    /// The rules of symbols that are defined in this claim only.
     pub local: &'c [Rule],
-    /// On shell or off, and how many derivatives.
+    /// On shell or off shell, with the number of derivatives.
     pub mode: Mode,
-    /// How far from the declared ranges to draw.
+    /// How wide the ranges are.
     pub spread: Spread,
 }
 
-/// How many states a pass needs.
+/// The least number of states for a pass.
 pub const FEWEST: usize = 8;

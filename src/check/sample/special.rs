@@ -6,25 +6,25 @@ use crate::check::model::Model;
 use crate::check::sample::sampler::contains;
 use crate::check::state::numbers::Slot;
 
-/// What is special about a state.
+/// A special place: what is special about a state.
 pub(crate) enum Place {
-    /// A number so many times what it was.
+    /// A number multiplied by a factor.
     Times(usize, f64),
     /// A number at this value.
     At(usize, f64),
-    /// A number equal or opposite to another.
+    /// A number equal to another one times this sign.
     Like(usize, usize, f64),
-    /// Many numbers zero: a vector, or all members of a family.
+    /// Several numbers zero: a vector, or all members of a family.
     Zero(Vec<usize>),
-    /// Many numbers so many times others, one after the other: vectors that are parallel, members that are alike.
+    /// Several numbers equal to others times a factor: parallel vectors, or equal members.
     Follow(Vec<usize>, Vec<usize>, f64),
     /// Every rate zero.
     AtRest,
-    /// The same, and every other number that may be zero.
+    /// Every rate zero, and every other number that may be zero.
     AllZero,
 }
 
-/// Special places of vectors and families: each zero, its members alike, parallel to another.
+/// The special places of vectors and families: zero, with equal members, parallel to another one.
 pub(crate) fn of_groups(model: &Model, slots: &[Slot]) -> Vec<Place> {
     let mut groups: Vec<(SymbolId, Vec<usize>)> = Vec::new();
     for (at, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.one_of_many && slot.order == 0) {
@@ -40,7 +40,7 @@ pub(crate) fn of_groups(model: &Model, slots: &[Slot]) -> Vec<Place> {
         let first = group[..one(*symbol)].to_vec();
         places.push(Place::Zero(group.clone()));
         places.push(Place::Follow(group.clone(), first.clone(), 1.0));
-        // All on one line, and all in one plane.
+        // All vectors on one line, then all in one plane.
         if one(*symbol) == 3 {
             places.push(Place::Zero(
                 group.iter().skip(1).step_by(3).chain(group.iter().skip(2).step_by(3)).copied().collect(),
@@ -57,6 +57,7 @@ pub(crate) fn of_groups(model: &Model, slots: &[Slot]) -> Vec<Place> {
 }
 
 impl Place {
+    /// Moves a base to the place.
     pub(crate) fn set(&self, base: &mut [f64], slots: &[Slot]) {
         match self {
             Place::Times(at, factor) => base[*at] *= factor,

@@ -1,8 +1,7 @@
-//! States at the boundary of an inequality, where its two sides are equal, and just to both sides of it.
+//! States at the boundary of an inequality: where its two sides are equal, and close to it on both sides.
 //!
-//! No random state comes near an edge. So the equality of each inequality, of the claim and of its hypotheses, is
-//! solved, and the edge and both sides of it are tested. Where the sides touch and do not cross, as a² + b² and 2ab
-//! do, Newton's method finds the edge to half of the digits; such a state counts only if no other is at its edge.
+//! Random states do not come close to the boundary, so they do not distinguish a > b, a > 1.001 b and a ≥ b. Here the
+//! equality of the two sides is solved like a hypothesis.
 
 use crate::Result;
 use crate::formula::{Expr, Value};
@@ -16,50 +15,50 @@ use crate::check::sample::prescribed_values::PrescribedValues;
 use crate::check::sample::setting::Setting;
 use crate::check::state::sampled_state::SampledState;
 
-/// From so many states the edge is looked for.
+/// The number of states from which the boundary is sought.
 const FROM: usize = 4;
 
-/// And from about so many special ones.
+/// The approximate number of special states from which the boundary is sought.
 const SPECIAL: usize = 32;
 
-/// How far from the edge its two neighbours are, relative to the sides.
+/// The distance of the two neighbours from the boundary, relative to the sides.
 const BESIDE: f64 = 1e-4;
 
-/// A neighbour of the edge that is so many times nearer by the difference of the sides is as many times nearer by its
-/// numbers, where the sides cross. Where they touch, as a² + b² and 2ab do, it is not: such an edge is found to half the
-/// digits, and tells nothing of what else is at its edge there.
+/// The factor between the differences of the sides at two neighbours. Where the sides cross, the numbers of the states
+/// differ by the same factor. Where they touch, as a² + b² and 2ab do, they do not. Such a boundary is found to half
+/// the digits, and says nothing about other comparisons.
 const NEARER: f64 = 4.0;
 
-/// From this share of the scale on, sides that are found to half the digits differ for certain.
+/// The relative size from which sides that are known to half the digits certainly differ.
 const CLEAR: f64 = 1e-3;
 
-/// So near to an end that its range leaves out, a number is on the way to the end and not at an edge.
+/// The distance from an open end of a range, as a fraction, below which a number is taken to approach the end.
 const END: f64 = 1e-4;
 
-/// The two sides of an inequality between numbers.
+/// The two sides of an inequality between scalars.
 pub(crate) type Comparison = (Expr, Expr);
 
-/// The comparison that a link makes, if it is one of numbers.
+/// The comparison that a link makes, if it is an inequality without free indices.
 pub(crate) fn of_link(link: &Link) -> Option<Comparison> {
     (!is_equality(link.relation) && link.free.is_empty()).then(|| (link.lhs.clone(), link.rhs.clone()))
 }
 
-/// The comparison that a hypothesis makes, if it is no equality: that holds at all states.
+/// The comparison that a hypothesis makes, if it is an inequality. An equality holds at all states.
 pub(crate) fn of_hypothesis(hypothesis: &Hypothesis) -> Option<Comparison> {
     (!is_equality(hypothesis.relation)).then(|| comparison_of(hypothesis))?
 }
 
-/// The comparison that the hypothesis of a claim makes, an equality too.
+/// The comparison that a hypothesis makes, also if it is an equality.
 pub(crate) fn comparison_of(hypothesis: &Hypothesis) -> Option<Comparison> {
     hypothesis.free.is_empty().then(|| (hypothesis.lhs.clone(), hypothesis.rhs.clone()))
 }
 
-/// States at the edges of comparisons, from some that obey the hypotheses of a claim. The edges of the first `own`, which
-/// are the claim's, are looked for from random states; the others, of its hypotheses, from special ones as well, as both
-/// together may be where it fails.
+/// States at the boundaries of comparisons, found from states that obey the hypotheses of a claim. The first `own`
+/// comparisons are the claim's: their boundaries are sought from random states. The others are of its hypotheses: their
+/// boundaries are sought from special states too, since the claim may fail where both conditions meet.
 ///
 /// # Errors
-/// When the mass matrix is singular there.
+/// If the mass matrix is singular there.
 pub(crate) fn states<'m>(
     (comparisons, own): (&[Comparison], usize),
     context: &Context<'m>,
@@ -115,7 +114,7 @@ pub(crate) fn is_clear((lhs, rhs): &Comparison, state: &SampledState<'_, Running
     difference.value.abs() > CLEAR * difference.magnitude
 }
 
-/// The numbers that are drawn of a state, those that vary with their rates.
+/// The drawn numbers of a state with their ranges, and the rates of those that vary.
 fn numbers(state: &SampledState<'_, RunningError>) -> Vec<(Range, f64)> {
     let model = state.model();
     let rates = |range: &Range, series: &Series<RunningError>| -> Vec<(Range, f64)> {
@@ -135,12 +134,12 @@ fn numbers(state: &SampledState<'_, RunningError>) -> Vec<(Range, f64)> {
     constants.chain(coordinates).chain(varying).collect()
 }
 
-/// How far two states are apart.
+/// The largest difference between the numbers of two states.
 fn distance(a: &SampledState<'_, RunningError>, b: &SampledState<'_, RunningError>) -> f64 {
     numbers(a).iter().zip(numbers(b)).map(|((_, a), (_, b))| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// Whether no number of a state has run to an end that its range leaves out: there both sides may be equal to rounding,
+/// Whether no number of a state is close to an open end of its range. There both sides may be equal to rounding error,
 /// though they are equal nowhere in the range.
 pub(crate) fn is_ordinary(state: &SampledState<'_, RunningError>) -> bool {
     numbers(state).iter().all(|(range, x)| match range {

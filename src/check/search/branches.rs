@@ -1,9 +1,7 @@
-//! The other ways in which hypotheses can be met.
+//! The other branches of the solutions of hypotheses.
 //!
-//! xy = 0 is solved for one number, y, so y = 0 at all states that are drawn; x = 0 obeys it as well. The states
-//! here are those where one factor of such a hypothesis, or one of its symbols, is 0.
-//!
-//! An equality that is solved for one number is met in one way. Counterexamples are looked for in the other ways.
+//! xy = 0 is solved for one number, y, so y = 0 at all drawn states. But x = 0 obeys it as well, and a claim must hold
+//! there too. These states have one factor of such a hypothesis, or one of its symbols, equal to 0.
 
 use crate::Result;
 use crate::formula::{Expr, Kind, Node, Relation};
@@ -18,13 +16,13 @@ use crate::check::sample::sampler::{Sampler, contains};
 use crate::check::sample::setting::Setting;
 use crate::check::state::sampled_state::SampledState;
 
-/// So many states are drawn of each way.
+/// The number of states on each branch.
 const OF_EACH: usize = 3;
 
-/// States at which the hypotheses of a claim are met in another way than where they were solved.
+/// States on other branches of the hypotheses of a claim.
 ///
 /// # Errors
-/// When the mass matrix is singular at all states of one way.
+/// If the mass matrix is singular at all states of one branch.
 pub(crate) fn states<'m>(
     context: &Context<'m>,
     ensemble: &Ensemble<'m>,
@@ -53,7 +51,7 @@ fn zero(expr: Expr, throughout: bool) -> Hypothesis {
     Hypothesis { lhs: expr, relation: Relation::Equal, rhs, free: Vec::new(), throughout }
 }
 
-/// The factors of a product that is said to be 0, if more than one of them varies.
+/// The factors of a product that a hypothesis sets to 0, if more than one of them varies.
 fn factors(hypothesis: &Hypothesis, context: &Context<'_>) -> Vec<Expr> {
     let product = match (&hypothesis.lhs.node, &hypothesis.rhs.node) {
         (Node::Product(factors), _) if hypothesis.rhs.is_null() => factors,
@@ -65,7 +63,7 @@ fn factors(hypothesis: &Hypothesis, context: &Context<'_>) -> Vec<Expr> {
     if varying.len() > 1 { varying } else { Vec::new() }
 }
 
-/// The numbers that a hypothesis speaks of, of which it has several, and that may be 0.
+/// The scalar symbols of a hypothesis with several symbols that may be 0.
 fn symbols(hypothesis: &Hypothesis, context: &Context<'_>) -> Vec<Expr> {
     let model = context.model;
     let all = drawn(&[&hypothesis.lhs, &hypothesis.rhs], model);

@@ -1,8 +1,10 @@
-//! What doubles cannot tell at a state: values outside of their range, and sides that approach each other and never
-//! meet.
+//! The limits of floating-point numbers: values beyond the largest double or below the smallest, and sides that
+//! approach each other without meeting.
 //!
-//! A strict inequality whose sides are equal is refuted only if they are equal at that place alone, or all around
-//! it.
+//! At x = 800 eˣ is infinite to a double and e⁻ˣ is 0. So eˣ ≥ 1 + x seems to have no left side, and e⁻ˣ > 0 seems
+//! false. Such states are left out. At x = 40 tanh x is 1 to a double, and tanh x < 1 seems to fail. There the sides
+//! are equal further out, but not further in. For (x − 1)² > 0 at x = 1 they are equal in neither direction. So a
+//! strict inequality whose sides are only equal is refuted where they are equal at one point, or all around.
 //!
 //! # What a double does not know
 //!
@@ -28,18 +30,19 @@ use crate::check::state::residual;
 use crate::check::state::residual::{DIFFERENCE, Point, Sides};
 use crate::check::state::sampled_state::SampledState;
 
-/// Below this a number may have lost digits, or all of them.
+/// The magnitude below which a number may have lost digits, or all of them.
 const SMALLEST: f64 = 1e-290;
 
-/// A number is doubled and halved so often to see whether the sides are equal on the way.
+/// The number of times that a number is doubled and halved to test whether the sides stay equal.
 const ASIDE: i32 = 8;
 
-/// So many states are asked, and so many numbers of each are moved at most.
+/// The largest number of states that are tested for equality nearby.
 const ASKED: usize = 32;
 
+/// The largest number of numbers of a state that are moved.
 const MOVED: usize = 48;
 
-/// Whether a formula may leave the range of doubles at numbers that are not large, through its definitions too.
+/// Whether a formula may leave the range of doubles at moderate numbers, through its definitions too.
 fn has_exponentials(expr: &Expr, model: &Model) -> bool {
     let own = match &expr.node {
         Node::Power(base, _) if base.node == Node::Euler => true,
@@ -54,7 +57,7 @@ fn has_exponentials(expr: &Expr, model: &Model) -> bool {
     own || expr.children().into_iter().any(|child| has_exponentials(child, model))
 }
 
-/// Whether something in a formula is beyond the largest double at a state, or an exponential below the smallest.
+/// Whether a part of a formula is beyond the largest double at a state, or an exponential below the smallest.
 fn overflows(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
     let value = |expr: &Expr| match state.now(expr, &[]) {
         Ok(Value::Scalar(value)) => Some(value.value),
@@ -84,11 +87,11 @@ fn overflows(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
     own || expr.children().into_iter().any(|child| overflows(child, state))
 }
 
-/// Leaves out the states of a claim whose numbers a double cannot hold; where there are any, others are drawn that are of
-/// order one.
+/// Removes the states of a claim with values beyond doubles. If there are any, states with numbers of order one are
+/// added.
 ///
 /// # Errors
-/// When the mass matrix is singular at all of these.
+/// If the mass matrix is singular at all of these.
 pub(crate) fn within_doubles(link: &Link, context: &Context<'_>, ensemble: &mut Ensemble<'_>) -> Result<()> {
     if ![&link.lhs, &link.rhs].into_iter().any(|side| has_exponentials(side, context.model)) {
         return Ok(());
@@ -116,9 +119,9 @@ fn retain(ensemble: &mut Ensemble<'_>, keep: impl Fn(&SampledState<'_, RunningEr
     ensemble.bases.retain(|_| at.next() != Some(&false));
 }
 
-/// Of an inequality's states those are left out at which it holds by less than can be called a difference. Of those at which
-/// it fails as its sides are equal, and nothing worse, so are the ones at which they are equal to rounding alone.
-pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensemble<'_>) {
+/// Removes the states of an inequality at which it holds by less than a clear difference. If it fails only at states
+/// with equal sides, those at which they are equal by rounding only are removed too.
+pub(crate) fn without_rounded_equalities(link: &Link, context: &Context<'_>, ensemble: &mut Ensemble<'_>) {
     let is_close = |state: &SampledState<'_, RunningError>| {
         let margin = || Sides::of(link, state).ok()?.margin(link.relation);
         matches!(residual::test(link, state), Ok(Point::Doubtful)) && margin().is_some_and(|margin| margin.share > 0.0)
@@ -140,7 +143,7 @@ pub(crate) fn reached(link: &Link, context: &Context<'_>, ensemble: &mut Ensembl
     let mut stays = |(state, fails): (&SampledState<'_, RunningError>, &Option<bool>)| {
         asked += usize::from(fails.is_some());
         let base = || state.base.numbers().iter().map(|x| x.value).collect::<Vec<f64>>();
-        fails.is_none() || asked <= ASKED && is_reached(link, &mut projection, &base())
+        fails.is_none() || asked <= ASKED && is_truly_equal(link, &mut projection, &base())
     };
     let kept: Vec<bool> = ensemble.states.iter().zip(&fails).map(&mut stays).collect();
     let mut at = kept.into_iter();
@@ -152,9 +155,9 @@ pub(crate) fn is_strict(relation: Relation) -> bool {
     matches!(relation, Relation::Less | Relation::Greater | Relation::NotEqual)
 }
 
-/// Whether sides that are equal at a state are not so because a number of it has run far enough one way: then they are equal
-/// further out as well, and not further in.
-pub(crate) fn is_reached(link: &Link, projection: &mut Projection<'_>, base: &[f64]) -> bool {
+/// Whether sides that are equal at a state are really equal there. If a number is so large that rounding makes them
+/// equal, they are equal further out as well, but not further in.
+pub(crate) fn is_truly_equal(link: &Link, projection: &mut Projection<'_>, base: &[f64]) -> bool {
     let equal = Link { relation: Relation::Equal, ..link.clone() };
     (1..base.len()).take(MOVED).all(|at| {
         let [one, other] = [0.5, 2.0].map(|factor: f64| {
@@ -167,7 +170,7 @@ pub(crate) fn is_reached(link: &Link, projection: &mut Projection<'_>, base: &[f
                 match state {
                     Some(Ok(Some((_, state)))) => match residual::test(&equal, &state) {
                         Ok(Point::Fails(_) | Point::Doubtful) => return Some(false),
-                        // Beyond what a double holds nothing tells the sides apart.
+                        // Values beyond doubles do not distinguish the sides.
                         _ => seen = Some(true),
                     },
                     _ => break,

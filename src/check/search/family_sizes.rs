@@ -1,10 +1,8 @@
-//! States with families of other sizes than those that are drawn first, for claims about n things.
+//! Families of other sizes than those at which states are drawn first, for claims about n members.
 //!
-//! What a field decides is decided for as many sizes as are needed for all
-//! ([`crate::check::certificate::family_growth`]).
-//!
-//! A claim that has no such bound, with the root of a sum or 2ⁿ in it, gets no certificate. It and all inequalities
-//! are tried with 2, 5 and 7 members in doubles.
+//! Sampled states have 3 or 4 members. A prime field decides a claim at as many numbers of members as are needed to
+//! decide all ([`crate::check::certificate::family_growth`]). A claim that rests on floating-point numbers, such as an
+//! inequality, is tested with fewer members and with more.
 
 use crate::Result;
 use crate::code::Code;
@@ -26,14 +24,16 @@ use crate::check::state::residual::Point;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// The numbers of members that are tried beside three and four, and how many states of each.
+/// The numbers of members that are tried beside 3 and 4.
 const OTHERS: [u32; 3] = [2, MANY, 7];
 
+/// A number of members that no reader takes to be a special case.
 const MANY: u32 = 5;
 
+/// The number of states for each number of members.
 const STATES: usize = 3;
 
-/// Whether a formula speaks of families whose members are counted, or of their number.
+/// Whether a formula depends on families of any size, or on their number of members.
 pub(crate) fn counts_members(formulas: &[&Expr], context: &Context<'_>) -> bool {
     let model = context.model;
     let counts = counts(model);
@@ -53,11 +53,11 @@ pub(crate) fn counts_members(formulas: &[&Expr], context: &Context<'_>) -> bool 
     formulas.iter().copied().chain(of_rules).any(|formula| model.depends_on(formula, &counted))
 }
 
-/// The finding on a claim that agreed in numbers, with what a field says of it; where that finds it false for another number
-/// of members, with a state of so many.
+/// The finding on a claim that passed by numbers, with the decision of a prime field. If the field shows that it is
+/// false for another number of members, a counterexample of that size is sought.
 ///
 /// # Errors
-/// When the system's mass matrix is singular at all of their states.
+/// If the mass matrix of the system is singular at all of their states.
 pub(crate) fn certified(
     link: &Link,
     context: &Context<'_>,
@@ -66,7 +66,7 @@ pub(crate) fn certified(
 ) -> Result<Finding> {
     let certificate = certify(link, context, ensemble);
     if let Certificate::DiffersFor(size) = certificate {
-        // Of one thing or two a reader may think that they are too few.
+        // A reader may take one or two members for a special case.
         for size in [MANY, size] {
             if let Some(refuted) = fails_at(link, context, ensemble.mode, (size, &finding))? {
                 return Ok(refuted);
@@ -76,10 +76,10 @@ pub(crate) fn certified(
     Ok(certificate.stamp(finding))
 }
 
-/// The finding on a claim that has passed by numbers alone, with what families of other sizes say of it.
+/// The finding on a claim that passed by numbers only, tested again with families of other sizes.
 ///
 /// # Errors
-/// When the system's mass matrix is singular at all of their states.
+/// If the mass matrix of the system is singular at all of their states.
 pub(crate) fn at_other_sizes(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
     let sides = [&link.lhs, &link.rhs];
     if finding.verdict != Verdict::Verified || !counts_members(&sides, context) {
@@ -96,10 +96,10 @@ pub(crate) fn at_other_sizes(link: &Link, context: &Context<'_>, mode: Mode, fin
     Ok(finding)
 }
 
-/// The counterexample to a claim at a number of members, if one of a few states is one.
+/// The counterexample to a claim at a number of members, among a few states.
 ///
 /// # Errors
-/// When the system's mass matrix is singular at all of them.
+/// If the mass matrix of the system is singular at all of them.
 fn fails_at(
     link: &Link,
     context: &Context<'_>,
@@ -128,7 +128,7 @@ fn fails_at(
     }))
 }
 
-/// That a claim is false at a number of members.
+/// The message that a claim is false at a number of members.
 fn message(model: &Model, size: u32) -> String {
     let names: Vec<String> = counts(model).iter().map(|id| text::plain(&model.name(*id))).collect();
     format!(

@@ -1,4 +1,10 @@
-//! States of all orders of magnitude, for equalities that may be true on one branch only.
+//! States of all orders of magnitude, for equalities that may hold on one branch only.
+//!
+//! |p − 5| = 5 − p holds for all p of order one, but not for all p > 0. A formula with a root, an absolute value, a
+//! logarithm or an inverse function may change where its numbers are large, of the other sign, or angles of many turns.
+//! A formula without these is the same everywhere and is not tested here. A difference counts if it is large and its
+//! numbers are far from overflow. A missing value counts if it is the root or the logarithm of a negative number, for
+//! example. All other differences may be rounding error and are ignored.
 //!
 //! # Why some equalities are tested again, far away
 //!
@@ -28,33 +34,33 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// So many states are looked at.
+/// The number of states.
 const STATES: usize = 32;
 
-/// From this share of the scale on, a difference is gross.
+/// The relative size from which a difference counts.
 const GROSS: f64 = 1e-6;
 
-/// Numbers beyond this, and below its inverse, are near to overflow.
+/// The magnitude beyond which a number, or its inverse, is close to overflow.
 const HUGE: f64 = 1e60;
 
-/// What a formula may do where its numbers are not of order one.
+/// How a formula may change where its numbers are not of order one.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Branches {
-    /// It is one formula everywhere.
+    /// It is the same everywhere.
     None,
-    /// It may be another one there.
-    Turns,
-    /// It may have no value there.
+    /// It may be on another branch.
+    Changes,
+    /// It may have no value.
     Ends,
 }
 
-/// The finding on an equality that has passed at states of order one, with what wide states say of it.
+/// The finding on an equality that passed at states of order one, tested again at states of all magnitudes.
 ///
 /// # Errors
-/// When the system's mass matrix is singular at all of them.
+/// If the mass matrix of the system is singular at all of them.
 pub(crate) fn at_all_magnitudes(link: &Link, context: &Context<'_>, mode: Mode, finding: Finding) -> Result<Finding> {
     let branches = of(&link.lhs, context.model).max(of(&link.rhs, context.model));
-    // A field knows all values of a root, and not where it has none.
+    // A prime field tests all branches of a root, but not where it has no value.
     let is_open = match finding.verdict {
         Verdict::Verified => branches > Branches::None,
         Verdict::Certified => branches == Branches::Ends,
@@ -110,10 +116,10 @@ fn found(
     }
 }
 
-/// What a formula may do, the formulas of its names included.
+/// How a formula may change, through its definitions too.
 fn of(expr: &Expr, model: &Model) -> Branches {
     let own = match &expr.node {
-        Node::Norm(_) | Node::Call(Function::Arctan, _) => Branches::Turns,
+        Node::Norm(_) | Node::Call(Function::Arctan, _) => Branches::Changes,
         Node::Root(degree, _) if degree % 2 == 0 => Branches::Ends,
         Node::Call(Function::Ln | Function::Arcsin | Function::Arccos, _) => Branches::Ends,
         Node::Power(_, exponent) if exponent.as_digits().is_none() && !is_whole(exponent) => Branches::Ends,
@@ -131,7 +137,7 @@ fn is_whole(exponent: &Expr) -> bool {
     matches!(&exponent.node, Node::Sum(terms) if terms.len() == 1 && terms[0].expr.as_digits().is_some())
 }
 
-/// The value of a formula that is a number.
+/// The value of a scalar formula.
 fn number(expr: &Expr, state: &SampledState<'_, RunningError>) -> Option<RunningError> {
     match state.now(expr, &[]) {
         Ok(Value::Scalar(value)) => Some(value),
@@ -139,7 +145,7 @@ fn number(expr: &Expr, state: &SampledState<'_, RunningError>) -> Option<Running
     }
 }
 
-/// Whether no number that both sides are made of is near to overflow, nor has become 0.
+/// Whether no part of the two sides is close to overflow or 0.
 fn is_moderate(link: &Link, state: &SampledState<'_, RunningError>) -> bool {
     let mut moderate = true;
     for side in [&link.lhs, &link.rhs] {
@@ -151,7 +157,7 @@ fn is_moderate(link: &Link, state: &SampledState<'_, RunningError>) -> bool {
     moderate
 }
 
-/// Whether a formula asks for a root, a logarithm or an angle that does not exist, clearly.
+/// Whether a formula contains a root, a logarithm or an angle that clearly has no value.
 fn has_no_value(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
     let argument = |inner: &Expr| number(inner, state).filter(|value| value.value.is_finite());
     let is_negative = |inner: &Expr| argument(inner).is_some_and(|value| value.value < -GROSS * value.magnitude);

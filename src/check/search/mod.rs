@@ -1,7 +1,8 @@
-//! States sought on purpose, where random ones would miss what is false.
+//! Directed search for counterexamples, where random states would miss them.
 //!
-//! Offers the boundary of an inequality, its worst state, the branches of hypotheses, magnitudes far from the declared
-//! ranges, families of other sizes. Knows `certificate` and below; says nothing of verdicts beyond the claim at hand.
+//! Offers the [`boundary`] of an inequality, its [`worst_state`], the [`branches`] of hypotheses, all [`magnitudes`],
+//! the limits of the [`double_range`], and other [`family_sizes`]. Knows `certificate`, `sample` and below. Each
+//! function takes the finding on a claim that has passed so far, or adds states to its ensemble.
 
 pub(crate) mod boundary;
 pub(crate) mod branches;

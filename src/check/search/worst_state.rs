@@ -1,12 +1,12 @@
-//! The state at which an inequality is nearest to failing, or fails most.
+//! The worst state of an inequality: a minimum of its margin, found by a direct search.
 //!
-//! Special states are single points: for u + v < 1.9 with two numbers below 1, each edge is harmless and the corner
-//! is not. So the margin, the difference of the sides relative to their terms, is minimized: one number after
-//! another with steps that grow and shrink, then along the combined direction, then in random directions, which
-//! leads along a slanting hypothesis. It starts at the four best states, needs some hundred evaluations, and stops
-//! early where the margin does not change. A state that obeys all hypotheses and is clearly false refutes wherever
-//! it is. Equal sides refute a strict inequality if no number is at an end that its range or a hypothesis excludes:
-//! a + b < 2 is true for a, b < 1.
+//! Random, special and boundary states miss a failure in a corner, where several numbers are at their ends, or at an
+//! extremum: u + v < 1.9 for two numbers between 0 and 1, (x − 7)² > 0. So the *margin* is minimised from the states
+//! with the smallest margins. The search changes one number after another, then all together along the last step, then
+//! in a random direction, since hypotheses may forbid the others (Hooke and Jeeves). A state that obeys all hypotheses
+//! and is clearly false is a counterexample. Sides that only become equal refute a strict inequality if they are equal
+//! inside of all ranges and hypotheses. At an open end they may come arbitrarily close: a + b < 2 for two numbers below
+//! 1 is true.
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Value};
@@ -22,7 +22,7 @@ use crate::check::sample::projection::Projection;
 use crate::check::sample::sampler::{Sampler, contains};
 use crate::check::search::boundary;
 use crate::check::search::boundary::{is_clear, is_ordinary};
-use crate::check::search::double_range::{is_reached, is_strict};
+use crate::check::search::double_range::{is_strict, is_truly_equal};
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual;
 use crate::check::state::residual::{DIFFERENCE, Margin, Point, Sides};
@@ -30,55 +30,61 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// It goes downhill from so many states.
+/// The number of states from which the search starts.
 const STARTS: usize = 4;
 
-/// And from so many along the edge of each hypothesis.
+/// The number of states from which it starts along the boundary of each hypothesis.
 const ALONG: usize = 2;
 
-/// With so many steps from each, and so many numbers that are moved.
+/// The largest number of steps from each state.
 const STEPS: usize = 700;
 
+/// The largest number of numbers that are changed.
 const MOVED: usize = 16;
 
-/// The first step, of a logarithm or an angle or a number of order one; as a share of an interval.
+/// The first step, of a logarithm, an angle or a number of order one; for an interval, a fraction of its width.
 const FIRST: f64 = 0.4;
 
-/// A step is so many times longer after two that led down, and after one that did not.
+/// The factor of a step after two steps that reduced the margin.
 const LONGER: f64 = 2.0;
 
+/// The factor of a step after one that did not.
 const SHORTER: f64 = 0.35;
 
-/// Smaller steps find nothing that a double could show.
+/// The smallest step.
 const LAST: f64 = 1e-9;
 
-/// Where steps of `SMALL` leave a margin of `WIDE`, the bottom is not at 0.
+/// The step below which a margin above [`WIDE`] is taken not to reach 0.
 const SMALL: f64 = 2e-3;
 
+/// The margin above which a search with small steps ends.
 const WIDE: f64 = 1e-3;
 
-/// Where a relative margin changes by less it may be the same.
+/// The smallest change of a relative margin that counts.
 const FLAT: f64 = 1e-14;
 
-/// A margin below this, relative to the sides, may be none; below that it is rounding.
+/// The relative margin below which the sides may be equal.
 const CLOSED: f64 = 1e-12;
 
-const NOTHING: f64 = 1e-15;
+/// The relative margin below which the sides are equal to rounding error.
+const EQUAL: f64 = 1e-15;
 
-/// How near numbers are taken to the ends that their ranges leave out, as a share; and how far out they are followed.
+/// The smallest distance from an open end of a range, as a fraction of its width.
 const NEAR: f64 = 1e-7;
 
+/// The largest magnitude of a number in the search.
 const FAR: f64 = 1e6;
 
-/// How far from its edge a hypothesis is held, relative to its sides.
+/// The distance from the boundary of a hypothesis, relative to its sides.
 const EDGE: f64 = 1e-7;
 
-/// So near to a simple number another one is tried in its place.
+/// The distance from a simple number within which that number is tried.
 const SIMPLE: f64 = 1e-4;
 
+/// The largest number of passes over all numbers in which simple numbers are tried.
 const PASSES: usize = 4;
 
-/// The finding on an inequality that has passed, with what its worst states say of it.
+/// The finding on an inequality that passed, tested again at its worst states.
 pub(crate) fn at_worst_state(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>, finding: Finding) -> Finding {
     if finding.verdict != Verdict::Verified {
         return finding;
@@ -91,7 +97,7 @@ pub(crate) fn at_worst_state(link: &Link, context: &Context<'_>, ensemble: &Ense
             starts.push((margin.share, base));
         }
     }
-    // The nearest of those drawn and the nearest of all.
+    // The drawn states with the smallest margins, and those of all states.
     let own = starts.len().min(ensemble.bases.len());
     starts[..own].sort_by(|a, b| a.0.total_cmp(&b.0));
     let random: Vec<(f64, Vec<f64>)> = starts.drain(..own).collect();
@@ -99,7 +105,7 @@ pub(crate) fn at_worst_state(link: &Link, context: &Context<'_>, ensemble: &Ense
     let others = starts.into_iter().filter(|(margin, _)| *margin > CLOSED).take(STARTS - STARTS / 2);
     let nearest: Vec<Vec<f64>> = random.iter().take(STARTS / 2).cloned().chain(others).map(|(_, base)| base).collect();
     let random: Vec<Vec<f64>> = random.into_iter().take(ALONG).map(|(_, base)| base).collect();
-    // Inside of all hypotheses, and along the edge of each: no straight way leads along an edge that slants.
+    // Inside of all hypotheses, and along the boundary of each: single steps do not follow an oblique boundary.
     let edges = context.hypotheses.iter().filter_map(|hypothesis| along_the_edge(hypothesis, context, ensemble));
     let places = std::iter::once((context.hypotheses.to_vec(), &nearest)).chain(edges.map(|edge| (edge, &random)));
     for (hypotheses, starts) in places {
@@ -133,7 +139,7 @@ pub(crate) fn at_worst_state(link: &Link, context: &Context<'_>, ensemble: &Ense
     finding
 }
 
-/// The hypotheses of a claim with one of them, that is an inequality of several numbers, held just inside of its edge.
+/// The hypotheses of a claim with one of them, an inequality of several numbers, kept just inside of its boundary.
 fn along_the_edge(hypothesis: &Hypothesis, context: &Context<'_>, ensemble: &Ensemble<'_>) -> Option<Vec<Hypothesis>> {
     let (lhs, rhs) = boundary::of_hypothesis(hypothesis)?;
     if drawn(&[&lhs, &rhs], context.model).len() < 2 {
@@ -158,28 +164,28 @@ fn margin(link: &Link, state: &SampledState<'_, RunningError>) -> Option<Margin>
     Sides::of(link, state).ok()?.margin(link.relation)
 }
 
-/// Whether a margin is lower than another. Where (x − 1)² is all there is, relative to its terms it is 1 for all negative x:
-/// there the number itself shows the way.
+/// Whether a margin is lower than another. The margin of (x − 1)² relative to its terms is 1 for all negative x. There
+/// the margin itself decides.
 fn is_lower(margin: &Margin, than: &Margin) -> bool {
     let by = margin.share - than.share;
     by < -FLAT || by < 0.0 && than.share < WIDE || by < FLAT && than.share > WIDE && margin.size < than.size
 }
 
-/// A way downhill.
+/// A direct search for the smallest margin.
 struct Search<'a, 'm> {
     link: &'a Link,
     context: &'a Context<'m>,
     projection: Projection<'m>,
     draw: Sampler,
-    /// The numbers that are moved.
+    /// The numbers that are changed.
     slots: Vec<usize>,
 }
 
 impl<'m> Search<'_, 'm> {
-    /// A state near the bottom of the hill on which a state lies, if the inequality fails there for certain.
+    /// A local minimum of the margin near a state, if the inequality certainly fails there.
     fn worst_from(&mut self, start: Vec<f64>) -> Option<SampledState<'m, RunningError>> {
         let (mut margin, mut base, _) = self.at(start)?;
-        self.slots = self.that_matter(&base, margin);
+        self.slots = self.relevant_slots(&base, margin);
         if self.slots.is_empty() {
             return None;
         }
@@ -216,7 +222,7 @@ impl<'m> Search<'_, 'm> {
             let largest =
                 self.slots.iter().zip(&steps).map(|(at, step)| step.abs() / self.width(*at)).fold(0.0, f64::max);
             let stuck = base == before && largest < SMALL;
-            if largest < LAST || largest < SMALL && margin.share > WIDE || margin.share.abs() < NOTHING {
+            if largest < LAST || largest < SMALL && margin.share > WIDE || margin.share.abs() < EQUAL {
                 break;
             }
             if stuck
@@ -229,7 +235,7 @@ impl<'m> Search<'_, 'm> {
         self.settle(margin, base)
     }
 
-    /// The state, if the inequality fails there for certain: clearly, or at an equality that is reached.
+    /// The state, if the inequality certainly fails there: clearly, or at sides that are truly equal.
     fn settle(&mut self, margin: Margin, base: Vec<f64>) -> Option<SampledState<'m, RunningError>> {
         if margin.share < -DIFFERENCE {
             return self.at(base).map(|(_, _, state)| state);
@@ -239,10 +245,10 @@ impl<'m> Search<'_, 'm> {
         }
         let (margin, base) = self.simple(margin, base);
         let (_, base, state) = self.at(base).filter(|_| margin.share < CLOSED)?;
-        (self.is_inside(&state) && is_reached(self.link, &mut self.projection, &base)).then_some(state)
+        (self.is_inside(&state) && is_truly_equal(self.link, &mut self.projection, &base)).then_some(state)
     }
 
-    /// Whether a state is at no end that a range or a hypothesis leaves out.
+    /// Whether a state is away from the open ends of all ranges and hypotheses.
     fn is_inside(&self, state: &SampledState<'_, RunningError>) -> bool {
         let mut hypotheses = self.context.hypotheses.iter().filter_map(boundary::of_hypothesis);
         is_ordinary(state) && hypotheses.all(|hypothesis| is_clear(&hypothesis, state))
@@ -254,7 +260,7 @@ impl<'m> Search<'_, 'm> {
         margin(self.link, &state).map(|margin| (margin, base, state))
     }
 
-    /// What is lower than a margin, some steps away.
+    /// A base some steps away with a lower margin, if it has one.
     fn lower(&mut self, base: &[f64], steps: &[(usize, f64)], margin: Margin) -> Option<(Margin, Vec<f64>)> {
         let mut moved = base.to_vec();
         for (k, step) in steps {
@@ -267,8 +273,8 @@ impl<'m> Search<'_, 'm> {
         self.at(moved).filter(|(less, ..)| is_lower(less, &margin)).map(|(less, base, _)| (less, base))
     }
 
-    /// The numbers on which the margin depends, but for those that hypotheses are solved for.
-    fn that_matter(&mut self, base: &[f64], margin: Margin) -> Vec<usize> {
+    /// The numbers on which the margin depends, without those for which hypotheses are solved.
+    fn relevant_slots(&mut self, base: &[f64], margin: Margin) -> Vec<usize> {
         let mut found = Vec::new();
         let planned: Vec<usize> = self.projection.record.plan.iter().map(|(_, slot)| *slot).collect();
         for at in (1..base.len()).filter(|at| !planned.contains(at)) {
@@ -299,7 +305,7 @@ impl<'m> Search<'_, 'm> {
         }
     }
 
-    /// A number of a state some steps away, within its range.
+    /// A number of a state after a step, within its range.
     fn moved(&self, at: usize, from: f64, step: f64) -> f64 {
         match &self.projection.slots[at].range {
             Range::Positive | Range::Negative => {
@@ -313,7 +319,7 @@ impl<'m> Search<'_, 'm> {
         }
     }
 
-    /// As far again as from one base to another.
+    /// The steps from one base to another.
     fn along(&self, before: &[f64], base: &[f64]) -> Vec<(usize, f64)> {
         let step = |at: usize| match &self.projection.slots[at].range {
             Range::Positive | Range::Negative => (base[at] / before[at]).ln(),
@@ -327,10 +333,10 @@ impl<'m> Search<'_, 'm> {
         steps.iter().enumerate().map(|(k, step)| (k, 4.0 * step * (2.0 * self.draw.unit() - 1.0))).collect()
     }
 
-    /// The same state with simple numbers in the places of those that are near to them, where that is no higher.
+    /// The state with simple numbers in place of close ones, if the margin does not rise.
     fn simple(&mut self, margin: Margin, base: Vec<f64>) -> (Margin, Vec<f64>) {
         let (mut margin, mut base) = (margin, base);
-        // One after the other, and again: a number may wait for another.
+        // Several passes: one number may become simple only after another.
         for at in self.slots.repeat(self.slots.len().min(PASSES)) {
             let unit = if is_angle(&self.projection.slots[at].range) { std::f64::consts::PI } else { 1.0 } / 12.0;
             let x = base[at];

@@ -1,4 +1,4 @@
-//! The values of a claim's symbols at a state at which it fails.
+//! Counterexamples: the values of a claim's symbols at a state at which it fails.
 
 use crate::formula::{Expr, Index, IndexId, Node};
 use crate::latex::typeset;
@@ -10,7 +10,7 @@ use crate::check::state::residual::Failure;
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::finding::Counterexample;
 
-/// The state of a failure: the values of the claim's symbols.
+/// The counterexample of a failure at a state.
 pub fn counterexample(link: &Link, state: &SampledState<'_, RunningError>, failure: &Failure) -> Counterexample {
     Counterexample {
         state: values(&[&link.lhs, &link.rhs], state),
@@ -20,17 +20,17 @@ pub fn counterexample(link: &Link, state: &SampledState<'_, RunningError>, failu
     }
 }
 
-/// So many values of a counterexample are shown.
+/// The largest number of values in a counterexample.
 const MOST_SHOWN: usize = 40;
 
-/// The values of the plain symbols of some formulas at a state, dotted ones as they occur.
+/// The names and values of the symbols of some formulas at a state, with their dots. All members of a family are
+/// listed. Formulas without symbols give the coordinates.
 pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec<(String, f64)> {
     let model = state.model();
     let mut found: Vec<(String, f64)> = Vec::new();
     for formula in formulas {
         formula.walk(&mut |expr| {
             let Node::Symbol { id, indices, dots } = &expr.node else { return };
-            // Of a family, every member there is.
             let mut labels: Vec<(IndexId, u8)> = Vec::new();
             for index in indices {
                 match index {

@@ -1,4 +1,4 @@
-//! CoupledLaws that give several highest derivatives together, solved at a state as a system of linear equations.
+//! Coupled laws, solved at a state as a system of linear equations for the highest derivatives.
 
 use nalgebra::DMatrix;
 
@@ -12,7 +12,7 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::state::values::Valued;
 
 impl<B: Number> SampledState<'_, B> {
-    /// A symbol that laws give together with others.
+    /// The value of a symbol that coupled laws give, as a series in time.
     pub(crate) fn together(&self, laws: &CoupledLaws, id: SymbolId) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let known = |known: &[(SymbolId, Vec<Value<Series<B>>>)]| {
@@ -58,7 +58,7 @@ impl<B: Number> SampledState<'_, B> {
         Ok(series(&jets[at]))
     }
 
-    /// What the derivatives of laws of some order are off by, with these derivatives of the unknowns.
+    /// The residuals of the time derivatives, of some order, of the laws, with these derivatives of the unknowns.
     fn off_by(&self, laws: &CoupledLaws, jets: &[Vec<B>], order: usize) -> Result<Vec<B>, Unavailable> {
         let wrong = || Unavailable::Operation("a law that is not an equation between scalars");
         let others = self.memo.following.borrow().len();

@@ -1,4 +1,5 @@
-//! The value of every symbol in a sampled state, as a series in time: by its meaning, then by the rules of the hypotheses.
+//! The value of every symbol in a sampled state, as a series in time: by its meaning, then by the rules of the
+//! hypotheses.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -20,7 +21,7 @@ impl<'m, B: Number> SampledState<'m, B> {
         Vector3::from_fn(|i, _| self.constant(if i == k { B::one() } else { B::zero() }))
     }
 
-    /// A symbol whose numbers stand one after the other.
+    /// A scalar or vector symbol, from its numbers in their order.
     fn numbers(&self, id: SymbolId, indices: &[u8], pick: impl Fn(usize) -> Option<Series<B>>) -> Valued<B> {
         let place = self.place_of(id, indices);
         if self.model.symbols.entry(id).kind != Kind::Vector {
@@ -32,7 +33,7 @@ impl<'m, B: Number> SampledState<'m, B> {
         }
     }
 
-    /// A symbol by its meaning alone, of which so many terms are used.
+    /// The value of a symbol by its meaning, before all rules, to this number of terms.
     pub(crate) fn raw(&self, id: SymbolId, indices: &[u8], terms: usize) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
         let entry = self.model.symbols.entry(id);
@@ -98,13 +99,13 @@ impl<'m, B: Number> SampledState<'m, B> {
         }
     }
 
-    /// The value of a symbol after all rules.
+    /// The value of a symbol after all rules, at the instant.
     pub(crate) fn ruled_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Primal<B>>, Unavailable> {
         let direct = if self.is_free(id) { self.drawn(id, indices, 0) } else { None };
         direct.map_or_else(|| Ok(first(&self.ruled(id, indices, self.rules.len(), 1)?)), Ok)
     }
 
-    /// The matrix that an elementary rotation's symbol stands for.
+    /// The matrix of an elementary rotation.
     pub(crate) fn turned<D: Number>(&self, id: SymbolId, angle: D) -> Result<Matrix3<D>, Unavailable> {
         match self.model.meaning(id) {
             Some(Meaning::Rotation(axis, Turning::Axes)) => Ok(rotations::passive_rotation(*axis, angle)),
@@ -113,7 +114,7 @@ impl<'m, B: Number> SampledState<'m, B> {
         }
     }
 
-    /// Lets the rules that join families take effect: their members stand in for the family that is joined.
+    /// Applies the rules that join families: their members replace those of the joined family.
     pub(crate) fn join(&self) -> Result<(), Unavailable> {
         let unions: Vec<&Rule> = self.rules.iter().filter(|rule| matches!(rule.action, Action::Union(_))).collect();
         if unions.is_empty() {

@@ -1,7 +1,9 @@
-//! A generic body in the place of particles, for claims about principal axes that are decided over a field.
+//! A generic body that replaces particles where a claim about their principal axes is decided over a prime field.
 //!
-//! What is tested is more than what is claimed: if it is an identity, it is one for the particles; otherwise
-//! nothing is concluded.
+//! Principal moments are the roots of a cubic, which a prime field need not contain. But a claim that holds for
+//! arbitrary axes holds for the principal ones. And a claim that contains the particles only through their inertia
+//! tensor, and holds for any symmetric tensor Rᵀ diag(λ₁, λ₂, λ₃) R, holds for theirs. Both tests are stronger than the
+//! claim: an identity of the generic body proves the claim, and a difference decides nothing.
 //!
 //! # Why any body stands for particles with principal axes
 //!
@@ -22,57 +24,57 @@ use crate::check::model::meaning::{Meaning, ParticleQuantity};
 /// Why a claim about principal axes stays open.
 pub(crate) const PRINCIPAL_AXES: &str = "principal axes: their moments are the roots of a cubic";
 
-/// What may stand in for the particles of a claim.
+/// The generic body that may replace the particles of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Generality {
-    /// Nothing has to: their principal axes are not stated of.
+    /// None is needed: the claim does not contain their principal axes.
     GivenParticles,
-    /// Any right-handed orthonormal axes in place of the principal ones.
+    /// Any right-handed orthonormal axes in place of the principal axes.
     AnyAxes,
     /// Any axes, and any moments about them.
     AnyTensor,
 }
 
-/// Principal axes and moments.
+/// The principal axes and moments of a generic body.
 #[derive(Clone, Debug)]
 pub(crate) struct GenericBody<B: Number> {
     /// The axes are the rows.
     axes: Matrix3<B>,
-    /// Not given where the particles have an inertia tensor of their own.
+    /// The moments; `None` if the particles keep their own inertia tensor.
     moments: Option<Vector3<B>>,
 }
 
 impl Generality {
-    /// The most general that formulas allow, under rules; none, if their principal axes cannot be stood in for.
+    /// The most general body that formulas allow, under rules; `None` if no generic body can replace the particles.
     pub fn of(formulas: &[&Expr], model: &Model, rules: &[Rule]) -> Option<Self> {
-        let mut stated = Dependencies { model, rules, symbols: Vec::new(), bodies: Vec::new() };
-        formulas.iter().for_each(|formula| stated.follow(formula));
+        let mut whole = Dependencies { model, rules, symbols: Vec::new(), bodies: Vec::new() };
+        formulas.iter().for_each(|formula| whole.follow(formula));
         let is_principal = |of: &(ParticleQuantity, [&Expr; 2])| of.0 != ParticleQuantity::InertiaTensor;
-        let Some((_, particles)) = stated.bodies.iter().find(|of| is_principal(of)) else {
+        let Some((_, particles)) = whole.bodies.iter().find(|of| is_principal(of)) else {
             return Some(Generality::GivenParticles);
         };
         let joined = rules.iter().any(|rule| matches!(rule.action, Action::Union(_)));
-        if joined || stated.bodies.iter().any(|of| is_principal(of) && of.1 != *particles) {
+        if joined || whole.bodies.iter().any(|of| is_principal(of) && of.1 != *particles) {
             return None;
         }
         let mut of_particles = Dependencies { model, rules, symbols: Vec::new(), bodies: Vec::new() };
         particles.iter().for_each(|formula| of_particles.follow(formula));
         let is_axis = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::FixedAxis(_)));
-        let shared = stated.symbols.iter().any(|id| of_particles.symbols.contains(id) && !is_axis(id));
-        if !shared && stated.bodies.iter().all(|of| of.1 == *particles) {
+        let shared = whole.symbols.iter().any(|id| of_particles.symbols.contains(id) && !is_axis(id));
+        if !shared && whole.bodies.iter().all(|of| of.1 == *particles) {
             return Some(Generality::AnyTensor);
         }
-        let of_moments = stated.bodies.iter().any(|of| of.0 == ParticleQuantity::PrincipalMoments);
+        let of_moments = whole.bodies.iter().any(|of| of.0 == ParticleQuantity::PrincipalMoments);
         (!of_moments).then_some(Generality::AnyAxes)
     }
 }
 
-/// What formulas speak of, through definitions and rules, but not through particles that give something a name.
+/// The symbols on which formulas depend, through definitions and rules, but not through the formulas of particles.
 struct Dependencies<'a> {
     model: &'a Model,
     rules: &'a [Rule],
     symbols: Vec<SymbolId>,
-    /// What of particles is stated of, with their masses and positions.
+    /// The quantities of particles, with the formulas of their masses and positions.
     bodies: Vec<(ParticleQuantity, [&'a Expr; 2])>,
 }
 
@@ -106,7 +108,7 @@ impl<'a> Dependencies<'a> {
 }
 
 impl<F: Modulus> GenericBody<Modular<F>> {
-    /// A random one, of axes that a random quaternion turns to.
+    /// A random body, whose axes come from a random quaternion.
     pub fn drawn(generality: Generality) -> Option<Self> {
         if generality == Generality::GivenParticles {
             return None;
@@ -133,7 +135,7 @@ impl<B: Number> GenericBody<B> {
         self.moments.map(|moments| moments[a])
     }
 
-    /// The inertia tensor, where the particles have none of their own.
+    /// The inertia tensor, unless the particles keep their own.
     pub fn tensor(&self) -> Option<Matrix3<B>> {
         self.moments.map(|moments| self.axes.transpose() * Matrix3::from_diagonal(&moments) * self.axes)
     }

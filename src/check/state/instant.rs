@@ -1,8 +1,7 @@
-//! Values of formulas at the instant of a state, without time derivatives.
+//! The values of formulas at the instant of a state, without their derivatives.
 //!
-//! Most formulas are needed for their value alone. They run over [`Primal`], a first coefficient that is rounded as
-//! that of a series is, and go back to series under a dot. What has no value has no rate either, even if nothing in
-//! it varies.
+//! A state gives everything as a series in time, but most claims are about values only. So a formula is evaluated over
+//! numbers with one coefficient ([`Primal`]). Series are evaluated only under a dot or d/dt.
 
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
@@ -18,24 +17,24 @@ use crate::check::state::values::{first, lifted};
 /// A value, or why there is none.
 type Valued<B> = Result<Value<Primal<B>>, Unavailable>;
 
-/// A state, of which values alone are wanted.
+/// A state as an environment that gives values only.
 struct Now<'s, 'm, B: Number>(&'s SampledState<'m, B>);
 
 impl<B: Number> SampledState<'_, B> {
     /// The value of a formula whose free indices have these values.
     ///
     /// # Errors
-    /// When something in it has no value.
+    /// If a symbol in it has no value.
     pub fn now(&self, formula: &Expr, indices: &[(IndexId, u8)]) -> Result<Value<B>, Unavailable> {
         Ok(self.instant(formula, indices)?.each(|x| x.0))
     }
 
-    /// The same, to go on with.
+    /// The value of a formula, as a number with one coefficient.
     pub(crate) fn instant(&self, formula: &Expr, indices: &[(IndexId, u8)]) -> Valued<B> {
         evaluate_to(1, formula, &Now(self), indices)
     }
 
-    /// A formula of which so many terms are used.
+    /// The value of a formula as a series to this number of terms.
     pub(crate) fn formula_to(
         &self,
         terms: usize,
@@ -48,7 +47,7 @@ impl<B: Number> SampledState<'_, B> {
         }
     }
 
-    /// A symbol that is kept, of which the value is used.
+    /// The value of a cached symbol, as a series with one term.
     pub(crate) fn kept_value(&self, id: SymbolId, indices: &[u8]) -> Result<Value<Series<B>>, Unavailable> {
         Ok(lifted(&Now(self).symbol_to(id, indices, 1)?))
     }
@@ -58,8 +57,8 @@ impl<B: Number> SampledState<'_, B> {
         Now(self).symbol(id, &[])
     }
 
-    /// The derivative of a symbol, of any order, by its meaning alone, or by the particle that stands in for it; nothing
-    /// where series are needed for it.
+    /// The derivative of a symbol, of any order, by its meaning or by the particle that replaces it; `None` if series
+    /// are needed.
     pub(crate) fn drawn(&self, id: SymbolId, indices: &[u8], order: u8) -> Option<Value<Primal<B>>> {
         let model = self.model();
         let order = usize::from(order);
@@ -113,7 +112,7 @@ impl<B: Number> SampledState<'_, B> {
 }
 
 impl<B: Number> SampledState<'_, B> {
-    /// The coefficients, of an order, of the point that a body turns about.
+    /// The series coefficients, of one order, of the point about which a body turns.
     fn about(&self, point: SymbolId, order: usize) -> Option<Vector3<Primal<B>>> {
         let Value::Vector(series) = self.symbol_to(point, &[], order + 1).ok()? else { return None };
         let of = |x: &Series<B>| x.coefficient(order).map(Primal);
@@ -122,7 +121,7 @@ impl<B: Number> SampledState<'_, B> {
 }
 
 impl<B: Number> Now<'_, '_, B> {
-    /// A derivative, by the series of the symbol.
+    /// A derivative from the series of the symbol.
     fn by_series(&self, id: SymbolId, indices: &[u8], order: u8) -> Valued<B> {
         let mut value = self.0.symbol_to(id, indices, 1 + usize::from(order))?;
         differentiate(&mut value, order)?;
@@ -163,7 +162,7 @@ impl<B: Number> Environment<Primal<B>> for Now<'_, '_, B> {
         self.0.count(index)
     }
 
-    /// An integral that is not under another one has one value at a state, whatever stands beside it.
+    /// An integral that is not inside another one has one value at a state, which is cached.
     fn integral(&self, region: SymbolId, integrand: Option<&Expr>, body: Body<'_, Primal<B>>) -> Valued<B> {
         let state = self.0;
         let Some(integrand) = integrand.filter(|_| state.is_nowhere()) else {

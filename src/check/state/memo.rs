@@ -1,4 +1,4 @@
-//! Values that were computed at a sampled state and are kept.
+//! The cache of values at a sampled state.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -15,24 +15,24 @@ use crate::scalar::{Number, Primal, Series};
 /// A symbol and the values of its indices.
 type Member = (SymbolId, [u8; 3]);
 
-/// What a value is kept under: the member, and whether substituted particles were meant.
+/// The key of a value: the member of a family, and whether substituted particles were used.
 pub(crate) type Key = (Member, bool);
 
-/// The values kept at a state. Nothing here is an input: forgetting all of it changes no result.
+/// The cached values at a state. Clearing the cache changes no result.
 pub(crate) struct Memo<B: Number> {
-    /// Values of defined and ruled symbols, each with the number of terms it was computed to.
+    /// Values of defined symbols and of symbols with rules, each with its number of terms.
     pub(crate) series: RefCell<FxHashMap<Key, (usize, Box<Value<Series<B>>>)>>,
-    /// The same where the value alone was asked for.
+    /// The same values without derivatives.
     values: RefCell<FxHashMap<Key, Value<Primal<B>>>>,
     /// Integrals over a continuum with their integrands and values.
     pub(crate) integrals: RefCell<Vec<(SymbolId, Expr, Value<Primal<B>>)>>,
-    /// Nodes of continua: of which, and exact up to which degree.
+    /// Quadrature nodes, by the continuum and the degree up to which they are exact.
     pub(crate) nodes: RefCell<FxHashMap<(usize, usize), Arc<Nodes<B>>>>,
-    /// Inertia tensors of masses at positions, with the number of terms each was computed to.
+    /// Inertia tensors by masses and positions, each with its number of terms.
     pub(crate) tensors: RefCell<Vec<(Expr, Expr, usize, Matrix3<Series<B>>)>>,
-    /// Symbols that follow a law, with what is known of them while their next derivatives are being found.
+    /// Symbols with an equation of motion, with the known terms while the next ones are computed.
     pub(crate) following: RefCell<Vec<(SymbolId, MemberValues<B>)>>,
-    /// The same when all is found.
+    /// The same symbols when all terms are known.
     pub(crate) followed: RefCell<std::collections::BTreeMap<SymbolId, MemberValues<B>>>,
 }
 
@@ -51,7 +51,7 @@ impl<B: Number> Default for Memo<B> {
 }
 
 impl<B: Number> Memo<B> {
-    /// Forgets all that was computed for other inputs.
+    /// Clears everything, after a change of the inputs.
     pub(crate) fn forget(&self) {
         self.forget_values();
         self.followed.borrow_mut().clear();
@@ -59,19 +59,19 @@ impl<B: Number> Memo<B> {
         self.tensors.borrow_mut().clear();
     }
 
-    /// Forgets the values of symbols and integrals.
+    /// Clears the values of symbols and integrals.
     pub(crate) fn forget_values(&self) {
         self.series.borrow_mut().clear();
         self.values.borrow_mut().clear();
         self.integrals.borrow_mut().clear();
     }
 
-    /// Whether symbols that follow a law are known in part.
+    /// Whether an equation of motion is being solved.
     pub(crate) fn is_following(&self) -> bool {
         !self.following.borrow().is_empty()
     }
 
-    /// The value that is kept, or else what is computed now.
+    /// The cached value, or the value that is computed now.
     ///
     /// # Errors
     /// Those of `compute`.

@@ -1,8 +1,8 @@
 //! One sampled state, in which every formula of a document has a value.
 //!
-//! Offers [`sampled_state::SampledState`], fixed by the numbers of [`numbers`], evaluated by [`evaluate`] (series in time)
-//! and [`instant`] (values alone), and [`residual`]: whether the two sides of a claim agree in it. Knows `model` and
-//! `hypotheses`, and nothing of how states are drawn.
+//! Offers [`sampled_state::SampledState`], fixed by the numbers of [`numbers`] and evaluated by [`evaluate`] (series in
+//! time) and [`instant`] (values only); and [`residual`], whether the two sides of a claim agree in it. Knows `model`
+//! and `hypotheses`, and does not know how states are drawn.
 
 pub(crate) mod counterexample;
 pub(crate) mod coupled;

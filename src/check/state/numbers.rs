@@ -1,4 +1,4 @@
-//! The numbers that fix a sampled state, in their order.
+//! The numbers that fix a state, in their order, and the values that they form.
 
 use nalgebra::{Matrix3, Vector3};
 use std::cell::{OnceCell, RefCell};
@@ -15,22 +15,22 @@ use crate::check::model::Model;
 use crate::check::model::meaning::{Frame, Variable};
 use crate::check::model::sampling::Mode;
 
-/// One number of a base.
+/// The description of one number of a base.
 #[derive(Clone, Debug)]
 pub struct Slot {
-    /// The symbol whose value or derivative it is; none for the time and for what has no name.
+    /// The symbol whose value or derivative it is; none for the time and for numbers without a name.
     pub symbol: Option<SymbolId>,
     /// The order of the derivative.
     pub order: usize,
-    /// Where it is drawn from.
+    /// The range from which it is drawn.
     pub range: claims::Range,
     /// Whether it is a constant.
     pub constant: bool,
-    /// Whether it is one of many of its kind: of a vector, a family, a body.
+    /// Whether it is one of several numbers of a vector, a family or a body.
     pub one_of_many: bool,
 }
 
-/// Numbers of one kind: so many, each with so many derivatives.
+/// Numbers of one kind, each with the same number of derivatives.
 struct Group<'m> {
     symbol: Option<SymbolId>,
     range: &'m claims::Range,
@@ -39,8 +39,8 @@ struct Group<'m> {
     derivatives: usize,
 }
 
-/// The groups of a base, in order: time, constants, what is fixed in the frame and its direction, continua; coordinates,
-/// free functions and the angles of the frame with their derivatives.
+/// The groups of a base, in order: time, constants, vectors fixed in the frame, the direction of the frame, continua;
+/// then coordinates, free functions and the angles of the frame, each with their derivatives.
 fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group<'_>> {
     const ANY: &claims::Range = &claims::Range::Any;
     const POSITIVE: &claims::Range = &claims::Range::Positive;
@@ -73,7 +73,7 @@ fn groups(model: &Model, mode: Mode) -> impl Iterator<Item = Group<'_>> {
     fixed.chain(coordinates).chain(varying).chain(angles)
 }
 
-/// The numbers of a base, one by one.
+/// The descriptions of the numbers of a base, in order.
 pub fn slots(model: &Model, mode: Mode) -> Vec<Slot> {
     let mut slots = Vec::new();
     for Group { symbol, range, constant, numbers, derivatives } in groups(model, mode) {
@@ -88,7 +88,7 @@ pub fn slots(model: &Model, mode: Mode) -> Vec<Slot> {
     slots
 }
 
-/// Where the direction stands that the frame turns about, if it does.
+/// The places of the direction about which the frame turns, if it turns about a fixed direction.
 pub fn direction(model: &Model) -> Option<std::ops::Range<usize>> {
     if model.frame != Some(Frame::FixedDirection) {
         return None;
@@ -99,7 +99,7 @@ pub fn direction(model: &Model) -> Option<std::ops::Range<usize>> {
     Some(first..first + 3)
 }
 
-/// Where in a base the numbers of each symbol stand: the same for all states of a mode.
+/// The places of the numbers of each symbol in a base: the same for all states of a mode.
 pub struct Layout {
     time: Range<usize>,
     constants: Vec<Range<usize>>,
@@ -109,22 +109,22 @@ pub struct Layout {
     coordinates: Vec<Range<usize>>,
     varying: Vec<Jets>,
     angles: Option<Jets>,
-    /// How many numbers there are, and how many free functions of time.
+    /// The number of numbers, and the number of free functions of time.
     counts: (usize, usize),
 }
 
-/// Numbers with their derivatives, one after the other.
+/// The places of numbers with their derivatives.
 struct Jets {
-    /// Where they stand in the base.
+    /// The places in the base.
     numbers: Range<usize>,
-    /// How many belong to one.
+    /// The number of places for one number with its derivatives.
     jet: usize,
-    /// The place of the first among all functions of time.
+    /// The place of the first of them among all functions of time.
     first: usize,
 }
 
 impl Layout {
-    /// Of the states of a mode.
+    /// The layout of the states of a mode.
     pub fn of(model: &Model, mode: Mode) -> Arc<Self> {
         let mut groups = groups(model, mode);
         let (mut done, mut functions) = (0, 0);
@@ -153,46 +153,46 @@ impl Layout {
     }
 }
 
-/// A base, sorted by what its numbers are.
+/// A base: the numbers that fix a state, sorted by meaning.
 pub struct Base<B> {
-    /// All of them, in their order.
+    /// All numbers, in their order.
     numbers: Vec<B>,
     layout: Arc<Layout>,
     /// The time.
     pub time: B,
-    /// The direction that the frame turns about, of any length.
+    /// The direction about which the frame turns, of any length.
     pub direction: [B; 3],
-    /// What fixes each continuum.
+    /// The numbers of each continuum.
     pub continua: Vec<UnspecifiedContinuum<B>>,
-    /// The free functions of time, of those that were asked for.
+    /// The free functions of time that have been evaluated.
     series: RefCell<Vec<Option<Series<B>>>>,
     /// The angles of the frame.
     pub frame_angles: Vec<Series<B>>,
 }
 
-/// What fixes a continuum of which nothing is said: a density that varies, sizes, a place, an orientation.
+/// The random numbers of a continuum without a declared shape: a varying density, sizes, a position, an orientation.
 pub struct UnspecifiedContinuum<B> {
-    /// The density in the middle, and the coefficients of what is linear and quadratic in the place.
+    /// The density in the middle, then the linear and quadratic coefficients of the density in the position.
     pub density: [B; 10],
-    /// The lengths of its edges.
+    /// The lengths of the edges.
     pub edges: [B; 3],
-    /// Where its middle is.
+    /// The position of the middle.
     pub middle: Vector3<B>,
-    /// The Euler angles of its axes.
+    /// The Euler angles of the axes.
     pub angles: [B; 3],
-    /// A point in it, as shares of the edges from the middle.
+    /// A point in it, as fractions of the edges from the middle.
     pub point: [B; 3],
-    /// Q, once it was asked for.
+    /// The rotation, once it has been computed.
     turned: OnceCell<Matrix3<B>>,
 }
 
-/// As many numbers as there should be; what is missing is not a number.
+/// An array of the numbers, padded with NaN.
 fn padded<B: Number, const N: usize>(numbers: &[B]) -> [B; N] {
     std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(B::from(f64::NAN)))
 }
 
 impl<B: Number> UnspecifiedContinuum<B> {
-    /// Put together from its groups of numbers.
+    /// The continuum of these groups of numbers.
     fn of([density, coefficients, edges, middle, angles, point]: [&[B]; 6]) -> Self {
         let ([first], others): ([B; 1], [B; 9]) = (padded(density), padded(coefficients));
         UnspecifiedContinuum {
@@ -205,7 +205,7 @@ impl<B: Number> UnspecifiedContinuum<B> {
         }
     }
 
-    /// Q, which turns it from its canonical position.
+    /// The rotation Q that turns it from its canonical orientation.
     pub fn turned(&self) -> &Matrix3<B> {
         let [phi, theta, psi] = self.angles;
         self.turned.get_or_init(|| euler_angles(phi, theta, psi).transpose())
@@ -213,7 +213,7 @@ impl<B: Number> UnspecifiedContinuum<B> {
 }
 
 impl<B: Number> Base<B> {
-    /// Sorts the numbers of a base; what is missing is not a number.
+    /// Sorts the numbers of a base; missing numbers are NaN.
     pub fn of(layout: &Arc<Layout>, numbers: &[B]) -> Self {
         let mut numbers = numbers.to_vec();
         numbers.resize(layout.counts.0, B::from(f64::NAN));
@@ -239,17 +239,17 @@ impl<B: Number> Base<B> {
         &self.numbers[self.layout.constants[i].clone()]
     }
 
-    /// The components, along the frame, of what is fixed in it.
+    /// The components, along the frame, of a vector that is fixed in it.
     pub fn rigid(&self, i: usize) -> &[B] {
         &self.numbers[self.layout.rigid[i].clone()]
     }
 
-    /// The derivatives of each coordinate: on shell no more than the first.
+    /// The value and derivatives of each coordinate: on shell up to the first derivative.
     pub fn coordinates(&self) -> impl Iterator<Item = &[B]> {
         self.layout.coordinates.iter().map(|jet| &self.numbers[jet.clone()])
     }
 
-    /// One of the numbers of a free function of time, as a series known to no more than so many terms.
+    /// One of the numbers of a free function of time, as a series of at most this number of terms.
     pub fn varying(&self, i: usize, at: usize, terms: usize) -> Option<Series<B>> {
         self.as_series(i, at, |series| Some(series.truncated(terms)))
     }
@@ -267,7 +267,7 @@ impl<B: Number> Base<B> {
         take(known.get_mut(first + at)?.get_or_insert_with(|| Series::from_derivatives(derivatives)))
     }
 
-    /// The axes of the frame that turns by these numbers, at the instant.
+    /// The axes of the turning frame at the instant.
     pub fn axes(&self, frame: Frame) -> Option<Matrix3<Primal<B>>> {
         let angle = |angle: &Series<B>| Primal(angle.value());
         match (frame, self.frame_angles.as_slice()) {
@@ -277,7 +277,7 @@ impl<B: Number> Base<B> {
         }
     }
 
-    /// The frame that turns by these numbers, its angles known to so many terms.
+    /// The turning frame, with angles to this number of terms.
     pub fn frame(&self, frame: Frame, terms: usize) -> Option<mechanics::Frame<B>> {
         let angles: Vec<Series<B>> = self.frame_angles.iter().map(|angle| angle.truncated(terms)).collect();
         match (frame, angles.as_slice()) {

@@ -1,5 +1,5 @@
-//! What stands in for families and continua at a sampled state: particles in place of a family, a part of a continuum, a
-//! generic body in place of particles whose principal axes are stated of.
+//! Substitutes at a sampled state: particles in place of a family, a part of a continuum, or a generic body in place of
+//! particles whose principal axes occur in a claim.
 
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
@@ -12,22 +12,22 @@ use crate::formula::{Expr, IndexId, SymbolId, Symbols, Value};
 use crate::mechanics::Nodes;
 use crate::scalar::{Number, Series};
 
-/// Particles that stand in for those of some families.
+/// Particles that replace the members of some families.
 pub struct Particles<B: Number> {
     members: Vec<(SymbolId, Vec<Value<Series<B>>>)>,
-    /// A letter that labels them.
+    /// The letter that labels them.
     pub label: IndexId,
-    /// Whether they are families that were joined, and stand in only where the joined family is meant.
+    /// Whether they are joined families, which replace others only in formulas that depend on the joined family.
     joined: bool,
 }
 
 impl<B: Number> Particles<B> {
-    /// Families that were joined: they are meant by what is defined through them, and nowhere else.
+    /// The members of joined families. Only formulas that depend on them use them.
     pub fn joined(members: Vec<(SymbolId, Vec<Value<Series<B>>>)>, label: IndexId) -> Self {
         Particles { members, label, joined: true }
     }
 
-    /// Point masses in place of a family of masses and one of positions.
+    /// Point masses in place of a family of masses and a family of positions.
     pub(crate) fn of(
         nodes: &Nodes<B>,
         (mass, position): (SymbolId, SymbolId),
@@ -39,22 +39,22 @@ impl<B: Number> Particles<B> {
         Particles { members: vec![(mass, masses), (position, positions)], label, joined: false }
     }
 
-    /// How many they are.
+    /// The number of particles.
     pub fn len(&self) -> u8 {
         self.members.first().map_or(0, |(_, members)| members.len().min(u8::MAX.into()) as u8)
     }
 
-    /// Whether they are meant only by what is defined through them.
+    /// Whether they are joined families.
     pub fn is_joined(&self) -> bool {
         self.joined
     }
 
-    /// The families that they stand in for.
+    /// The families that they replace.
     pub fn symbols(&self) -> Vec<SymbolId> {
         self.members.iter().map(|(id, _)| *id).collect()
     }
 
-    /// The member of a family, if they stand in for it.
+    /// The member of a family, if they replace that family.
     pub fn member(&self, id: SymbolId, indices: &[u8]) -> Option<&Value<Series<B>>> {
         let (_, members) = self.members.iter().find(|(known, _)| *known == id)?;
         match indices {
@@ -64,21 +64,21 @@ impl<B: Number> Particles<B> {
     }
 }
 
-/// Where in a continuum a formula is evaluated.
+/// The place in a continuum at which a formula is evaluated.
 pub struct Location<B: Number> {
     /// The continuum and the point of it.
     pub(crate) point: Option<(usize, Vector3<B>)>,
-    /// The part of a continuum that is cut out around its own point, and its size.
+    /// The part of a continuum around its own point.
     pub part: Option<Part<B>>,
 }
 
 /// A part of a continuum.
 pub struct Part<B: Number> {
-    /// Of which.
+    /// The continuum, by its place in the model.
     pub of: usize,
-    /// The particles in it.
+    /// The particles in the part.
     pub particles: Particles<B>,
-    /// Its volume, area or length.
+    /// The volume, area or length of the part.
     pub size: B,
 }
 
@@ -89,21 +89,21 @@ impl<B: Number> Default for Location<B> {
 }
 
 impl<B: Number> Location<B> {
-    /// Whether it is nowhere in particular.
+    /// Whether no place is set.
     pub fn is_default(&self) -> bool {
         self.point.is_none() && self.part.is_none()
     }
 }
 
-/// What stands in for others at a state, and where in a continuum the formula at hand is evaluated.
+/// The substitutes at a state, and the place in a continuum at which the current formula is evaluated.
 pub(crate) struct Substitutes<B: Number> {
-    /// Where in a continuum the formula at hand is evaluated.
+    /// The place in a continuum at which the current formula is evaluated.
     pub(crate) location: RefCell<Location<B>>,
-    /// Particles that stand in for those of a family.
+    /// Particles that replace the members of a family.
     particles: RefCell<Option<Arc<Particles<B>>>>,
-    /// Whether the formula at hand means them.
+    /// Whether the current formula uses them.
     meant: Cell<bool>,
-    /// What stands in for particles whose principal axes are stated of.
+    /// The generic body that replaces particles whose principal axes occur.
     pub(crate) body: Option<GenericBody<B>>,
 }
 
@@ -114,28 +114,28 @@ impl<B: Number> Default for Substitutes<B> {
 }
 
 impl<B: Number> Substitutes<B> {
-    /// Lets these particles stand in for a family, in every formula.
+    /// Replaces a family by these particles in every formula.
     pub(crate) fn set(&self, particles: Option<Particles<B>>) {
         self.meant.set(particles.is_some());
         *self.particles.borrow_mut() = particles.map(Arc::new);
     }
 
-    /// Lets these particles stand in for a joined family: in formulas that depend on it, and in no others.
+    /// Replaces a joined family by these particles, only in formulas that depend on it.
     pub(crate) fn join(&self, particles: Particles<B>) {
         *self.particles.borrow_mut() = Some(Arc::new(particles));
     }
 
-    /// Whether no particles stand in for those of a family.
+    /// Whether no particles replace a family.
     pub(crate) fn is_empty(&self) -> bool {
         self.particles.borrow().is_none()
     }
 
-    /// Whether the formula at hand means the particles that stand in for others.
+    /// Whether the current formula uses the substituted particles.
     pub(crate) fn are_meant(&self) -> bool {
         self.meant.get()
     }
 
-    /// Evaluates what a definition says; within it, joined families are meant if the definition depends on them.
+    /// Evaluates a definition. Within it, joined families are used if the definition depends on them.
     pub(crate) fn within<T>(&self, definition: &Expr, model: &Model, evaluate: impl FnOnce() -> T) -> T {
         let outer = self.meant.get();
         if let Some(particles) = self.particles.borrow().as_ref().filter(|particles| particles.is_joined()) {
@@ -146,7 +146,7 @@ impl<B: Number> Substitutes<B> {
         value
     }
 
-    /// What is made of the particle that stands in for a member of a family, if one does.
+    /// The result of `take` on the particle that replaces a member of a family, if there is one.
     pub(crate) fn member<T>(&self, id: SymbolId, indices: &[u8], take: impl Fn(&Value<Series<B>>) -> T) -> Option<T> {
         let particles = self.particles.borrow();
         let everywhere = particles.as_ref().filter(|_| self.meant.get());
@@ -156,20 +156,20 @@ impl<B: Number> Substitutes<B> {
         })
     }
 
-    /// How many particles stand in for those that an index counts, if any do.
+    /// The number of particles that replace those that an index counts, if there are any.
     pub(crate) fn count(&self, index: IndexId, symbols: &Symbols) -> Option<u8> {
         let particles = self.particles.borrow();
         let meant = particles.as_ref().filter(|_| self.meant.get())?;
         symbols.same_range(meant.label, index).then(|| meant.len())
     }
 
-    /// How many particles there are in the part of a continuum at hand.
+    /// The number of particles in the current part of a continuum.
     pub(crate) fn count_within(&self, continuum: usize) -> Option<u8> {
         let location = self.location.borrow();
         location.part.as_ref().filter(|part| part.of == continuum).map(|part| part.particles.len())
     }
 
-    /// Whether nothing is evaluated at a place in a continuum or in a part of one.
+    /// Whether no place in a continuum is set.
     pub(crate) fn is_nowhere(&self) -> bool {
         self.location.borrow().is_default()
     }

@@ -1,10 +1,9 @@
-//! Particles in the place of a family, and quadrature over bodies with a density: sums over cells, integrals,
-//! shrinking parts.
+//! Quadrature at a sampled state: integrals over continua, sums over cells, limits of shrinking parts, inertia tensors.
 //!
-//! An integral over a continuum is a sum over quadrature nodes; at each of them, the position and the density are
-//! those of the node. The same continuum can be cut into cells, which are particles
-//! ([`crate::check::kinds::continuum`]). A *part* of it around a point, which shrinks, is what a density is a limit
-//! of.
+//! An integral over a continuum is a sum over the nodes of a cubature. At each node the point and the density are those
+//! of the node. The same continuum can be divided into cells, which are particles. The sum over the particles
+//! approaches the integral as the cells get smaller; a claim of this kind is checked so. A density is the limit of a
+//! shrinking *part* of the continuum around a point.
 
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
@@ -24,13 +23,13 @@ use crate::check::state::particles::{Part, Particles};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::state::values::matrix;
 
-/// Up to this degree of the integrand an integral is exact.
+/// The degree of the integrand up to which an integral is exact.
 const DEGREE: usize = 5;
 
-/// Integrals over a body of a known shape are done at this degree as well: where the two differ, neither is exact.
+/// The higher degree at which integrals over declared solids are computed again. If the two differ, neither is exact.
 const FINER: usize = 11;
 
-/// A value, or why there is none.
+/// A value, or the reason why there is none.
 type Valued<B> = Result<Value<Series<B>>, Unavailable>;
 
 impl<B: Number> UnspecifiedContinuum<B> {
@@ -38,7 +37,7 @@ impl<B: Number> UnspecifiedContinuum<B> {
         self.turned() * Vector3::from_fn(|i, _| shares[i] * self.edges[i]) + self.middle
     }
 
-    /// The density at a point: a polynomial of degree 2 in its place, as shares of the edges.
+    /// The density at a point: a polynomial of degree 2 in the position, in units of the edges.
     fn density(&self, x: &Vector3<B>, dimension: u8) -> B {
         let local = self.turned().transpose() * (x - self.middle);
         let u: [B; 3] =
@@ -50,7 +49,7 @@ impl<B: Number> UnspecifiedContinuum<B> {
         c[0] * (linear + squares + mixed + B::one())
     }
 
-    /// A box, a rectangle or a segment of these shares of the edges, in canonical position; a rod lies along z there.
+    /// A box, a rectangle or a segment of this fraction of the edges, in canonical position, where a rod lies along z.
     fn body(&self, dimension: u8, share: f64) -> Body<B> {
         let edges = self.edges.map(|edge| edge * share);
         match dimension {
@@ -60,7 +59,7 @@ impl<B: Number> UnspecifiedContinuum<B> {
         }
     }
 
-    /// Canonical nodes brought to where the continuum is, around a point of it.
+    /// Nodes moved from canonical position to the continuum, around a point of it.
     fn set(&self, nodes: Nodes<B>, dimension: u8, around: &Vector3<B>) -> Nodes<B> {
         let along_x = |x: Vector3<B>| if dimension == 1 { Vector3::new(x.z, x.x, x.y) } else { x };
         let points = nodes.points.into_iter().map(|(x, w)| (along_x(x), w)).collect();
@@ -68,7 +67,7 @@ impl<B: Number> UnspecifiedContinuum<B> {
     }
 }
 
-/// The positions and masses of so many particles; nothing where they are no vectors and numbers.
+/// The positions and masses of `count` particles; `None` if they are not vectors and scalars.
 fn masses_at<D: Number>(
     count: u8,
     at: impl Fn(u8) -> Result<(Value<D>, Value<D>), Unavailable>,
@@ -136,14 +135,14 @@ impl<B: Number> SampledState<'_, B> {
         }
     }
 
-    /// The point of a continuum at which a formula outside of any integral is taken.
+    /// The point of a continuum at which a formula outside of integrals is evaluated.
     fn own_point(&self, at: usize) -> Vector3<B> {
         let (continuum, hidden) = (&self.model.continua[at], &self.base.continua[at]);
         let shares = std::array::from_fn(|i| if i < continuum.dimension.into() { hidden.point[i] } else { B::zero() });
         hidden.place(shares)
     }
 
-    /// The density of a continuum where the formula at hand is evaluated.
+    /// The density of a continuum at the current point.
     pub(crate) fn density(&self, at: usize) -> Option<Series<B>> {
         let x = match &self.substitutes.location.borrow().point {
             Some((of, x)) if *of == at => *x,
@@ -153,7 +152,7 @@ impl<B: Number> SampledState<'_, B> {
         Some(self.constant(self.density_at(at, &x)))
     }
 
-    /// The point at which the formula at hand is evaluated.
+    /// The current point.
     pub(crate) fn point(&self) -> Option<Vector3<Series<B>>> {
         let x = match (&self.substitutes.location.borrow().point, self.base.continua.len()) {
             (Some((_, x)), _) => *x,
@@ -163,7 +162,7 @@ impl<B: Number> SampledState<'_, B> {
         Some(x.map(|x| self.constant(x)))
     }
 
-    /// The volume, area or length of the part at hand.
+    /// The volume, area or length of the current part.
     pub(crate) fn size_of_part(&self, at: usize) -> Option<Series<B>> {
         self.substitutes
             .location
@@ -174,7 +173,7 @@ impl<B: Number> SampledState<'_, B> {
             .map(|part| self.constant(part.size))
     }
 
-    /// Whether nothing is evaluated at a place in a continuum, in a part of one, or with what stands in for others.
+    /// Whether no place in a continuum is set and there are no substitutes.
     pub(crate) fn is_nowhere(&self) -> bool {
         self.substitutes.is_nowhere() && self.is_alone()
     }
@@ -200,7 +199,7 @@ impl<B: Number> SampledState<'_, B> {
         Ok(value)
     }
 
-    /// The sum over the nodes of a degree, and the magnitude of what was summed.
+    /// The sum over the nodes of a degree, and the sum of the magnitudes of the terms.
     fn sum_over_nodes<D: Number>(
         &self,
         (at, degree): (usize, usize),
@@ -246,8 +245,8 @@ impl<B: Number> SampledState<'_, B> {
         }
     }
 
-    /// The limit of a formula as the part of a continuum around its own point shrinks to that point: parts of three
-    /// sizes, from which the error of the second and of the fourth power of the size is taken out.
+    /// The limit of a formula as the part of a continuum around its own point shrinks to that point: Richardson
+    /// extrapolation from three sizes, which removes the errors of the second and the fourth power of the size.
     pub(crate) fn shrink(&self, region: SymbolId, formula: Integrand<'_, Series<B>>) -> Valued<B> {
         let (at, continuum) = self.continuum(region)?;
         let (mass, position) = continuum.particles.ok_or(Unavailable::Symbol(region))?;
@@ -281,7 +280,7 @@ impl<B: Number> SampledState<'_, B> {
         slots.first().map(|(_, letter)| *letter).ok_or(Unavailable::Symbol(family))
     }
 
-    /// A continuum cut into k cells along each edge, as particles in place of its family.
+    /// A continuum divided into k cells along each edge, as particles in place of its family.
     pub(crate) fn cut(&self, at: usize, k: usize) -> Result<Particles<B>, Unavailable> {
         let (continuum, hidden) = (&self.model.continua[at], &self.base.continua[at]);
         let families = continuum.particles.ok_or(Unavailable::Symbol(continuum.region))?;
@@ -293,7 +292,7 @@ impl<B: Number> SampledState<'_, B> {
         Ok(Particles::of(&cells, families, label, |x| self.constant(x)))
     }
 
-    /// The inertia tensor of point masses, of which so many terms are used; that of each family is computed once a state.
+    /// The inertia tensor of point masses to this number of terms, computed once for each family and state.
     fn tensor(
         &self,
         (label, masses, positions): (IndexId, &Expr, &Expr),
@@ -328,7 +327,7 @@ impl<B: Number> SampledState<'_, B> {
         Ok(tensor)
     }
 
-    /// What the point masses of two families determine, about the origin.
+    /// A quantity of point masses about the origin.
     pub(crate) fn of_particles(
         &self,
         quantity: ParticleQuantity,
@@ -337,7 +336,7 @@ impl<B: Number> SampledState<'_, B> {
         terms: usize,
     ) -> Valued<B> {
         let none = || Unavailable::Symbol(id);
-        // Of axes and moments the value alone is known.
+        // Axes and moments have a value only, and no derivatives.
         let terms = if quantity == ParticleQuantity::InertiaTensor { terms } else { 1 };
         let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1).ok_or_else(none);
         let of_body = self.substitutes.body.as_ref().and_then(GenericBody::tensor);
@@ -359,10 +358,10 @@ impl<B: Number> SampledState<'_, B> {
                 _ => Ok(Value::Vector(body.axis(place(0)?).map(Series::of_value))),
             };
         }
-        // Eigenvectors are found for plain numbers: how they vary is not known.
+        // Eigenvectors are computed for plain numbers, so their derivatives are not known.
         let found = principal_axes(&tensor.map(|entry| entry.value().re())).map_err(|_| none())?;
         let known = |x: f64| Series::from_derivatives(&[B::from(x)]);
-        // Which axis is called the first is anybody's choice: at each state another one, so that no claim rests on it.
+        // The order of the axes is arbitrary. Each state has another order, so that no claim depends on it.
         const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
         let which = (self.base.time.re().to_bits() >> 20) as usize % ORDERS.len();
         let named = ORDERS[which][place(0)?];

@@ -1,6 +1,8 @@
-//! Whether two sides agree at a state.
+//! The residual of a claim at a state: whether its two sides agree.
 //!
-//! One doubtful state prevents a pass, so a large common offset never makes two sides equal.
+//! A residual is compared with the size of the terms on both sides ([`RunningError`]). It is rounding error, a clear
+//! difference, or doubtful in between. One doubtful state is enough to withhold a pass, so a large common offset never
+//! makes two sides equal.
 //!
 //! # When two numbers agree
 //!
@@ -20,28 +22,29 @@ use crate::scalar::RunningError;
 use crate::check::model::claim::Link;
 use crate::check::state::sampled_state::SampledState;
 
-/// Up to this share of the scale a residual is rounding: some forty roundings of a double. Identities stay far below.
+/// The relative size up to which a residual is rounding error: about forty roundings of a double. Identities stay far
+/// below.
 pub const ROUNDING: f64 = 1e-14;
 
-/// From this share of the scale on, a residual is a difference.
+/// The relative size from which a residual is a difference.
 pub const DIFFERENCE: f64 = 1e-11;
 
-/// What a state says of a link.
+/// The result of testing a link at a state.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Point {
-    /// The relation holds; with the relative residual.
+    /// The relation holds, with this relative residual.
     Holds(f64),
-    /// It does not.
+    /// The relation fails.
     Fails(Failure),
-    /// One side is defined here and the other is not.
+    /// One side has a value here and the other has none.
     OneSided(Failure),
-    /// The sides differ by more than rounding, and by less than can be called a difference.
+    /// The sides differ by more than rounding error and by less than a clear difference.
     Doubtful,
     /// Neither side has a value here.
     Useless,
 }
 
-/// Where and how a link fails at a state.
+/// The failure of a link at a state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
     /// The left side's value.
@@ -50,7 +53,7 @@ pub struct Failure {
     pub rhs: f64,
     /// The residual relative to the scale.
     pub residual: f64,
-    /// Which entry of a vector, matrix or family.
+    /// The entry of a vector, matrix or family that fails.
     pub entry: Option<String>,
 }
 
@@ -82,7 +85,7 @@ impl AbsDiffEq for Scaled {
     }
 }
 
-/// Whether a value that should be zero is as small as rounding makes it.
+/// Whether a value that should be zero is within rounding error.
 pub fn vanishes(value: RunningError) -> bool {
     abs_diff_eq!(Scaled { value: value.value, scale: value.magnitude }, Scaled { value: 0.0, scale: 0.0 })
         || value.value == 0.0
@@ -103,12 +106,12 @@ pub fn holds(relation: Relation, difference: RunningError) -> bool {
     }
 }
 
-/// By how much an inequality holds; negative, where it fails.
+/// The margin of an inequality: positive where it holds, negative where it fails.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margin {
-    /// Relative to the terms of its sides.
+    /// The margin relative to the terms of the sides.
     pub share: f64,
-    /// As a number.
+    /// The margin itself.
     pub size: f64,
 }
 
@@ -119,7 +122,7 @@ pub struct Sides {
 }
 
 impl Sides {
-    /// Of a link at a state.
+    /// Evaluates the sides of a link at a state.
     pub fn of(link: &Link, state: &SampledState<'_, RunningError>) -> Result<Self, Unavailable> {
         let mut sides = Sides { lhs: Vec::new(), rhs: Vec::new() };
         let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
@@ -132,7 +135,7 @@ impl Sides {
         }
     }
 
-    /// By how much an inequality between numbers holds, where it holds by least.
+    /// The smallest margin of an inequality between scalars, over the free indices.
     pub fn margin(self, relation: Relation) -> Option<Margin> {
         let mut least: Option<Margin> = None;
         for (lhs, rhs) in self.lhs.into_iter().zip(self.rhs) {
@@ -156,7 +159,7 @@ impl Sides {
     }
 }
 
-/// Tests a link at a state where its sides are known.
+/// Tests a link at a state whose sides are known.
 pub fn test_sides(link: &Link, sides: &Sides, state: &SampledState<'_, RunningError>) -> Result<Point, Unavailable> {
     test_knowing(link, state, (Some(&sides.lhs), Some(&sides.rhs)), false)
 }
@@ -166,8 +169,8 @@ pub fn test(link: &Link, state: &SampledState<'_, RunningError>) -> Result<Point
     test_knowing(link, state, (None, None), false)
 }
 
-/// Tests a mutant of a link at a state, the link's sides being known there. What does not agree at one entry is looked at
-/// no further, so this says whether it holds, and not where it fails most clearly.
+/// Tests a mutant of a link at a state, where the sides of the link may be known. The test stops at the first entry
+/// that fails, so the failure need not be the clearest one.
 pub fn test_mutant(
     mutant: &Link,
     link: &Link,
@@ -179,7 +182,7 @@ pub fn test_mutant(
     test_knowing(mutant, state, (lhs, rhs), true)
 }
 
-/// The values of a side, for one after another of the values of the free indices.
+/// The known values of a side, in the order of the values of the free indices.
 type Known<'a> = Option<&'a [Value<RunningError>]>;
 
 fn test_knowing(
@@ -218,7 +221,7 @@ fn test_knowing(
     Ok(worst)
 }
 
-/// The numbers of two sides; a literal 0 or 1 takes the shape of the other side.
+/// The entries of two sides. A literal 0 or 1 takes the shape of the other side.
 pub fn pair<B: crate::scalar::Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, Vec<B>) {
     use crate::formula::shape::Shape;
     let (a_shape, b_shape) = (lhs.shape(), rhs.shape());
@@ -284,7 +287,7 @@ fn worse(a: Point, b: Point) -> Point {
     }
 }
 
-/// The next values of the free indices; false after the last.
+/// Advances the free indices to their next values; returns false after the last.
 pub fn advance<B: crate::scalar::Number>(
     indices: &mut [(IndexId, u8)],
     state: &SampledState<'_, B>,

@@ -1,8 +1,7 @@
-//! The value that rules give a symbol at a state.
+//! The value of a symbol at a state by the rules of hypotheses and laws.
 //!
-//! Rules act one after the other, each on the result of the one before. A law that gives the highest derivative of
-//! a symbol is followed order by order, all members of a family at once: the known orders are put into the law,
-//! which gives the next one.
+//! Rules apply one after the other, each to the value before it. An equation of motion is integrated as a series, order
+//! by order, for all members of a family at once: the terms that are known give the next derivative.
 
 use nalgebra::Vector3;
 
@@ -15,7 +14,7 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::state::values::{MemberValues, Valued};
 
 impl<B: Number> SampledState<'_, B> {
-    /// A symbol after the first `upto` rules, of which so many terms are used.
+    /// The value of a symbol after the first `upto` rules, to this number of terms.
     pub(crate) fn ruled(&self, id: SymbolId, indices: &[u8], upto: usize, terms: usize) -> Valued<B> {
         let Some(at) = self.rules[..upto].iter().rposition(|rule| rule.symbol == id) else {
             return self.raw(id, indices, terms);
@@ -54,20 +53,19 @@ impl<B: Number> SampledState<'_, B> {
                 return member.ok_or(Unavailable::Symbol(id));
             }
             Action::Coupled(laws) => return self.together(laws, id),
-            // What joins families acts through the crowd that stands in for them.
+            // Joined families act through the particles that replace them.
             Action::Union(..) => return before(),
         };
         if rule.throughout || !self.model.symbols.entry(id).varies {
             return Ok(target);
         }
-        // At the instant only: the value is the target's, the derivatives are its own.
+        // At the instant only: the value is the target's, the derivatives are those of the symbol.
         let own = before()?;
         let shift = target.plus(own.clone().map(|x| -x)).ok_or(wrong.clone())?;
         own.plus(shift.map(|x| Series::constant(x.value()))).ok_or(wrong)
     }
 
-    /// A member, by its place, of a symbol that follows from its lower derivatives, by these and by what its rule says
-    /// of the next: all members are found together.
+    /// A member, by its place, of a symbol with an equation of motion. All members are found together.
     fn follow(
         &self,
         rule: &Rule,
@@ -92,7 +90,7 @@ impl<B: Number> SampledState<'_, B> {
         let wrong = || Unavailable::Operation("a sum of terms of different shapes");
         let mut values: MemberValues<B> = Vec::new();
         for next in order..terms {
-            // What was found with fewer derivatives may reach further.
+            // Values that were found with fewer derivatives may have enough terms.
             let enough = |value: &Value<Series<B>>| value.entries().iter().all(|x| x.known() > next - order);
             if values.is_empty() || !values.iter().all(enough) {
                 self.memo.following.borrow_mut().push((rule.symbol, known.clone()));
@@ -133,11 +131,11 @@ impl<B: Number> SampledState<'_, B> {
         Ok(member)
     }
 
-    /// The index values of every member of a family there is here.
+    /// The index values of every member of a family.
     fn every_member(&self, id: SymbolId) -> Result<Vec<Vec<u8>>, Unavailable> {
         let mut members = vec![Vec::new()];
         for (_, letter) in &self.model.symbols.entry(id).slots {
-            // As many as there is room for, so that the place of a member does not depend on the count.
+            // The largest number of members, so that the place of a member does not depend on the actual number.
             let count = self.model.symbols.indices[letter.0].upper;
             members = members
                 .into_iter()

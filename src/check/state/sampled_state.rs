@@ -1,11 +1,11 @@
 //! A sampled state: values for all symbols of a document, in which formulas are evaluated.
 //!
-//! A state is fixed by its *base*: numbers for the time, the constants, and the derivatives of everything that
-//! varies. Off shell the base holds all derivatives up to the order in use; on shell it holds q and q̇, and the
-//! Euler–Lagrange equations give the rest. The same code runs over measured numbers (to judge), dual numbers (to
-//! project) and the numbers of a prime field (to certify).
+//! A state is fixed by its *base*: the time, the constants, and the values and derivatives of everything that varies.
+//! Off shell the base holds all derivatives up to the order in use. On shell it holds q and q̇, and the Euler–Lagrange
+//! equations give the rest. The same code runs over measured numbers (to test claims), dual numbers (to solve
+//! hypotheses), symbols (to show a difference) and the numbers of a prime field (to certify).
 //!
-//! This file holds the state and its parts. [`super::evaluate`] gives each symbol its value.
+//! This file holds the state and its parts. [`super::evaluate`] gives the value of each symbol.
 
 use std::sync::Arc;
 
@@ -24,10 +24,10 @@ use crate::formula::{IndexId, SymbolId, Value};
 use crate::mechanics::{LinearSolver, Quantities};
 use crate::scalar::{Number, Series};
 
-/// A state.
+/// A sampled state over numbers of type `B`.
 pub struct SampledState<'m, B: Number> {
     pub(crate) model: &'m Model,
-    /// How many derivatives are known of what is drawn, the value counted.
+    /// The number of terms of drawn functions: the value and its known derivatives.
     terms: usize,
     pub(crate) base: Base<B>,
     pub(crate) rules: Arc<[Rule]>,
@@ -42,7 +42,7 @@ impl<'m, B: Number> SampledState<'m, B> {
     /// The state with this base.
     ///
     /// # Errors
-    /// When the mass matrix is singular there.
+    /// If the mass matrix is singular at this state.
     pub fn new(model: &'m Model, mode: Mode, base: &[B], rules: &Arc<[Rule]>) -> Result<Self> {
         SampledState::by(
             LinearSolver::PartialPivoting,
@@ -54,11 +54,10 @@ impl<'m, B: Number> SampledState<'m, B> {
         )
     }
 
-    /// The same state, of which no more than so many derivatives are known, the value counted, and the mass matrix
-    /// inverted in the given way.
+    /// The state with this base, with this number of terms and this way of inverting the mass matrix.
     ///
     /// # Errors
-    /// When it cannot be.
+    /// If the mass matrix is singular at this state.
     pub fn by(
         solver: LinearSolver,
         terms: usize,
@@ -81,30 +80,30 @@ impl<'m, B: Number> SampledState<'m, B> {
         })
     }
 
-    /// Lets a body stand in for the particles whose principal axes are stated of.
+    /// Replaces particles whose principal axes occur by a generic body.
     pub(crate) fn set_body(&mut self, body: Option<GenericBody<B>>) {
         self.substitutes.body = body;
         self.memo.forget();
     }
 
-    /// The model that the state belongs to.
+    /// The model of the state.
     pub fn model(&self) -> &'m Model {
         self.model
     }
 
-    /// Gives a symbol a value of its own, whatever it means, and takes the earlier ones back.
+    /// Overrides the values of these symbols, and removes all earlier overrides.
     pub fn set_only(&mut self, overrides: &[(SymbolId, Series<B>)]) {
         self.overrides = overrides.iter().map(|(id, value)| (*id, Value::Scalar(*value))).collect();
         self.memo.forget();
     }
 
-    /// The same for one symbol of any shape.
+    /// Overrides the value of one symbol of any shape, and removes all earlier overrides.
     pub fn replace(&mut self, id: SymbolId, value: Value<Series<B>>) {
         self.overrides = vec![(id, value)];
         self.memo.forget();
     }
 
-    /// Lets these particles stand in for a family from now on; without them the family itself is meant again.
+    /// Replaces a family by these particles from now on; `None` restores the family.
     pub fn substitute(&self, particles: Option<Particles<B>>) {
         self.substitutes.set(particles);
         self.memo.forget();
@@ -115,22 +114,22 @@ impl<'m, B: Number> SampledState<'m, B> {
         self.system.coordinates()
     }
 
-    /// What the system determines here, if there is one.
+    /// The quantities of the system at this state, if there is a system.
     pub fn quantities(&self) -> Option<&Quantities<Series<B>>> {
         self.system.series()
     }
 
-    /// The Euler–Lagrange residuals of the system at this state, one a coordinate.
+    /// The Euler–Lagrange residuals of the system at this state, one for each coordinate.
     pub fn euler_lagrange(&self) -> Option<Vec<B>> {
         self.system.euler_lagrange()
     }
 
-    /// What does not vary, known as far as what does.
+    /// A constant as a series with all terms known.
     pub(crate) fn constant(&self, value: B) -> Series<B> {
         Series::constant(value).truncated(self.terms)
     }
 
-    /// Where a member of a family stands among the others.
+    /// The place of a member among all members of a family.
     pub(crate) fn place_of(&self, id: SymbolId, indices: &[u8]) -> usize {
         let symbols = &self.model.symbols;
         let upper = |letter: &IndexId| usize::from(symbols.indices[letter.0].upper);
@@ -138,22 +137,22 @@ impl<'m, B: Number> SampledState<'m, B> {
         indices.iter().zip(slots).fold(0, |at, (i, (_, letter))| at * upper(letter) + usize::from(*i) - 1)
     }
 
-    /// How many derivatives are known of what is drawn, the value counted.
+    /// The number of terms of drawn functions: the value and its known derivatives.
     pub(crate) fn terms(&self) -> usize {
         self.terms
     }
 
-    /// The value that a symbol was given of its own, if it was.
+    /// The override of a symbol's value, if there is one.
     pub(crate) fn replaced(&self, id: SymbolId) -> Option<&Value<Series<B>>> {
         self.overrides.iter().find(|(known, _)| *known == id).map(|(_, value)| value)
     }
 
-    /// Whether a symbol was given no value of its own, and no rule says what it is.
+    /// Whether a symbol has neither an override nor a rule.
     pub(crate) fn is_free(&self, id: SymbolId) -> bool {
         self.replaced(id).is_none() && !self.rules.iter().any(|rule| rule.symbol == id)
     }
 
-    /// Whether what a symbol stands for may be kept for the next time that it is asked for.
+    /// Whether the value of a symbol may be cached.
     fn keeps(&self, id: SymbolId) -> bool {
         let costly =
             matches!(self.model.meaning(id), Some(Meaning::Defined(_) | Meaning::Particles(..) | Meaning::Rigid(_)))
@@ -161,7 +160,7 @@ impl<'m, B: Number> SampledState<'m, B> {
         costly && self.substitutes.is_nowhere()
     }
 
-    /// What a symbol is kept under, if it is.
+    /// The cache key of a symbol, if its value is cached.
     pub(crate) fn key(&self, id: SymbolId, indices: &[u8]) -> Option<Key> {
         if indices.len() > 3 || self.replaced(id).is_some() || !self.keeps(id) {
             return None;
@@ -171,7 +170,7 @@ impl<'m, B: Number> SampledState<'m, B> {
         Some(((id, values), self.substitutes.are_meant()))
     }
 
-    /// Whether no particles stand in for others, and no law is being followed.
+    /// Whether there are no substitutes, and no equation of motion is being solved.
     pub(crate) fn is_alone(&self) -> bool {
         self.substitutes.is_empty() && !self.memo.is_following()
     }

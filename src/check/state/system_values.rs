@@ -1,4 +1,4 @@
-//! What the traced system determines at a sampled state: coordinates on shell, energies, momenta, the orientation.
+//! The quantities of the traced system at a sampled state: coordinates on shell, energies, momenta, the orientation.
 
 use std::cell::OnceCell;
 
@@ -14,25 +14,25 @@ use crate::formula::Value;
 use crate::mechanics::{LinearSolver, Quantities, System};
 use crate::scalar::{Number, Primal, Series};
 
-/// The coordinates of a state as series in time, and what the system determines by them, computed when it is asked for.
+/// The coordinates of a state as series in time, and the quantities of the system, computed on demand.
 pub(crate) struct SystemValues<'m, B: Number> {
     system: Option<&'m System>,
     solver: LinearSolver,
-    /// How many coefficients are known of what is drawn.
+    /// The number of terms of drawn functions.
     terms: usize,
     time: B,
     parameters: Vec<B>,
     coordinates: Vec<Series<B>>,
     series: OnceCell<Option<Box<Quantities<Series<B>>>>>,
-    /// The same as values at the instant.
+    /// The quantities at the instant.
     values: OnceCell<Option<Box<Quantities<Primal<B>>>>>,
 }
 
 impl<'m, B: Number> SystemValues<'m, B> {
-    /// The coordinates by the equations of motion, if the state is on shell and there is a system; else as drawn.
+    /// The coordinates from the equations of motion if the state is on shell and there is a system, else as drawn.
     ///
     /// # Errors
-    /// When the mass matrix is singular at this state.
+    /// If the mass matrix is singular at this state.
     pub(crate) fn new(
         model: &'m Model,
         mode: Mode,
@@ -87,7 +87,7 @@ impl<'m, B: Number> SystemValues<'m, B> {
         self.values.get_or_init(compute).as_deref()
     }
 
-    /// One quantity at the instant, where it is one of those that the system gives all at once.
+    /// One quantity at the instant, if it is among those that the system computes together.
     pub(crate) fn value(&self, quantity: Quantity, indices: &[u8]) -> Option<Value<Primal<B>>> {
         match quantity {
             Quantity::SpaceAxes | Quantity::EffectivePotential => None,
@@ -119,7 +119,7 @@ impl<'m, B: Number> SystemValues<'m, B> {
         }
     }
 
-    /// The Euler–Lagrange residuals of the system, one a coordinate.
+    /// The Euler–Lagrange residuals of the system, one for each coordinate.
     pub(crate) fn euler_lagrange(&self) -> Option<Vec<B>> {
         let derivative = |order: usize| -> Option<Vec<B>> {
             self.coordinates.iter().map(|q| q.nth_derivative_value(order)).collect()
@@ -141,7 +141,7 @@ impl<'m, B: Number> SystemValues<'m, B> {
     }
 }
 
-/// One of the quantities that a system determines.
+/// One of the quantities that a system computes together.
 fn one_of<D: Number>(all: &Quantities<D>, quantity: Quantity, indices: &[u8]) -> Option<Value<D>> {
     let place = |at: usize| indices.get(at).map(|index| usize::from(*index) - 1);
     Some(match quantity {

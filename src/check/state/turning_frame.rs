@@ -1,4 +1,4 @@
-//! The frame of a document that turns, at a sampled state: its axes and its angular velocity, computed when asked for.
+//! The turning frame of a document at a sampled state: its axes and angular velocity, computed on demand.
 
 use std::cell::OnceCell;
 
@@ -9,29 +9,29 @@ use crate::check::state::numbers::Base;
 use crate::mechanics::{Frame, rotations};
 use crate::scalar::{Number, Primal, Series, TERMS};
 
-/// How fast the frame turns, if there is one.
+/// The angular velocity of the frame, if there is one.
 type AngularVelocity<B> = Option<Box<Vector3<Series<B>>>>;
 
-/// Coefficients of the axes of a frame, if there is one.
+/// The series coefficients of the axes of the frame, if there is one.
 type Axes<B> = Option<Box<Matrix3<Primal<B>>>>;
 
-/// The frame that turns, in as many terms as were needed. All components are along the space axes.
+/// The turning frame, with as many terms as were needed. All components are along the space axes.
 pub(crate) struct TurningFrame<B: Number> {
     kind: Option<meaning::Frame>,
-    /// How many coefficients are known of what is drawn.
+    /// The number of terms of drawn functions.
     terms: usize,
-    /// The frame, known to so many terms as its place here says.
+    /// The frame; the place in the array is the number of terms.
     frames: [OnceCell<Option<Box<Frame<B>>>>; TERMS + 2],
-    /// Its axes' coefficients of each order.
+    /// The series coefficients of the axes, by order.
     axes: [OnceCell<Axes<B>>; TERMS],
-    /// Its angular velocity at the instant.
+    /// The angular velocity at the instant.
     angular_velocity_now: OnceCell<Option<Vector3<Primal<B>>>>,
-    /// Its angular velocity, known to so many terms as its place here says.
+    /// The angular velocity; the place in the array is the number of terms.
     angular_velocities: [OnceCell<AngularVelocity<B>>; TERMS + 1],
 }
 
 impl<B: Number> TurningFrame<B> {
-    /// A frame of which nothing was computed.
+    /// A frame before any computation.
     pub(crate) fn new(kind: Option<meaning::Frame>, terms: usize) -> Self {
         TurningFrame {
             kind,
@@ -43,7 +43,7 @@ impl<B: Number> TurningFrame<B> {
         }
     }
 
-    /// The frame, of which so many terms are used; there may be more.
+    /// The frame, to at least this number of terms.
     pub(crate) fn frame(&self, base: &Base<B>, terms: usize) -> Option<&Frame<B>> {
         let terms = terms.min(self.terms + 1);
         let known = || self.frames.get(terms..)?.iter().find_map(OnceCell::get);
@@ -54,7 +54,7 @@ impl<B: Number> TurningFrame<B> {
         }
     }
 
-    /// The coefficients, of an order, of the axes, as rows: of order 0 the axes at the instant.
+    /// The series coefficients of one order of the axes, as rows: for order 0 the axes at the instant.
     pub(crate) fn axes(&self, base: &Base<B>, order: usize) -> Option<&Matrix3<Primal<B>>> {
         let known = || self.frames[1..].iter().find_map(|frame| frame.get()?.as_ref());
         let compute = || {
@@ -81,7 +81,7 @@ impl<B: Number> TurningFrame<B> {
         *self.angular_velocity_now.get_or_init(compute)
     }
 
-    /// The angular velocity, of which so many terms are used; there may be more.
+    /// The angular velocity, to at least this number of terms.
     pub(crate) fn angular_velocity(&self, base: &Base<B>, terms: usize) -> Option<Vector3<Series<B>>> {
         let terms = terms.min(self.terms);
         let compute = || self.frame(base, terms + 1).map(|frame| Box::new(frame.angular_velocity()));

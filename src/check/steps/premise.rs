@@ -1,7 +1,10 @@
-//! A step of a derivation as printed, taken for true.
+//! Premises: models in which a step of a derivation holds as printed.
 //!
-//! If the step prints the Lagrangian, or one of the energies, the system is that of the printed Lagrangian.
-//! Otherwise the step is a law without a system: what the system determines is then any function of time.
+//! A step follows from a false one if it holds in a model in which the false one holds. If the false step prints the
+//! Lagrangian or one of the energies, that model has the system of the printed Lagrangian. Otherwise the false step is a law
+//! in a model without a system, where all quantities that the system determines are arbitrary functions of time. A law that
+//! constrains more than the derivatives in it may leave no states or a single one, and then anything would follow. Nothing
+//! is concluded from such a law.
 //!
 //! # When a wrong line follows from another
 //!
@@ -32,20 +35,20 @@ use crate::check::sample::setting::FEWEST;
 use crate::check::state::numbers::{Layout, slots};
 use crate::check::state::sampled_state::SampledState;
 
-/// Values nearer to one another than this, relative to their size, are one value.
+/// The relative distance below which two values count as equal.
 const ONE_VALUE: f64 = 1e-9;
 
-/// A system in which a step holds as printed.
+/// A model in which a step holds as printed.
 pub(crate) struct Premise {
-    /// The names, with what they mean there.
+    /// The model.
     pub model: Model,
-    /// Of a law: the names that the system had determined.
+    /// The symbols that the system determined, and that are free here.
     freed: Vec<SymbolId>,
 }
 
 impl Checker<'_> {
-    /// The system of the Lagrangian that a step prints, or of the energies that it prints, the other one as the steps before
-    /// have it or, if they do not, as it is. None, if it prints none of them in coordinates and velocities.
+    /// The premise with the Lagrangian that a step prints, or with the energy that it prints; the other energy is that of the
+    /// steps before, or else the true one. `None`, if it prints none of them in coordinates and velocities.
     pub(crate) fn printed_world(&self, earlier: &[usize], step: usize) -> Option<Premise> {
         let system = self.model.system.as_ref()?;
         let own = self.energies(step);
@@ -83,7 +86,7 @@ impl Checker<'_> {
         Some(Premise { model, freed: Vec::new() })
     }
 
-    /// The energies that a display prints in coordinates and velocities, by their last forms.
+    /// The energies that a display prints in coordinates and velocities, each by its last member.
     fn energies(&self, at: usize) -> Vec<(Quantity, Expr)> {
         let mut found = Vec::new();
         for statement in self.readings[at].statements.iter().flatten() {
@@ -103,7 +106,7 @@ impl Checker<'_> {
         found
     }
 
-    /// L, and U where it is L = T − U, over symbols; none, if one of them is no number of coordinates and velocities.
+    /// L, and U if L = T − U, as symbolic values; `None`, if one of them is not a number made of coordinates and velocities.
     fn symbolic(
         &self,
         time: Symbol,
@@ -121,7 +124,7 @@ impl Checker<'_> {
                 (Some(i), _, 1) => v[i],
                 (_, Some(i), 0) => parameters[i],
                 _ if at == 0 => time,
-                // What else is drawn is nothing that a Lagrangian is made of.
+                // A Lagrangian contains nothing else that is sampled.
                 _ => Symbol::from(f64::NAN),
             }
         };
@@ -148,9 +151,9 @@ impl Checker<'_> {
         }
     }
 
-    /// The names without the system and without laws: what these determined is any function of time, and so are, if that is
-    /// asked for, the numbers that a formula defines.
-    pub(crate) fn aside(&self, names: bool) -> Premise {
+    /// The model without the system and without laws. What these determined is an arbitrary function of time; with `names`, so
+    /// are the numbers that a formula defines.
+    pub(crate) fn without_system(&self, names: bool) -> Premise {
         let mut model = self.model.clone();
         (model.system, model.laws) = (None, Vec::new());
         model.parameters.clear();
@@ -174,10 +177,11 @@ impl Checker<'_> {
         Premise { model, freed }
     }
 
-    /// Steps as laws where there is no system: the equalities that they print, `names` as in [`Checker::aside`]. None, if they
-    /// print none, or if one is about vectors or families and does not say outright what one of these is.
+    /// The model without a system in which the equalities that some steps print are laws; `names` as in
+    /// [`Checker::without_system`]. `None`, if they print none, or if one is about vectors or families and is not an explicit
+    /// formula of one of them.
     pub(crate) fn as_laws(&self, steps: &[usize], names: bool) -> Option<Premise> {
-        let Premise { mut model, freed } = self.aside(names);
+        let Premise { mut model, freed } = self.without_system(names);
         for step in steps {
             let mut hypotheses = Vec::new();
             for statement in self.readings[*step].statements.iter().flatten() {
@@ -220,8 +224,8 @@ enum Energies {
 }
 
 impl Premise {
-    /// Whether laws leave all that they do not speak of as free as it was: they give names that the system had determined, or
-    /// derivatives that are the highest in them, and together nothing else. A single law may tie two coordinates.
+    /// Whether the laws only determine symbols that the system determined, or the highest derivatives in them, so that the
+    /// rest of the state is free. A single law may relate two coordinates.
     ///
     /// # Errors
     /// When states cannot be made.
@@ -243,7 +247,7 @@ impl Premise {
             let leads = highest.max().is_some_and(|highest| slot.order >= usize::from(highest) + derivative);
             leads && (laws == 1 || slot.order > 0 || self.freed.contains(&symbol))
         };
-        // What is solved for has a value of its own at every state, or it is pinned.
+        // An unknown with the same value at two states is fixed by the laws.
         let varies = |((_, derivative, _), slot): &((usize, usize, usize), usize)| {
             let apart = |a: f64, b: f64| (a - b).abs() > ONE_VALUE * (1.0 + a.abs());
             let values: Vec<f64> = ensemble.bases.iter().map(|base| base[*slot]).collect();

@@ -1,11 +1,9 @@
-//! A document with another text for one display, without reading the rest again.
+//! A document with another text for one display, without reading the other displays again.
 //!
-//! The display is read with the names of the whole document. Names that it defines get their new meanings, and a
-//! law that it prints is replaced. How other displays would then be read is not considered: this only excludes
-//! edits, and what is offered has been read in full.
-//!
-//! To read a document again takes longer than to see that an edit corrects nothing. So only the one display is
-//! read, with the names of the others, and two states judge; the edits that remain are checked in full.
+//! Reading a document takes far longer than rejecting an edit. So only the edited display is read, with the names of the
+//! document; the names that it introduces get their new definitions, and a law that it prints is replaced. The effect of the
+//! edit on the reading of other displays is ignored here. This only rejects edits: an edit that is offered was checked in
+//! the whole document.
 
 use crate::formula::{Expr, Node, SymbolId};
 use crate::latex::{DefinedSymbol, Reading, read_display};
@@ -18,8 +16,9 @@ use crate::check::model::Model;
 use crate::check::sample::context::Options;
 
 impl Checker<'_> {
-    /// What is found on the checker with another text for a display; nothing, if that cannot be read or names other things.
-    pub(crate) fn with_text<T>(
+    /// The result of `judge` on the checker with another text for a display; `None`, if the text cannot be read or introduces
+    /// other names.
+    pub(crate) fn with_edited_text<T>(
         &self,
         options: Options,
         at: usize,
@@ -28,14 +27,14 @@ impl Checker<'_> {
     ) -> Option<T> {
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
-        let formulas = self.redefines(at, claim, text)?;
-        let (mut model, reading) = self.redefined(at, claim, text, &formulas)?;
+        let formulas = self.new_definitions(at, claim, text)?;
+        let (mut model, reading) = self.redefined_model(at, claim, text, &formulas)?;
         if reading.statements.iter().any(std::result::Result::is_err) {
             return None;
         }
         let mut readings = self.readings.to_vec();
         readings[at] = reading;
-        // Units are inferred from what is wrong as well.
+        // The units were inferred from the text before the edit, so they are not checked.
         let units = || None;
         if self.is_law(at) {
             let unlawful = Checker { model: &model, readings: &readings, options, units: units(), ..*self };
@@ -45,14 +44,14 @@ impl Checker<'_> {
         Some(judge(&Checker { model: &model, readings: &readings, options, units: units(), ..*self }))
     }
 
-    /// What a text in the place of a display makes of the names that the display introduces, one formula for each; none, if
-    /// it does not introduce them all.
-    pub(crate) fn redefines(&self, at: usize, claim: &Claim, text: &str) -> Option<Vec<Expr>> {
-        self.introduces(at, claim, text).or_else(|| self.defined_anew(at, claim, text))
+    /// The definitions that a text gives to the names that a display introduces, one formula for each; `None`, if it does not
+    /// define them all.
+    pub(crate) fn new_definitions(&self, at: usize, claim: &Claim, text: &str) -> Option<Vec<Expr>> {
+        self.introduced_formulas(at, claim, text).or_else(|| self.formulas_of_known_names(at, claim, text))
     }
 
-    /// The same; none either, if the text cannot be read where these names are not known.
-    pub(crate) fn introduces(&self, at: usize, claim: &Claim, text: &str) -> Option<Vec<Expr>> {
+    /// The same, read as if these names were unknown; `None`, if the text cannot be read so.
+    pub(crate) fn introduced_formulas(&self, at: usize, claim: &Claim, text: &str) -> Option<Vec<Expr>> {
         let model = self.model;
         let own = &self.readings[at].introduced;
         if own.is_empty() {
@@ -78,8 +77,8 @@ impl Checker<'_> {
         own.iter().map(formula).collect()
     }
 
-    /// What a text makes of these names where they are known: some displays use a name before they say what it is.
-    fn defined_anew(&self, at: usize, claim: &Claim, text: &str) -> Option<Vec<Expr>> {
+    /// The same, read with these names known: some displays use a name before they define it.
+    fn formulas_of_known_names(&self, at: usize, claim: &Claim, text: &str) -> Option<Vec<Expr>> {
         let reading = self.as_printed(text, claim, &self.model.macros);
         let formula = |new: &DefinedSymbol| {
             let (name, formula) = defined(reading.statements.get(new.statement)?.as_ref().ok()?, new)?;
@@ -89,9 +88,9 @@ impl Checker<'_> {
         is_read.then(|| self.readings[at].introduced.iter().map(formula).collect())?
     }
 
-    /// The model in which the names that a display introduces have these meanings, and how a text in its place is read
-    /// there; nothing, if the names do not stand in it where they stood, or would be defined in a circle.
-    pub(crate) fn redefined(
+    /// The model in which the names of a display have these definitions, and the reading of a text in its place; `None`, if the
+    /// names are not where they were, or if a name would be defined by itself.
+    pub(crate) fn redefined_model(
         &self,
         at: usize,
         claim: &Claim,
@@ -102,7 +101,6 @@ impl Checker<'_> {
         let mut model: Model = self.model.clone();
         let introduced = || before.introduced.iter().zip(formulas);
         for (new, formula) in introduced() {
-            // Nothing can be what it is by way of itself.
             if model.depends_on(formula, &[new.symbol]) {
                 return None;
             }

@@ -1,9 +1,10 @@
-//! Another text in the place of a display, as mutation and repair try it.
+//! Trials of another text in place of a display, for mutation testing and for repairs.
 //!
-//! Offers [`trial_text::Trial`], which refutes most texts at a few kept states, and [`document`], which checks a whole document
-//! with an edit made. Knows `equations` and below.
+//! Offers [`text_trial::Trial`], which refutes most texts at a few kept states; [`edited_display`], a document with another text
+//! for one display; [`edited_document`], the check of a whole edited document; [`failed_display`], a display to be repaired.
+//! Knows `equations` and below.
 
-pub(crate) mod document;
 pub(crate) mod edited_display;
-pub(crate) mod trial_text;
-pub(crate) mod wrong;
+pub(crate) mod edited_document;
+pub(crate) mod failed_display;
+pub(crate) mod text_trial;

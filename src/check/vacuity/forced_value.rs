@@ -1,10 +1,8 @@
-//! Symbols for which the hypotheses leave only one value.
+//! Forced values: symbols to which the hypotheses together leave one value.
 //!
-//! x + y = 0 and x − y = 0 are obeyed by one state alone, in which every formula that is 0 there seems to hold. A
-//! hypothesis fixes a symbol openly if it mentions nothing else: θ = π/2, \cos θ = 0.
-//!
-//! If hypotheses leave hardly any states, nearly everything is true under them. A pass is withheld if a symbol that
-//! varies has one value at all states and no hypothesis says so alone.
+//! Two laws such as x + y = 0 and x − y = 0 have one solution, at which many false formulas hold too. So if a symbol
+//! that may vary has one value at all states, and no hypothesis states that value by itself, a claim about it is not
+//! tested. A hypothesis states a value by itself if it contains no other symbol: θ = π/2, \cos θ = 0.
 
 use crate::formula::{Expr, Index, Node, Relation, SymbolId, text};
 
@@ -17,11 +15,10 @@ use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::residual;
 
-/// Values nearer to one another than this, relative to their size, are one value: far above what solving leaves.
+/// The relative difference below which two values are the same: far above the error of solving hypotheses.
 const ONE_VALUE: f64 = 1e-9;
 
-/// A symbol of a claim that has one value at all states because of its hypotheses together; none, if the claim is that
-/// it has this value.
+/// A symbol of a claim that the hypotheses together force to one value; `None` if the claim states that value.
 pub(crate) fn of_claim(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>) -> Option<SymbolId> {
     let symbol = of_formulas(&[&link.lhs, &link.rhs], context, ensemble)?;
     let laws = ensemble.mode.on_shell && !context.model.laws.is_empty();
@@ -30,7 +27,7 @@ pub(crate) fn of_claim(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'
     (laws || !says_it).then_some(symbol)
 }
 
-/// A symbol that some formulas depend on and that has one value at all states because of the hypotheses together.
+/// A symbol on which some formulas depend and that the hypotheses together force to one value.
 pub(crate) fn of_formulas(formulas: &[&Expr], context: &Context<'_>, ensemble: &Ensemble<'_>) -> Option<SymbolId> {
     let model = context.model;
     let laws = model.laws.iter().flat_map(|law| &law.hypotheses).filter(|_| ensemble.mode.on_shell);
@@ -39,9 +36,9 @@ pub(crate) fn of_formulas(formulas: &[&Expr], context: &Context<'_>, ensemble: &
     if ensemble.states.len() < FEWEST.min(context.options.points) || !hypotheses.iter().any(binds) {
         return None;
     }
-    let outright = outright(&hypotheses, model);
+    let stated_alone = stated_alone(&hypotheses, model);
     let is_free =
-        |symbol: &SymbolId| !outright.contains(symbol) && !context.local.iter().any(|rule| rule.symbol == *symbol);
+        |symbol: &SymbolId| !stated_alone.contains(symbol) && !context.local.iter().any(|rule| rule.symbol == *symbol);
     drawn(formulas, model).into_iter().filter(is_free).find(|symbol| {
         let Some((first, others)) = ensemble.states.split_first() else { return false };
         let Some(first) = values(*symbol, first).filter(|first| !first.is_empty()) else { return false };
@@ -51,7 +48,7 @@ pub(crate) fn of_formulas(formulas: &[&Expr], context: &Context<'_>, ensemble: &
     })
 }
 
-/// What is said of a claim about such a symbol.
+/// The message about a claim with such a symbol.
 pub(crate) fn message(symbol: SymbolId, context: &Context<'_>) -> String {
     let name = text::plain(&context.model.name(symbol));
     format!(
@@ -60,8 +57,8 @@ pub(crate) fn message(symbol: SymbolId, context: &Context<'_>) -> String {
     )
 }
 
-/// The symbols whose value a hypothesis gives by itself: it speaks of no other, or equates it to one of these.
-fn outright(hypotheses: &[&Hypothesis], model: &Model) -> Vec<SymbolId> {
+/// The symbols whose value one hypothesis gives by itself: it contains no other symbol, or equates it to one of these.
+fn stated_alone(hypotheses: &[&Hypothesis], model: &Model) -> Vec<SymbolId> {
     let equalities: Vec<&&Hypothesis> = hypotheses.iter().filter(|c| is_equality(c.relation)).collect();
     let mut found: Vec<SymbolId> = Vec::new();
     for hypothesis in &equalities {
@@ -86,7 +83,7 @@ fn outright(hypotheses: &[&Hypothesis], model: &Model) -> Vec<SymbolId> {
     found
 }
 
-/// All numbers of a symbol at a state, of all members of a family.
+/// All numbers of a symbol at a state, for all members of a family.
 fn values(
     symbol: SymbolId,
     state: &crate::check::state::sampled_state::SampledState<'_, crate::scalar::RunningError>,
@@ -105,7 +102,7 @@ fn values(
     }
 }
 
-/// Whether a symbol was declared with hardly a choice of values.
+/// Whether the declared range of a symbol has nearly one value only.
 fn is_narrow(symbol: SymbolId, model: &Model) -> bool {
     use crate::notes::claims::Range;
     match model.range(symbol) {

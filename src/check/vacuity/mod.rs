@@ -1,7 +1,8 @@
-//! Claims that say nothing, or that follow from their hypotheses alone.
+//! Vacuous claims: those that say nothing, or that follow from their hypotheses alone.
 //!
-//! Offers the checks that turn a pass into `undecided`: a side that is always zero, a symbol that the hypotheses force to one
-//! value, a restatement, a tautology. Knows `certificate` and below.
+//! Offers the tests that turn a pass into `undecided`: a side that is always [`zero`], a [`forced_value`], a
+//! [`restatement`], a [`tautology`], [`premises`] that are not needed, [`unclear_names`]. Knows `certificate`, `sample`
+//! and below.
 
 pub(crate) mod forced_value;
 pub(crate) mod monomials;

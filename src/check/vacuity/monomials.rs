@@ -1,12 +1,12 @@
-//! Formulas as sums of monomials, compared without their order.
+//! Formulas as sums of monomials, compared independently of their order.
 
 use crate::formula::tree::{Function, Sign};
 use crate::formula::{Expr, Node};
 
-/// Equations of more terms, multiplied out, are not compared.
+/// The largest number of terms of an expanded equation that is compared.
 const MOST_TERMS: usize = 64;
 
-/// Exponents and coefficients nearer than this are one.
+/// The difference below which exponents and coefficients are equal.
 pub(crate) const SAME: f64 = 1e-9;
 
 /// A product of powers with a coefficient.
@@ -32,14 +32,14 @@ impl Monomial {
         self
     }
 
-    /// This times a power of another.
+    /// The product with a power of another monomial.
     pub(crate) fn with(self, other: &Monomial, power: f64) -> Self {
         let coefficient = self.coefficient * other.coefficient.powf(power);
         let start = Monomial { coefficient, ..self };
         other.factors.iter().fold(start, |product, (base, exponent)| product.times(base, power * exponent))
     }
 
-    /// Of a formula, its sums taken for letters.
+    /// The monomial of a formula, with sums as indivisible factors.
     pub fn of(expr: &Expr) -> Monomial {
         match &expr.node {
             Node::Number(digits) => match digits.parse::<f64>() {
@@ -60,7 +60,7 @@ impl Monomial {
                 None => Monomial::one().times(expr, 1.0),
             },
             Node::Root(degree, inner) => Monomial::one().with(&Monomial::of(inner), 1.0 / f64::from(*degree)),
-            // cos 0 is 1, whatever else is made of it.
+            // cos 0 is 1.
             Node::Call(Function::Cos, angle) if angle.is_zero() => Monomial::one(),
             _ => Monomial::one().times(expr, 1.0),
         }
@@ -81,13 +81,13 @@ fn number(expr: &Expr) -> Option<f64> {
     factors.is_empty().then_some(coefficient)
 }
 
-/// A sum of monomials over another.
+/// A quotient of two sums of monomials.
 struct Fraction {
-    above: Vec<Monomial>,
-    below: Vec<Monomial>,
+    numerator: Vec<Monomial>,
+    denominator: Vec<Monomial>,
 }
 
-/// The product of two sums; none, if it is too long.
+/// The product of two sums; `None` if it has too many terms.
 pub(crate) fn product(a: &[Monomial], b: &[Monomial]) -> Option<Vec<Monomial>> {
     let mut terms: Vec<Monomial> = Vec::new();
     for (x, y) in a.iter().flat_map(|x| b.iter().map(move |y| (x, y))) {
@@ -96,7 +96,7 @@ pub(crate) fn product(a: &[Monomial], b: &[Monomial]) -> Option<Vec<Monomial>> {
     (terms.len() <= MOST_TERMS).then_some(terms)
 }
 
-/// Adds a term to a sum, to one like it if there is one.
+/// Adds a term to a sum, and combines like terms.
 pub(crate) fn add(terms: &mut Vec<Monomial>, term: Monomial) {
     match terms.iter().position(|known| known.is_like(&term)) {
         Some(at) => {
@@ -110,51 +110,53 @@ pub(crate) fn add(terms: &mut Vec<Monomial>, term: Monomial) {
 }
 
 impl Fraction {
-    /// Of a formula, multiplied out.
+    /// The expanded quotient of a formula.
     fn of(expr: &Expr) -> Option<Fraction> {
-        let whole = |term: Monomial| Some(Fraction { above: vec![term], below: vec![Monomial::one()] });
+        let whole = |term: Monomial| Some(Fraction { numerator: vec![term], denominator: vec![Monomial::one()] });
         match &expr.node {
             Node::Sum(terms) => {
-                let mut sum = Fraction { above: Vec::new(), below: vec![Monomial::one()] };
+                let mut sum = Fraction { numerator: Vec::new(), denominator: vec![Monomial::one()] };
                 for term in terms {
-                    let Fraction { mut above, below } = Fraction::of(&term.expr)?;
+                    let Fraction { mut numerator, denominator } = Fraction::of(&term.expr)?;
                     if term.sign == Sign::Minus {
-                        above.iter_mut().for_each(|term| term.coefficient = -term.coefficient);
+                        numerator.iter_mut().for_each(|term| term.coefficient = -term.coefficient);
                     }
-                    let mut all = product(&sum.above, &below)?;
-                    product(&above, &sum.below)?.into_iter().for_each(|term| add(&mut all, term));
-                    sum = Fraction { above: all, below: product(&sum.below, &below)? };
+                    let mut all = product(&sum.numerator, &denominator)?;
+                    product(&numerator, &sum.denominator)?.into_iter().for_each(|term| add(&mut all, term));
+                    sum = Fraction { numerator: all, denominator: product(&sum.denominator, &denominator)? };
                 }
                 Some(sum)
             }
             Node::Product(factors) => factors.iter().try_fold(
-                Fraction { above: vec![Monomial::one()], below: vec![Monomial::one()] },
+                Fraction { numerator: vec![Monomial::one()], denominator: vec![Monomial::one()] },
                 |so_far, factor| {
                     let factor = Fraction::of(factor)?;
-                    let above = product(&so_far.above, &factor.above)?;
-                    Some(Fraction { above, below: product(&so_far.below, &factor.below)? })
+                    let numerator = product(&so_far.numerator, &factor.numerator)?;
+                    Some(Fraction { numerator, denominator: product(&so_far.denominator, &factor.denominator)? })
                 },
             ),
             Node::Quotient(a, b) => {
                 let (a, b) = (Fraction::of(a)?, Fraction::of(b)?);
-                Some(Fraction { above: product(&a.above, &b.below)?, below: product(&a.below, &b.above)? })
+                Some(Fraction {
+                    numerator: product(&a.numerator, &b.denominator)?,
+                    denominator: product(&a.denominator, &b.numerator)?,
+                })
             }
             _ => whole(Monomial::of(expr)),
         }
     }
 }
 
-/// The terms of an equation, multiplied out and brought to one side: over a denominator, if it has one, without factors
-/// that are in all of them.
+/// The expanded terms of an equation, brought to one side. Denominators are multiplied out, and common factors removed.
 pub(crate) fn terms(lhs: &Expr, rhs: &Expr) -> Option<Vec<Monomial>> {
     let (lhs, rhs) = (Fraction::of(lhs)?, Fraction::of(rhs)?);
-    let mut terms = product(&lhs.above, &rhs.below)?;
-    for mut term in product(&rhs.above, &lhs.below)? {
+    let mut terms = product(&lhs.numerator, &rhs.denominator)?;
+    for mut term in product(&rhs.numerator, &lhs.denominator)? {
         term.coefficient = -term.coefficient;
         add(&mut terms, term);
     }
-    let is_whole = |below: &[Monomial]| below.iter().all(|term| term.factors.is_empty());
-    if is_whole(&lhs.below) && is_whole(&rhs.below) {
+    let is_whole = |denominator: &[Monomial]| denominator.iter().all(|term| term.factors.is_empty());
+    if is_whole(&lhs.denominator) && is_whole(&rhs.denominator) {
         return Some(terms);
     }
     let common: Vec<(Expr, f64)> = terms.first()?.factors.clone();
@@ -166,7 +168,7 @@ pub(crate) fn terms(lhs: &Expr, rhs: &Expr) -> Option<Vec<Monomial>> {
     Some(terms)
 }
 
-/// Whether nothing is left of an equation whose terms are multiplied out and brought to one side.
+/// Whether all expanded terms of an equation cancel.
 pub(crate) fn cancels(lhs: &Expr, rhs: &Expr) -> bool {
     terms(lhs, rhs).is_some_and(|terms| terms.iter().all(|term| term.coefficient == 0.0))
 }

@@ -1,5 +1,5 @@
-//! What more the report says of a claim that passes: the Euler–Lagrange equations that it is made of, and the
-//! hypotheses that it does not need.
+//! The premises of a claim that passes: the Euler–Lagrange equations that it combines, and the hypotheses that it does
+//! not need.
 //!
 //! # What a claim is worth that follows from its hypotheses
 //!
@@ -25,14 +25,14 @@ use crate::check::sample::setting::FEWEST;
 use crate::check::state::residual::DIFFERENCE;
 use crate::check::state::sampled_state::SampledState;
 
-/// So many states are looked at first where most claims fail: the first of those that are drawn then.
+/// The number of states of a first, quick test; they are the first of the full set.
 const FIRST: usize = 3;
 
-/// A claim that holds on shell, as a combination of the Euler–Lagrange equations with constant coefficients: its
-/// residual off shell is fitted by theirs, and the fit must be exact.
+/// A claim that holds on shell, as a combination of the Euler–Lagrange equations with constant coefficients. Its
+/// residuals off shell are fitted by theirs, and the fit must be exact.
 ///
 /// # Errors
-/// When the system's mass matrix is singular.
+/// If the mass matrix of the system is singular.
 pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>> {
     let coordinates = &context.model.coordinates;
     if !link.free.is_empty() || link.relation != Relation::Equal || !context.hypotheses.is_empty() {
@@ -74,10 +74,10 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
     Ok((exact && rational && !terms.is_empty()).then(|| terms.join(" + ")))
 }
 
-/// The hypotheses that a claim which holds does not need, by trying it without each.
+/// The hypotheses that a claim does not need, found by a test without each of them.
 ///
 /// # Errors
-/// When the system's mass matrix is singular.
+/// If the mass matrix of the system is singular.
 pub fn unneeded(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vec<String>> {
     let mut found = Vec::new();
     for (at, dropped) in context.hypotheses.iter().enumerate() {
@@ -108,7 +108,7 @@ fn holds_without(link: &Link, context: &Context<'_>, at: usize, on_shell: bool) 
     Ok(enough(ensemble.states.len()) && clean(&ensemble.states).is_some_and(enough))
 }
 
-/// Whether both sides of a claim are zero at all states, though neither is printed as 0: then any factor would do.
+/// Whether both sides of a claim are zero at all states, though neither is printed as 0. Then a wrong factor passes.
 pub fn vanishes_throughout(link: &Link, states: &[SampledState<'_, RunningError>]) -> bool {
     let zero = |side: &Expr| Link { lhs: side.clone(), rhs: Expr::integer(0, side.span), ..link.clone() };
     let vanishes = |side: &Expr| run(&zero(side), states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0);
@@ -125,10 +125,10 @@ pub enum Vacuity {
     Vacuous(Code, &'static str),
 }
 
-/// Whether a claim that holds says anything of the system, or follows from its hypotheses alone, or restates them.
+/// Whether a claim that holds says anything about the system, or follows from its hypotheses alone, or restates them.
 ///
 /// # Errors
-/// When the system's mass matrix is singular.
+/// If the mass matrix of the system is singular.
 pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vacuity> {
     let formulas = [&link.lhs, &link.rhs].into_iter();
     if on_shell || context.hypotheses.is_empty() || formulas.clone().any(|f| concerns_world(f, context.model)) {
@@ -146,7 +146,7 @@ pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vac
             "this follows from its hypotheses alone, whatever the motion; remove those that make it trivial",
         ));
     }
-    // The converse: if the claim in turn gives the hypotheses, the two say the same.
+    // The converse: if the claim implies the hypotheses, the two are equivalent.
     let claim = [Hypothesis::of(Link { relation: Relation::Equal, ..link.clone() }, false)];
     let converse = Context { hypotheses: &claim, ..*context };
     let states = converse.ensemble(mode, false, context.options.points)?;
@@ -166,7 +166,7 @@ pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vac
     Ok(if restates { Vacuity::Vacuous(Code::RestatesHypothesis, message) } else { Vacuity::FollowsFromHypotheses })
 }
 
-/// Whether a formula speaks of something that the system determines.
+/// Whether a formula contains a quantity of the system, of particles or of a frame.
 fn concerns_world(expr: &Expr, model: &Model) -> bool {
     expr.symbols().iter().any(|(id, _)| match model.meaning(*id) {
         Some(Meaning::System(_) | Meaning::Particles(..) | Meaning::Frame(_) | Meaning::Rigid(_)) => true,

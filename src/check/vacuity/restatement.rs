@@ -1,11 +1,9 @@
-//! Whether an equation is a definition in other words: x = vt beside v = x/t.
+//! Restatements of a definition: x = vt beside v = x/t.
 //!
-//! What needs more than rearranging, such as s(a − b) = a² − b² beside s = a + b, is a use of the definition.
-//!
-//! An equation that is the definition rearranged holds whatever the definition says, and is no use of it. What
-//! counts as rearranged is decided by the formulas alone: terms and factors moved, denominators cleared, and the
-//! derivative of this. An equation that takes any other step is a use. In a chain that begins so, Ė = mẋẍ + kxẋ =
-//! 0, the name is compared with the other members.
+//! Such an equation holds by the definition, whether that is right or wrong, and so does not test it. Two equations
+//! state the same here if factors and terms are moved from one side to the other, or both sides are raised to a power.
+//! An equation that needs more, such as s(a − b) = a² − b² beside s = a + b, uses the definition. The time derivative
+//! of the definition, such as ṗ = mẍ beside p = mẋ, is a restatement too.
 
 use crate::formula::{Expr, Index, IndexId, Node, SymbolId, Term};
 
@@ -15,16 +13,16 @@ use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
 use crate::check::vacuity::monomials::{Monomial, SAME, terms};
 
-/// How an equation says a definition again.
+/// How an equation restates a definition.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Restated {
-    /// In other words.
+    /// Rearranged.
     InOtherWords,
-    /// Differentiated by time.
+    /// Differentiated with respect to time.
     Differentiated,
 }
 
-/// Whether `link` says `symbol = formula` again, and how.
+/// Whether `link` restates `symbol = formula`, and how.
 pub(crate) fn restates(link: &Link, symbol: SymbolId, formula: &Expr, model: &Model) -> Option<Restated> {
     let own: Vec<IndexId> = model.symbols.entry(symbol).slots.iter().map(|(_, letter)| *letter).collect();
     let indices = own.iter().map(|letter| Index::Letter(*letter)).collect();
@@ -38,7 +36,7 @@ pub(crate) fn restates(link: &Link, symbol: SymbolId, formula: &Expr, model: &Mo
     is_rate(&link, &defines, model).then_some(Restated::Differentiated)
 }
 
-/// Whether an equation is a definition differentiated by time: it holds whatever the definition says.
+/// Whether an equation is the time derivative of a definition.
 fn is_rate(link: &Link, defines: &Link, model: &Model) -> bool {
     let mut most = 0;
     for side in [&link.lhs, &link.rhs] {
@@ -65,7 +63,7 @@ fn is_rate(link: &Link, defines: &Link, model: &Model) -> bool {
     })
 }
 
-/// The rate of a sum of products in each of which one factor varies at most, term by term.
+/// The time derivative, term by term, of a sum of products in each of which at most one factor varies.
 fn differentiated(expr: &Expr, model: &Model) -> Option<Expr> {
     let varies =
         |expr: &Expr| expr.symbols().iter().any(|(id, _)| !matches!(model.meaning(*id), Some(Meaning::Constant(_))));
@@ -91,7 +89,7 @@ fn differentiated(expr: &Expr, model: &Model) -> Option<Expr> {
     Some(Expr::new(node, expr.span))
 }
 
-/// The letters that a symbol of an equation has where it stands first.
+/// The indices of a symbol at its first occurrence in an equation.
 fn printed_letters(link: &Link, symbol: SymbolId) -> Vec<Index> {
     let mut found = None;
     for side in [&link.lhs, &link.rhs] {
@@ -106,7 +104,7 @@ fn printed_letters(link: &Link, symbol: SymbolId) -> Vec<Index> {
     found.unwrap_or_default()
 }
 
-/// Whether two equations are one but for the letters of their free indices, taken in the order in which they stand.
+/// Whether two equations are the same up to the letters of their free indices, in the order of occurrence.
 pub(crate) fn same_but_for_letters(a: &Link, b: &Link) -> bool {
     let (from, to) = (free_letters(b), free_letters(a));
     let named = |from: &[IndexId]| from.iter().map(|letter| Index::Letter(*letter)).collect::<Vec<_>>();
@@ -114,7 +112,7 @@ pub(crate) fn same_but_for_letters(a: &Link, b: &Link) -> bool {
     from.len() == to.len() && renamed.lhs == a.lhs && renamed.rhs == a.rhs && renamed.relation == a.relation
 }
 
-/// The free indices of an equation in the order in which they stand on its symbols.
+/// The free indices of an equation, in the order of occurrence.
 fn free_letters(link: &Link) -> Vec<IndexId> {
     let mut found: Vec<IndexId> = Vec::new();
     for side in [&link.lhs, &link.rhs] {
@@ -133,7 +131,7 @@ fn free_letters(link: &Link) -> Vec<IndexId> {
     found
 }
 
-/// An equation with other letters in the places of some.
+/// An equation with some letters replaced.
 fn renamed(link: &Link, from: &[Index], to: &[IndexId]) -> Link {
     fn rename(expr: &mut Expr, swap: &impl Fn(Index) -> Index) {
         if let Node::Symbol { indices, .. } = &mut expr.node {
@@ -158,7 +156,7 @@ fn renamed(link: &Link, from: &[Index], to: &[IndexId]) -> Link {
     link
 }
 
-/// Whether both equations say that a product is a number, and the one product is a power of the other.
+/// Whether both equations set a product to a constant, and one product is a power of the other.
 fn same_monomials(a: &Link, b: &Link) -> bool {
     let product = |link: &Link| Monomial::of(&link.lhs).with(&Monomial::of(&link.rhs), -1.0);
     let (a, b) = (product(a), product(b));
@@ -167,8 +165,8 @@ fn same_monomials(a: &Link, b: &Link) -> bool {
     Monomial::one().with(&b, other / exponent).is_like(&a)
 }
 
-/// Whether the terms of two equations are the same but for a number. A factor of another kind that only one of them has,
-/// as in bp = b² + bc beside p = b + c, is a step.
+/// Whether the terms of two equations are proportional with a constant factor. A common factor with symbols, such as in
+/// bp = b² + bc beside p = b + c, is a step.
 fn same_terms(a: &Link, b: &Link) -> bool {
     let (Some(a), Some(b)) = (terms(&a.lhs, &a.rhs), terms(&b.lhs, &b.rhs)) else { return false };
     let Some(first) = b.first() else { return false };

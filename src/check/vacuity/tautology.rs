@@ -1,13 +1,8 @@
-//! Equations without content: one side is the other with its terms and factors in another order.
+//! Tautologies: equations of which one side is the other with its terms and factors in another order.
 //!
-//! Adding −b corrects a + b = a, which then says a = a. No author prints that, so it is no suggestion. An identity
-//! in which something is done (a sum multiplied out, a square or a sine rewritten, terms collected) is printed by
-//! authors, and a slip in it is corrected like any other.
-//!
-//! What is true and says nothing would pass too: a + b − b = a for a + b = a. Its sides are one when terms are
-//! collected, where before there was nothing to collect. A side that vanishes whatever its symbols mean, m r +
-//! m(−r) = 0, is sometimes meant: it is offered if nothing else is, and never made by `--fix`. So is another name
-//! that happens to be equal at the order in question.
+//! a + b = a could be corrected by adding −b, which gives a = a. No author prints that, so it is not a repair. Authors
+//! do print identities with a step in them: a sum expanded, a square or a sine rewritten, like terms collected. A
+//! mistake in such an identity is corrected like any other.
 
 use std::mem::discriminant;
 
@@ -20,9 +15,8 @@ use crate::check::model::claim::{Link, is_equality};
 use crate::check::vacuity::monomials;
 use crate::check::vacuity::monomials::{Monomial, add};
 
-/// Whether a display that reads like this says nothing any more where another reading of it said something: an equation of
-/// it has become one between a side and itself, something is now near to 0 and was near to more, or nothing that it spoke
-/// of is in it.
+/// Whether an edit makes a display trivial: an equation in it now equates a side with itself, a side of an
+/// approximation has become 0, or its one symbol has been replaced by one of another kind.
 pub(crate) fn is_lost(before: &Reading, after: &Reading, model: &Model) -> bool {
     before.statements.iter().zip(&after.statements).any(|pair| match pair {
         (Ok(before), Ok(after)) if before.members.len() == after.members.len() => {
@@ -43,7 +37,7 @@ pub(crate) fn is_lost(before: &Reading, after: &Reading, model: &Model) -> bool 
     })
 }
 
-/// Whether one side is the other in another order, of terms and factors, here or inside of the same functions.
+/// Whether one formula is the other with terms and factors in another order, also inside of functions.
 pub(crate) fn is_reordered(a: &Expr, b: &Expr) -> bool {
     if a == b || same(&collected(a), &collected(b)) {
         return true;
@@ -58,7 +52,7 @@ pub(crate) fn is_reordered(a: &Expr, b: &Expr) -> bool {
     !inner_a.is_empty() && inner_a.len() == inner_b.len() && blank(a) == blank(b) && alike()
 }
 
-/// Whether an equation is one of the first degree for a symbol, as it is written: what solves it is the symbol's one value.
+/// Whether an equation, as it is written, is linear in a symbol, so that it has one solution.
 pub(crate) fn is_linear_in(link: &Link, symbol: SymbolId) -> bool {
     fn degree(expr: &Expr, symbol: SymbolId) -> usize {
         match &expr.node {
@@ -67,14 +61,14 @@ pub(crate) fn is_linear_in(link: &Link, symbol: SymbolId) -> bool {
             Node::Product(factors) => factors.iter().map(|factor| degree(factor, symbol)).sum(),
             Node::Quotient(a, b) if degree(b, symbol) == 0 => degree(a, symbol),
             Node::TimeDerivative(_, inner) => degree(inner, symbol),
-            // beneath anything else it is as good as of the second
+            // The symbol inside of any other node counts as quadratic.
             _ => 2 * expr.children().into_iter().map(|child| degree(child, symbol)).max().unwrap_or(0),
         }
     }
     degree(&link.lhs, symbol).max(degree(&link.rhs, symbol)) == 1
 }
 
-/// Whether an equation has become a reordering, and was none that had something to be done in it.
+/// Whether an edit turns an equation into a reordering, and it was not an identity with a step in it.
 fn becomes_trivial(before: &[Expr], after: &[Expr]) -> bool {
     let ([a, b], [left, right]) = (before, after) else { return false };
     let (left, right) = (&at_zero(left), &at_zero(right));
@@ -82,7 +76,7 @@ fn becomes_trivial(before: &[Expr], after: &[Expr]) -> bool {
     if !says_nothing || ![a, b].into_iter().all(is_collected) {
         return false;
     }
-    // A sum in another order, with a slip in a sign, a number or a power.
+    // The equation was a sum in another order, with a mistake in a sign, a number or a power.
     let (first, second) = (collected(a), collected(b));
     let sums = first.len() > 1 && second.len() > 1;
     let atoms = |terms: &[Monomial]| terms.iter().flat_map(|term| term.factors.clone()).collect::<Vec<_>>();
@@ -93,7 +87,7 @@ fn becomes_trivial(before: &[Expr], after: &[Expr]) -> bool {
     !(sums && within(&of_first, &of_second) && within(&of_second, &of_first))
 }
 
-/// A formula with the values that functions have at 0 written out.
+/// A formula with the values of functions at 0 inserted.
 fn at_zero(expr: &Expr) -> Expr {
     let mut written = expr.clone();
     for child in written.children_mut() {
@@ -108,8 +102,8 @@ fn at_zero(expr: &Expr) -> Expr {
     Expr::integer(value, expr.span)
 }
 
-/// Whether a term is taken away again in its own sum, or all of a side stands on the other side too: then it is that other
-/// term that should not be there. Where a sum had it twice, it is a sign that was wrong.
+/// Whether an edit cancels a term in its own sum, or makes a whole side a term of the other side. Then the other term
+/// is the wrong one. If a sum had the term twice, its sign may have been wrong.
 pub(crate) fn is_taken_back(before: &Reading, after: &Reading) -> bool {
     let statements = before.statements.iter().flatten().zip(after.statements.iter().flatten());
     before.statements.len() == after.statements.len() && statements.into_iter().any(|(b, a)| takes_back(b, a))
@@ -122,7 +116,7 @@ fn takes_back(before: &Statement, after: &Statement) -> bool {
     in_sum || !has_side_on_the_other(before) && has_side_on_the_other(after)
 }
 
-/// The terms of all sums of a statement, like ones as one: how many they are, and their coefficient.
+/// The like terms of all sums of a statement, with their number and the sum of their coefficients.
 fn alike(statement: &Statement) -> impl Iterator<Item = (Monomial, usize, f64)> {
     let mut found: Vec<(Monomial, usize, f64)> = Vec::new();
     let mut within = |part: &Expr| {
@@ -141,7 +135,7 @@ fn alike(statement: &Statement) -> impl Iterator<Item = (Monomial, usize, f64)> 
     found.into_iter()
 }
 
-/// Whether a side is one term, and the other side has that term among others.
+/// Whether a side is a single term that is also a term of the other side.
 fn has_side_on_the_other(statement: &Statement) -> bool {
     let is_among = |one: &[Monomial], all: &[Monomial]| {
         one.len() == 1 && all.len() > 1 && all.iter().any(|term| same(one, std::slice::from_ref(term)))
@@ -152,7 +146,7 @@ fn has_side_on_the_other(statement: &Statement) -> bool {
     })
 }
 
-/// Whether the one symbol of a statement has become another of another kind.
+/// Whether the only symbol of a statement has been replaced by one of another kind.
 fn subject_is_gone(before: &Statement, after: &Statement, model: &Model) -> bool {
     let symbols = |statement: &Statement| {
         let mut all: Vec<SymbolId> = Vec::new();
@@ -169,7 +163,7 @@ fn subject_is_gone(before: &Statement, after: &Statement, model: &Model) -> bool
     }
 }
 
-/// The terms of a formula, like ones together; what is in parentheses beside a factor stays as it is.
+/// The terms of a formula, with like terms combined. Sums inside of products are not expanded.
 fn collected(expr: &Expr) -> Vec<Monomial> {
     fn gather(expr: &Expr, sign: f64, terms: &mut Vec<Monomial>) {
         match &expr.node {
@@ -191,7 +185,7 @@ fn collected(expr: &Expr) -> Vec<Monomial> {
     terms
 }
 
-/// Whether two lists have the same terms.
+/// Whether two sums have the same terms.
 fn same(a: &[Monomial], b: &[Monomial]) -> bool {
     let is_one = |x: &Monomial, y: &Monomial| {
         x.is_like(y) && (x.coefficient - y.coefficient).abs() <= 1e-12 * x.coefficient.abs()
@@ -199,7 +193,7 @@ fn same(a: &[Monomial], b: &[Monomial]) -> bool {
     a.len() == b.len() && a.iter().all(|x| b.iter().any(|y| is_one(x, y)))
 }
 
-/// Whether a formula is written as its terms are collected: no two are alike, and none has a factor twice.
+/// Whether a formula is written with collected terms: no two are alike, and none has a factor twice.
 fn is_collected(expr: &Expr) -> bool {
     fn factors(expr: &Expr, numbers: &mut usize) -> Option<usize> {
         match &expr.node {

@@ -1,5 +1,5 @@
-//! Formulas with a name whose meaning is unclear: a family that is joined of several, the motion of a place that is
-//! integrated over, the rate of something that is declared constant.
+//! Formulas with an unclear name: a family joined from several families, the motion of an integration point, and the
+//! time derivative of a constant.
 
 use crate::code::Code;
 use crate::formula::tree::Node;
@@ -13,7 +13,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
 impl Context<'_> {
-    /// The finding that formulas, or the hypotheses, name something without saying clearly what.
+    /// The finding that formulas, or the hypotheses, contain an unclear name.
     pub fn unclear(&self, formulas: &[&Expr]) -> Option<Finding> {
         let hypotheses = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
         let all: Vec<&Expr> = formulas.iter().copied().chain(hypotheses).collect();
@@ -21,8 +21,8 @@ impl Context<'_> {
         Some(self.finding(Code::UnclearName, Verdict::Unreadable, message))
     }
 
-    /// A family that is joined of several in this claim: which of them is meant is not clear. What is defined by sums
-    /// over it is.
+    /// The message about a family that is joined from several families in this claim. It may only occur in definitions,
+    /// through sums over all members.
     fn joined(&self, formulas: &[&Expr]) -> Option<String> {
         let is_named = |id: SymbolId| formulas.iter().any(|side| side.symbols().iter().any(|(known, _)| *known == id));
         let unions = self.local.iter().filter(|rule| matches!(rule.action, Action::Union(_)));
@@ -33,7 +33,8 @@ impl Context<'_> {
         ))
     }
 
-    /// A dot on what depends on the place under an integral: nothing says how the matter there moves.
+    /// The message about a dot on a quantity that depends on the point of an integral: the motion of the matter is not
+    /// known.
     fn moving_place(&self, formulas: &[&Expr]) -> Option<String> {
         let mut seen = Vec::new();
         let name = formulas.iter().find_map(|formula| moving_place(formula, &[], self.model, &mut seen))?;
@@ -46,7 +47,7 @@ impl Context<'_> {
 }
 
 impl Context<'_> {
-    /// A dot on what is declared a constant: as 0 it would make true whatever stands beside it.
+    /// The message about a dot on a constant: as 0 it would make any factor beside it pass.
     fn moving_constant(&self, formulas: &[&Expr]) -> Option<String> {
         let mut seen = Vec::new();
         let name = formulas.iter().find_map(|formula| moving_constant(formula, self.model, &mut seen))?;
@@ -58,7 +59,7 @@ impl Context<'_> {
     }
 }
 
-/// What has a dot on it, in a formula or in the definitions that it stands on, and is a constant, or the time.
+/// The constant, or the time, that has a dot in a formula or in its definitions.
 fn moving_constant(formula: &Expr, model: &Model, seen: &mut Vec<SymbolId>) -> Option<SymbolId> {
     let constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Time)).then_some(id);
     match &formula.node {
@@ -76,8 +77,8 @@ fn moving_constant(formula: &Expr, model: &Model, seen: &mut Vec<SymbolId>) -> O
     }
 }
 
-/// What has a dot on it, in a formula or in the definitions that it stands on, and depends on the place of an integral;
-/// `under` are that place and what fills the continuum there, if the formula stands in one.
+/// The integration point on which a dotted part of a formula, or of its definitions, depends. `under` are the point and
+/// the density of the enclosing integral, if there is one.
 fn moving_place(
     formula: &Expr,
     under: &[SymbolId],

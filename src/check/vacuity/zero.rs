@@ -1,7 +1,6 @@
-//! Expressions that are always 0, such as `\vec r \times \vec r`, where a dot was lost.
+//! Formulas that are always 0, whatever moves: `\vec r \times \vec r`, where a dot was lost.
 //!
-//! d/dt(m**r** × **r**) = 0 is true and has lost a dot. So the rate of something that is always 0 is not accepted,
-//! nor is a definition by it. The rate of something constant, such as RRᵀ, stays a claim.
+//! An equation that sets the time derivative of such a formula to 0 is true and says nothing.
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation};
@@ -10,10 +9,10 @@ use crate::check::model::claim::{Link, is_equality};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 
-/// Whether a formula that is not printed as 0 is 0 at all states, also at those that no law allows.
+/// Whether a formula that is not printed as 0 is 0 at all states, on shell or not.
 ///
 /// # Errors
-/// When the system's mass matrix is singular.
+/// If the mass matrix of the system is singular.
 pub(crate) fn is_always_zero(expr: &Expr, context: &Context<'_>) -> Result<bool> {
     if expr.is_null() {
         return Ok(false);
@@ -26,7 +25,7 @@ pub(crate) fn is_always_zero(expr: &Expr, context: &Context<'_>) -> Result<bool>
     Ok(run(&link, &states.states).is_ok_and(|found| found.failure.is_none() && found.points > 0))
 }
 
-/// Whether a link says of something that is nothing that its rate is 0.
+/// Whether a link sets the time derivative of an always-zero formula to 0.
 ///
 /// # Errors
 /// As [`is_always_zero`].

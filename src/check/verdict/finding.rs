@@ -9,6 +9,7 @@ use crate::check::verdict::Verdict;
 
 /// A counterexample: a state at which a claim fails, with the values of its two sides.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Counterexample {
     /// The symbols of the claim with their values, as LaTeX names with overdots.
     pub state: Vec<(String, f64)>,
@@ -22,6 +23,7 @@ pub struct Counterexample {
 
 /// A formula for display.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Formula {
     /// As LaTeX.
     pub latex: String,
@@ -59,6 +61,7 @@ impl fmt::Display for Fraction {
 
 /// A printed term with a wrong coefficient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Misfit {
     /// The bytes of the term in the notes, with the printed sign.
     pub span: Span,
@@ -68,6 +71,7 @@ pub struct Misfit {
 
 /// Changes of several terms with which, made together, a refuted equality holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Fit {
     /// The printed terms with wrong coefficients.
     pub terms: Vec<Misfit>,
@@ -77,6 +81,7 @@ pub struct Fit {
 
 /// The verdict on one claim, with its evidence.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Finding {
     /// The verdict.
     pub verdict: Verdict,
@@ -141,6 +146,7 @@ impl Finding {
 
 /// The names of the equations from which a false one follows.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Inherited {
     /// The equation from which it follows directly.
     pub from: String,

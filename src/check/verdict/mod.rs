@@ -9,6 +9,7 @@ pub(crate) mod report;
 
 /// The verdict on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Verdict {
     /// Holds exactly: decided over a prime field, up to a stated probability.
     Certified,

@@ -7,6 +7,7 @@ use crate::check::verdict::Verdict;
 
 /// An edit of the notes with which an equation passes.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Repair {
     /// The bytes of the notes that are replaced.
     pub span: Span,
@@ -25,8 +26,8 @@ pub struct Repair {
 }
 
 impl Repair {
-    /// Whether the replacement is a number or text that is already in the notes. If not, the factor or term was composed
-    /// from the derived equation.
+    /// Whether the replacement is a number or text that is already in the notes. If not, the factor or term was
+    /// composed from the derived equation.
     pub fn is_in_the_notes(&self, notes: &str) -> bool {
         if !matches!(self.slip, Slip::Factor | Slip::Term) {
             return true;
@@ -39,6 +40,7 @@ impl Repair {
 
 /// The equations that an edit of another display corrects.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Shared {
     /// The number of the display that is changed.
     pub of: String,

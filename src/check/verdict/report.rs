@@ -11,6 +11,7 @@ use crate::check::verdict::repair::Repair;
 
 /// One statement of an equation, or a further claim about it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Part {
     /// The source of the statement, exactly as in the notes.
     pub latex: String,
@@ -24,6 +25,7 @@ pub struct Part {
 
 /// An equation of a document, or a sentence.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Equation {
     /// The printed number (`6.73`), the label, or a name.
     pub id: String,
@@ -49,6 +51,7 @@ pub struct Equation {
 
 /// The findings on one document.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Document {
     /// The path of the notes file, relative to the working directory.
     pub path: String,
@@ -68,12 +71,18 @@ pub struct Document {
 
 /// The findings on all documents of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Report {
     /// The documents in the order of their paths.
     pub documents: Vec<Document>,
 }
 
 impl Report {
+    /// The report of these documents.
+    pub fn new(documents: Vec<Document>) -> Report {
+        Report { documents }
+    }
+
     /// Equations and sentences together.
     pub fn items(&self) -> impl Iterator<Item = &Equation> {
         self.documents.iter().flat_map(|document| document.equations.iter().chain(&document.sentences))
@@ -93,7 +102,8 @@ impl Report {
         self.items().filter(|item| !item.ok).count()
     }
 
-    /// The exit code. 0: all items are as expected. 1: an item is wrong. 2: an item could not be checked, or there is none.
+    /// The exit code. 0: all items are as expected. 1: an item is wrong. 2: an item could not be checked, or there is
+    /// none.
     pub fn exit_code(&self) -> u8 {
         let wrong = |item: &Equation| !item.ok && matches!(item.finding.verdict, Verdict::Refuted | Verdict::Domain);
         let passed_against_expectation = |item: &Equation| !item.ok && item.finding.verdict.passes();

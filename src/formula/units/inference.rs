@@ -1,9 +1,15 @@
 //! The inference of dimensions: those that are declared, and those that follow from the equations.
 //!
 //! Every requirement ("the terms of this sum have one dimension") is a linear equation between exponents, with the
-//! same
-//! rational coefficients for each base unit. Undeclared dimensions are found by elimination. A requirement that
-//! contradicts earlier ones is found at once.
+//! same rational coefficients for each base unit. Undeclared dimensions are found by elimination. A requirement
+//! that contradicts earlier ones is found at once.
+//!
+//! # How units are solved
+//!
+//! Each demand (the terms of a sum agree, the argument of a sine is dimensionless) is a linear equation between
+//! exponents of units with rational coefficients. Elimination finds the dimensions that nobody declared, and each
+//! result knows the equations from which it follows. A dimension is seven rational exponents at run time. Crates
+//! that make units Rust types need them at compile time, and notes are read later.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;

@@ -4,6 +4,13 @@
 //! [`layout`] cannot fail; what it does not understand becomes a [`Layout::Fault`] at its place.
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].
+//!
+//! # Why reading has two steps
+//!
+//! Layout knows how things are typeset and nothing of what they mean: groups, fences, fractions, scripts. It never
+//! fails: what it does not understand becomes a node with a fault in it. The reader then gives the items their
+//! meaning, with the declared symbols. So an error in one statement leaves the others readable, and every fault has
+//! its bytes. Both steps are bounded: groups nest 64 deep, and a formula has at most 2¹⁸ bytes.
 
 mod delimiters;
 mod item;

@@ -19,21 +19,28 @@
 //!
 //! *Products.* Letters side by side are factors, `MgR` is three; a declared name is always one symbol, with its accents
 //! and its subscript. A parenthesis after a symbol is a factor too, `\lambda_1(…)`, unless it holds a lone name:
-//! `f(x)` could be a call, and is refused.
+//! `f(x)` could be a call, and is rejected.
 //!
 //! *Functions.* `\sin(…)` and `\sin{…}` take what is enclosed. Otherwise the argument is what follows at once; it ends at a
 //! typeset space, another function, a dotted symbol, a sign, a relation. Of several symbols (`\cos\theta p_\psi`,
 //! `\cos\omega t`) the argument is as far as the first one declared to be an angle; where none is, only a
-//! frequency times the time is read (`\omega t`), and all else refused.
+//! frequency times the time is read (`\omega t`), and everything else is rejected.
 //!
 //! *Sums, limits, integrals.* Σ and lim reach to the end of the term that they stand in, an integral to its differential.
 //!
-//! *Refused, since people read them in two ways:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\sin^{-1}x`,
+//! *Rejected as ambiguous:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\sin^{-1}x`,
 //! `\log x`, `e^2`, a differential `dx` outside of `\frac{d}{dt}`.
 //!
 //! *One meaning by convention:* `-x^2` is −(x²); `\dot x^2` is (ẋ)²; `\Delta x` is one symbol; `\frac{d}{dt}` acts on
 //! the parenthesis, the one factor or the sum after it, and on a whole product if it begins with a constant or has one
 //! factor that varies; `\vec v^2` is **v**·**v**; e with a symbolic exponent is exp.
+//!
+//! # Why ambiguous formulas are rejected
+//!
+//! A formula that is silently read wrong gets a verdict about something that nobody wrote. So symbols must be
+//! declared: then `MgR` is three symbols and `\lambda_1(…)` is a product. What people read in two ways is rejected,
+//! and the message says how to write it. The list is in `docs/notation.md`. The tests have some 375 short formulas,
+//! each with the value that a person would compute or the word that it must be rejected.
 
 mod atoms;
 mod derivatives;

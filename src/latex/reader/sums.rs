@@ -1,10 +1,11 @@
 //! Sums over an index: `\sum_{i=1}^{n}`, `\sum_{j \neq i}`, `\sum_{\vec r_i \in V(\vec r)}`.
 //!
 //! A sum extends to the end of its term. Its index is declared, and its limits are those of the index. It may start
-//! later,
-//! `i=2`, end earlier, `n-1`, and exclude values by another index, `j \neq i`, `j < i`. If two letters under one Σ
-//! belong
-//! to no other Σ, `i < j` is a sum over both, and `j \neq i` is a sum over the first.
+//! later, `i=2`, end earlier, `n-1`, and exclude values by another index, `j \neq i`, `j < i`. If two letters under
+//! one Σ belong to no other Σ, `i < j` is a sum over both, and `j \neq i` is a sum over the first.
+//!
+//! Σ and lim reach to the end of their term, because authors write what is summed as one term. An integral reaches
+//! to its differential, which must fit the region: `d^3r` for a volume, `d^2r` for an area, `dr` for a line.
 
 use crate::formula::tree::{Excluded, Expr, Index, IndexId, Node};
 use crate::source::{Fault, Span};

@@ -1,11 +1,16 @@
 //! Names that follow from a declared vector: its norm, its unit vector and its components.
 //!
 //! If `\vec r_i` is declared, `r_i` is its norm, `\hat r_i` is the unit vector along it, and `r_{ia}` are its
-//! components
-//! along the fixed axes or along the declared unit vectors. A component by number, `r_{i1}`, needs declared
-//! components. A
-//! declared name always has priority. The meanings are recorded in
+//! components along the fixed axes or along the declared unit vectors. A component by number, `r_{i1}`, needs
+//! declared components. A declared name always has priority. The meanings are recorded in
 //! [`Symbols::derived`](crate::formula::Symbols::derived).
+//!
+//! # Why some names need no declaration
+//!
+//! Beside a declared `\vec r_i`, the names `r_i`, `\hat r_i` and `r_{ia}` have only one sensible meaning. They are
+//! read, and what they were taken for is kept in the symbol table. A name that could be a norm and a component is
+//! rejected. `\lambda_a` beside λ₁, λ₂, λ₃ is the family of the three. Every other name is declared, or defined by
+//! the notes.
 
 use crate::formula::SymbolId;
 use crate::formula::symbols::{Components, Kind, Name};

@@ -1,16 +1,21 @@
 //! Slips, the small mistakes of authors, as edits of a display; and the edits that may correct them.
 //!
-//! [`slips`] gives every single slip in the text of a display, for mutation testing: another sign, factor, dot, index
-//! or
-//! parenthesis. [`corrections`] gives the candidate corrections: the same edits, and insertions of a factor or a
-//! term.
-//! Both use the layout ([`super::layout`]) and the names of the document, but not the meaning of a formula. A display
-//! that
-//! cannot be read has them too.
+//! [`slips`] gives every single slip in the text of a display, for mutation testing: another sign, factor, dot,
+//! index or parenthesis. [`corrections`] gives the candidate corrections: the same edits, and insertions of a
+//! factor or a term. Both use the layout ([`super::layout`]) and the names of the document, but not the meaning of
+//! a formula. A display that cannot be read has them too.
 //!
 //! An [`Edit`] replaces one range of bytes. The rest of the author's text stays as it is. The expansion of a macro
-//! has no
-//! bytes of its own; only the whole call is edited.
+//! has no bytes of its own; only the whole call is edited.
+//!
+//! # Why slips are edits of the text
+//!
+//! A slip is made by typing and corrected by typing. So slips are found in what is typeset, with their bytes,
+//! without knowing what a formula means. The same edits serve mutation testing, which makes them, and repair, which
+//! undoes them, also in a display that cannot be read. Every kind of slip is undone by one of its own kind, or by
+//! inserting what was lost. What was lost is looked for in the display first, then in the other displays, in the
+//! sentences, and then computed. Members of families with the letters that stand alone come first: a letter is free
+//! on both sides or summed over, so a letter without a partner tells which letters the lost factor had.
 
 mod atoms;
 mod candidates;

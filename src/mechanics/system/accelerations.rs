@@ -172,18 +172,18 @@ impl System {
         let first: Vec<f64> = columns.iter().map(|column| column.first().copied().unwrap_or(f64::NAN)).collect();
         let uniform = program.uniform(&first);
         let mut registers = Registers::new(program, level);
-        // what is the same for all states, and room for the last states, which do not fill a block
-        let mut rooms: Vec<Box<Block>> = first.iter().map(|&value| Box::new([value; LANES])).collect();
+        // blocks of the inputs that are the same for all states, and of the last states, which do not fill a block
+        let mut blocks: Vec<Box<Block>> = first.iter().map(|&value| Box::new([value; LANES])).collect();
         for start in (0..states).step_by(LANES) {
             let block = LANES.min(states - start);
             if block < LANES {
-                for (room, column) in rooms.iter_mut().zip(columns).filter(|(_, column)| column.len() > 1) {
-                    room[..block].copy_from_slice(&column[start..start + block]);
+                for (padded, column) in blocks.iter_mut().zip(columns).filter(|(_, column)| column.len() > 1) {
+                    padded[..block].copy_from_slice(&column[start..start + block]);
                 }
             }
             let whole = |column: &&'a [f64]| -> Option<&'a Block> { column.get(start..start + LANES)?.try_into().ok() };
-            let block_of = |(room, column)| whole(column).unwrap_or(room);
-            let inputs: Vec<&Block> = rooms.iter().map(Box::as_ref).zip(columns).map(block_of).collect();
+            let block_of = |(padded, column)| whole(column).unwrap_or(padded);
+            let inputs: Vec<&Block> = blocks.iter().map(Box::as_ref).zip(columns).map(block_of).collect();
             program.run_block(&mut registers, &inputs, &uniform);
             let output = |n: usize| program.output_of_block(n, &registers, &inputs, &uniform);
             for (i, column) in result.iter_mut().enumerate() {

@@ -33,10 +33,11 @@ pub(super) fn is_product(number: Symbol) -> bool {
     }
 }
 
-/// Solves M a = −h for a symmetric M by elimination, the diagonal entries being pivots in the given order: good enough
-/// for nearly all mass matrices, and whoever uses the result looks at the pivots first. What is left after a pivot is
-/// simplified together, beside what else is needed, as long as that brings anything. Outputs a, then the pairs (pivot,
-/// its diagonal entry).
+/// Solves M a = −h for a symmetric M by elimination, with the diagonal entries as pivots in the given order.
+///
+/// `mass` is the upper triangle of M row by row, `bias` is h. Nearly all mass matrices can be solved in this way; the
+/// caller checks the pivots. The entries that remain after each pivot are simplified together, as long as that makes
+/// them shorter. Returns a, then for each pivot in order the pivot and its original diagonal entry.
 pub(super) fn eliminate<D: Number>(
     order: &[usize],
     mass: &[D],

@@ -1,6 +1,6 @@
 //! The accelerations of a system as Rust source, for programs that do not link this crate.
 //!
-//! The traced tape is written down operation by operation. What is used once stands where it is used, unless the line
+//! The traced tape is written down operation by operation. A value that is used once is written inline, unless the line
 //! gets long; what is used more often has a name. The order of the operations is that of the tape, so the function
 //! rounds as the tape does, but for quotients: a/b is written where the tape has a·(1/b).
 
@@ -17,7 +17,8 @@ impl System {
     /// The accelerations as the source of one Rust function without loops and without dependencies:
     /// `pub fn accelerations(time: f64, q: &[f64; N], v: &[f64; N], parameters: &[f64; P]) -> [f64; N]`.
     ///
-    /// Its documentation says what stands where. What the motion does not depend on has a name with an underscore. The
+    /// Its documentation lists the entries of the slices. An argument that the motion does not depend on has a name
+    /// with an underscore. The
     /// mass matrix is inverted without exchanging rows: where that fails, as where it is singular, the function gives
     /// what is not finite or badly rounded, and [`System::accelerations`] an answer or an error.
     ///
@@ -70,7 +71,7 @@ impl System {
     }
 }
 
-/// How tightly an expression holds together.
+/// The precedence of an expression, lowest first.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Binding {
     Sum,
@@ -93,7 +94,7 @@ impl Term {
         Term { text, binding, reciprocal_of: None }
     }
 
-    /// In parentheses, unless it holds together at least as tightly as `binding`.
+    /// In parentheses, unless its precedence is at least `binding`.
     fn within(&self, binding: Binding) -> String {
         if self.binding >= binding { self.text.clone() } else { format!("({})", self.text) }
     }

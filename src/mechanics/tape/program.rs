@@ -120,7 +120,7 @@ pub struct Program {
     /// From the inputs to the uniform values.
     uniform: Tape,
     pub(super) steps: Vec<Step>,
-    /// Where the outputs stand at the end.
+    /// The register of each output.
     pub(super) outputs: Vec<u32>,
 }
 
@@ -166,7 +166,7 @@ struct Writer<'a> {
     written: HashMap<u32, usize>,
     /// The operations of the tape of uniform values: those of the tape, then what they need besides.
     uniform: Vec<Op>,
-    /// Where a register of the tape stands in the tape of uniform values.
+    /// The register in the tape of uniform values of each register of the tape.
     kept: HashMap<u32, u32>,
     constants: HashMap<u64, u32>,
     /// The uniform values that are used: registers of that tape.
@@ -264,13 +264,13 @@ impl<'a> Writer<'a> {
         self.steps.push(Step { action, to });
     }
 
-    /// The last step that wrote a register, if nobody else will read it.
+    /// The last step that wrote a register, if no later step reads it.
     fn only_for_this(&self, register: u32) -> Option<Action> {
         let step = self.written.get(&register).filter(|_| self.uses[register as usize] == 1)?;
         Some(self.steps[*step].action)
     }
 
-    /// The factors of a product that nobody else reads, the first of them one that varies; its own step is void then.
+    /// The factors of a product that no other step reads, the first of them one that varies; its own step is void then.
     fn fused(&mut self, register: u32) -> Option<(u32, u32)> {
         let Action::Mul(a, b) = self.only_for_this(register)? else { return None };
         self.written.remove(&register);
@@ -298,7 +298,7 @@ impl<'a> Writer<'a> {
         Action::Sub(self.place(a), self.place(b))
     }
 
-    /// The sign goes into the step that made the number, if nobody else reads that.
+    /// The sign goes into the step that made the number, if no other step reads that.
     fn negation(&mut self, a: u32) -> Action {
         let action = match self.only_for_this(a) {
             Some(Action::Sub(x, y)) => Action::Sub(y, x),

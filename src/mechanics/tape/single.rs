@@ -1,8 +1,8 @@
-//! A program over one state after another, without allocation: inputs, temporary registers and uniform values stand in
-//! one list, and every step reads and writes there.
+//! A program over one state after another, without allocation: inputs, temporary registers and uniform values are
+//! entries of one list, which every step reads and writes.
 //!
 //! A step takes little more than a nanosecond, so everything around it counts. Places are bytes and the list has a
-//! length that the compiler knows, as long as 256 places are enough; and the outputs that are wanted stand together.
+//! length that the compiler knows, as long as 256 places are enough; and the requested outputs are contiguous.
 
 use std::ops::{IndexMut, Range};
 
@@ -14,9 +14,9 @@ const NARROW: usize = 1 << u8::BITS;
 /// A program with the list that it works on, for the same uniform inputs.
 pub struct Single {
     machine: Machine,
-    /// Where the outputs stand.
+    /// The indices of the outputs.
     outputs: Vec<usize>,
-    /// Where the outputs stand that are wanted together.
+    /// The range of the outputs that are contiguous.
     first: Range<usize>,
 }
 
@@ -26,7 +26,7 @@ enum Machine {
 }
 
 impl Single {
-    /// For these uniform inputs; the first `together` outputs will stand one after the other.
+    /// For these uniform inputs; the first `together` outputs are contiguous.
     pub fn new(program: &Program, inputs: &[f64], together: usize) -> Self {
         let mut steps = program.steps.clone();
         let mut list = vec![f64::NAN; program.inputs + program.registers];

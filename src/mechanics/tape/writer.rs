@@ -22,7 +22,7 @@ pub(super) fn write(graph: &Graph, inputs: usize, outputs: &[Symbol]) -> (Vec<Op
     for output in outputs {
         live[output.place() as usize] = true;
     }
-    // operands stand before what uses them: one sweep down marks what is needed, one sweep up writes it
+    // operands precede their uses: one sweep down marks what is needed, one sweep up writes it
     for place in (0..nodes.len()).rev() {
         if live[place] {
             nodes[place].operands().for_each(|operand| live[operand as usize] = true);

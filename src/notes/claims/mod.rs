@@ -1,6 +1,11 @@
 //! The claims file: declarations of symbols, the system or the laws, and the claims about equations.
 //!
 //! Every value is typed and has its place; LaTeX stays text. A key that is unknown or not supported yet is an error.
+//!
+//! # Why the claims are JSON beside the notes
+//!
+//! Notes may belong to someone else. Equation numbers are text in JSON (`2.10` is a number in YAML and a dotted key
+//! in TOML). The price is doubled backslashes and no comments; hence `because`.
 
 mod claim;
 mod continua;
@@ -13,8 +18,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use super::json::Spanned;
-pub use claim::{Claim, Conserved, Erratum, Expect, Expected, Generates, Holds, Solved, Solves};
-pub use continua::{Continuum, Solid, SolidKind};
+pub use claim::{Claim, Conserved, Erratum, Expect, Expected, Holds, Solved};
+pub use continua::{Continuum, SolidKind};
 pub use range::{Count, Range};
 pub use sentence::{Property, Sentence, Sign, Test};
 pub use vectors::{Axes, Components};

@@ -229,7 +229,7 @@ impl<F: Prime> Denominators<F> {
         with_exponents.filter(|(_, exponent)| *exponent > 0).collect()
     }
 
-    /// What a numerator over `from` is multiplied with to stand over `to`, which is a multiple of it.
+    /// The factor of a numerator over `from` when its denominator becomes `to`, a multiple of `from`.
     fn missing(&self, from: DenominatorId, to: DenominatorId) -> Size {
         let missing = self.combined(to, from, u32::saturating_sub);
         missing.iter().fold(Size::ONE, |size, &(factor, exponent)| {

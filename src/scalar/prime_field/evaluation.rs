@@ -1,7 +1,7 @@
 //! One evaluation at one random point of the field: what is drawn there, and the tables that its numbers share.
 //!
 //! A number of the field cannot return an error where it has no square root or is asked for its sign. Such events are
-//! noted by the evaluation that is open on the thread. Whoever opened it reads them in its [`EvaluationRecord`].
+//! noted by the evaluation that is open on the thread. Its caller reads them in the [`EvaluationRecord`].
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -154,7 +154,7 @@ impl<F: Modulus> Evaluation<F> {
         }
     }
 
-    /// A label with room for halvings.
+    /// A random label that can be halved a few times.
     fn random_label(&mut self) -> u128 {
         (self.bits() & ((1 << drawn_bits::<F>()) - 1)) << F::HALVINGS
     }

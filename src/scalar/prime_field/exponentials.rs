@@ -1,6 +1,6 @@
 //! Exponentials and logarithms over the field: independent random numbers, related as their arguments are.
 //!
-//! A field has no eˣ, so a random number stands for it. The same argument gives the same number, a simple multiple of
+//! A field has no eˣ, so a random number represents it. The same argument gives the same number, a simple multiple of
 //! an argument gives a power, and a sum of two arguments gives a product. ln is the inverse. An identity that holds for
 //! such numbers holds for exponentials. An equation that fails for them may hold by a relation that is not known here,
 //! so nothing is concluded then.

@@ -38,7 +38,7 @@ pub fn turn_bits<F: Prime>() -> u32 {
     F::BITS.min(128 - 1 - F::HALVINGS)
 }
 
-/// How many bits an angle has that is drawn: one of so many points, with room for halvings.
+/// The number of random bits of a drawn angle: it is one of 2^bits points, and can be halved.
 pub fn drawn_bits<F: Prime>() -> u32 {
     turn_bits::<F>() - F::HALVINGS
 }

@@ -1,9 +1,7 @@
-//! How the statements of a display relate to a false step: whether they follow from it as printed, or say something
-//! else.
+//! Entailment between steps: whether the pieces of a display follow from a false step as printed.
 //!
-//! A statement follows if it says the same in other words, or if it passes its check where the false step is taken
-//! for true ([`super::premise`]). It says something else if it is refuted there, and the false step is about it.
-//! Otherwise the question stays open.
+//! A piece follows if it is equivalent to the false step, or if it passes its check in a model in which the false step holds
+//! ([`super::premise`]). It differs if it is refuted in a model that determines it. Otherwise it is undecided.
 
 use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement};
@@ -26,19 +24,19 @@ use crate::check::state::residual;
 use crate::check::steps::premise::Premise;
 use crate::check::verdict::Verdict;
 
-/// How a step stands to a false one before it.
+/// Whether a step follows from a false step before it.
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Standing {
+pub(crate) enum Entailment {
     /// It follows.
     Follows,
-    /// It says something else.
+    /// It does not follow.
     Differs,
-    /// It cannot be told.
+    /// It is undecided.
     Open,
 }
 
-/// What a step is held against.
-pub(crate) struct Against<'s> {
+/// The steps that a step is compared with.
+pub(crate) struct EarlierSteps<'s> {
     /// A false step before it.
     pub from: usize,
     /// All steps before it.
@@ -48,14 +46,14 @@ pub(crate) struct Against<'s> {
 }
 
 impl Checker<'_> {
-    /// The pieces of a display that are false; all of them, of one that is true.
+    /// The false pieces of a false display; all pieces of a true one.
     ///
     /// # Errors
     /// As for a check of the display.
     pub(crate) fn wrong_pieces(&self, at: usize, wrong: bool) -> Result<Vec<Reading>> {
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
-        let quiet = self.quiet();
+        let quiet = self.without_explanations();
         let mut open = Vec::new();
         for piece in pieces(&self.readings[at]) {
             if !wrong || !quiet.holds(at, &piece, claim)?.0 {
@@ -66,35 +64,35 @@ impl Checker<'_> {
     }
 
     /// The same checker, without explanations.
-    fn quiet(&self) -> Checker<'_> {
+    fn without_explanations(&self) -> Checker<'_> {
         Checker { options: Options { explain: false, ..self.options }, units: self.units.clone(), ..*self }
     }
 
-    /// Whether a step claims what it prints, under hypotheses, and nothing else: then others may be held against it.
-    pub(crate) fn is_bare(&self, at: usize) -> bool {
+    /// Whether a step claims what it prints, under hypotheses, and nothing else; only then can others follow from it.
+    pub(crate) fn claims_only_what_it_prints(&self, at: usize) -> bool {
         let Some(claim) = self.assigned[at] else { return true };
         is_plain(claim) && claim.errata.is_empty() && claim.expect.is_none() && claim.meanings.is_empty()
     }
 
-    /// How pieces of a step stand to a false one, as printed; `wrong` is whether they are false themselves.
+    /// The entailment of each piece of a step by a false step as printed; `wrong` says whether the pieces are false.
     ///
     /// # Errors
     /// As for a check of the step.
-    pub(crate) fn standings(
+    pub(crate) fn entailments(
         &self,
-        Against { from, before, sound }: &Against<'_>,
+        EarlierSteps { from, before, sound }: &EarlierSteps<'_>,
         (at, pieces): (usize, &[&Reading]),
         wrong: bool,
-    ) -> Result<Vec<Standing>> {
+    ) -> Result<Vec<Entailment>> {
         let from = *from;
-        let mut standings = vec![Standing::Open; pieces.len()];
+        let mut entailments = vec![Entailment::Open; pieces.len()];
         let none = Claim::default();
         let claim = |at: usize| self.assigned[at].unwrap_or(&none);
         let own = self.hypotheses(claim(at))?;
         let same = |a: &Hypothesis, b: &Hypothesis| {
             a.lhs == b.lhs && a.rhs == b.rhs && a.relation == b.relation && (a.throughout || !b.throughout)
         };
-        // What holds under hypotheses of its own says nothing where these do not hold, nor at other times than they do.
+        // A step with hypotheses is usable only where these hold, and at all times.
         let is_constant = |symbol| matches!(self.model.meaning(symbol), Some(Meaning::Constant(_)));
         let at_all_times = |hypothesis: &Hypothesis| {
             let drawn = free_symbols::drawn(&[&hypothesis.lhs, &hypothesis.rhs], self.model);
@@ -104,18 +102,18 @@ impl Checker<'_> {
             let hypotheses = self.hypotheses(claim(*at)).ok();
             let granted = |other: &Hypothesis| at_all_times(other) && own.iter().any(|own| same(own, other));
             let granted = |all: Vec<Hypothesis>| all.iter().all(granted);
-            self.is_bare(*at) && hypotheses.is_some_and(granted)
+            self.claims_only_what_it_prints(*at) && hypotheses.is_some_and(granted)
         };
         if !is_usable(&from) {
-            return Ok(standings);
+            return Ok(entailments);
         }
         let before: Vec<usize> = before.iter().copied().filter(is_usable).collect();
-        let quiet = self.quiet();
-        let aside = self.aside(false);
+        let quiet = self.without_explanations();
+        let aside = self.without_system(false);
         let aside = Checker { model: &aside.model, units: self.units.clone(), ..quiet };
-        for (standing, piece) in standings.iter_mut().zip(pieces) {
+        for (entailment, piece) in entailments.iter_mut().zip(pieces) {
             if wrong && aside.says_the_same(piece, from, &own)? {
-                *standing = Standing::Follows;
+                *entailment = Entailment::Follows;
             }
         }
         let printed = quiet.printed_world(&before, from);
@@ -135,33 +133,34 @@ impl Checker<'_> {
         let laws = laws.into_iter().filter_map(|(steps, names)| quiet.as_laws(&steps, names));
         for (n, premise) in printed.into_iter().chain(laws).enumerate() {
             let there = Checker { model: &premise.model, units: quiet.units.clone(), ..quiet };
-            for (standing, piece) in standings.iter_mut().zip(pieces).filter(|(known, _)| **known != Standing::Follows)
+            for (entailment, piece) in
+                entailments.iter_mut().zip(pieces).filter(|(known, _)| **known != Entailment::Follows)
             {
-                match there.stands(at, piece, claim(at), &premise)? {
-                    Standing::Differs if n > 0 || !is_world && !self.is_about_one_motion(from, piece) => {}
-                    Standing::Open => {}
-                    told => *standing = told,
+                match there.holds_under(at, piece, claim(at), &premise)? {
+                    Entailment::Differs if n > 0 || !is_world && !self.concerns_same_motion(from, piece) => {}
+                    Entailment::Open => {}
+                    decided => *entailment = decided,
                 }
             }
         }
-        Ok(standings)
+        Ok(entailments)
     }
 
-    /// Whether a piece of a display holds in the system of a premise, which this checker is about.
-    fn stands(&self, at: usize, piece: &Reading, claim: &Claim, premise: &Premise) -> Result<Standing> {
-        // A system without states, as where the printed mass matrix is singular, decides nothing.
-        let Ok(true) = self.has_room(at, piece, claim, premise) else { return Ok(Standing::Open) };
+    /// The entailment of a piece by a premise, whose model this checker has.
+    fn holds_under(&self, at: usize, piece: &Reading, claim: &Claim, premise: &Premise) -> Result<Entailment> {
+        // A premise without states, such as a printed mass matrix that is singular, decides nothing.
+        let Ok(true) = self.leaves_states(at, piece, claim, premise) else { return Ok(Entailment::Open) };
         Ok(match self.holds(at, piece, claim) {
-            Ok((true, _)) => Standing::Follows,
-            Ok((false, true)) => Standing::Differs,
-            _ => Standing::Open,
+            Ok((true, _)) => Entailment::Follows,
+            Ok((false, true)) => Entailment::Differs,
+            _ => Entailment::Open,
         })
     }
 
     /// Whether a piece of a display passes; and whether it is refuted.
     fn holds(&self, at: usize, piece: &Reading, claim: &Claim) -> Result<(bool, bool)> {
         let display = &self.notes.equations[at];
-        // What is small concerns ≈ alone, and not every link of a chain has one.
+        // `small` concerns ≈ only, and not every link of a chain has one.
         let relations = || piece.statements.iter().flatten().flat_map(|statement| &statement.relations);
         let exact = Claim { small: Vec::new(), order: None, ..claim.clone() };
         let claim = if relations().any(|(relation, _)| !is_equality(*relation)) { claim } else { &exact };
@@ -171,7 +170,7 @@ impl Checker<'_> {
     }
 
     /// Whether a premise leaves the states of a piece free.
-    fn has_room(&self, at: usize, piece: &Reading, claim: &Claim, premise: &Premise) -> Result<bool> {
+    fn leaves_states(&self, at: usize, piece: &Reading, claim: &Claim, premise: &Premise) -> Result<bool> {
         let (hypotheses, local) = (self.hypotheses(claim)?, self.local(claim)?);
         let members: Vec<&Expr> = piece.statements.iter().flatten().flat_map(|statement| &statement.members).collect();
         let topic = format!("{} room", shown(&self.notes.equations[at]));
@@ -189,8 +188,8 @@ impl Checker<'_> {
         premise.leaves_the_state_free(&ensemble)
     }
 
-    /// Whether a piece says what a step says in other words: that something vanishes which is a number times what vanishes by
-    /// the step, or its rate.
+    /// Whether a piece is equivalent to a step: the difference of its sides is a constant times that of the step, or of the
+    /// time derivative of the step.
     fn says_the_same(&self, piece: &Reading, from: usize, hypotheses: &[Hypothesis]) -> Result<bool> {
         let Some(Ok(Statement { members, relations, constant: None, .. })) = piece.statements.first() else {
             return Ok(false);
@@ -214,7 +213,7 @@ impl Checker<'_> {
         Ok(false)
     }
 
-    /// Whether the sides of a link differ, at all states, by one number times what those of another differ by.
+    /// Whether the difference of the sides of a link is the same multiple of that of another link at all states.
     fn proportional(&self, link: &Link, known: &Link, hypotheses: &[Hypothesis]) -> Result<bool> {
         let context = Context {
             model: self.model,
@@ -249,8 +248,8 @@ impl Checker<'_> {
         Ok(factor.is_some() && ensemble.states.len() >= FEWEST)
     }
 
-    /// Whether a step gives the highest derivative of something that a piece of another speaks of too.
-    fn is_about_one_motion(&self, from: usize, piece: &Reading) -> bool {
+    /// Whether a step determines the highest derivative of a symbol whose derivative of that order or above is in a piece.
+    fn concerns_same_motion(&self, from: usize, piece: &Reading) -> bool {
         let Some(premise) = self.as_laws(&[from], false) else { return false };
         let hypotheses = premise.model.laws.iter().flat_map(|law| &law.hypotheses);
         let rules: Vec<_> = hypotheses.filter_map(|hypothesis| motion::motion(&premise.model, hypothesis)).collect();
@@ -263,7 +262,7 @@ impl Checker<'_> {
     }
 }
 
-/// A display link by link; a statement that introduces a name stays whole.
+/// The links of a display, each as a reading; a statement that introduces a name is not divided.
 fn pieces(reading: &Reading) -> Vec<Reading> {
     let mut pieces = Vec::new();
     for (at, statement) in reading.statements.iter().enumerate() {

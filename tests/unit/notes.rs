@@ -5,10 +5,10 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use onshell::Source;
 use onshell::notes::claims::{Count, Expected, Holds, Property, Range, Role, Solved, Test, Turning};
 use onshell::notes::json::{self, Value};
 use onshell::notes::{Claims, Display, Kind, Notes, claims_beside};
-use onshell::source::Source;
 use onshell::{Error, Result};
 
 fn parse(text: &str, kind: Kind) -> Result<Notes> {

@@ -1,6 +1,8 @@
-//! The displays that a wrong equation depends on and that no passing equation tests: the slip may be there.
+//! Unconfirmed premises: laws and definitions that a wrong equation uses and no passing equation uses.
 //!
-//! The same is asked within a chain that defines a name and then transforms it.
+//! An equation that uses a wrong law or definition is refuted. If another equation that uses the same law or definition
+//! passes, the premise is confirmed, and the mistake is in the equation. If none does, the mistake may be in either. The same
+//! holds inside a chain that defines a name and then evaluates it.
 //!
 //! # Where the slip may be if one equation fails
 //!
@@ -11,24 +13,24 @@
 
 use crate::formula::SymbolId;
 use crate::latex::DefinedSymbol;
-use crate::latex::slips::Slip;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::document::setup::Run;
 use crate::check::model::Model;
-use crate::check::repair::shared_edit::{Held, Item, is_refuted};
+use crate::check::repair::ranking::insert_ranked;
+use crate::check::repair::shared_edit::{Item, Passing, is_refuted};
 use crate::check::sample::context::Options;
 use crate::check::sample::setting::FEWEST;
-use crate::check::trial::wrong::OFFERED;
+use crate::check::trial::failed_display::OFFERED;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 
 impl Checker<'_> {
-    /// The equations of a document, those that no edit mends together with others with the displays that may be wrong
-    /// instead, and with the likeliest edit of these beside their own.
-    pub(crate) fn with_doubts(
+    /// The equations of a document; those without a shared repair get the displays that may be wrong instead, and the likeliest
+    /// edits of these beside their own repairs.
+    pub(crate) fn with_unconfirmed_premises(
         &self,
         run: &Run<'_>,
         mut equations: Vec<Equation>,
@@ -40,31 +42,32 @@ impl Checker<'_> {
         };
         let holding: Vec<usize> =
             equations.iter().zip(&displays).filter(|(equation, _)| holds(equation)).filter_map(|(_, at)| *at).collect();
-        // A definition that is pinned is vouched for; of one that is loose nobody knows.
-        let pinned: Vec<Option<bool>> = (0..self.notes.equations.len())
+        // A definition that other equations test is confirmed.
+        let tested: Vec<Option<bool>> = (0..self.notes.equations.len())
             .map(|display| {
                 let is_definition = !self.readings[display].introduced.is_empty();
                 let own = equations.iter().zip(&displays).find(|(_, at)| **at == Some(display));
                 own.filter(|_| is_definition).map(|(equation, _)| equation.ok)
             })
             .collect();
-        let held = self.held(&equations, sentences);
-        let mut vouched: Vec<Option<bool>> = vec![None; self.notes.equations.len()];
+        let passing = self.items_as_expected(&equations, sentences);
+        let mut confirmed: Vec<Option<bool>> = vec![None; self.notes.equations.len()];
         for (equation, own) in equations.iter_mut().zip(&displays) {
-            if let Some(own) = own.filter(|at| self.is_open(*at) && self.is_damaged(*at)) {
-                self.reread(run, equation, own, &held);
+            if let Some(own) = own.filter(|at| self.may_be_edited(*at) && self.is_unreadable(*at)) {
+                self.reread(run, equation, own, &passing);
             }
             let is_shared = equation.repairs.iter().any(|repair| repair.shared.is_some());
             let is_alone = is_refuted(equation) && equation.finding.follows_from.is_none() && !is_shared;
-            let Some(own) = own.filter(|at| is_alone && self.is_open(*at)) else { continue };
-            let stands_on = (0..vouched.len()).filter(|at| self.is_open(*at) && self.stands_on(own, *at));
-            let (certain, doubtful): (Vec<usize>, Vec<usize>) = stands_on.partition(|at| {
-                let vouch = || holding.iter().any(|other| self.vouches_for(*other, *at));
-                *vouched[*at].get_or_insert_with(|| pinned[*at].unwrap_or_else(vouch))
+            let Some(own) = own.filter(|at| is_alone && self.may_be_edited(*at)) else { continue };
+            let depends_on_display =
+                (0..confirmed.len()).filter(|at| self.may_be_edited(*at) && self.depends_on_display(own, *at));
+            let (certain, doubtful): (Vec<usize>, Vec<usize>) = depends_on_display.partition(|at| {
+                let is_confirmed = || holding.iter().any(|other| self.confirms(*other, *at));
+                *confirmed[*at].get_or_insert_with(|| tested[*at].unwrap_or_else(is_confirmed))
             });
             equation.elsewhere = doubtful.iter().map(|at| shown(&self.notes.equations[*at])).collect();
-            let is_loose = || !holding.iter().any(|other| self.vouches_for(*other, own));
-            if self.defines_in_a_chain(own) && is_loose() {
+            let is_unconfirmed = || !holding.iter().any(|other| self.confirms(*other, own));
+            if self.defines_in_a_chain(own) && is_unconfirmed() {
                 equation.elsewhere.push(shown(&self.notes.equations[own]));
             }
             if !self.options.explain {
@@ -72,21 +75,21 @@ impl Checker<'_> {
             }
             let found_in = |displays: Vec<usize>| -> Vec<Repair> {
                 let found =
-                    displays.into_iter().flat_map(|at| self.edits_that_mend(run, at, &[Item::Display(own)], &held));
-                found.flat_map(|found| self.shared_repairs(found.at, &found.edit, &found.mended)).collect()
+                    displays.into_iter().flat_map(|at| self.repairing_edits(run, at, &[Item::Display(own)], &passing));
+                found.flat_map(|found| self.shared_repairs(found.at, &found.edit, &found.repaired)).collect()
             };
             let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);
             let has_own = equation.repairs.iter().any(from_notes);
             let mut repairs = found_in(doubtful);
-            // The other end of a chain is the definition.
+            // In a chain that defines a name, the definition may be wrong.
             if repairs.is_empty() && equation.elsewhere.contains(&shown(&self.notes.equations[own])) {
                 repairs = self.repairs_of_own_definition(run, own).unwrap_or_default();
             }
             if has_own {
-                merge(&mut equation.repairs, repairs);
+                insert_ranked(&mut equation.repairs, repairs);
                 continue;
             }
-            // What is vouched for may be wrong where the others do not look.
+            // A confirmed premise may be wrong in a part that the other equations do not test.
             if repairs.is_empty() {
                 repairs = found_in(certain);
             }
@@ -101,19 +104,19 @@ impl Checker<'_> {
         equations
     }
 
-    /// Offers what makes a display readable that introduces names, which are lost with it: the document is read anew.
-    fn reread(&self, run: &Run<'_>, equation: &mut Equation, at: usize, held: &Held) {
+    /// Adds repairs of an unreadable display, found by reading the whole document again with its names.
+    fn reread(&self, run: &Run<'_>, equation: &mut Equation, at: usize, passing: &Passing) {
         if equation.ok || !equation.repairs.is_empty() || !self.options.explain {
             return;
         }
-        for found in self.edits_that_mend(run, at, &[Item::Display(at)], held) {
-            let repairs = self.shared_repairs(found.at, &found.edit, &found.mended);
+        for found in self.repairing_edits(run, at, &[Item::Display(at)], passing) {
+            let repairs = self.shared_repairs(found.at, &found.edit, &found.repaired);
             equation.repairs.extend(repairs.into_iter().map(|repair| Repair { shared: None, ..repair }));
         }
         equation.repairs.truncate(OFFERED);
     }
 
-    /// Whether a display says more than once what a name is that it introduces: then it may be wrong on either side.
+    /// Whether a display equates a name that it introduces with two formulas, so that either may be wrong.
     fn defines_in_a_chain(&self, at: usize) -> bool {
         let reading = &self.readings[at];
         let statement =
@@ -121,9 +124,9 @@ impl Checker<'_> {
         reading.introduced.iter().any(|new| statement(new).is_some_and(|statement| statement.members.len() > 2))
     }
 
-    /// Whether an equation that holds would not, if a display were not what it is.
-    fn vouches_for(&self, equation: usize, at: usize) -> bool {
-        if equation == at || !self.stands_on(equation, at) {
+    /// Whether a passing equation confirms a display: it uses a name of it, or fails without the law in it.
+    fn confirms(&self, equation: usize, at: usize) -> bool {
+        if equation == at || !self.depends_on_display(equation, at) {
             return false;
         }
         let introduced: Vec<SymbolId> = self.readings[at].introduced.iter().map(|new| new.symbol).collect();
@@ -137,21 +140,4 @@ impl Checker<'_> {
         let without = Checker { model: &model, options, units: self.units.clone(), ..*self };
         !without.equation(equation, self.assigned[equation]).is_ok_and(|found| found.ok)
     }
-}
-
-/// Repairs with those of another place. The likeliest of that comes before what is next here; and first, where here
-/// something must be put in or left out, and there a slip of a likelier kind is undone.
-fn merge(own: &mut Vec<Repair>, mut others: Vec<Repair>) {
-    let is_known = |repair: &Repair| own.iter().any(|o| (o.span, &o.replacement) == (repair.span, &repair.replacement));
-    others.retain(|repair| !is_known(repair));
-    others.truncate(OFFERED - 1);
-    // What was no fraction has no numerator and denominator to exchange.
-    let kind = |repair: &Repair| if repair.replacement.starts_with(r"\frac{1}{") { Slip::Factor } else { repair.slip };
-    let is_weak = |kind: Slip| matches!(kind, Slip::Factor | Slip::Term);
-    let kinds = own.first().map(kind).zip(others.first().map(kind));
-    let likelier = kinds.is_some_and(|(own, other)| is_weak(own) && other < own);
-    let (at, next) = if likelier { (0, 1) } else { (1, usize::from(own.len() > 1)) };
-    others.truncate(OFFERED - at - next);
-    own.splice(at..at, others);
-    own.truncate(OFFERED);
 }

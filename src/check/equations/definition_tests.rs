@@ -1,11 +1,7 @@
-//! The equations that would fail if a definition were another one.
+//! Tests of a definition: the equations that use a name, and whether they fail if the name is defined otherwise.
 //!
-//! Another formula in the place of a definition makes another model. The states of the equations that use the name
-//! are made again in that model; if one of them fails, the change is noticed.
-//!
-//! A slip in a definition cannot be wrong by itself. The model is made with the other formula, and what uses the
-//! name is tested. What is not noticed there is put into the file and the whole document is checked; only what
-//! passes that has survived.
+//! A definition cannot be false by itself; it is tested by the equations that use the name. Another formula makes another
+//! model. The sampled states of these equations are made again in that model; a change is detected where one fails.
 
 use std::sync::Arc;
 
@@ -25,7 +21,7 @@ use crate::check::state::residual;
 use crate::check::state::residual::Point;
 use crate::check::state::sampled_state::SampledState;
 
-/// Each equation is tested at so many states.
+/// The number of sampled states for each equation.
 const STATES: usize = 6;
 
 /// An equation that uses a defined symbol, with its hypotheses.
@@ -38,29 +34,29 @@ pub(crate) struct Use {
     pub hypotheses: Vec<Hypothesis>,
     /// What symbols mean in it only.
     pub local: Vec<Rule>,
-    /// Whether no more is claimed of it than that it holds: a limit of cells does not, at any state.
+    /// Whether the claim is only that it holds; a limit of cells holds at no state.
     pub is_plain: bool,
 }
 
 /// An equation with the states at which it holds.
-struct Pin {
+struct DefinitionTest {
     link: Link,
     mode: Mode,
     bases: Vec<Vec<f64>>,
     rules: Arc<[Rule]>,
 }
 
-/// What holds a definition fast.
-pub(crate) struct Pins<'d, 'a> {
+/// The equations that test a definition.
+pub(crate) struct DefinitionTests<'d, 'a> {
     checker: &'d Checker<'a>,
     symbol: SymbolId,
-    pins: Vec<Pin>,
+    tests: Vec<DefinitionTest>,
 }
 
-impl<'d, 'a> Pins<'d, 'a> {
-    /// Of a name that a display introduces: the equations that hold, and those that fail as well where it is the definition
-    /// that may be wrong. What is assumed of the name itself is no help, since other states would obey it if the name meant
-    /// something else.
+impl<'d, 'a> DefinitionTests<'d, 'a> {
+    /// The tests of a name that a display introduces: the equations that hold; with `failing`, those that fail as well, since
+    /// the definition may be the cause. Equations with a hypothesis about the name are left out: with another definition
+    /// other states satisfy the hypothesis.
     ///
     /// # Errors
     /// When the system's mass matrix is singular, or for a claim that does not fit the notes.
@@ -73,7 +69,7 @@ impl<'d, 'a> Pins<'d, 'a> {
                 .any(|c| [&c.lhs, &c.rhs].into_iter().any(|side| checker.model.depends_on(side, &[symbol])))
         };
         let by_law = checker.model.laws.iter().any(|law| assumed(&law.hypotheses));
-        let mut pins = Vec::new();
+        let mut tests = Vec::new();
         for Use { id, link, hypotheses, local, is_plain } in uses {
             if assumed(&hypotheses) || !local.is_empty() {
                 continue;
@@ -99,33 +95,33 @@ impl<'d, 'a> Pins<'d, 'a> {
                 let ensemble = context.ensemble(mode, false, STATES)?;
                 let found = run(&link, &ensemble.states).is_ok_and(|o| o.failure.is_none() && o.points > 0);
                 let (bases, rules) = (ensemble.bases, ensemble.rules.clone());
-                let pin = Pin { link: link.clone(), mode, bases, rules };
+                let test = DefinitionTest { link: link.clone(), mode, bases, rules };
                 if found {
-                    pins.push(pin);
+                    tests.push(test);
                     holds = true;
                     break;
                 }
-                fails = Some(pin);
+                fails = Some(test);
             }
-            pins.extend(fails.filter(|_| failing && is_plain && !holds));
+            tests.extend(fails.filter(|_| failing && is_plain && !holds));
         }
-        Ok(Pins { checker, symbol, pins })
+        Ok(DefinitionTests { checker, symbol, tests })
     }
 
     /// Whether an equation fails where the name stands for another formula.
-    pub fn notice(&self, formula: &Expr) -> bool {
-        // What is defined by itself is not defined.
+    pub fn detects(&self, formula: &Expr) -> bool {
+        // A name cannot be defined by itself.
         if self.checker.model.depends_on(formula, &[self.symbol]) {
             return true;
         }
         let mut model = self.checker.model.clone();
         model.define(self.symbol, formula.clone());
-        self.pins.iter().any(|pin| {
-            pin.bases.iter().any(|base| {
+        self.tests.iter().any(|test| {
+            test.bases.iter().any(|base| {
                 let base: Vec<RunningError> = base.iter().map(|value| RunningError::from(*value)).collect();
-                let state = SampledState::new(&model, pin.mode, &base, &pin.rules);
+                let state = SampledState::new(&model, test.mode, &base, &test.rules);
                 state.is_ok_and(|state| {
-                    matches!(residual::test(&pin.link, &state), Ok(Point::Fails(_) | Point::OneSided(_)))
+                    matches!(residual::test(&test.link, &state), Ok(Point::Fails(_) | Point::OneSided(_)))
                 })
             })
         })

@@ -5,7 +5,7 @@ use onshell::derive::Quantity;
 use onshell::testing::check_text;
 use serde_json::json;
 
-use crate::support::{Subject, registry, subjects};
+use super::support::{Subject, registry, subjects};
 
 /// The displays of all quantities, and for the masses what says their use: p = M q̇.
 fn displays(subject: &Subject) -> Vec<String> {

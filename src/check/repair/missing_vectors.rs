@@ -1,22 +1,22 @@
-//! Vectors that were left out of a sum: those of the document, their rates, the products of two of them, and multiples of
-//! those along which nothing is printed there.
+//! Missing vectors of a sum: the vectors of the document, their rates, their vector products, and multiples of vectors that
+//! the sum does not contain.
 
 use crate::formula::symbols::Entry;
 use crate::formula::{Kind, Node};
 use crate::latex::slips::{InsertionPoint, Pool};
 use crate::latex::{names, read_formula};
 
-use crate::check::repair::lost_terms::{Lost, Proposal, is_small};
-use crate::check::trial::wrong::MISSING;
+use crate::check::repair::missing_terms::{MissingPart, Proposal, is_small};
+use crate::check::trial::failed_display::MISSING;
 
-/// A vector that is wrong is found out at one of so many states.
+/// The number of states at which a vector is tried.
 const STATES: usize = 4;
 
-/// So many vectors are multiplied by each other at most.
+/// The largest number of vectors in products.
 const MOST: usize = 8;
 
-impl Lost<'_, '_> {
-    /// The vectors with which the equation holds at a few states, added or taken away in a hole.
+impl MissingPart<'_, '_> {
+    /// The vectors that, added or subtracted in a hole, make the equation hold at a few states.
     pub(crate) fn vectors(&self, hole: InsertionPoint) -> Vec<Proposal> {
         let mut found = Vec::new();
         for latex in self.all_vectors() {
@@ -36,7 +36,7 @@ impl Lost<'_, '_> {
         found
     }
 
-    /// Multiples of the vectors that stand in the document, and not in the sum that has the hole.
+    /// Multiples of the vectors that are in the document and not in the sum with the hole.
     pub(crate) fn multiples(&self, hole: InsertionPoint) -> Vec<Proposal> {
         let printed = &self.wrong.text[hole.whole.range()];
         let directions = self.directions.get_or_init(|| self.all_directions());
@@ -44,7 +44,7 @@ impl Lost<'_, '_> {
         others.filter_map(|direction| self.along(hole, direction)).collect()
     }
 
-    /// What was left out, if it is a multiple of this vector.
+    /// The missing term, if it is a multiple of this vector.
     fn along(&self, hole: InsertionPoint, direction: &str) -> Option<Proposal> {
         let filling = |number: &str| self.reading(&hole.filled('+', &format!("{number} \\, {direction}")));
         let [one, two] = ["1", "2"].map(filling);
@@ -53,7 +53,7 @@ impl Lost<'_, '_> {
         }
         let needed = self.needed(hole, &one, &two)?;
         let (link, first) = self.link(self.wrong.reading, needed.row)?;
-        // All components say the same, and some have a normal form sooner than others.
+        // All components have the same factor, and some have a shorter normal form.
         let others = (0..3).filter(|row| *row != first);
         let mut rows = std::iter::once(first).chain(others);
         let found = rows.find_map(|row| self.formula(hole, &needed, (&link, row), &one))?;
@@ -61,7 +61,7 @@ impl Lost<'_, '_> {
         Some(self.proposal(hole, sign, &format!("{factor} \\, {direction}"), found.cost + 1))
     }
 
-    /// The vectors that stand in the document, those of the wrong equation first.
+    /// The vectors in the document, those of the wrong equation first.
     fn all_directions(&self) -> Vec<String> {
         let (checker, model) = (self.checker, self.checker.model);
         let others = checker.notes.equations.iter().map(|display| display.text.as_str());
@@ -84,7 +84,7 @@ impl Lost<'_, '_> {
         directions
     }
 
-    /// The vectors with a name of their own, their rates, and their products.
+    /// The declared vectors, their rates, and their vector products.
     fn all_vectors(&self) -> Vec<String> {
         let symbols = &self.checker.model.symbols;
         let is_vector = |entry: &Entry| entry.kind == Kind::Vector && entry.slots.is_empty();

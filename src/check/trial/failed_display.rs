@@ -1,33 +1,34 @@
-//! A wrong equation, as repair sees it.
+//! A display that failed its check, as mutation testing and repairs take it.
 
 use crate::latex::Reading;
 use crate::latex::slips::Edit;
 use crate::notes::claims::Claim;
 use crate::source::Span;
 
-/// So many suggestions are offered at most.
+/// The largest number of suggestions for one equation.
 pub(crate) const OFFERED: usize = 3;
 
-/// So many factors, and so many terms, are tried where something may have been left out.
+/// The largest number of factors, and of terms, that are tried as missing ones.
 pub(crate) const MISSING: usize = 48;
 
-/// What is to be mended.
-pub(crate) struct Wrong<'w> {
+/// A display to be repaired.
+pub(crate) struct FailedDisplay<'w> {
     /// The display, by its place.
     pub at: usize,
     /// Its text.
     pub text: &'w str,
-    /// How it is read.
+    /// Its reading.
     pub reading: &'w Reading,
-    /// What is claimed of it.
+    /// Its claim.
     pub claim: &'w Claim,
     /// The places in the text where it is wrong; all of it, if there are none.
     pub places: Vec<Span>,
-    /// The steps of chains that can be mended alone: of each the statement and the member that is wrong.
+    /// The steps of chains that can be repaired alone, each as the statement and the wrong member.
     pub steps: Vec<(usize, usize)>,
 }
 
-impl Wrong<'_> {
+impl FailedDisplay<'_> {
+    /// Whether an edit changes a place where the display is wrong.
     pub(crate) fn concerns(&self, edit: &Edit) -> bool {
         self.places.is_empty() || self.places.iter().any(|place| place.contains(edit.span))
     }

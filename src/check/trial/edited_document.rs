@@ -1,4 +1,4 @@
-//! A whole document with an edit made.
+//! The check of a whole document with an edited text.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -14,8 +14,8 @@ use crate::check::document::setup::{Run, wanted, with_checker};
 use crate::check::equations::sentences;
 use crate::check::verdict::Verdict;
 
-/// The verdict on the first equation or sentence of a document that is not as expected, those before the others that
-/// use what the `at`-th display introduces; none, if all are.
+/// The verdict on the first equation or sentence that is not as expected; `None`, if all are. Equations that use a name of the
+/// `at`-th display are checked first.
 pub(crate) fn first_unexpected(run: &Run<'_>, claims: &Claims, notes: &Notes, at: usize) -> Result<Option<Verdict>> {
     with_checker(run, claims, notes, |checker| {
         let introduced: Vec<SymbolId> = checker.readings[at].introduced.iter().map(|new| new.symbol).collect();
@@ -44,8 +44,8 @@ pub(crate) fn first_unexpected(run: &Run<'_>, claims: &Claims, notes: &Notes, at
     })
 }
 
-/// Another text of the same notes.
-pub(crate) fn retyped(notes: &Notes, text: String) -> Result<Notes> {
+/// The same notes with another text.
+pub(crate) fn with_text(notes: &Notes, text: String) -> Result<Notes> {
     let path = &notes.source.path;
     let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a file of notes")))?;
     Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)

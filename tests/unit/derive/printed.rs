@@ -3,7 +3,7 @@
 use onshell::derive::Quantity;
 use onshell::formula::{Expr, Node};
 
-use crate::support::{Subject, agree, numbers, subject};
+use super::support::{Subject, agree, numbers, subject};
 
 /// How many letters and numbers a formula has in it, a power counting once.
 fn leaves(formula: &Expr) -> usize {

@@ -1,5 +1,7 @@
-//! Values as a product of powers: the logarithm of such a product is linear in the logarithms of its factors, so the
-//! exponents come from one decomposition of a matrix and a substitution for each list of values.
+//! Fits of values by a product of powers.
+//!
+//! The logarithm of a product of powers is linear in the logarithms of its factors. So the exponents come from one QR
+//! decomposition (modified Gram–Schmidt) of the factors, and one back substitution for each list of values.
 
 use crate::formula::symbols::Entry;
 use crate::formula::tree::{Function, Sign, Term};
@@ -12,72 +14,75 @@ use crate::source::Span;
 use crate::check::document::checker::Checker;
 use crate::check::judge::difference;
 use crate::check::state::sampled_state::SampledState;
-use crate::check::trial::wrong::{MISSING, Wrong};
+use crate::check::trial::failed_display::{FailedDisplay, MISSING};
 use crate::check::verdict::finding::Fraction;
 
-/// So many of the states are fitted; at the others the fit must hold as well.
+/// The number of states that are fitted; the fit must hold at the other states too.
 const FITTED: usize = 2 * STATES / 3;
 
-/// So many factors are fitted at most: twice as many states decide on them.
+/// The largest number of factors, half the number of fitted states.
 const MOST: usize = FITTED / 2;
 
-/// How near an exponent comes to a whole number.
+/// The largest distance of an exponent from a whole number.
 const WHOLE: f64 = 1e-6;
 
-/// A larger power, or a product of more factors, nobody left out.
+/// The highest power of a factor; authors do not omit higher ones.
 const HIGHEST: i32 = 4;
 
+/// The largest number of factors in a product, powers counted.
 const LONGEST: usize = 8;
 
-/// What a missing term or factor may be made of, with its values; none depends on those before by a product of powers.
+/// The factors that a missing term may contain, with their values. Their logarithms are linearly independent.
 pub(crate) struct Factors<'d> {
     symbols: &'d Symbols,
     all: Vec<Factor>,
-    /// For each factor after the constant one, the unit vector that it adds to those before.
+    /// The orthonormal vectors of the decomposition: the constant one, then one for each factor.
     directions: Vec<Vec<f64>>,
-    /// Its logarithms along these: a triangle.
+    /// The components of the logarithms of each factor along these vectors, a triangular matrix.
     triangle: Vec<Vec<f64>>,
 }
 
 struct Factor {
-    /// As its author types it.
+    /// The factor as the notes print it.
     latex: String,
     expr: Expr,
     values: Vec<f64>,
 }
 
-/// A product of powers that has the values wanted.
+/// A product of powers that fits the values.
 pub(crate) struct Product {
-    /// As it is typeset, without its sign.
+    /// The LaTeX of the product, without its sign.
     pub latex: String,
-    /// How much it is to read.
+    /// The length of the product, as the number of its factors and numbers.
     pub cost: usize,
-    /// What it multiplies by.
+    /// The factors of the numerator.
     pub above: Vec<Expr>,
-    /// What it divides by.
+    /// The factors of the denominator.
     pub below: Vec<Expr>,
     number: Fraction,
     factors: usize,
 }
 
 impl Product {
+    /// Whether the product has no factors.
     pub fn is_number(&self) -> bool {
         self.factors == 0
     }
 
+    /// Whether the number in the product is negative.
     pub fn is_negative(&self) -> bool {
         self.number.numerator < 0
     }
 
-    /// What it is typeset as, with its sign.
+    /// A formula of the product without its sign, with its sign.
     pub fn signed(&self, typeset: Expr) -> Expr {
         if self.is_negative() { typeset.negated() } else { typeset }
     }
 }
 
 impl<'d> Factors<'d> {
-    /// What stands in the display, in the document, and what the names of the document stand for.
-    pub fn of(checker: &'d Checker<'_>, wrong: &Wrong<'_>, scenes: &[SampledState<'_, RunningError>]) -> Self {
+    /// The factors in the display and in the document, then the names of the document and their rates.
+    pub fn of(checker: &'d Checker<'_>, wrong: &FailedDisplay<'_>, states: &[SampledState<'_, RunningError>]) -> Self {
         let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
         let texts = checker.notes.equations.iter().map(|display| display.text.as_str());
         let printed = [
@@ -98,9 +103,9 @@ impl<'d> Factors<'d> {
             bases(&whole, &mut parts);
             parts.iter().for_each(|part| add((**part == whole).then_some(latex), part));
         }
-        // Names come before rates: the rate of a quantity stands for others in disguise.
+        // Names come before rates, because a rate often equals other factors by the motion.
         named(symbols).iter().for_each(|expr| add(None, expr));
-        // The rates of what is printed, and what it is the rate of.
+        // The printed names with other numbers of dots.
         for latex in printed.iter().flat_map(Pool::factors) {
             let Some((name, _)) = names::parse(latex) else { continue };
             for latex in (0..=2).filter_map(|dots| names::with_dots(&name, dots)).map(|name| name.to_string()) {
@@ -115,21 +120,21 @@ impl<'d> Factors<'d> {
         let mut factors = Factors { symbols, all: Vec::new(), directions: Vec::new(), triangle: Vec::new() };
         let constant = vec![(FITTED as f64).sqrt().recip(); FITTED];
         factors.directions.push(constant);
-        if scenes.len() < STATES {
+        if states.len() < STATES {
             return factors;
         }
         for (latex, expr) in candidates {
             if factors.all.len() == MOST {
                 break;
             }
-            let value = |scene| difference::value(&expr, scene).map(|value| value.value).filter(|value| *value != 0.0);
-            let Some(values) = scenes.iter().map(value).collect::<Option<Vec<f64>>>() else { continue };
+            let value = |state| difference::value(&expr, state).map(|value| value.value).filter(|value| *value != 0.0);
+            let Some(values) = states.iter().map(value).collect::<Option<Vec<f64>>>() else { continue };
             factors.add(latex, expr, values);
         }
         factors
     }
 
-    /// Adds a factor, if it is no product of powers of those that are there.
+    /// Adds a factor, unless it is a product of powers of the known factors.
     fn add(&mut self, latex: String, expr: Expr, values: Vec<f64>) {
         let logarithms: Vec<f64> = values.iter().take(FITTED).map(|value| value.abs().ln()).collect();
         let (along, mut rest) = self.projected(&logarithms);
@@ -142,11 +147,11 @@ impl<'d> Factors<'d> {
         }
     }
 
-    /// What of a vector lies along the directions, and what is left.
+    /// The components of a vector along the orthonormal vectors, and the rest.
     fn projected(&self, vector: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut rest = vector.to_vec();
         let mut along = vec![0.0; self.directions.len()];
-        // Twice: the first time leaves rounding behind.
+        // The second pass removes the rounding errors of the first.
         for _ in 0..2 {
             for (direction, along) in self.directions.iter().zip(&mut along) {
                 let share: f64 = direction.iter().zip(&rest).map(|(a, b)| a * b).sum();
@@ -157,7 +162,7 @@ impl<'d> Factors<'d> {
         (along, rest)
     }
 
-    /// The product of powers that has these values at these states, all of them.
+    /// The product of powers that has these values at these states.
     pub fn fitted(&self, states: &[usize], values: &[f64]) -> Option<Product> {
         if states.len() < STATES || self.all.is_empty() {
             return None;
@@ -189,7 +194,7 @@ impl<'d> Factors<'d> {
         values.iter().enumerate().all(near).then(|| self.typeset(number, &powers))
     }
 
-    /// Where a factor stands in a product: constants, sums, what varies, functions; names in the order of their declaration.
+    /// The order of factors in a product: constants, sums, varying quantities, functions; names as they are declared.
     fn place(&self, expr: &Expr) -> (u8, usize) {
         match &expr.node {
             Node::Symbol { id, .. } if self.symbols.entry(*id).varies => (2, id.0),
@@ -252,7 +257,7 @@ fn quotient(number: Fraction, mut above: Vec<String>, mut below: Vec<String>) ->
     if below.is_empty() { above } else { format!("\\frac{{{above}}}{{{below}}}") }
 }
 
-/// A number as a fraction, or as the root of one.
+/// The LaTeX of a number that is a fraction or the square root of one.
 pub(crate) fn constant(value: f64) -> Option<String> {
     let fraction = |(above, below): (String, String)| match below.as_str() {
         "1" => above,
@@ -273,7 +278,7 @@ fn norm(vector: &[f64]) -> f64 {
     vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
-/// What a formula multiplies: the bases of its powers.
+/// Collects the factors of a formula, without their powers.
 pub(crate) fn bases<'e>(expr: &'e Expr, into: &mut Vec<&'e Expr>) {
     match &expr.node {
         Node::Product(factors) => factors.iter().for_each(|factor| bases(factor, into)),
@@ -284,7 +289,7 @@ pub(crate) fn bases<'e>(expr: &'e Expr, into: &mut Vec<&'e Expr>) {
     }
 }
 
-/// The opposite of a difference of two.
+/// The difference b − a for a − b.
 fn turned(expr: &Expr) -> Option<Expr> {
     match &expr.node {
         Node::Sum(terms) => match terms.as_slice() {
@@ -308,7 +313,7 @@ fn name(id: SymbolId, dots: u8) -> Expr {
     Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default())
 }
 
-/// What the names of a document suggest: they themselves, sines and cosines of angles, differences of like constants.
+/// The names of a document, sines and cosines of its angles, and differences of constants with the same letter.
 fn named(symbols: &Symbols) -> Vec<Expr> {
     let of_an_angle = |id: SymbolId| {
         let call = move |function| Expr::new(Node::Call(function, Box::new(name(id, 0))), Span::default());
@@ -328,14 +333,14 @@ fn named(symbols: &Symbols) -> Vec<Expr> {
     all
 }
 
-/// The rates of all that varies.
+/// The first and second rates of all varying names.
 fn rates(symbols: &Symbols) -> Vec<Expr> {
     let varying = numbers(symbols).filter(|(_, entry)| entry.varies);
     varying.flat_map(|(id, _)| [name(id, 1), name(id, 2)]).collect()
 }
 
-/// So many states say what is missing. Two in three are fitted, the others confirm it.
+/// The number of states. Two thirds are fitted, the others confirm the fit.
 pub(crate) const STATES: usize = 72;
 
-/// What is as small as this beside the terms that met in it is taken for zero, to propose something.
+/// The relative size below which a value counts as zero in a proposal.
 pub(crate) const NEAR: f64 = 1e-9;

@@ -1,4 +1,8 @@
-//! Whether another text would pass in the place of a display: the question of mutation testing and of repair.
+//! The trial of a text in place of a display: whether it would pass.
+//!
+//! A text is read with the names of the document and checked by the claim of the display. Most wrong texts fail at the first
+//! state. So a few states are sampled once for all texts, and a text that fails at one of them is refuted. Any other text
+//! gets the full check, with mutants and certificate. The few states only refute.
 //!
 //! # How a text is judged in the place of a display
 //!
@@ -22,7 +26,7 @@ use crate::check::document::reread;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::difference;
 use crate::check::kinds::small;
-use crate::check::kinds::small::Shrinkage;
+use crate::check::kinds::small::ShrinkingFamily;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
@@ -36,45 +40,45 @@ use crate::check::vacuity::restatement;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Part;
 
-/// A text is refuted at one of so many states, before it is checked in full.
+/// The number of states that screen a text before its full check.
 const STATES: usize = 6;
 
-/// What is said of a text in the place of a display.
+/// The outcome of a trial.
 pub(crate) enum Answer {
-    /// It reads as what stands there.
+    /// It reads as the original does.
     Same,
     /// It cannot be read, its types or its units do not fit, or it says too little to be checked.
     Refused,
-    /// It is false, by what the display defines.
+    /// It is false.
     Refuted,
     /// It passes, with the findings on its parts.
     Passes(Reading, Vec<Part>),
 }
 
-/// A display, ready to have other texts tried in its place.
+/// A display with the states that screen other texts in its place.
 pub(crate) struct Trial<'d, 'a> {
     checker: &'d Checker<'a>,
-    /// The same, with few states and without explanations.
+    /// The same checker, with few states and without explanations.
     quick: Checker<'a>,
-    /// The same without explanations.
+    /// The same checker, without explanations.
     full: Checker<'a>,
     at: usize,
     claim: &'d Claim,
-    /// How the display is read now.
+    /// The reading of the original text.
     now: &'d Reading,
     topic: String,
     hypotheses: Vec<Hypothesis>,
     local: Vec<Rule>,
-    /// States for each statement; none where what is claimed is more than an equation.
+    /// The screening states of each statement; `None`, where the statement need not hold at each state.
     screens: Vec<Option<Ensemble<'d>>>,
-    /// Families of states for each statement of which something is claimed while some quantities are small.
-    shrinking: Vec<Vec<Shrinkage<'d>>>,
-    /// The one step of a chain that is looked at, by its statement and the member it leads to.
+    /// The screening families of each statement with ≈, along which the small quantities shrink.
+    shrinking: Vec<Vec<ShrinkingFamily<'d>>>,
+    /// The only step of a chain to check, as the statement and the member that the step leads to.
     step: Option<(usize, usize)>,
 }
 
 impl<'d, 'a> Trial<'d, 'a> {
-    /// Of the `at`-th display, as it is read now.
+    /// A trial for the `at`-th display, whose original reading is `now`.
     ///
     /// # Errors
     /// For a claim that does not fit the notes.
@@ -114,25 +118,25 @@ impl<'d, 'a> Trial<'d, 'a> {
         Ok(trial)
     }
 
-    /// The same of one step of a chain, which `now` has been cut to: whatever text is tried is [`cut`] so.
-    pub fn of_step(self, step: (usize, usize)) -> Self {
+    /// The same trial for one step of a chain, which `now` is cut to; each text is cut to it as well.
+    pub fn for_step(self, step: (usize, usize)) -> Self {
         Trial { step: Some(step), ..self }
     }
 
-    /// A few states for a statement: on shell, where what holds on shell only would pass.
+    /// The screening states of a statement; on shell, unless the claim must hold always.
     fn screen(&self, statement: usize, members: &[&Expr]) -> Option<Ensemble<'d>> {
         let topic = format!("{} trial {statement}", self.topic);
         let always = self.claim.holds.as_ref().is_some_and(|holds| holds.value == Holds::Always);
         let context = self.context(&topic);
         let mut mode = context.mode(!always && self.checker.model.has_motion(), members);
-        // A slip may need one derivative more.
+        // A text may need one derivative more than the original.
         mode.order = (mode.order + 1).clamp(3, TERMS - 1);
         let drawn = context.ensemble_of(self.checker.model, mode, STATES.min(self.checker.options.points), "trial");
         drawn.ok().filter(|ensemble| !ensemble.states.is_empty())
     }
 
-    /// Families of states for what a statement says while some quantities are small.
-    fn shrinking(&self, statement: usize) -> Vec<Shrinkage<'d>> {
+    /// The screening families of a statement that claims something for small quantities.
+    fn shrinking(&self, statement: usize) -> Vec<ShrinkingFamily<'d>> {
         let (checker, topic) = (self.checker, format!("{} trial {statement}", self.topic));
         let context = self.context(&topic);
         let is_approximate = |relation: Relation| relation == Relation::Approximately;
@@ -140,29 +144,29 @@ impl<'d, 'a> Trial<'d, 'a> {
         let sides: Vec<&Expr> = links.iter().flat_map(|link| [&link.lhs, &link.rhs]).collect();
         let on_shell = self.claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
         let mut mode = context.mode(on_shell.unwrap_or(checker.model.has_motion()), &sides);
-        // A slip may need one derivative more.
+        // A text may need one derivative more than the original.
         mode.order = (mode.order + 1).min(TERMS - 1);
         let small: Result<Vec<Expr>> = self.claim.small.iter().map(|latex| checker.formula(latex)).collect();
         let families = small.and_then(|small| small::screen(checker.model, mode, &small, &context));
         families.ok().filter(|_| !links.is_empty()).unwrap_or_default()
     }
 
-    /// What is said of a text in the place of the display.
+    /// The outcome of a text in place of the display.
     ///
     /// # Errors
     /// As for a check of the display itself.
-    pub fn of(&self, text: &str) -> Result<Answer> {
-        self.of_one(text, |_| true)
+    pub fn judge(&self, text: &str) -> Result<Answer> {
+        self.judge_where(text, |_| true)
     }
 
-    /// The same; a reading that says nothing of interest is refused before it is checked in full.
+    /// The same; a reading for which `says_something` is false is refused before its full check.
     ///
     /// # Errors
-    /// As there.
-    pub fn of_one(&self, text: &str, says_something: impl Fn(&Reading) -> bool) -> Result<Answer> {
-        let mut reading = reread::read(self.checker, &self.checker.model.macros, self.at, text, self.claim);
+    /// As [`Trial::judge`].
+    pub fn judge_where(&self, text: &str, says_something: impl Fn(&Reading) -> bool) -> Result<Answer> {
+        let mut reading = reread::read_in_place(self.checker, &self.checker.model.macros, self.at, text, self.claim);
         if let Some(step) = self.step {
-            cut(&mut reading, step);
+            cut_to_step(&mut reading, step);
         }
         if reading.statements.iter().any(std::result::Result::is_err) {
             return Ok(Answer::Refused);
@@ -170,10 +174,10 @@ impl<'d, 'a> Trial<'d, 'a> {
         if reread::reads_alike(&reading, self.now) {
             return Ok(Answer::Same);
         }
-        if self.fails(&reading) {
+        if self.fails_screen(&reading) {
             return Ok(Answer::Refuted);
         }
-        if !says_something(&reading) || reread::lost(self.checker, &reading, self.now).is_some() {
+        if !says_something(&reading) || reread::missing_from_print(self.checker, &reading, self.now).is_some() {
             return Ok(Answer::Refused);
         }
         let offset = self.checker.notes.equations[self.at].body.start;
@@ -190,12 +194,12 @@ impl<'d, 'a> Trial<'d, 'a> {
         })
     }
 
-    /// Whether what stands there holds at the few states.
-    pub fn stands(&self) -> bool {
-        !self.fails(self.now)
+    /// Whether the original passes the screening states.
+    pub fn passes_screen(&self) -> bool {
+        !self.fails_screen(self.now)
     }
 
-    /// The findings on a reading, in full. What it introduces is held to what the rest of it says.
+    /// The findings of the full check of a reading. The other statements of the reading test the names that it introduces.
     fn judged(&self, reading: &Reading, offset: usize) -> Result<Vec<Part>> {
         let judged = |checker: &Checker<'_>| checker.parts((self.at, offset), reading, self.claim, &self.topic);
         if reading.introduced.is_empty() || reading.statements.len() < 2 {
@@ -206,11 +210,11 @@ impl<'d, 'a> Trial<'d, 'a> {
         judged(&Checker { readings: &readings, units: self.full.units.clone(), ..self.full })
     }
 
-    /// Whether a reading is proved over a field to say what the display says, member for member, or to follow from it.
+    /// Whether a reading is proved over a prime field to be equal to the original member by member, or to follow from it.
     ///
     /// # Errors
     /// When the system's mass matrix is singular.
-    pub fn is_as_true(&self, reading: &Reading) -> Result<bool> {
+    pub fn is_equivalent(&self, reading: &Reading) -> Result<bool> {
         let original = &self.now.statements;
         if original.len() != reading.statements.len() {
             return Ok(false);
@@ -235,7 +239,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             let model = self.checker.model;
             let never_zero = |factor: &Expr| is_never_zero(model, factor);
             let follows = |at: usize| {
-                // A multiple of what is no equality says something else.
+                // Only an equality may be multiplied by a factor.
                 let relation = was.relations[at].0;
                 let equal = is_equality(relation) || relation == Relation::Approximately;
                 let null = equal && was.members[at + 1].is_null() && is.members[at + 1].is_null();
@@ -249,23 +253,23 @@ impl<'d, 'a> Trial<'d, 'a> {
         Ok(true)
     }
 
-    /// Whether two formulas are proved to be one: whatever their symbols mean, or as they are meant, or where the
-    /// hypotheses of the claim hold.
+    /// Whether two formulas are proved to be equal: for all values of their symbols, with definitions written out, or where
+    /// the hypotheses of the claim hold.
     fn is_same(&self, a: &Expr, b: &Expr) -> Result<bool> {
         let model = self.checker.model;
-        if formulas::same(a, b, model) || formulas::same(&self.opened(a), &self.opened(b), model) {
+        if formulas::same(a, b, model) || formulas::same(&self.expanded(a), &self.expanded(b), model) {
             return Ok(true);
         }
-        // What is of another type is another thing.
+        // Formulas of different shapes are not equal.
         match self.checker.link(a, Relation::Equal, b) {
             Ok(link) => Ok(self.implied(&[], &link)? || self.implied(&self.hypotheses, &link)?),
             Err(_) => Ok(false),
         }
     }
 
-    /// A formula with what is defined written out, and with the right sides of hypotheses that hold throughout in the
-    /// places of their left sides.
-    fn opened(&self, expr: &Expr) -> Expr {
+    /// A formula with definitions written out, and with the left sides of hypotheses that hold throughout replaced by their
+    /// right sides.
+    fn expanded(&self, expr: &Expr) -> Expr {
         let by_hypothesis = |expr: &Expr| {
             let known = |c: &&Hypothesis| c.throughout && is_equality(c.relation) && c.lhs == *expr;
             self.hypotheses.iter().find(known).map(|hypothesis| hypothesis.rhs.clone())
@@ -284,20 +288,20 @@ impl<'d, 'a> Trial<'d, 'a> {
                 .map(|(_, letter)| Index::Letter(*letter))
                 .eq(indices.iter().copied())
         {
-            let formula = self.opened(formula);
+            let formula = self.expanded(formula);
             return match dots {
                 0 => formula,
                 dots => Expr::new(Node::TimeDerivative(*dots, Box::new(formula)), expr.span),
             };
         }
         let mut opened = expr.clone();
-        opened.children_mut().into_iter().for_each(|child| *child = self.opened(child));
+        opened.children_mut().into_iter().for_each(|child| *child = self.expanded(child));
         opened
     }
 
     /// Whether a link is an identity where some hypotheses hold.
     fn implied(&self, hypotheses: &[Hypothesis], link: &Link) -> Result<bool> {
-        let context = Context { hypotheses: hypotheses, ..self.context(&self.topic) };
+        let context = Context { hypotheses, ..self.context(&self.topic) };
         let mode = context.mode(false, &[&link.lhs, &link.rhs]);
         let ensemble = context.ensemble(mode, false, STATES)?;
         if ensemble.states.is_empty() {
@@ -307,9 +311,9 @@ impl<'d, 'a> Trial<'d, 'a> {
         Ok(holds && matches!(decide::certify(link, &context, &ensemble), Certificate::Identity(_)))
     }
 
-    /// Whether a reading has the rate of something that stands still in a place where what is displayed has none: such a
-    /// product, or a term of a sum, is zero, and says nothing.
-    pub fn stands_still(&self, reading: &Reading) -> bool {
+    /// Whether a reading contains a rate that is zero at all screening states and that the original does not contain. Such a
+    /// factor or term makes an equation true without saying anything.
+    pub fn has_vanishing_rate(&self, reading: &Reading) -> bool {
         let mut rates: Vec<&Expr> = Vec::new();
         for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
             member.walk(&mut |part| {
@@ -346,32 +350,32 @@ impl<'d, 'a> Trial<'d, 'a> {
         }
     }
 
-    /// Whether one of the few states refutes a reading, or one of the few families.
-    fn fails(&self, reading: &Reading) -> bool {
+    /// Whether a screening state or a screening family refutes a reading.
+    fn fails_screen(&self, reading: &Reading) -> bool {
         let order = self.claim.order.as_ref().map_or(1, |order| order.value);
         let is_approximate = |relation: Relation| relation == Relation::Approximately;
-        let is_missed = |(n, families): (usize, &Vec<Shrinkage<'_>>)| {
+        let misses_order = |(n, families): (usize, &Vec<ShrinkingFamily<'_>>)| {
             links(self.checker, (reading, n), self.claim, is_approximate)
-                .any(|link| small::is_missed(&link, order, families))
+                .any(|link| small::misses_order(&link, order, families))
         };
-        if reading.statements.len() == self.shrinking.len() && self.shrinking.iter().enumerate().any(is_missed) {
+        if reading.statements.len() == self.shrinking.len() && self.shrinking.iter().enumerate().any(misses_order) {
             return true;
         }
-        // With a ± for a sign one statement has become two.
+        // A text with ± in place of a sign has two statements for one.
         let screen = |n: usize| match self.screens.as_slice() {
             [only] => only.as_ref(),
             all if all.len() == reading.statements.len() => all[n].as_ref(),
             _ => None,
         };
         (0..reading.statements.len()).any(|n| {
-            screen(n).is_some_and(|s| tested(self.checker, (reading, n), self.claim).any(|link| refuted(&link, s)))
+            screen(n)
+                .is_some_and(|s| tested_links(self.checker, (reading, n), self.claim).any(|link| refuted(&link, s)))
         })
     }
 }
 
-/// The links of a statement that hold by themselves, whatever more is claimed of it: not those that define something, and
-/// not those that are claimed of a limit or of what is dropped.
-pub(crate) fn tested<'r>(
+/// The links of a statement that must hold at each state: not those that define a name, hold in a limit, or drop terms.
+pub(crate) fn tested_links<'r>(
     checker: &'r Checker<'_>,
     (reading, n): (&'r Reading, usize),
     claim: &'r Claim,
@@ -379,8 +383,7 @@ pub(crate) fn tested<'r>(
     links(checker, (reading, n), claim, is_tested)
 }
 
-/// The links of a statement with a relation that is wanted, but for those that define something, and those that are
-/// claimed of a limit or of what is dropped.
+/// The links of a statement with a wanted relation, except those that define a name, are solutions, or drop terms.
 fn links<'r>(
     checker: &'r Checker<'_>,
     (reading, n): (&'r Reading, usize),
@@ -400,8 +403,8 @@ fn links<'r>(
     })
 }
 
-/// Leaves of a chain the step to a member: this and the one before it.
-pub(crate) fn cut(reading: &mut Reading, (at, member): (usize, usize)) {
+/// Reduces a chain to the step that leads to a member.
+pub(crate) fn cut_to_step(reading: &mut Reading, (at, member): (usize, usize)) {
     if let Some(Ok(statement)) = reading.statements.get_mut(at)
         && (1..statement.members.len()).contains(&member)
     {
@@ -421,7 +424,7 @@ fn refuted(link: &Link, screen: &Ensemble<'_>) -> bool {
     screen.states.iter().any(|state| matches!(residual::test(link, state), Ok(Point::Fails(_) | Point::OneSided(_))))
 }
 
-/// Whether the equalities and inequalities of a claim's equation have to hold by themselves.
+/// Whether the equalities and inequalities of a claim's equation must hold at each state.
 fn is_screened(claim: &Claim) -> bool {
     claim.exactly_when.is_empty() && claim.continuum_limit_of.is_none() && claim.skip.is_none()
 }

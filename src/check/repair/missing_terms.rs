@@ -1,8 +1,13 @@
-//! Terms and factors that are missing in a wrong equation and occur nowhere else in the document, computed from
-//! what is true.
+//! Missing terms and factors of a wrong equation, found from the values that they must have.
 //!
-//! A value is looked for as a product of powers ([`super::lost_products`]), in normal form, which may be a sum, and
-//! among vectors ([`super::lost_vectors`]). All this only proposes: every proposed edit gets the full check.
+//! Each place where a term or a factor may be missing ([`slips::holes`]) is filled with two numbers. If the equation is
+//! linear in the filling, each state then gives the value that the missing part must have. The values are fitted by a
+//! product of powers of quantities in the document ([`super::power_products`]) or, with symbolic states, by a normal form
+//! ([`difference`]), which may be a sum. In sums of vectors, the vectors of the document, their rates and their products are
+//! tried ([`super::missing_vectors`]).
+//!
+//! This only proposes edits: values are fitted at some states and confirmed at others, and each edit gets the full check.
+//! A term that only cancels a printed term is not proposed, since then the printed term is wrong and none is missing.
 //!
 //! # How something is found that stands nowhere else
 //!
@@ -33,80 +38,80 @@ use crate::check::judge::difference::{entries, normal};
 use crate::check::judge::term_fit::{leaves, multiplied_out};
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::sampling::Spread;
-use crate::check::repair::lost_products::{Factors, NEAR, STATES, bases, constant};
+use crate::check::repair::power_products::{Factors, NEAR, STATES, bases, constant};
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::state::sampled_state::SampledState;
-use crate::check::trial::trial_text::tested;
-use crate::check::trial::wrong::Wrong;
+use crate::check::trial::failed_display::FailedDisplay;
+use crate::check::trial::text_trial::tested_links;
 use crate::check::verdict::finding::Fraction;
 
-/// So many states off shell tell what is so on shell alone.
+/// The number of states off shell, which show what holds on shell only.
 const FEW: usize = 8;
 
-/// So many edits are proposed at most, the shortest formulas first.
+/// The largest number of proposed edits, the shortest formulas first.
 const PROPOSED: usize = 12;
 
-/// What was left out of a sum has so many terms.
+/// The largest number of missing terms.
 const MOST_TERMS: usize = 2;
 
-/// What was left out of a product has so many factors, a power counted once.
+/// The largest number of missing factors, a power counted once.
 const MOST_FACTORS: usize = 4;
 
-/// Nobody leaves out a sum of more letters.
+/// The largest number of characters in a missing sum.
 const LONGEST: usize = 64;
 
-/// What a link is off by, entry after entry: left side minus right side, on the scale of the terms in both.
+/// The residuals of links: left side minus right side, entry by entry, with the magnitude of the terms.
 type Rows = Vec<RunningError>;
 
-/// A wrong equation, at its states.
-pub(crate) struct Lost<'w, 'a> {
+/// A wrong equation with its sampled states.
+pub(crate) struct MissingPart<'w, 'a> {
     pub(crate) checker: &'w Checker<'a>,
-    pub(crate) wrong: &'w Wrong<'w>,
+    pub(crate) wrong: &'w FailedDisplay<'w>,
     pub(crate) ensemble: Ensemble<'w>,
-    /// States off shell, where those are on shell.
-    anywhere: Option<Ensemble<'w>>,
-    /// By how much it is off at each state, where it has a value.
+    /// States off shell, where the others are on shell.
+    off_shell: Option<Ensemble<'w>>,
+    /// The residuals at each state, where they are defined.
     off: Vec<Option<Rows>>,
     factors: OnceCell<Factors<'w>>,
-    /// The vectors that stand in the document.
+    /// The vectors in the document.
     pub(crate) directions: OnceCell<Vec<String>>,
 }
 
-/// What should stand in a hole: its value at each state, and by how much the equation changes with it.
+/// The values that the part in a hole must have at each state, and the slope of the residual in it.
 pub(crate) struct Needed {
-    /// Which of the rows says so.
+    /// The row that determines the values.
     pub(crate) row: usize,
-    /// How many there are.
+    /// The number of rows.
     rows: usize,
     values: Vec<f64>,
     slopes: Vec<f64>,
-    /// Which states these are.
+    /// The indices of the states.
     states: Vec<usize>,
 }
 
-/// What should stand in a hole.
+/// A formula that fits a hole.
 pub(crate) struct Found {
     pub(crate) sign: char,
-    /// Without its sign.
+    /// The formula without its sign.
     pub(crate) latex: String,
-    /// How much it is to read.
+    /// The length of the formula.
     pub(crate) cost: usize,
-    /// A sum of several terms, as it is typeset with the sign of its first term.
+    /// The formula with its sign, if it is a sum of several terms.
     pub(crate) sum: Option<String>,
 }
 
-/// A proposal, with what ranks it: how much was left out, and in how empty a place.
+/// A proposed edit with its cost: the length of the missing part, and how unlikely its place is.
 pub(crate) struct Proposal {
     cost: usize,
     edit: Edit,
 }
 
-/// The edits that put something into a wrong equation with which it may hold, the simplest first.
+/// The edits that insert a term or a factor with which a wrong equation may hold, the simplest first.
 ///
 /// # Errors
 /// For a claim that does not fit the notes.
-pub(crate) fn edits(checker: &Checker<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit>> {
+pub(crate) fn edits(checker: &Checker<'_>, wrong: &FailedDisplay<'_>) -> Result<Vec<Edit>> {
     let (hypotheses, local) = (checker.hypotheses(wrong.claim)?, checker.local(wrong.claim)?);
     let topic = format!("{} lost", crate::check::document::names::shown(&checker.notes.equations[wrong.at]));
     let context = Context {
@@ -125,17 +130,17 @@ pub(crate) fn edits(checker: &Checker<'_>, wrong: &Wrong<'_>) -> Result<Vec<Edit
     mode.order = (mode.order + 1).clamp(3, TERMS - 1);
     let Ok(ensemble) = context.ensemble(mode, false, STATES) else { return Ok(Vec::new()) };
     let off_shell = mode.on_shell.then(|| context.ensemble(context.mode(false, &members), false, FEW));
-    let anywhere = off_shell.and_then(Result::ok);
+    let off_shell = off_shell.and_then(Result::ok);
     let off = ensemble.states.iter().map(|state| residuals(checker, wrong.claim, wrong.reading, state)).collect();
-    let lost = Lost { checker, wrong, ensemble, anywhere, off, factors: OnceCell::new(), directions: OnceCell::new() };
+    let lost =
+        MissingPart { checker, wrong, ensemble, off_shell, off, factors: OnceCell::new(), directions: OnceCell::new() };
     let mut proposals = lost.proposals();
     proposals.sort_by_key(|proposal| proposal.cost);
     proposals.truncate(PROPOSED);
     Ok(proposals.into_iter().map(|proposal| proposal.edit).collect())
 }
 
-/// By how much all that is claimed in a reading is off at a state; none, where it has no value or claims something else
-/// than equality.
+/// The residuals of all links of a reading at a state; `None`, where one has no value or is not an equality.
 fn residuals(
     checker: &Checker<'_>,
     claim: &Claim,
@@ -147,7 +152,7 @@ fn residuals(
         if reading.statements[n].is_err() {
             return None;
         }
-        for link in tested(checker, (reading, n), claim) {
+        for link in tested_links(checker, (reading, n), claim) {
             if !is_equality(link.relation) {
                 return None;
             }
@@ -162,7 +167,7 @@ pub(crate) fn is_small(value: f64, row: &RunningError) -> bool {
     value.abs() <= NEAR * row.magnitude
 }
 
-impl<'w, 'a> Lost<'w, 'a> {
+impl<'w, 'a> MissingPart<'w, 'a> {
     fn proposals(&self) -> Vec<Proposal> {
         let model = self.checker.model;
         let mut proposals = Vec::new();
@@ -184,27 +189,27 @@ impl<'w, 'a> Lost<'w, 'a> {
         proposals
     }
 
-    /// What is put into a hole to see what the equation makes of it; a factor that is not there is 1.
+    /// The two numbers that fill a hole; an absent factor counts as 1.
     fn fillings(&self, hole: InsertionPoint) -> [&'static str; 2] {
         if hole.slip == Slip::Term { ["1", "2"] } else { ["(2)", "(3)"] }
     }
 
     pub(crate) fn reading(&self, edit: &Edit) -> Reading {
         let text = edit.applied(self.wrong.text);
-        reread::read(self.checker, &self.checker.model.macros, self.wrong.at, &text, self.wrong.claim)
+        reread::read_in_place(self.checker, &self.checker.model.macros, self.wrong.at, &text, self.wrong.claim)
     }
 
-    pub(crate) fn residuals(&self, reading: &Reading, scene: &SampledState<'_, RunningError>) -> Option<Rows> {
-        residuals(self.checker, self.wrong.claim, reading, scene)
+    pub(crate) fn residuals(&self, reading: &Reading, state: &SampledState<'_, RunningError>) -> Option<Rows> {
+        residuals(self.checker, self.wrong.claim, reading, state)
     }
 
-    /// The value that a hole must have at each state, where it enters linearly and all rows agree on it.
+    /// The value that a hole must have at each state, if the residual is linear in it and all rows agree.
     pub(crate) fn needed(&self, hole: InsertionPoint, one: &Reading, two: &Reading) -> Option<Needed> {
         let mut needed =
             Needed { row: usize::MAX, rows: 0, values: Vec::new(), slopes: Vec::new(), states: Vec::new() };
-        for (at, scene) in self.ensemble.states.iter().enumerate() {
+        for (at, state) in self.ensemble.states.iter().enumerate() {
             let Some(off) = &self.off[at] else { continue };
-            let (Some(first), Some(second)) = (self.residuals(one, scene), self.residuals(two, scene)) else {
+            let (Some(first), Some(second)) = (self.residuals(one, state), self.residuals(two, state)) else {
                 continue;
             };
             if first.len() != off.len() || second.len() != off.len() {
@@ -217,7 +222,7 @@ impl<'w, 'a> Lost<'w, 'a> {
                 needed.row = changed.max_by(|a, b| share(a).total_cmp(&share(b)))?;
                 needed.rows = off.len();
             }
-            // With as many rows as there are particles at a state, a row is not the same at each.
+            // The number of particles, and so of rows, may differ between states.
             if off.len() != needed.rows {
                 return None;
             }
@@ -238,12 +243,14 @@ impl<'w, 'a> Lost<'w, 'a> {
         (is_known && 4 * needed.states.len() >= 3 * STATES).then_some(needed)
     }
 
-    /// The link of a reading that a row belongs to, and which of its rows that is.
+    /// The link of a reading that a row belongs to, and the index of the row in it.
     pub(crate) fn link(&self, reading: &Reading, row: usize) -> Option<(Link, usize)> {
-        let scene = self.ensemble.states.first()?;
+        let state = self.ensemble.states.first()?;
         let mut start = 0;
-        for link in (0..reading.statements.len()).flat_map(|n| tested(self.checker, (reading, n), self.wrong.claim)) {
-            let count = entries(&link, scene).ok()?.len();
+        for link in
+            (0..reading.statements.len()).flat_map(|n| tested_links(self.checker, (reading, n), self.wrong.claim))
+        {
+            let count = entries(&link, state).ok()?.len();
             if row < start + count {
                 return Some((link, row - start));
             }
@@ -252,9 +259,9 @@ impl<'w, 'a> Lost<'w, 'a> {
         None
     }
 
-    /// Whether a term of what is put into a hole only takes away what is printed, or is a multiple of it: then that is wrong,
-    /// and nothing was lost.
-    fn undoes(&self, term: &Expr, hole: InsertionPoint, link: &Link, needed: &Needed) -> bool {
+    /// Whether a term for a hole cancels a printed term or is a multiple of it. Then the printed term is wrong, and none is
+    /// missing.
+    fn cancels_printed_term(&self, term: &Expr, hole: InsertionPoint, link: &Link, needed: &Needed) -> bool {
         let Some(values) = self.values(term, &needed.states) else { return true };
         leaves(link).iter().any(|leaf| {
             let Some(printed) = self.values(&leaf.expr, &needed.states) else { return false };
@@ -266,27 +273,27 @@ impl<'w, 'a> Lost<'w, 'a> {
                 return false;
             }
             let is_term = hole.slip == Slip::Term;
-            (ratio + 1.0).abs() < NEAR && self.is_so_anywhere(term, &leaf.expr)
+            (ratio + 1.0).abs() < NEAR && self.is_so_off_shell(term, &leaf.expr)
                 || is_term && self.is_multiple(term, &leaf.expr, &needed.states)
         })
     }
 
-    /// Whether two numbers, if they are proportional on shell, are so off shell: what the motion makes of a printed term is what
-    /// the author lost, as in `\ddot\theta = 0`.
-    fn is_so_anywhere(&self, a: &Expr, b: &Expr) -> bool {
-        let Some(anywhere) = &self.anywhere else { return true };
+    /// Whether two formulas that are proportional on shell are proportional off shell too. If not, the term equals the printed
+    /// one by the motion only, and may be missing, as in `\ddot\theta = 0`.
+    fn is_so_off_shell(&self, a: &Expr, b: &Expr) -> bool {
+        let Some(off_shell) = &self.off_shell else { return true };
         let is_constant = |ensemble: &Ensemble<'_>| {
-            let value = |expr, scene| difference::value(expr, scene).map(|value| value.value);
-            let ratios = ensemble.states.iter().map(|scene| Some(value(a, scene)? / value(b, scene)?));
+            let value = |expr, state| difference::value(expr, state).map(|value| value.value);
+            let ratios = ensemble.states.iter().map(|state| Some(value(a, state)? / value(b, state)?));
             let ratios: Option<Vec<f64>> = ratios.collect();
             let Some([first, others @ ..]) = ratios.as_deref() else { return true };
             others.iter().all(|other| (other - first).abs() <= NEAR * first.abs())
         };
-        !is_constant(&self.ensemble) || is_constant(anywhere)
+        !is_constant(&self.ensemble) || is_constant(off_shell)
     }
 
-    /// Whether one of these is a factor that stands beside a hole: to divide by it takes it away.
-    fn cancels(&self, divisors: &[Expr], hole: InsertionPoint) -> bool {
+    /// Whether one of these divisors is a printed factor beside a hole, and would cancel it.
+    fn cancels_factor(&self, divisors: &[Expr], hole: InsertionPoint) -> bool {
         let (symbols, macros) = (&self.checker.model.symbols, &self.checker.model.macros);
         let read = read_formula(&self.wrong.text[hole.whole.range()], &mut symbols.clone(), macros);
         let Ok(printed) = read else { return !divisors.is_empty() };
@@ -295,7 +302,7 @@ impl<'w, 'a> Lost<'w, 'a> {
         divisors.iter().any(|divisor| factors.contains(&divisor))
     }
 
-    /// Whether a term is a number times another, whatever their symbols mean.
+    /// Whether a term is a number times another for all values of their symbols.
     fn is_multiple(&self, term: &Expr, of: &Expr, states: &[usize]) -> bool {
         let (Some(a), Some(b)) = (self.values(term, states), self.values(of, states)) else { return false };
         let times = |n: i32, expr: &Expr| {
@@ -314,7 +321,7 @@ impl<'w, 'a> Lost<'w, 'a> {
         states.iter().map(at).collect()
     }
 
-    /// The number that was left out of a product which has none.
+    /// The proposal of a missing number, in a product without a number.
     fn number(&self, hole: InsertionPoint, needed: &Needed) -> Option<Proposal> {
         let (whole, first) = (&self.wrong.text[hole.whole.range()], *needed.values.first()?);
         let is_one = needed.values.iter().all(|value| (value - first).abs() <= NEAR * first.abs());
@@ -326,7 +333,7 @@ impl<'w, 'a> Lost<'w, 'a> {
         Some(Proposal { cost: 2, edit })
     }
 
-    /// What should stand in a hole, which a reading has filled with 1: a product of powers, or a normal form.
+    /// The formula for a hole, which the reading `one` fills with 1: a product of powers, or a normal form.
     pub(crate) fn formula(
         &self,
         hole: InsertionPoint,
@@ -337,7 +344,7 @@ impl<'w, 'a> Lost<'w, 'a> {
         self.product(hole, needed, link.0).or_else(|| self.sum(hole, needed, link, one))
     }
 
-    /// What should stand in a hole as a product of powers.
+    /// The formula for a hole as a product of powers.
     fn product(&self, hole: InsertionPoint, needed: &Needed, link: &Link) -> Option<Found> {
         let factors = self.factors.get_or_init(|| Factors::of(self.checker, self.wrong, &self.ensemble.states));
         let product = factors.fitted(&needed.states, &needed.values)?;
@@ -346,39 +353,39 @@ impl<'w, 'a> Lost<'w, 'a> {
         }
         let symbols = &self.checker.model.symbols;
         let read = read_formula(&product.latex, &mut symbols.clone(), &self.checker.model.macros);
-        let adds = |term: Expr| !self.undoes(&product.signed(term), hole, link, needed);
+        let adds = |term: Expr| !self.cancels_printed_term(&product.signed(term), hole, link, needed);
         if hole.slip == Slip::Term && !read.is_ok_and(adds) {
             return None;
         }
         let sign = if product.is_negative() { '-' } else { '+' };
         let is_other_side = |side: &Expr| product.above.iter().any(|factor| factor == side);
         let restates = is_other_side(&link.lhs) || is_other_side(&link.rhs);
-        // Nobody leaves out a quotient by a sum or by a rate, or many factors at once.
+        // A quotient by a sum or a rate, or many factors, are unlikely to be missing.
         let is_rate = |factor: &Expr| matches!(factor.node, Node::Symbol { dots: 1.., .. });
         let divides = product.below.iter().any(|factor| matches!(factor.node, Node::Sum(_)) || is_rate(factor));
         let is_far = divides || product.above.len() + product.below.len() > MOST_FACTORS;
-        let undoes = || sign == '-' || restates || is_far || self.cancels(&product.below, hole);
-        if hole.slip == Slip::Factor && undoes() {
+        let is_implausible = || sign == '-' || restates || is_far || self.cancels_factor(&product.below, hole);
+        if hole.slip == Slip::Factor && is_implausible() {
             return None;
         }
         Some(Found { sign, latex: product.latex, cost: product.cost, sum: None })
     }
 
     pub(crate) fn proposal(&self, hole: InsertionPoint, sign: char, latex: &str, cost: usize) -> Proposal {
-        // Of a sum that is left something was lost sooner than beside what stands alone.
+        // A term is more likely missing from a sum than beside a single term.
         let place = usize::from(hole.beside == 1) + usize::from(sign == '-');
         Proposal { cost: 2 * cost + place, edit: hole.filled(sign, latex) }
     }
 
-    /// What should stand in a hole in normal form, where the states are made of symbols.
+    /// The formula for a hole as a normal form, from symbolic states.
     fn sum(&self, hole: InsertionPoint, needed: &Needed, (link, row): (&Link, usize), one: &Reading) -> Option<Found> {
         let (one, _) = self.link(one, needed.row)?;
-        let off = |link: &Link, scene: &SampledState<'_, Symbol>| {
-            let sides = entries(link, scene).ok()?.get(row).copied()?;
+        let off = |link: &Link, state: &SampledState<'_, Symbol>| {
+            let sides = entries(link, state).ok()?.get(row).copied()?;
             Some(sides.0 - sides.1)
         };
-        let missing = |scene: &SampledState<'_, Symbol>| {
-            let (before, after) = (off(link, scene)?, off(&one, scene)?);
+        let missing = |state: &SampledState<'_, Symbol>| {
+            let (before, after) = (off(link, state)?, off(&one, state)?);
             let slope = after - before;
             let above = if hole.slip == Slip::Term { -before } else { slope - before };
             Some((above * slope.recip(), Symbol::from(0.0)))
@@ -388,8 +395,8 @@ impl<'w, 'a> Lost<'w, 'a> {
         let length = text::formula(&found, &model.symbols).chars().count();
         let mut is_whole = true;
         found.walk(&mut |part| is_whole &= !matches!(part.node, Node::Quotient(..)));
-        // A factor that is a sum is no sum of quotients: that would be another term over the one that is printed.
-        // Nobody leaves out three terms at once.
+        // A missing factor is not a sum of quotients; such a sum would replace the printed term. Three terms are unlikely
+        // to be missing at once.
         let is_long = hole.slip == Slip::Term && matches!(&found.node, Node::Sum(terms) if terms.len() > MOST_TERMS);
         if length > LONGEST || is_long || hole.slip == Slip::Factor && !is_whole {
             return None;
@@ -398,7 +405,7 @@ impl<'w, 'a> Lost<'w, 'a> {
         if !self.values(&found, &needed.states)?.into_iter().zip(&needed.values).all(near) {
             return None;
         }
-        if multiplied_out(&found).iter().any(|leaf| self.undoes(&leaf.signed(), hole, link, needed)) {
+        if multiplied_out(&found).iter().any(|leaf| self.cancels_printed_term(&leaf.signed(), hole, link, needed)) {
             return None;
         }
         let typed = typeset(&found, &model.symbols);

@@ -2,7 +2,7 @@
 
 use onshell::derive::Quantity;
 
-use crate::support::{Numbers, Subject, agree, numbers, subject, subjects};
+use super::support::{Numbers, Subject, agree, numbers, subject, subjects};
 
 const STATES: usize = 6;
 

@@ -1,0 +1,54 @@
+//! The ranking of repairs: which correction is the likeliest.
+
+use crate::latex::names;
+use crate::latex::slips::{Edit, Slip};
+
+use crate::check::trial::failed_display::OFFERED;
+use crate::check::verdict::repair::Repair;
+
+/// The rank of an edit of a text; the smallest comes first. Compared in this order: the kind of slip, whether the edit
+/// corrects one step of a chain only, how many bytes it changes, and where it is.
+pub(crate) fn rank(text: &str, edit: &Edit, step: bool) -> (Slip, bool, usize, usize) {
+    let Edit { span, replacement, slip } = edit;
+    // A missing minus before a whole side is rarer than a wrong sign, and more frequent on the right than on the left.
+    // Within an argument or a denominator it is rarest.
+    let in_cell = ["&", r"\\", "matrix}"].iter().any(|edge| text[..span.start].trim_end().ends_with(edge));
+    if *slip == Slip::Sign && span.start == span.end && !in_cell {
+        let braces = |brace: char| text[..span.start].matches(brace).count();
+        let depth = braces('{').saturating_sub(braces('}'));
+        return (Slip::Fraction, step, depth, text.len() - span.start);
+    }
+    let old = &text[span.range()];
+    // The sign of an exponent is rarely wrong.
+    if *slip == Slip::Sign && old.parse::<u32>().is_ok() {
+        return (Slip::Relation, step, 0, span.start);
+    }
+    // A misprinted number is usually half, double or a neighbour of the right one.
+    let far = *slip == Slip::Number
+        && matches!((old.parse::<u32>(), replacement.parse::<u32>()),
+        (Ok(n), Ok(m)) if n.abs_diff(m) != 1 && n != 2 * m && m != 2 * n);
+    let same = old.bytes().zip(replacement.bytes()).take_while(|(a, b)| a == b).count();
+    let longest = old.len().max(replacement.len());
+    // A term is rarely missing beside a name that is alone on its side.
+    let to_name = *slip == Slip::Term && old.is_empty() && names::parse(text[..span.start].trim()).is_some();
+    (*slip, step, longest - same + usize::from(far || to_name), span.start)
+}
+
+/// Inserts repairs of another display into those of an equation's own, at most [`OFFERED`] in all.
+///
+/// The first of the others comes second. It comes first where the own repair adds or removes something and the other one
+/// corrects a more frequent kind of slip.
+pub(crate) fn insert_ranked(own: &mut Vec<Repair>, mut others: Vec<Repair>) {
+    let is_known = |repair: &Repair| own.iter().any(|o| (o.span, &o.replacement) == (repair.span, &repair.replacement));
+    others.retain(|repair| !is_known(repair));
+    others.truncate(OFFERED - 1);
+    // An edit that makes a fraction of a product does not exchange numerator and denominator.
+    let kind = |repair: &Repair| if repair.replacement.starts_with(r"\frac{1}{") { Slip::Factor } else { repair.slip };
+    let adds_or_removes = |kind: Slip| matches!(kind, Slip::Factor | Slip::Term);
+    let kinds = own.first().map(kind).zip(others.first().map(kind));
+    let likelier = kinds.is_some_and(|(own, other)| adds_or_removes(own) && other < own);
+    let (at, next) = if likelier { (0, 1) } else { (1, usize::from(own.len() > 1)) };
+    others.truncate(OFFERED - at - next);
+    own.splice(at..at, others);
+    own.truncate(OFFERED);
+}

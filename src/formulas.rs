@@ -1,0 +1,224 @@
+//! Formulas without a document: read one, evaluate it, compare two.
+//!
+//! Every letter is a real number, a dotted letter too, and `t` is the time. What can be read in two ways is an error.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::check::kinds::compare;
+use crate::check::{Finding, Options};
+use crate::formula::{Assignment, Expr, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
+use crate::latex::{Macros, names, read_display};
+use crate::notes::claims::Range;
+use crate::source::{Fault, Source};
+use crate::{Error, Result};
+
+/// The name under which the text of a formula stands in errors.
+const PATH: &str = "formula";
+
+/// A formula or an equation, as it was read from LaTeX.
+///
+/// ```
+/// use onshell::Formula;
+///
+/// let energy = Formula::read(r"\frac12 m \dot x^2 + \frac12 k x^2")?;
+/// assert_eq!(energy.to_string(), "(1/2)·m·ẋ^2 + (1/2)·k·x^2");
+/// let value = energy.value(&[("m", 2.0), ("k", 8.0), (r"\dot x", 3.0), ("x", 0.5)])?;
+/// assert_eq!(value, 10.0);
+///
+/// // A formula that people read in two ways is rejected, with the place and a way out.
+/// let error = Formula::read(r"\cos\theta p_\psi").unwrap_err();
+/// assert_eq!(error.code(), onshell::Code::Ambiguous);
+/// # Ok::<(), onshell::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Formula {
+    statement: Statement,
+    symbols: Arc<Symbols>,
+}
+
+impl Formula {
+    /// Reads a formula, or one equation.
+    ///
+    /// # Errors
+    /// For LaTeX that is malformed, not supported or ambiguous, at its place in the text; for several statements.
+    pub fn read(latex: &str) -> Result<Formula> {
+        let mut statements = Formula::read_all(latex)?.into_iter();
+        match (statements.next(), statements.next()) {
+            (Some(formula), None) => Ok(formula),
+            _ => Err(Error::new("this text is not one formula or equation").help("read each statement by itself")),
+        }
+    }
+
+    /// Reads all statements of a display: `a = b, \quad c = d` are two.
+    ///
+    /// # Errors
+    /// As [`Formula::read`], for the first statement that cannot be read.
+    pub fn read_all(latex: &str) -> Result<Vec<Formula>> {
+        let source = Arc::new(Source::new(PATH, latex));
+        let mut symbols = Symbols::open();
+        let reading = read_display(latex, &mut symbols, &Macros::default());
+        let symbols = Arc::new(symbols);
+        let formula = |statement| Formula { statement, symbols: symbols.clone() };
+        let read = reading.statements.into_iter().map(|found| found.map(formula));
+        read.map(|found| found.map_err(|fault| Error::fault(&source, fault))).collect()
+    }
+
+    /// The letters that need a value, as LaTeX, in the order in which they occur: `x` and `\dot x` are two.
+    pub fn letters(&self) -> Vec<String> {
+        let mut letters = Vec::new();
+        for member in &self.statement.members {
+            member.walk(&mut |expr| {
+                if let Node::Symbol { .. } = &expr.node {
+                    let letter = crate::latex::typeset(expr, &self.symbols);
+                    if !letters.contains(&letter) {
+                        letters.push(letter);
+                    }
+                }
+            });
+        }
+        letters
+    }
+
+    /// The members of a chain `a = b = c`, one by one; of a formula without a relation, the formula itself.
+    pub fn members(&self) -> Vec<Formula> {
+        let alone = |member: &Expr| Formula {
+            statement: Statement { members: vec![member.clone()], relations: Vec::new(), ..self.statement.clone() },
+            symbols: self.symbols.clone(),
+        };
+        self.statement.members.iter().map(alone).collect()
+    }
+
+    /// The value of a formula; each letter needs a value, and each dotted letter one of its own: `(r"\dot x", 0.83)`.
+    ///
+    /// # Errors
+    /// For a letter without a value, a name that does not occur, an equation, a vector, a point outside the domain.
+    pub fn value(&self, values: &[(&str, f64)]) -> Result<f64> {
+        match self.entries(values)?.as_slice() {
+            [value] => Ok(*value),
+            _ => Err(Error::new("the formula is no number but a vector or a matrix").help("evaluate one component")),
+        }
+    }
+
+    /// The entries of the formula's value: one of a number, three of a vector, those of a matrix row by row.
+    ///
+    /// # Errors
+    /// As [`Formula::value`].
+    pub(crate) fn entries(&self, values: &[(&str, f64)]) -> Result<Vec<f64>> {
+        let [formula] = self.statement.members.as_slice() else {
+            return Err(Error::new("an equation has no value").help("evaluate one of its sides: Formula::members"));
+        };
+        let mut state = Assignment::<f64>::new(&self.symbols);
+        let mut known = Vec::new();
+        for (name, value) in values {
+            let shown = text::plain(name);
+            let Some((id, dots)) =
+                names::parse(name).and_then(|(name, dots)| self.symbols.find(&name).map(|(id, _)| (id, dots)))
+            else {
+                return Err(Error::new(format!("{shown} does not occur in the formula"))
+                    .help(format!("its letters are {}", self.letters().join(", "))));
+            };
+            if known.contains(&(id, dots)) {
+                return Err(Error::new(format!("{shown} is set twice")).help("set it once"));
+            }
+            state.set(id, dots, *value);
+            known.push((id, dots));
+        }
+        let is_set = |letter: &String| {
+            let named = names::parse(letter);
+            named
+                .is_some_and(|(name, dots)| self.symbols.find(&name).is_some_and(|(id, _)| known.contains(&(id, dots))))
+        };
+        let missing: Vec<String> = self.letters().into_iter().filter(|letter| !is_set(letter)).collect();
+        if !missing.is_empty() {
+            let settings: Vec<String> = missing.iter().map(|name| format!("--set '{name}=…'")).collect();
+            return Err(Error::new(format!("no value for {}", missing.join(", "))).help(settings.join(" ")));
+        }
+        let value = evaluate(formula, &state, &[]).map_err(|reason| match reason {
+            Unavailable::Derivative(_) => Error::new("the formula needs a time derivative that was not given")
+                .help("give the dotted letters values too: \\dot x"),
+            Unavailable::Symbol(_) => Error::new("the formula has no value: a letter in it has none"),
+            Unavailable::Operation(what) => Error::new(format!("the formula has no value: {what} cannot be evaluated")),
+        })?;
+        let entries: Vec<f64> = match value {
+            Value::Scalar(value) => vec![value.value()],
+            other => other.entries().iter().map(|x| x.value()).collect(),
+        };
+        match entries.iter().find(|entry| !entry.is_finite()) {
+            None => Ok(entries),
+            Some(entry) => Err(Error::new(format!("the formula has no real value here: {entry}"))
+                .help("choose values inside its domain")),
+        }
+    }
+}
+
+impl fmt::Display for Formula {
+    /// The reading in plain text, with every product written out.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&text::statement(&self.statement, &self.symbols))
+    }
+}
+
+/// Whether two formulas are equal: the verdict with its evidence.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Comparison {
+    /// The verdict, the states used, and the certificate or the counterexample.
+    pub finding: Finding,
+    /// How the two were read.
+    pub readings: [String; 2],
+    /// What was assumed of letters for which no range was given.
+    pub assumed: Vec<String>,
+}
+
+/// Compares two formulas for all real values of their letters, or for those in `ranges`, whose ends belong to them.
+///
+/// ```
+/// use onshell::check::Verdict;
+/// use onshell::{Options, compare};
+///
+/// let found = compare(r"\sin 2x", r"2\sin x\cos x", &[], Options::default())?;
+/// assert_eq!(found.finding.verdict, Verdict::Certified);
+///
+/// // √(y²) is |y|: at a negative y the two differ, and the finding says where.
+/// let found = compare(r"\sqrt{y^2}", "y", &[], Options::default())?;
+/// assert_eq!(found.finding.verdict, Verdict::Refuted);
+/// assert!(found.finding.counterexample.unwrap().state[0].1 < 0.0);
+///
+/// // For positive y they are equal.
+/// let found = compare(r"\sqrt{y^2}", "y", &[("y", 0.1..=3.0)], Options::default())?;
+/// assert!(found.finding.verdict.passes());
+/// # Ok::<(), onshell::Error>(())
+/// ```
+///
+/// # Errors
+/// When one of the two cannot be read, at its place; when a range is empty or for a letter that is in neither.
+pub fn compare(
+    left: &str,
+    right: &str,
+    ranges: &[(&str, std::ops::RangeInclusive<f64>)],
+    options: Options,
+) -> Result<Comparison> {
+    let mut given = Vec::new();
+    for (name, range) in ranges {
+        let (low, high) = (*range.start(), *range.end());
+        let letter = names::parse(name).filter(|(_, dots)| *dots == 0).map(|(letter, _)| letter);
+        match letter {
+            Some(letter) if low.is_finite() && high.is_finite() && low < high => {
+                given.push((letter, Range::Interval { low, high, low_open: false, high_open: false }));
+            }
+            _ => {
+                return Err(Error::new(format!("{low}..{high} is not a range for {name}"))
+                    .help("a range has a letter without dots and two finite ends, the lower one first"));
+            }
+        }
+    }
+    let placed = |(which, fault): (usize, Fault)| match which {
+        0 => Error::fault(&Arc::new(Source::new(PATH, left)), fault),
+        1 => Error::fault(&Arc::new(Source::new(PATH, right)), fault),
+        _ => Error::new(fault.message).help("a range is for a letter of the two formulas"),
+    };
+    let compare::Answer { finding, readings, assumed } =
+        compare::equal(left, right, &given, options).map_err(placed)?;
+    Ok(Comparison { finding, readings, assumed })
+}

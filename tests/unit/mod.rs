@@ -1,0 +1,10 @@
+//! Tests of what is not public: reading, printing, documents, derived formulas, units.
+//!
+//! They stand here and not in `src`, because they are long; they are compiled into the library's own test binary.
+
+mod derive;
+mod notes;
+mod printing;
+mod reading;
+mod snippets;
+mod units;
