@@ -21,7 +21,7 @@
 //! | `repair` | single edits with which a wrong equation passes, and their ranking |
 //! | `steps` | derivations: false steps that follow from a false step before them |
 //! | `mutation` | mutation testing of a document |
-//! | `reprint`, `run` | a second print of the same equations; the check of one document |
+//! | `reprint`, `run`, `unclaimed` | a second print of the same equations; the check of one document; notes without claims |
 
 pub(crate) mod certificate;
 pub(crate) mod document;
@@ -30,8 +30,10 @@ pub(crate) mod hypotheses;
 pub(crate) mod judge;
 pub(crate) mod kinds;
 pub(crate) mod model;
+#[cfg(feature = "cli")]
 pub(crate) mod mutation;
 pub(crate) mod repair;
+#[cfg(feature = "cli")]
 pub(crate) mod reprint;
 pub(crate) mod run;
 pub(crate) mod sample;
@@ -39,18 +41,26 @@ pub(crate) mod search;
 pub(crate) mod state;
 pub(crate) mod steps;
 pub(crate) mod trial;
+#[cfg(feature = "cli")]
+pub(crate) mod unclaimed;
 pub(crate) mod vacuity;
 pub(crate) mod verdict;
 
 /// The kinds of slip that a repair undoes.
 pub use crate::latex::slips::Slip;
+#[cfg(feature = "cli")]
 pub(crate) use document::setup::Run;
+#[cfg(feature = "cli")]
 pub(crate) use reprint::check_reprint;
 pub use run::check_document;
-pub(crate) use run::{check_in, unclaimed};
+#[cfg(feature = "cli")]
+pub(crate) use run::check_in;
 pub use sample::context::Options;
+#[cfg(feature = "cli")]
+pub(crate) use unclaimed::unclaimed;
 pub use verdict::Verdict;
 pub use verdict::finding::{Counterexample, Finding, Fit, Formula, Fraction, Inherited, Misfit};
+#[cfg(feature = "cli")]
 pub(crate) use verdict::progress::Progress;
 pub use verdict::repair::{Repair, Shared};
 pub use verdict::report::{Document, Equation, Part, Report};

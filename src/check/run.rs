@@ -3,17 +3,14 @@
 use rayon::prelude::*;
 
 use crate::Result;
-use crate::code::Code;
+use crate::notes::Notes;
 use crate::notes::claims::Claims;
-use crate::notes::{Display, Notes};
 use crate::systems::Registry;
 
-use crate::check::document::names::{is_wrong, unjudged};
+use crate::check::document::names::is_wrong;
 use crate::check::document::setup::{Run, wanted, with_checker};
 use crate::check::equations::sentences;
 use crate::check::sample::context::Options;
-use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::{Document, Equation};
 
 /// Checks a document; `only` restricts the check to the equation with this number, which the document may lack.
@@ -96,22 +93,4 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             inferred: checker.model.inferred.clone(),
         })
     })
-}
-
-/// The report of notes that no claims file is about: every numbered equation is unclaimed.
-pub fn unclaimed(notes: &Notes) -> Document {
-    let equation = |display: &Display| {
-        let message = "these notes have no claims file, so this equation was not checked";
-        let finding = Finding::new(Code::NoClaimsFile, Verdict::Unclaimed, display.body, message);
-        Some(unjudged(notes, display.id()?, display.line, finding))
-    };
-    Document {
-        path: notes.source.path.clone(),
-        claims: None,
-        source: notes.source.clone(),
-        equations: notes.equations.iter().filter_map(equation).collect(),
-        sentences: Vec::new(),
-        unnumbered: notes.equations.iter().filter(|display| display.id().is_none()).count(),
-        inferred: Vec::new(),
-    }
 }

@@ -11,10 +11,9 @@ use crate::report::{self, wrap};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::Format;
 use super::documents::{Job, Loaded, find, folder, load};
 use super::fix::{Fixed, Made, fix};
-use super::outcome::{Outcome, Screen, shown};
+use super::outcome::{Format, Outcome, Screen, shown};
 use super::progress::ProgressLine;
 
 /// Checks the equations of notes against their claims

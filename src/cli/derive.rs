@@ -8,8 +8,7 @@ use crate::report::wrap;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
 
-use super::Format;
-use super::outcome::{Outcome, Screen};
+use super::outcome::{Format, Outcome, Screen};
 
 /// Prints what follows from the Lagrangian of a system
 ///

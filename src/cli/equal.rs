@@ -11,8 +11,7 @@ use crate::report;
 use crate::source::Source;
 use crate::{Error, Result};
 
-use super::Format;
-use super::outcome::{Outcome, Screen};
+use super::outcome::{Format, Outcome, Screen};
 
 /// Tells whether two formulas are equal
 ///

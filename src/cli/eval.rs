@@ -9,8 +9,7 @@ use crate::latex::{Macros, names, read_formula};
 use crate::source::Source;
 use crate::{Error, Result};
 
-use super::Format;
-use super::outcome::{Outcome, Screen};
+use super::outcome::{Format, Outcome, Screen};
 
 /// Prints the value of a formula, to 17 digits
 ///

@@ -3,8 +3,7 @@
 use crate::report::explain::{Topic, all, topic};
 use crate::{Error, suggest};
 
-use super::Format;
-use super::outcome::{Outcome, Screen};
+use super::outcome::{Format, Outcome, Screen};
 
 /// Explains a verdict or the code of a message
 ///

@@ -22,7 +22,7 @@ mod terminal;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::systems::Registry;
 
@@ -50,15 +50,6 @@ enum Command {
     Explain(explain::Arguments),
     Mutate(mutate::Arguments),
     Read(read::Arguments),
-}
-
-/// The form of the output.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// For people
-    Text,
-    /// For programs
-    Json,
 }
 
 /// Runs the command that the program was started with, with the systems of a registry.

@@ -11,9 +11,8 @@ use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::Format;
 use super::documents::{Loaded, find, load};
-use super::outcome::{Outcome, Screen, shown};
+use super::outcome::{Format, Outcome, Screen, shown};
 use super::progress::ProgressLine;
 
 /// Makes every single mistake in the equations of notes, and tells which of them the check would not detect

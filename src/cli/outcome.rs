@@ -3,10 +3,19 @@
 use std::io::Write;
 use std::process::ExitCode;
 
+use clap::ValueEnum;
+
 use crate::Error;
 use crate::report::{self, Style};
 
-use super::Format;
+/// The form of the output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+}
 
 /// How the two streams of the program are drawn.
 #[derive(Clone, Copy, Debug)]

@@ -10,8 +10,7 @@ use crate::latex::{Macros, read_display};
 use crate::report::{self, wrap};
 use crate::source::Source;
 
-use super::Format;
-use super::outcome::{Outcome, Screen, shown};
+use super::outcome::{Format, Outcome, Screen, shown};
 
 /// Prints how a formula or an equation is understood
 #[derive(clap::Args)]

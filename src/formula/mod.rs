@@ -13,21 +13,35 @@
 //! This folder may import [`crate::scalar`], [`crate::source`] and [`crate::suggest`]. It knows nothing of LaTeX, of
 //! mechanics, or of claims.
 
+#[cfg(feature = "notes")]
 pub mod assignment;
+#[cfg(feature = "notes")]
 pub mod environment;
+#[cfg(feature = "notes")]
 pub mod evaluate;
 mod ids;
+#[cfg(feature = "notes")]
 pub mod shape;
 pub mod symbols;
 pub mod text;
 pub mod tree;
+#[cfg(feature = "notes")]
 pub mod units;
+#[cfg(feature = "notes")]
 pub mod value;
 
+#[cfg(feature = "notes")]
 pub use assignment::Assignment;
+#[cfg(feature = "notes")]
 pub use environment::{Differentiable, Environment, Unavailable};
+#[cfg(feature = "notes")]
 pub use evaluate::evaluate;
-pub use ids::{Index, IndexId, SymbolId};
-pub use symbols::{Kind, Symbols};
+pub use ids::SymbolId;
+#[cfg(feature = "notes")]
+pub use ids::{Index, IndexId};
+#[cfg(feature = "notes")]
+pub use symbols::Kind;
+pub use symbols::Symbols;
 pub use tree::{Expr, Function, Node, Relation, Sign, Statement, Term};
+#[cfg(feature = "notes")]
 pub use value::Value;

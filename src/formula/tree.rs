@@ -234,19 +234,22 @@ pub enum Relation {
 }
 
 impl Relation {
+    /// Every relation, as one character.
+    const ALL: &[(Relation, &str)] = &[
+        (Relation::Equal, "="),
+        (Relation::Identical, "≡"),
+        (Relation::Less, "<"),
+        (Relation::LessEqual, "≤"),
+        (Relation::Greater, ">"),
+        (Relation::GreaterEqual, "≥"),
+        (Relation::NotEqual, "≠"),
+        (Relation::Approximately, "≈"),
+        (Relation::Proportional, "∝"),
+    ];
+
     /// The relation as one character.
     pub fn glyph(self) -> &'static str {
-        match self {
-            Relation::Equal => "=",
-            Relation::Identical => "≡",
-            Relation::Less => "<",
-            Relation::LessEqual => "≤",
-            Relation::Greater => ">",
-            Relation::GreaterEqual => "≥",
-            Relation::NotEqual => "≠",
-            Relation::Approximately => "≈",
-            Relation::Proportional => "∝",
-        }
+        Self::ALL.iter().find(|(relation, _)| *relation == self).map_or("", |(_, glyph)| *glyph)
     }
 }
 

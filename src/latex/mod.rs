@@ -15,20 +15,31 @@
 //!
 //! This folder may import [`crate::formula`] and [`crate::source`]. It knows nothing of documents, claims or mechanics.
 
+#[cfg(feature = "notes")]
 pub mod definitions;
 pub mod layout;
 pub mod lexer;
+#[cfg(feature = "notes")]
 pub mod macros;
+#[cfg(feature = "notes")]
+pub mod name_search;
 pub mod names;
 mod normalize;
 mod overdots;
+#[cfg(feature = "notes")]
 pub mod reader;
+#[cfg(feature = "notes")]
 pub mod slips;
+#[cfg(feature = "notes")]
 pub mod statements;
 pub mod typeset;
 
+#[cfg(feature = "notes")]
 pub use definitions::DefinedSymbol;
+#[cfg(feature = "notes")]
 pub use macros::Macros;
+#[cfg(feature = "notes")]
 pub use reader::read_formula;
+#[cfg(feature = "notes")]
 pub use statements::{Reading, read_display};
 pub use typeset::typeset;

@@ -9,8 +9,7 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::Sign;
 
 use super::layout::{Delimiter, Item, Layout, layout};
-use super::lexer::{Space, TokenKind, tokens};
-use super::macros::Macros;
+use super::lexer::tokens;
 use super::normalize::normalized;
 use super::overdots;
 
@@ -91,82 +90,6 @@ pub fn parse(text: &str) -> Option<(Name, u8)> {
     };
     let printed = printed(item, None).filter(|printed| printed.sup.is_none())?;
     Some((printed.name, printed.dots))
-}
-
-/// Whether two texts are the same name.
-pub fn same(a: &str, b: &str) -> bool {
-    a == b || parse(a).is_some_and(|name| Some(name) == parse(b))
-}
-
-/// Whether a text contains the letters of a name in their order, without regard to accents and braces.
-pub fn mentions(text: &str, name: &str, macros: &Macros) -> bool {
-    let letters = |text: &str| -> Vec<TokenKind> {
-        let all = printed_kinds(text, macros);
-        all.into_iter().filter(is_letter_token).collect()
-    };
-    let (text, name) = (letters(text), letters(name));
-    !name.is_empty() && text.windows(name.len()).any(|part| part == name)
-}
-
-/// Whether a name, or its square, is a whole side of a relation in a text, so that the text may define it.
-pub fn is_a_side(text: &str, name: &str, macros: &Macros) -> bool {
-    let is_relation = |kind: &TokenKind| match kind {
-        TokenKind::Other(c) => *c == '=',
-        TokenKind::Command(command) => command == "\\equiv",
-        _ => false,
-    };
-    let is_edge =
-        |kind: &TokenKind| matches!(kind, TokenKind::Row | TokenKind::Other(',' | '.' | ';')) || is_wide(kind);
-    let is_kept = |kind: &TokenKind| {
-        is_letter_token(kind)
-            || is_relation(kind)
-            || is_edge(kind)
-            || matches!(kind, TokenKind::Super | TokenKind::Other(_))
-    };
-    let kept = |text: &str| -> Vec<TokenKind> { printed_kinds(text, macros).into_iter().filter(is_kept).collect() };
-    let (text, name) = (kept(text), kept(name));
-    let stands_alone = |at: usize| {
-        let (before, after) = (at.checked_sub(1).map(|at| &text[at]), text.get(at + name.len()));
-        before.is_none_or(|kind| is_relation(kind) || is_edge(kind))
-            && after.is_none_or(|kind| is_relation(kind) || is_edge(kind) || *kind == TokenKind::Super)
-    };
-    !name.is_empty() && (0..text.len()).any(|at| text[at..].starts_with(&name) && stands_alone(at))
-}
-
-fn is_letter_token(kind: &TokenKind) -> bool {
-    match kind {
-        TokenKind::Letter(_) | TokenKind::Digit(_) | TokenKind::Prime => true,
-        TokenKind::Command(command) => is_letter(command),
-        _ => false,
-    }
-}
-
-fn is_wide(kind: &TokenKind) -> bool {
-    matches!(kind, TokenKind::Space(Space::Wide))
-}
-
-/// The tokens of a text with its macros expanded, without the words of `\begin{matrix}` and `\text{for}`.
-fn printed_kinds(text: &str, macros: &Macros) -> Vec<TokenKind> {
-    let tokens = tokens(text);
-    let tokens = macros.expand(tokens.clone()).unwrap_or(tokens);
-    let mut words = false;
-    let is_word = |kind: &TokenKind| {
-        match kind {
-            TokenKind::Command(command) => words = ["\\begin", "\\end", "\\text"].contains(&command.as_str()),
-            TokenKind::Close => words = false,
-            _ => {}
-        }
-        words
-    };
-    let kinds = tokens.into_iter().map(|token| token.kind);
-    let marked = kinds.scan(is_word, |is_word, kind| Some((is_word(&kind), kind)));
-    marked.filter_map(|(is_word, kind)| (!is_word).then_some(kind)).collect()
-}
-
-/// The name that a declaration is, with its overdots as a part of it: `\dot{\vec v}` as a separate symbol.
-pub fn parse_decorated(text: &str) -> Option<Name> {
-    let (name, dots) = parse(text)?;
-    with_dots(&name, dots)
 }
 
 /// The name with up to three overdots in its base; `None` for more.

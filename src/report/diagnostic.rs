@@ -8,9 +8,9 @@ use crate::formula::text::plain;
 
 use super::code;
 use super::excerpt::{Excerpt, alone};
-use super::style::{Style, columns};
+use super::style::Style;
 use super::suggestion;
-use super::wrap::wrap;
+use super::wrap::{titled, wrap};
 
 /// The columns of `note: ` and `help: ` with the sign before them and the widest line number.
 const BESIDE_A_NOTE: usize = 16;
@@ -58,12 +58,6 @@ fn another(document: &Document, item: &Equation, at: usize, finding: &Finding, f
     if finding.message == first.message { format!("{name} too") } else { format!("{name}: {}", finding.message) }
 }
 
-/// The text of a title in lines: after the word of its level and its code.
-pub(super) fn titled(level: &str, code: &str, message: &str, style: Style) -> String {
-    let label = if code.is_empty() { columns(level) + 2 } else { columns(level) + columns(code) + 4 };
-    wrap("", message, 0, style.inside(label).width)
-}
-
 /// A note or advice below the lines of a file.
 fn below<'a>(level: Level<'a>, text: &str, style: Style) -> Element<'a> {
     level.message(wrap("", text, 2, style.inside(BESIDE_A_NOTE).width)).into()
@@ -105,6 +99,7 @@ fn short(value: f64, digits: usize) -> String {
 mod tests {
     use std::sync::Arc;
 
+    use super::super::style::columns;
     use super::*;
     use crate::source::{Source, Span};
 

@@ -5,10 +5,9 @@ use annotate_snippets::{Element, Group, Level};
 use crate::check::{Document, Equation, Fit, Misfit, Repair, Shared};
 use crate::source::{Source, Span};
 
-use super::diagnostic::titled;
 use super::excerpt::{Excerpt, Mark, alone};
 use super::style::Style;
-use super::wrap::{shortened, wrap};
+use super::wrap::{shortened, titled, wrap};
 
 /// The columns that a quoted piece of the notes has in a title.
 const QUOTED: usize = 40;

@@ -1,6 +1,6 @@
 //! Text in lines of a given width: words, and formulas at their operators.
 
-use super::style::{columns, columns_of};
+use super::style::{Style, columns, columns_of};
 
 /// Operators that begin a line rather than end one.
 const OPERATORS: [&str; 13] = ["+", "−", "-", "±", "∓", "=", "≈", "≠", "<", ">", "≤", "≥", "∝"];
@@ -37,6 +37,12 @@ pub(crate) fn wrap(first: &str, text: &str, indent: usize, width: usize) -> Stri
     }
     let lines: Vec<String> = lines.iter().map(|line| line.trim_end().replace('\u{a0}', " ")).collect();
     lines.join("\n")
+}
+
+/// The text of a title in lines: after the word of its level and its code.
+pub(super) fn titled(level: &str, code: &str, message: &str, style: Style) -> String {
+    let label = if code.is_empty() { columns(level) + 2 } else { columns(level) + columns(code) + 4 };
+    wrap("", message, 0, style.inside(label).width)
 }
 
 /// What must not be broken, in order: words, each operator with the operand after it, and pieces of what is too wide.

@@ -110,7 +110,7 @@ fn eval_refuses_rather_than_guess() {
         (r"x", vec!["x=1e400"], "too large"),
         (r"x", vec!["x"], "sets nothing: it is not NAME=VALUE"),
         (r"x", vec!["x=seven"], "sets nothing: it is not NAME=VALUE"),
-        (r"a/bc", vec!["a=1", "b=1", "c=1"], "two ways"),
+        (r"a/bc", vec!["a=1", "b=1", "c=1"], "ambiguous: a/bc may be a/(bc) or (a/b)c"),
         (r"\foo x", vec!["x=1"], r"\foo"),
         (r"", vec![], "missing"),
     ] {
@@ -140,9 +140,11 @@ fn read_echoes_how_a_formula_is_understood() {
 #[test]
 fn read_points_at_what_it_does_not_understand() {
     let desk = Desk::new("not-read");
-    for (formula, place, word) in
-        [(r"a + \foo b", "1:5", r"\foo"), ("a + + b", "1:3", "two signs"), (r"a = b/cd", "1:7", "two ways")]
-    {
+    for (formula, place, word) in [
+        (r"a + \foo b", "1:5", r"\foo"),
+        ("a + + b", "1:3", "two signs"),
+        (r"a = b/cd", "1:7", "ambiguous: a/bc may be a/(bc) or (a/b)c"),
+    ] {
         let run = desk.onshell(&["read", formula]);
         assert_eq!(run.code, 2, "{formula}: {}", run.out);
         assert!(run.err.contains(place) && run.err.contains(word), "{formula}: {}", run.err);
@@ -154,7 +156,12 @@ fn a_rate_is_no_angle_at_which_an_argument_ends() {
     let desk = Desk::new("rates");
     for latex in [r"\cos\dot\phi t", r"a\cos\dot\phi t", r"\cos\dot\phi x", r"\sin\sqrt{k}\,t"] {
         let run = desk.onshell(&["read", latex]);
-        assert!(run.code == 2 && run.err.contains("enclose it"), "{latex}: {}{}", run.out, run.err);
+        assert!(
+            run.code == 2 && run.err.contains("put the argument in parentheses, "),
+            "{latex}: {}{}",
+            run.out,
+            run.err
+        );
         assert!(!run.err.contains("thin space"), "{latex}: {}", run.err);
     }
     // The twins: enclosed, or with nothing after it that could belong to it.

@@ -109,7 +109,7 @@ fn what_is_damaged_is_unreadable_at_its_place() {
         ("accent", r"E = \frac{p^2}{2\bar{\bar{m}}}", "is not declared"),
         ("brace", r"E = \frac{p^2}{2m", "never closed"),
         ("empty", r" ", "display is empty"),
-        ("name", r"K = \frac{p^2}{2m}", "not known"),
+        ("name", r"K = \frac{p^2}{2m}", "so it is unknown"),
         ("cell", r"E = \begin{pmatrix} p & & m \end{pmatrix}", "nothing in column 2"),
         ("no-relation", r"\frac{p^2}{2m}", "without a relation"),
     ] {

@@ -69,7 +69,7 @@ fn a_derivation_that_is_none_is_refused_at_its_place() {
         (json!("1, 2, 1"), "(1) occurs twice in this derivation"),
         (json!("1, 2 part 1"), "a step of a derivation must be a whole display"),
         (json!("1..7"), "no equation (7)"),
-        (json!([["1", "2"]]), "\"steps\" is a string"),
+        (json!([["1", "2"]]), "\"steps\" must be a string, not a list"),
         (json!([]), "\"steps\" is an empty list"),
     ] {
         let run = desk("steps-refused", &steps).onshell(&["check", "notes.md"]);

@@ -192,6 +192,7 @@ impl<F: Modulus> Environment<Series<Modular<F>>> for RandomValues<'_, F> {
     }
 }
 
+#[cfg(feature = "cli")]
 /// Whether one formula vanishes wherever another does, whatever their symbols mean: it is the other times a symbol, or
 /// divided by one that `is_never_zero`, or its time derivative.
 pub(crate) fn vanishes_with(it: &Expr, other: &Expr, model: &Model, is_never_zero: &impl Fn(&Expr) -> bool) -> bool {

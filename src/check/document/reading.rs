@@ -13,7 +13,7 @@
 use crate::formula::shape::{Shape, bind};
 use crate::formula::symbols::Name;
 use crate::formula::{IndexId, Kind, Symbols};
-use crate::latex::{Reading, names, read_display, read_formula};
+use crate::latex::{Reading, name_search, names, read_display, read_formula};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
 use crate::source::{Fault, Missing};
@@ -172,7 +172,7 @@ impl Pending<'_> {
     fn introduces_pending(&self, symbols: &Symbols, reading: &Reading) -> bool {
         let reserved = |name: &Name| {
             let all = self.definitions.iter().chain(&self.of_particles);
-            all.filter_map(|(latex, _)| names::parse_decorated(&latex.value)).any(|pending| pending == *name)
+            all.filter_map(|(latex, _)| name_search::parse_decorated(&latex.value)).any(|pending| pending == *name)
         };
         reading.introduced.iter().any(|introduced| reserved(&symbols.entry(introduced.symbol).name))
     }
@@ -189,7 +189,7 @@ impl Pending<'_> {
         let depends_on_display = |(name, body): &(Spanned<String>, Spanned<String>), unread: &mut Model| {
             let error = define(self.claims, name, body, unread).err()?;
             let Some(Missing::Name(missing)) = error.missing() else { return None };
-            self.definitions.iter().position(|(other, _)| names::same(&other.value, missing))
+            self.definitions.iter().position(|(other, _)| name_search::same(&other.value, missing))
         };
         let next: Vec<Option<usize>> =
             self.definitions.iter().map(|definition| depends_on_display(definition, &mut unread)).collect();
@@ -286,7 +286,7 @@ pub(crate) fn for_each(claim: Option<&Claim>, model: &Model) -> Option<IndexId> 
 fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, model: &mut Model) -> Result<()> {
     let error = |message: String| Error::at(&claims.source, latex.span, message);
     let square = latex.value.trim().strip_suffix("^2").or(latex.value.trim().strip_suffix("^{2}"));
-    let name = names::parse_decorated(square.unwrap_or(&latex.value)).ok_or_else(|| {
+    let name = name_search::parse_decorated(square.unwrap_or(&latex.value)).ok_or_else(|| {
         error(format!("{} is not the name of a symbol", latex.value)).help(
             "a name is a letter or a Greek command; accents, a subscript and primes are allowed, as in \\hat{e}_a",
         )

@@ -36,11 +36,13 @@ pub(crate) fn wanted(notes: &Notes, assigned: &[Option<&Claim>], only: Option<&s
     (0..notes.equations.len()).filter(|at| chosen(&notes.equations[*at]) && claimed(*at)).collect()
 }
 
+#[cfg(feature = "cli")]
 /// The number of equations and sentences that [`check_in`](crate::check::check_in) will report.
 pub fn items(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
     equations(claims, notes, only) + if only.is_some() { 0 } else { claims.sentences.len() }
 }
 
+#[cfg(feature = "cli")]
 /// The number of equations that [`check_in`](crate::check::check_in) will report; 0 if the claims do not fit the notes.
 pub fn equations(claims: &Claims, notes: &Notes, only: Option<&str>) -> usize {
     assign(claims, notes).map_or(0, |assigned| wanted(notes, &assigned, only).len())

@@ -2,9 +2,9 @@
 //!
 //! A misprint in a display that defines a name, or prints a law, makes the name or the law unknown wherever it is used, in
 //! the claims file too. So an unknown name is attributed to an unreadable display that contains it. If that display only
-//! lacks other names, it must have the name as one of its sides. What needs the name is unreadable; the rest is checked.
+//! lacks other name_search, names, it must have the name as one of its sides. What needs the name is unreadable; the rest is checked.
 
-use crate::latex::{Reading, names};
+use crate::latex::{Reading, name_search};
 use crate::notes::Notes;
 use crate::source::{Fault, Missing};
 
@@ -31,15 +31,15 @@ impl<'a> UnreadableDisplays<'a> {
             Missing::Equation(id) => return Some(format!("({id}) cannot be read")),
             Missing::Name(name) => name,
         };
-        if let Some((_, cause)) = model.unread_names.iter().find(|(lost, _)| names::same(lost, name)) {
+        if let Some((_, cause)) = model.unread_names.iter().find(|(lost, _)| name_search::same(lost, name)) {
             return Some(cause.clone());
         }
-        let lacks = |fault: &&Fault| matches!(&fault.missing, Some(Missing::Name(own)) if names::same(own, name));
+        let lacks = |fault: &&Fault| matches!(&fault.missing, Some(Missing::Name(own)) if name_search::same(own, name));
         // What lacks only other names is misprinted in them: it has this one whole, if it introduces it.
         let is_own = |fault: &&Fault| !matches!(&fault.missing, Some(Missing::Name(_)));
         let (display, _) = self.faults.iter().find(|(at, faults)| {
             let text = &self.notes.equations[*at].text;
-            let has_it = if faults.iter().any(is_own) { names::mentions } else { names::is_a_side };
+            let has_it = if faults.iter().any(is_own) { name_search::mentions } else { name_search::is_a_side };
             !faults.iter().any(lacks) && has_it(text, name, &model.macros)
         })?;
         Some(format!("its definition may be in ({}), which cannot be read", shown(&self.notes.equations[*display])))

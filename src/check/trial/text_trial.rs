@@ -11,15 +11,12 @@
 //! only on shell would pass, so no text is refuted that the check would pass.
 
 use crate::Result;
-use crate::formula::{Expr, Index, Node, Relation, Statement, SymbolId};
+use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::TERMS;
 use crate::source::Span;
 
-use crate::check::certificate::claim::Certificate;
-use crate::check::certificate::signs::is_never_zero;
-use crate::check::certificate::{decide, formulas};
 use crate::check::document::checker::Checker;
 use crate::check::document::names::{is_plain, shown};
 use crate::check::document::reread;
@@ -28,20 +25,17 @@ use crate::check::judge::difference;
 use crate::check::kinds::small;
 use crate::check::kinds::small::ShrinkingFamily;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::ensemble::Ensemble;
-use crate::check::sample::outcome;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::residual;
 use crate::check::state::residual::Point;
-use crate::check::vacuity::restatement;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Part;
 
 /// The number of states that screen a text before its full check.
-const STATES: usize = 6;
+pub(super) const STATES: usize = 6;
 
 /// The outcome of a trial.
 pub(crate) enum Answer {
@@ -57,7 +51,7 @@ pub(crate) enum Answer {
 
 /// A display with the states that screen other texts in its place.
 pub(crate) struct Trial<'d, 'a> {
-    checker: &'d Checker<'a>,
+    pub(super) checker: &'d Checker<'a>,
     /// The same checker, with few states and without explanations.
     quick: Checker<'a>,
     /// The same checker, without explanations.
@@ -65,9 +59,9 @@ pub(crate) struct Trial<'d, 'a> {
     at: usize,
     claim: &'d Claim,
     /// The reading of the original text.
-    now: &'d Reading,
-    topic: String,
-    hypotheses: Vec<Hypothesis>,
+    pub(super) now: &'d Reading,
+    pub(super) topic: String,
+    pub(super) hypotheses: Vec<Hypothesis>,
     local: Vec<Rule>,
     /// The screening states of each statement; `None`, where the statement need not hold at each state.
     screens: Vec<Option<Ensemble<'d>>>,
@@ -151,18 +145,11 @@ impl<'d, 'a> Trial<'d, 'a> {
         families.ok().filter(|_| !links.is_empty()).unwrap_or_default()
     }
 
-    /// The outcome of a text in place of the display.
+    /// The outcome of a text in place of the display. A reading for which `says_something` is false is refused before its
+    /// full check.
     ///
     /// # Errors
     /// As for a check of the display itself.
-    pub fn judge(&self, text: &str) -> Result<Answer> {
-        self.judge_where(text, |_| true)
-    }
-
-    /// The same; a reading for which `says_something` is false is refused before its full check.
-    ///
-    /// # Errors
-    /// As [`Trial::judge`].
     pub fn judge_where(&self, text: &str, says_something: impl Fn(&Reading) -> bool) -> Result<Answer> {
         let mut reading = reread::read_in_place(self.checker, &self.checker.model.macros, self.at, text, self.claim);
         if let Some(step) = self.step {
@@ -210,107 +197,6 @@ impl<'d, 'a> Trial<'d, 'a> {
         judged(&Checker { readings: &readings, units: self.full.units.clone(), ..self.full })
     }
 
-    /// Whether a reading is proved over a prime field to be equal to the original member by member, or to follow from it.
-    ///
-    /// # Errors
-    /// When the system's mass matrix is singular.
-    pub fn is_equivalent(&self, reading: &Reading) -> Result<bool> {
-        let original = &self.now.statements;
-        if original.len() != reading.statements.len() {
-            return Ok(false);
-        }
-        for statements in original.iter().zip(&reading.statements) {
-            let (Ok(was), Ok(is)) = statements else { return Ok(false) };
-            if was.members.len() != is.members.len()
-                || !was.relations.iter().map(|r| r.0).eq(is.relations.iter().map(|r| r.0))
-            {
-                return Ok(false);
-            }
-            let link =
-                |s: &Statement, at: usize| self.checker.link(&s.members[at], s.relations[at].0, &s.members[at + 1]);
-            let alike = |at| matches!((link(was, at), link(is, at)), (Ok(a), Ok(b)) if restatement::same_but_for_letters(&a, &b));
-            if (0..was.relations.len()).all(alike) {
-                continue;
-            }
-            let mut same = true;
-            for (a, b) in was.members.iter().zip(&is.members).filter(|(a, b)| a != b) {
-                same = same && self.is_same(a, b)?;
-            }
-            let model = self.checker.model;
-            let never_zero = |factor: &Expr| is_never_zero(model, factor);
-            let follows = |at: usize| {
-                // Only an equality may be multiplied by a factor.
-                let relation = was.relations[at].0;
-                let equal = is_equality(relation) || relation == Relation::Approximately;
-                let null = equal && was.members[at + 1].is_null() && is.members[at + 1].is_null();
-                null && formulas::vanishes_with(&is.members[at], &was.members[at], model, &never_zero)
-            };
-            let kept = |at: usize| is.members[at..=at + 1] == was.members[at..=at + 1];
-            if !same && !(0..was.relations.len()).all(|at| kept(at) || follows(at)) {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
-
-    /// Whether two formulas are proved to be equal: for all values of their symbols, with definitions written out, or where
-    /// the hypotheses of the claim hold.
-    fn is_same(&self, a: &Expr, b: &Expr) -> Result<bool> {
-        let model = self.checker.model;
-        if formulas::same(a, b, model) || formulas::same(&self.expanded(a), &self.expanded(b), model) {
-            return Ok(true);
-        }
-        // Formulas of different shapes are not equal.
-        match self.checker.link(a, Relation::Equal, b) {
-            Ok(link) => Ok(self.implied(&[], &link)? || self.implied(&self.hypotheses, &link)?),
-            Err(_) => Ok(false),
-        }
-    }
-
-    /// A formula with definitions written out, and with the left sides of hypotheses that hold throughout replaced by their
-    /// right sides.
-    fn expanded(&self, expr: &Expr) -> Expr {
-        let by_hypothesis = |expr: &Expr| {
-            let known = |c: &&Hypothesis| c.throughout && is_equality(c.relation) && c.lhs == *expr;
-            self.hypotheses.iter().find(known).map(|hypothesis| hypothesis.rhs.clone())
-        };
-        if let Some(other) = by_hypothesis(expr) {
-            return other;
-        }
-        let model = self.checker.model;
-        if let Node::Symbol { id, indices, dots } = &expr.node
-            && let Some(Meaning::Defined(formula)) = model.meaning(*id)
-            && model
-                .symbols
-                .entry(*id)
-                .slots
-                .iter()
-                .map(|(_, letter)| Index::Letter(*letter))
-                .eq(indices.iter().copied())
-        {
-            let formula = self.expanded(formula);
-            return match dots {
-                0 => formula,
-                dots => Expr::new(Node::TimeDerivative(*dots, Box::new(formula)), expr.span),
-            };
-        }
-        let mut opened = expr.clone();
-        opened.children_mut().into_iter().for_each(|child| *child = self.expanded(child));
-        opened
-    }
-
-    /// Whether a link is an identity where some hypotheses hold.
-    fn implied(&self, hypotheses: &[Hypothesis], link: &Link) -> Result<bool> {
-        let context = Context { hypotheses, ..self.context(&self.topic) };
-        let mode = context.mode(false, &[&link.lhs, &link.rhs]);
-        let ensemble = context.ensemble(mode, false, STATES)?;
-        if ensemble.states.is_empty() {
-            return Ok(false);
-        }
-        let holds = outcome::run(link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_none());
-        Ok(holds && matches!(decide::certify(link, &context, &ensemble), Certificate::Identity(_)))
-    }
-
     /// Whether a reading contains a rate that is zero at all screening states and that the original does not contain. Such a
     /// factor or term makes an equation true without saying anything.
     pub fn has_vanishing_rate(&self, reading: &Reading) -> bool {
@@ -337,7 +223,7 @@ impl<'d, 'a> Trial<'d, 'a> {
         rates.into_iter().any(|rate| screens().next().is_some() && screens().all(|state| is_zero(rate, state)))
     }
 
-    fn context<'c>(&'c self, topic: &'c str) -> Context<'c> {
+    pub(super) fn context<'c>(&'c self, topic: &'c str) -> Context<'c> {
         Context {
             model: self.checker.model,
             options: self.checker.options,

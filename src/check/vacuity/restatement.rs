@@ -104,6 +104,7 @@ fn printed_letters(link: &Link, symbol: SymbolId) -> Vec<Index> {
     found.unwrap_or_default()
 }
 
+#[cfg(feature = "cli")]
 /// Whether two equations are the same up to the letters of their free indices, in the order of occurrence.
 pub(crate) fn same_but_for_letters(a: &Link, b: &Link) -> bool {
     let (from, to) = (free_letters(b), free_letters(a));
@@ -112,6 +113,7 @@ pub(crate) fn same_but_for_letters(a: &Link, b: &Link) -> bool {
     from.len() == to.len() && renamed.lhs == a.lhs && renamed.rhs == a.rhs && renamed.relation == a.relation
 }
 
+#[cfg(feature = "cli")]
 /// The free indices of an equation, in the order of occurrence.
 fn free_letters(link: &Link) -> Vec<IndexId> {
     let mut found: Vec<IndexId> = Vec::new();
