@@ -8,7 +8,7 @@
 /// [notation-indices]: notation#indices
 /// [glossary]: glossary
 /// [glossary-verdicts]: glossary#verdicts
-#[doc = include_str!("../docs/claims.md")]
+#[cfg_attr(doc, doc = include_str!("../docs/claims.md"))]
 pub mod claims {}
 
 /// Notation: the LaTeX that is read, and what is rejected as ambiguous.
@@ -17,21 +17,21 @@ pub mod claims {}
 /// [claims-continua]: claims#continua
 /// [claims-families]: claims#families
 /// [claims-equation]: claims#an-equation
-#[doc = include_str!("../docs/notation.md")]
+#[cfg_attr(doc, doc = include_str!("../docs/notation.md"))]
 pub mod notation {}
 
 /// One term for one thing, and the verdicts.
 ///
 /// [claims]: claims
-#[doc = include_str!("../docs/glossary.md")]
+#[cfg_attr(doc, doc = include_str!("../docs/glossary.md"))]
 pub mod glossary {}
 
 /// How onshell works: the way of one equation, and the map of folders.
 ///
 /// [glossary]: glossary
-#[doc = include_str!("../docs/architecture.md")]
+#[cfg_attr(doc, doc = include_str!("../docs/architecture.md"))]
 pub mod architecture {}
 
 /// Figures: verdicts, mutants, repairs and times.
-#[doc = include_str!("../docs/benchmarks.md")]
+#[cfg_attr(doc, doc = include_str!("../docs/benchmarks.md"))]
 pub mod benchmarks {}

@@ -154,7 +154,7 @@ pub use formulas::{Comparison, Formula, compare};
 pub use source::{Source, Span};
 
 /// The Rust code of the README, so that it is tested.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "notes"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
 

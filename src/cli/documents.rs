@@ -60,11 +60,16 @@ pub(super) fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
             continue;
         } else if extension == "json" && names_notes(path) {
             jobs.push(Job::Claims(path.clone()));
-        } else if matches!(extension, "md" | "tex") && !claims_beside(path).exists() {
+        } else if matches!(extension, "md" | "tex") && !claims_beside(path).exists() && has_displays(path) {
             jobs.push(Job::Notes(path.clone()));
         }
     }
     Ok(())
+}
+
+/// Whether notes without a claims file have displays. Those that cannot be read count, so that their error is reported.
+fn has_displays(path: &Path) -> bool {
+    !Notes::read(path, &shown(path)).is_ok_and(|notes| notes.equations.is_empty())
 }
 
 /// Whether a JSON file is a claims file. One that cannot be read counts as one, so that its error is reported.

@@ -138,9 +138,9 @@ fn the_message_says_what_cannot_be_done() {
     say(r"M R = g", "“M·R” is kg m and “g” is m s⁻²: they cannot be equal");
     say(r"R < g", "“R” is m and “g” is m s⁻²: they cannot be compared");
     say(r"M = g R + R g", "they cannot stand in one equation");
-    say(r"\sin R = 0", "“R” is m, and the argument of sin must be dimensionless");
-    say(r"2^M > 1", "“M” is kg, and an exponent must be dimensionless");
-    say(r"R^\theta = 1", "“R” is m, and the base of a power whose exponent is not a number must be dimensionless");
+    say(r"\sin R = 0", "“R” is m, but the argument of sin must be dimensionless");
+    say(r"2^M > 1", "“M” is kg, but an exponent must be dimensionless");
+    say(r"R^\theta = 1", "“R” is m, but the base of a power whose exponent is not a number must be dimensionless");
     say(r"R = 3", "“3” is dimensionless");
     fits(
         &top(),
@@ -228,7 +228,7 @@ fn the_planet_obeys_the_unit_of_newtons_constant() {
         r"\frac{GM}{r^2}",
         &["m² s⁻²", "m s⁻²"],
     );
-    names_the_term(&planet, &units, &[radial, r"\sin r = 1"], "r", &["“r” is m, and the argument of sin"]);
+    names_the_term(&planet, &units, &[radial, r"\sin r = 1"], "r", &["“r” is m, but the argument of sin"]);
     assert_eq!(terms(&planet, &units, &[radial, r"\dot\phi^2 a^2 = G M", r"a = r"]).len(), 1);
 }
 

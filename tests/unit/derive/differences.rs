@@ -59,12 +59,12 @@ fn equal_formulas_leave_nothing() {
 fn what_cannot_be_written_is_refused() {
     for (left, word) in [
         (left_over(|[m, r, ..]| [m.atan2(r), r]), "atan2"),
-        (left_over(|[m, r, ..]| [m * f64::INFINITY, r]), "exactly"),
-        (left_over(|[m, r, ..]| [m.powi(1_000_000) * (m + r).powi(1_000_000), r]), "power"),
-        (left_over(|[m, r, ..]| [m / (r - r * 1.0 + (m.sin().powi(2) + m.cos().powi(2) - 1.0)), r]), "vanishes"),
+        (left_over(|[m, r, ..]| [m * f64::INFINITY, r]), "no exact form"),
+        (left_over(|[m, r, ..]| [m.powi(1_000_000) * (m + r).powi(1_000_000), r]), "exponent is too large"),
+        (left_over(|[m, r, ..]| [m / (r - r * 1.0 + (m.sin().powi(2) + m.cos().powi(2) - 1.0)), r]), "identically 0"),
         (
             left_over(|[m, r, x, y]| [(m + r + x + y + m.sin() + r.sin() + x.sin() + y.sin()).powi(16).powi(3), r]),
-            "too l",
+            "too many terms",
         ),
     ] {
         let error = left.expect_err(word);

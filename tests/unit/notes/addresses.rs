@@ -68,7 +68,7 @@ fn places() {
         ("6.72 .. 6.73 part 2", "whole equations", "6.73 part 2"),
         ("6.72 step 1 .. 6.73", "whole equations", "6.72 step 1"),
         ("6.79 part 1", "no equation (6.79)", "6.79 part 1"),
-        ("6.72 part 0", "takes one number", "6.72 part 0"),
+        ("6.72 part 0", "needs one number", "6.72 part 0"),
     ] {
         let error = lookup(address).unwrap_err();
         assert!(error.to_string().contains(word), "{error}");
@@ -80,7 +80,7 @@ fn places() {
 #[test]
 fn not_found() {
     for (address, word) in [
-        ("6.79", "no equation (6.79) in notes (did you mean 6.78?)"),
+        ("6.79", "notes has no equation (6.79) (did you mean 6.78?)"),
         ("eq:d", "did you mean eq:c?"),
         ("#vef", "did you mean #veff?"),
         ("`\\dot y`", "no display in notes contains"),

@@ -112,7 +112,7 @@ fn ranges() {
         assert!(error.advice().is_some(), "{text}");
         assert!(pointed(&error).contains(text), "{text}");
     }
-    assert!(range("(1, 0)").unwrap_err().to_string().contains("upside down"));
+    assert!(range("(1, 0)").unwrap_err().to_string().contains("ends before it begins"));
     assert!(range("agnle").unwrap_err().to_string().contains("did you mean \"angle\""));
     let indices = |text: &str| {
         claims(&with(&format!("\"indices\": {{ \"i\": \"{text}\" }}"))).map(|c| c.declarations[0].range.value.clone())
@@ -170,7 +170,7 @@ fn types() {
         ("\"sentences\": {}", "a list, not an object"),
         ("\"equations\": { \"6.1\": { \"conserved\": 1 } }", "true or LaTeX"),
         ("\"equations\": { \"6.1\": { \"conserved\": false } }", "only be true"),
-        ("\"equations\": { \"6.1\": { \"up to a constant\": \"c\" } }", "is true, not a string"),
+        ("\"equations\": { \"6.1\": { \"up to a constant\": \"c\" } }", "must be true, not a string"),
         ("\"equations\": { \"6.1\": { \"assume\": [] } }", "empty list"),
         ("\"equations\": { \"6.1\": { \"skip\": \"\" } }", "empty"),
         ("\"sentences\": [{ \"quote\": \"x\", \"of\": \"U\", \"minima\": 1.5 }]", "whole number"),
@@ -192,12 +192,12 @@ fn keys_that_need_each_other() {
     assert!(equation("\"holds\": \"on-shell\"").contains("did you mean \"on shell\"?"));
     assert!(equation("\"erratum\": { \"for\": \"x\" }").contains("needs \"read\""));
     assert!(equation("\"erratum\": { \"for\": \"x\", \"read\": \"y\", \"times\": 0 }").contains("at least 1"));
-    assert!(equation("\"limit\": \"x = 0\"").contains("no limit"));
+    assert!(equation("\"limit\": \"x = 0\"").contains("is not a limit"));
     let sentence = |rest: &str| refused(&with(&format!("\"sentences\": [{{ {rest} }}]"))).0;
     assert!(sentence("\"claim\": \"x\"").contains("needs \"quote\""));
     assert!(sentence("\"quote\": \"q\", \"claim\": \"x\", \"not always\": \"x\"").contains("one test"));
     assert!(sentence("\"quote\": \"q\", \"minima\": 1").contains("needs \"of\""));
-    assert!(sentence("\"quote\": \"q\", \"of\": \"U\"").contains("does not say"));
+    assert!(sentence("\"quote\": \"q\", \"of\": \"U\"").contains("needs a property of the expression"));
     assert!(sentence("\"quote\": \"q\", \"of\": \"U\", \"minima\": 1, \"sign\": \"positive\"").contains("one test"));
     assert!(sentence("\"quote\": \"q\", \"of\": \"6.1\", \"solutions\": 1").contains("needs \"for\""));
     assert!(sentence("\"quote\": \"q\", \"of\": \"U\", \"sign\": \"up\"").contains("cannot be"));

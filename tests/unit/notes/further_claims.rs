@@ -32,11 +32,11 @@ fn what_is_small() {
         (r#""order": 2"#, "needs \"small\"", "\"order\""),
         (r#""small": "x", "order": 1.5"#, "whole number", "1.5"),
         (r#""small": "x", "order": 100"#, "at most 9", "100"),
-        (r#""small": "x", "order": "1""#, "is a number", "\"1\""),
+        (r#""small": "x", "order": "1""#, "must be a number", "\"1\""),
         (r#""small": "x,""#, "a name is missing", "\"x,\""),
         (r#""small": []"#, "empty list", "[]"),
         (r#""units": "on""#, "use one of \"off\"", "\"on\""),
-        (r#""for each": ["i"]"#, "is a string", "[\"i\"]"),
+        (r#""for each": ["i"]"#, "must be a string", "[\"i\"]"),
     ] {
         let (error, place) = refused(&equation(text));
         assert!(error.contains(word), "{error}");
@@ -74,7 +74,7 @@ fn limits_of_sums_and_meanings() {
     assert_eq!(claim.continuum_limit_of.unwrap().text, "3.45");
     assert_eq!(claim.meanings[0].1.value, "m_i \\cup M_0");
     let (error, at) = refused(&equation(r#""continuum limit of": "two words""#));
-    assert!(error.contains("is no address"), "{error}");
+    assert!(error.contains("is not an address of an equation"), "{error}");
     assert_eq!(at, "two words");
 }
 

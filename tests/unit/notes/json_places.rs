@@ -22,9 +22,9 @@ fn control_characters() {
         ("\\beta", "a backspace"),
         ("\\frac", "a form feed"),
         ("\\rho", "a carriage return"),
-        ("\\phi", "no such escape"),
-        ("\\,", "no such escape"),
-        ("\\upsilon", "no such escape"),
+        ("\\phi", "is not an escape of JSON"),
+        ("\\,", "is not an escape of JSON"),
+        ("\\upsilon", "is not an escape of JSON"),
     ] {
         let (error, at) = refused(&with(&format!("\"assume\": \"1 + {written} = 0\"")));
         assert!(error.contains(word) && error.contains(&format!("write \"\\{written}\"")), "{error}");
@@ -32,7 +32,7 @@ fn control_characters() {
     }
     assert!(refused(&with("\"assume\": \"\\u0007\"")).0.contains("control character"));
     assert!(refused(&with("\"assume\": \"\\ud800\"")).0.contains("not JSON"));
-    assert!(refused(&with("\"assume\": \"a\nb\"")).0.contains("within a string"));
+    assert!(refused(&with("\"assume\": \"a\nb\"")).0.contains("contains a line break"));
     let assume = claims(&with("\"assume\": \"\\\\theta = \\u0061\"")).unwrap().assume;
     assert_eq!(assume[0].value, "\\theta = a");
 }
@@ -54,14 +54,14 @@ fn broken() {
     for (text, word) in [
         ("", "empty"),
         (" \n", "empty"),
-        ("{\"notes\": \"a\"", "cut off"),
-        ("{\"notes\": \"a", "cut off"),
-        ("{", "cut off"),
-        ("{} x", "stands after the end"),
+        ("{\"notes\": \"a\"", "ends in the middle of a value"),
+        ("{\"notes\": \"a", "ends in the middle of a value"),
+        ("{", "ends in the middle of a value"),
+        ("{} x", "follows the end"),
         ("{\"a\": 1,}", "comma"),
         ("{\"a\" 1}", "not JSON"),
         ("{'a': 1}", "not JSON"),
-        ("nul", "cut off"),
+        ("nul", "ends in the middle of a value"),
         ("{\"a\": NaN}", "not JSON"),
     ] {
         assert!(refused(text).0.contains(word), "{text}: {}", refused(text).0);

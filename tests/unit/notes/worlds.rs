@@ -47,7 +47,7 @@ fn components() {
     assert_eq!(file.source.slice(axes.span), "\\\\hat e_a");
     for (value, word, at) in [
         (r#""\\vec r": "x, y""#, "three components, not 2", "\"x, y\""),
-        (r#""\\vec r": "along""#, "along which axes", "\"along\""),
+        (r#""\\vec r": "along""#, "are missing", "\"along\""),
         (r#""\\vec r": "x, y,""#, "a name is missing", "\"x, y,\""),
         (r#""\\vec r, \\vec s": "x, y, z""#, "cannot share", "\\\\vec s"),
     ] {
@@ -121,10 +121,10 @@ fn laws_and_units() {
     let units: Vec<_> = file.units.iter().map(|(name, unit)| (name.value.as_str(), unit.value.as_str())).collect();
     assert_eq!(units, [("\\lambda_1", "kg m^2"), ("\\lambda_2", "kg m^2"), ("g", "m/s^2")]);
     for (rest, word, at) in [
-        (r#""laws": { "F": 2 }"#, "is a string, not a number", "2"),
+        (r#""laws": { "F": 2 }"#, "must be a string, not a number", "2"),
         (r#""laws": { "F": " " }"#, "is empty", "\" \""),
         (r#""units": { "g": "m", "M, g": "kg" }"#, "declared twice", "g"),
-        (r#""units": { "g": [] }"#, "is a string, not a list", "[]"),
+        (r#""units": { "g": [] }"#, "must be a string, not a list", "[]"),
     ] {
         let (error, place) = refused(&with(rest));
         assert!(error.contains(word), "{error}");
@@ -174,20 +174,24 @@ fn continua() {
 fn continua_that_are_none() {
     let per_volume = r#""mass per volume": "\\rho(\\vec r)""#;
     for (inside, word, at) in [
-        ("\"uniform\": true", "how the mass of V is spread", "{ \"uniform\": true }"),
-        (&format!("{per_volume}, \"mass per area\": \"s(x)\""), "spread in one way", "\"mass per volume\""),
-        (r#""mass per volume": "\\rho""#, "of which point", r#""\\rho""#),
-        (r#""mass per volume": "(\\vec r)""#, "of which point", r#""(\\vec r)""#),
-        (&format!("{per_volume}, \"particles\": \"m_i\""), "which masses are where", "\"m_i\""),
+        ("\"uniform\": true", "the density of V is missing", "{ \"uniform\": true }"),
+        (&format!("{per_volume}, \"mass per area\": \"s(x)\""), "cannot both be given", "\"mass per volume\""),
+        (r#""mass per volume": "\\rho""#, "does not name the point", r#""\\rho""#),
+        (r#""mass per volume": "(\\vec r)""#, "does not name the point", r#""(\\vec r)""#),
+        (&format!("{per_volume}, \"particles\": \"m_i\""), "does not name a mass and its position", "\"m_i\""),
         (&format!("{per_volume}, \"uniform\": false"), "can only be true", "false"),
-        (&format!("{per_volume}, \"made of\": []"), "is a list of bodies", "[]"),
-        (&format!("{per_volume}, \"made of\": [{{ \"at\": \"x\" }}]"), "what body", "{ \"at\": \"x\" }"),
+        (&format!("{per_volume}, \"made of\": []"), "must be a list of bodies", "[]"),
+        (
+            &format!("{per_volume}, \"made of\": [{{ \"at\": \"x\" }}]"),
+            "the shape of this body is missing",
+            "{ \"at\": \"x\" }",
+        ),
         (&format!("{per_volume}, \"made of\": [{{ \"ball\": \"R\", \"box\": \"a, a, a\" }}]"), "one shape", "\"box\""),
         (&format!("{per_volume}, \"made of\": [{{ \"box\": \"a\" }}]"), "three edges", "\"a\""),
         (&format!("{per_volume}, \"made of\": [{{ \"ball\": \"R, R\" }}]"), "one length", "\"R, R\""),
-        (&format!("{per_volume}, \"made of\": [{{ \"shell\": \"R\" }}]"), "a body is \"ball\" or \"box\"", "\"shell\""),
+        (&format!("{per_volume}, \"made of\": [{{ \"shell\": \"R\" }}]"), "use \"ball\" or \"box\"", "\"shell\""),
         (&format!("{per_volume}, \"made of\": [{{ \"bal\": \"R\" }}]"), "did you mean \"ball\"?", "\"bal\""),
-        (r#""mass per length": "s(x)", "made of": [{ "disc": "R" }]"#, "a body is \"rod\"", "\"disc\""),
+        (r#""mass per length": "s(x)", "made of": [{ "disc": "R" }]"#, "use \"rod\"", "\"disc\""),
     ] {
         let (error, place) = refused(&continuum(inside));
         assert!(error.contains(word), "{error}");
