@@ -70,7 +70,7 @@ fn lecture() -> Symbols {
     for name in [r"\vec r_{1i}", r"\vec r_{2i}", r"\vec r_{i\perp}", r"\hat y", r"\hat z", r"\hat r_a"] {
         add(&mut symbols, name, Kind::Vector);
     }
-    symbols.add(names::parse_decorated(r"\dot{\vec v}").unwrap(), Kind::Vector).unwrap();
+    symbols.add(onshell::latex::name_search::parse_decorated(r"\dot{\vec v}").unwrap(), Kind::Vector).unwrap();
     let (omega, axes) = (find(&symbols, r"\vec\omega"), find(&symbols, r"\hat e_a"));
     symbols.entry_mut(omega).components = Some(Components::Along(axes));
     symbols
