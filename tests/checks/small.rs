@@ -210,7 +210,7 @@ fn a_law_is_a_law_wherever_it_is_printed() {
 fn what_is_meant_cannot_go_in_a_circle() {
     let claims = json!({ "varies with time": { "x, v, w": "any", r"\vec u, \vec s": "any" } });
     let circle = json!({ "where": { "v": "w + 1", "w": "v - 1" } });
-    assert!(error(&claims, &[r"v = \dot x"], circle).contains("the meaning of v contains v itself"));
+    assert!(error(&claims, &[r"v = \dot x"], circle).contains("the meaning of w contains w itself"));
     assert_eq!(verdict(&claims, &["v = w + x"], json!({ "where": { "v": "w + 1", "w": "x" } })), Refuted);
     // Two hypotheses that each make one of two vectors parallel to the other.
     let both = json!({ "assume": [r"\vec u \propto \vec s", r"\vec s \propto \vec u"] });

@@ -54,7 +54,7 @@ impl Checker<'_> {
     /// When the shapes of the two sides differ.
     pub fn link(&self, lhs: &Expr, relation: Relation, rhs: &Expr) -> Result<Link> {
         let typed = |expr: &Expr| shape::bind(expr.clone(), &self.model.symbols);
-        let fault = |fault: Fault| Error::new(fault.message);
+        let fault = |fault: Fault| Error::new(fault.message).with_code(fault.code);
         let ((lhs, a), (rhs, b)) = (typed(lhs).map_err(fault)?, typed(rhs).map_err(fault)?);
         let symbols = &self.model.symbols;
         let (lhs, a) = shape::entries_of((&lhs, &a), (&rhs, &b), symbols).unwrap_or((lhs, a));
@@ -261,7 +261,9 @@ impl Checker<'_> {
             Some(Err(fault)) => {
                 let message = format!("({}) cannot be read: {}", what.value, fault.message);
                 let missing = Missing::Equation(shown(&self.notes.equations[display]));
-                Err(Error::at(&self.claims.source, what.span, message).lacking(Some(missing)))
+                Err(Error::at(&self.claims.source, what.span, message)
+                    .with_code(Code::DependsOnUnreadable)
+                    .lacking(Some(missing)))
             }
             None => Err(Error::at(
                 &self.claims.source,
@@ -356,7 +358,7 @@ impl Checker<'_> {
     fn unread(&self, address: &Spanned<String>, fault: &Fault) -> Error {
         let message = format!("({}) cannot be read: {}", address.value, fault.message);
         let unread = Some(Missing::Equation(address.value.clone()));
-        Error::at(&self.claims.source, address.span, message).lacking(unread)
+        Error::at(&self.claims.source, address.span, message).with_code(Code::DependsOnUnreadable).lacking(unread)
     }
 
     fn no_equation(&self, address: &Spanned<String>) -> Error {

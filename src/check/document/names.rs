@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use crate::code::Code;
 use crate::formula::SymbolId;
 use crate::latex::names;
 use crate::notes::claims::{Claim, Claims, Spanned};
@@ -62,6 +63,7 @@ pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) ->
     let found = name.as_ref().and_then(|name| model.symbols.find(name));
     found.map(|(id, _)| id).ok_or_else(|| {
         let error = Error::at(&claims.source, latex.span, format!("there is no symbol {}", latex.value))
+            .with_code(Code::UndeclaredName)
             .lacking(Some(Missing::Name(latex.value.clone())));
         match name.and_then(|name| model.symbols.nearest(&name)) {
             Some(near) => error.help(format!("did you mean {near}?")),

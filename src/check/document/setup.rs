@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, LazyLock};
 
+use crate::code::Code;
 use crate::latex::Macros;
 use crate::notes::address::Address;
 use crate::notes::claims::{Claim, Claims};
@@ -99,7 +100,9 @@ fn repeated_numbers(notes: &Notes) -> Result<()> {
         None => Ok(()),
         Some((number, line)) => {
             let message = format!("the number ({}) is used twice: on line {line}, and here", number.id);
-            Err(Error::at(&notes.source, number.span, message).help("give each equation its own number"))
+            Err(Error::at(&notes.source, number.span, message)
+                .with_code(Code::NotesFile)
+                .help("give each equation its own number"))
         }
     }
 }

@@ -76,7 +76,8 @@ impl Checker<'_> {
             // The name of a hypothesis or the number of an equation is no LaTeX of its own.
             let Ok(statements) = self.statements(latex) else { continue };
             if let Some(message) = statements.iter().find_map(|statement| self.unit_conflict_of_claim(statement)) {
-                return Err(Error::at(&claims.source, latex.span, format!("in “{}”: {message}", latex.value)));
+                let message = format!("in “{}”: {message}", latex.value);
+                return Err(Error::at(&claims.source, latex.span, message).with_code(Code::UnitMismatch));
             }
         }
         Ok(())

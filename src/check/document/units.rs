@@ -6,6 +6,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::code::Code;
 use crate::formula::units::{Affine, Dimension, Mismatch, Ratio, UnitCheck, parse};
 use crate::formula::{Expr, Statement, SymbolId};
 use crate::latex::Reading;
@@ -201,7 +202,8 @@ pub(crate) fn of_document<'a>(
         let name = model.name(*symbol);
         let define = claims.define.iter().find(|(latex, _)| names::symbol(claims, model, latex).ok() == Some(*symbol));
         let span = define.map_or(claims.notes.span, |(_, formula)| formula.span);
-        return Err(Error::at(&claims.source, span, format!("the definition of {name}: {message}")));
+        let message = format!("the definition of {name}: {message}");
+        return Err(Error::at(&claims.source, span, message).with_code(Code::UnitMismatch));
     }
     Ok(Some(units))
 }
@@ -238,6 +240,7 @@ pub(crate) fn declared(
         if let Some((_, other)) = earlier.filter(|(_, other)| *other != dimension) {
             let message = format!("{} already has the unit {other}", model.name(symbol));
             return Err(Error::at(&claims.source, latex.span, message)
+                .with_code(Code::UnitMismatch)
                 .help("declare one unit for a name; all members of a family have the same unit"));
         }
         declared.push((symbol, dimension));

@@ -119,7 +119,8 @@ impl Checker<'_> {
             if let Ok(read) = statement {
                 let name = text::plain(&symbols.entry(new.symbol).name.to_string());
                 let span = read.members.get(new.member).map_or(read.span, |member| member.span);
-                *statement = Err(Fault::new(span, format!("{name} is defined only here, so it is unknown")));
+                *statement = Err(Fault::new(span, format!("{name} is defined only here, so it is unknown"))
+                    .code(Code::UndeclaredName));
             }
         }
         reading
@@ -373,6 +374,5 @@ fn unreadable(fault: &Fault, offset: usize) -> Finding {
         Some(help) => format!("{}; {help}", fault.message),
         None => fault.message.clone(),
     };
-    let code = if fault.missing.is_some() { Code::UndeclaredName } else { Code::NotSupported };
-    Finding::new(code, Verdict::Unreadable, fault.span.shifted(offset), message)
+    Finding::new(fault.code, Verdict::Unreadable, fault.span.shifted(offset), message)
 }

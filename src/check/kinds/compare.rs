@@ -43,7 +43,8 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let mut model = Model::empty(symbols, macros);
     for (name, _) in ranges {
         if model.symbols.find(name).is_none() {
-            return Err((2, Fault::new(Span::default(), format!("{name} occurs in neither formula"))));
+            let fault = Fault::new(Span::default(), format!("{name} occurs in neither formula"));
+            return Err((2, fault.code(Code::Input)));
         }
     }
     let mut assumed = Vec::new();

@@ -74,7 +74,7 @@ pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if let (Verdict::Verified, Some(symbol)) =
         (finding.verdict, forced_value::of_formulas(&[expr], &on_shell, &ensemble))
     {
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, forced_value::message(symbol, context)));
+        return Ok(context.finding(Code::ForcedValue, Verdict::Undecided, forced_value::message(symbol, context)));
     }
     finding.message = match finding.verdict {
         Verdict::Verified => {

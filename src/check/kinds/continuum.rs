@@ -82,7 +82,7 @@ pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
                 "the sampled bodies do not distinguish this from the same claim with {}; widen the ranges",
                 mutant.change
             );
-            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+            return Ok(context.finding(Code::MutantPasses, Verdict::Undecided, message));
         }
     }
     let points = ensemble.states.len();

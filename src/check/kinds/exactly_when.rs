@@ -103,14 +103,14 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     if both < FEWEST / 2 || neither < FEWEST / 2 || both + neither < other {
         let message =
             format!("too few sampled states: the claim holds at {both} and fails at {neither}; widen the ranges");
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     if let Some(symbol) = forced {
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, forced_value::message(symbol, context)));
+        return Ok(context.finding(Code::ForcedValue, Verdict::Undecided, forced_value::message(symbol, context)));
     }
     if let Some(at) = met_at.iter().position(|count| *count == 0) {
         let message = format!("no sampled state satisfies alternative {}; remove it, or widen the ranges", at + 1);
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     let message = format!("holds at the {both} states that satisfy the conditions, and fails at the {neither} others");
     Ok(Finding {

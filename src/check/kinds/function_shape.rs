@@ -111,7 +111,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         let message = format!(
             "only {points} of {tried} sampled states satisfy the hypotheses and gave a number; widen the ranges"
         );
-        return Finding { points, tried, ..context.finding(Code::NotDecided, Verdict::Undecided, message) };
+        return Finding { points, tried, ..context.finding(Code::TooFewStates, Verdict::Undecided, message) };
     }
     let message = format!("holds at {points} sampled states, special ones included");
     Finding { points, tried, ..context.verified(message, "all values of a function") }

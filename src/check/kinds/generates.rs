@@ -134,7 +134,7 @@ pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     }
     if points < FEWEST.min(context.options.points) {
         return Ok(context.finding(
-            Code::NotDecided,
+            Code::TooFewStates,
             Verdict::Undecided,
             format!(
                 "only {points} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",

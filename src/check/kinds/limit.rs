@@ -140,7 +140,7 @@ fn check_in(
     if powers.len() < FEWEST.min(context.options.points) {
         let message =
             format!("only {} of {} sampled states reach the limit; narrow the ranges", powers.len(), ensemble.tried);
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     // Each mutant of the right side must have a larger error. Terms on the left that vanish in the limit are not tested, so
     // there only exchanged symbols count.
@@ -156,7 +156,7 @@ fn check_in(
                 "the sampled states do not distinguish this from the same claim with {}; widen the ranges",
                 mutant.change
             );
-            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+            return Ok(context.finding(Code::MutantPasses, Verdict::Undecided, message));
         }
     }
     let slowest = powers.iter().copied().fold(f64::INFINITY, f64::min);

@@ -99,7 +99,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
             "only at {} sampled states can the small quantities be scaled; assume less about them",
             families.len()
         );
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     let (mut slowest, mut usable) = (f64::INFINITY, 0);
     for family in &families {
@@ -129,7 +129,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
             "only {usable} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
             families.len()
         );
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     if slowest < wanted {
         let message = format!(
@@ -174,7 +174,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
                 "the sampled states do not distinguish this from the same claim with {}; widen the ranges",
                 mutant.change
             );
-            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+            return Ok(context.finding(Code::MutantPasses, Verdict::Undecided, message));
         }
     }
     let message = match slowest.is_finite() {

@@ -116,7 +116,7 @@ fn check_solutions(
     if points < FEWEST.min(context.options.points) {
         let message =
             format!("only {points} of {} sampled states have real solutions; narrow the ranges", ensemble.tried);
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     if 2 * counted < points {
         let message =
@@ -130,7 +130,7 @@ fn check_solutions(
         let message = format!(
             "the sampled states do not distinguish this from the same solution with {change}; widen the ranges"
         );
-        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        return Ok(context.finding(Code::MutantPasses, Verdict::Undecided, message));
     }
     let number = branches.len();
     let message = match all_of_them {
