@@ -70,10 +70,10 @@ impl Cropped {
 fn windows(line: &str, marks: &[Range<usize>], room: usize) -> Vec<Range<usize>> {
     let wide = |range: Range<usize>| line[range].chars().map(columns_of).sum::<usize>();
     if wide(0..line.len()) <= room {
-        return vec![0..line.len()];
+        return std::iter::once(0..line.len()).collect();
     }
-    let none = [0..0];
-    let marks = if marks.is_empty() { &none } else { marks };
+    let start = std::slice::from_ref(&(0..0));
+    let marks = if marks.is_empty() { start } else { marks };
     // Too many marks for one line: the first of them is shown.
     let marks = if room / marks.len() < LEAST { &marks[..1] } else { marks };
     // Each part has an ellipsis at either end.
@@ -141,7 +141,7 @@ mod tests {
 
     #[test]
     fn a_line_that_fits_is_kept() {
-        let cropped = Cropped::new("a = b\nc = d", &[6..7], 20);
+        let cropped = Cropped::new("a = b\nc = d", std::slice::from_ref(&(6..7)), 20);
         assert_eq!((cropped.text.as_str(), cropped.shown(&(6..7))), ("a = b\nc = d", 6..7));
     }
 
@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn a_mark_that_is_too_wide_shows_its_beginning() {
         let line = long();
-        let cropped = Cropped::new(&line, &[20..200], 40);
+        let cropped = Cropped::new(&line, std::slice::from_ref(&(20..200)), 40);
         assert!(columns(&cropped.text) <= 40, "{}", cropped.text);
         let shown = cropped.shown(&(20..200));
         assert!(cropped.text[shown.clone()].starts_with("005 006 "), "{}", cropped.text);
@@ -195,7 +195,7 @@ mod tests {
     fn no_mark_is_parted_from_its_letter() {
         let line = "θ\u{307}+".repeat(80);
         for start in (0..line.len()).filter(|at| line.is_char_boundary(*at)) {
-            let cropped = Cropped::new(&line, &[start..start], 40);
+            let cropped = Cropped::new(&line, std::slice::from_ref(&(start..start)), 40);
             let first = cropped.text.trim_start_matches('…').chars().next();
             assert!(first.is_some_and(|c| c != '\u{307}') && columns(&cropped.text) <= 40, "{}", cropped.text);
         }

@@ -93,7 +93,8 @@ fn paragraphs(markdown: &str, style: Style) -> String {
     let mut was_example = false;
     for block in blocks {
         let is_example = block.starts_with("    ");
-        if !text.is_empty() && !(is_example && was_example) {
+        let continues = is_example && was_example;
+        if !text.is_empty() && !continues {
             text.push('\n');
         }
         let line = if is_example { block } else { wrap("", &block, 0, style.width) };

@@ -18,18 +18,30 @@ type Member = (SymbolId, [u8; 3]);
 /// The key of a value: the member of a family, and whether substituted particles were used.
 pub(crate) type Key = (Member, bool);
 
+/// Values as series, each with the number of terms it was computed to.
+type SeriesByKey<B> = FxHashMap<Key, (usize, Box<Value<Series<B>>>)>;
+
+/// A continuum, an integrand, and the value of the integral.
+type KnownIntegral<B> = (SymbolId, Expr, Value<Primal<B>>);
+
+/// Quadrature nodes by continuum and by the degree up to which they are exact.
+type NodesByDegree<B> = FxHashMap<(usize, usize), Arc<Nodes<B>>>;
+
+/// Masses, positions, a number of terms, and the inertia tensor.
+type KnownTensor<B> = (Expr, Expr, usize, Matrix3<Series<B>>);
+
 /// The cached values at a state. Clearing the cache changes no result.
 pub(crate) struct Memo<B: Number> {
     /// Values of defined symbols and of symbols with rules, each with its number of terms.
-    pub(crate) series: RefCell<FxHashMap<Key, (usize, Box<Value<Series<B>>>)>>,
+    pub(crate) series: RefCell<SeriesByKey<B>>,
     /// The same values without derivatives.
     values: RefCell<FxHashMap<Key, Value<Primal<B>>>>,
     /// Integrals over a continuum with their integrands and values.
-    pub(crate) integrals: RefCell<Vec<(SymbolId, Expr, Value<Primal<B>>)>>,
+    pub(crate) integrals: RefCell<Vec<KnownIntegral<B>>>,
     /// Quadrature nodes, by the continuum and the degree up to which they are exact.
-    pub(crate) nodes: RefCell<FxHashMap<(usize, usize), Arc<Nodes<B>>>>,
+    pub(crate) nodes: RefCell<NodesByDegree<B>>,
     /// Inertia tensors by masses and positions, each with its number of terms.
-    pub(crate) tensors: RefCell<Vec<(Expr, Expr, usize, Matrix3<Series<B>>)>>,
+    pub(crate) tensors: RefCell<Vec<KnownTensor<B>>>,
     /// Symbols with an equation of motion, with the known terms while the next ones are computed.
     pub(crate) following: RefCell<Vec<(SymbolId, MemberValues<B>)>>,
     /// The same symbols when all terms are known.
