@@ -75,8 +75,8 @@ codes! {
     UnitMismatch = "unit-mismatch",
     /// The text is not a unit of the SI.
     ///
-    /// For example, `Nm` for `N m`, or `m/s/s`, which is ambiguous.
-    /// Write factors with a space between them and one slash at most: `kg m^2/s^2`.
+    /// For example, `Nm` for `N m`, or `m/s/s`, which is ambiguous. Write factors with a space between them and one
+    /// slash at most: `kg m^2/s^2`.
     InvalidUnit = "invalid-unit",
     /// The claims file says something that cannot be used.
     ///
@@ -131,8 +131,8 @@ codes! {
     FailsForFamilySize = "fails-for-family-size",
     /// The two sides agree where both are defined, but one of them is not defined everywhere.
     ///
-    /// For example, `x^2/x = x` has no left side at `x = 0`.
-    /// Restrict the range of the symbol in the claims file, or write the condition under which the equation holds.
+    /// For example, `x^2/x = x` has no left side at `x = 0`. Restrict the range of the symbol in the claims file, or
+    /// write the condition under which the equation holds.
     DomainDiffers = "domain-differs",
     /// No state was found that obeys the hypotheses.
     ///
@@ -141,8 +141,8 @@ codes! {
     NoState = "no-state",
     /// Too few sampled states gave a number on both sides.
     ///
-    /// For example, `\sqrt{1 - v^2/c^2}` has no value where `v > c`.
-    /// Narrow the ranges in the claims file (for example, assume `v < c`).
+    /// For example, `\sqrt{1 - v^2/c^2}` has no value where `v > c`. Narrow the ranges in the claims file (for example,
+    /// assume `v < c`).
     TooFewStates = "too-few-states",
     /// At some states the sides differ by more than rounding error and by less than a clear difference.
     ///
@@ -189,8 +189,8 @@ codes! {
     UnclearName = "unclear-name",
     /// A formula has no value, because a symbol in it has none.
     ///
-    /// For example, a momentum without a system that determines it.
-    /// Declare the symbol, define it in the notes, or say under `means` what it is.
+    /// For example, a momentum without a system that determines it. Declare the symbol, define it in the notes, or say
+    /// under `means` what it is.
     NoValue = "no-value",
     /// The claims file itself defines the symbol by this formula, so that the display is true by definition.
     ///

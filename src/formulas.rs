@@ -5,8 +5,8 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::check::kinds::compare;
-use crate::check::{Finding, Options};
+use crate::check::Options;
+use crate::check::kinds::compare::{self, Comparison};
 use crate::formula::{Assignment, Expr, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
 use crate::latex::{Macros, names, read_display};
 use crate::notes::claims::Range;
@@ -22,7 +22,7 @@ const PATH: &str = "formula";
 /// use onshell::Formula;
 ///
 /// let energy = Formula::read(r"\frac12 m \dot x^2 + \frac12 k x^2")?;
-/// assert_eq!(energy.to_string(), "(1/2)·m·ẋ^2 + (1/2)·k·x^2");
+/// assert_eq!(energy.to_string(), "(1/2)·m·x\u{307}^2 + (1/2)·k·x^2");
 /// let value = energy.value(&[("m", 2.0), ("k", 8.0), (r"\dot x", 3.0), ("x", 0.5)])?;
 /// assert_eq!(value, 10.0);
 ///
@@ -106,20 +106,19 @@ impl Formula {
     /// As [`Formula::value`].
     pub(crate) fn entries(&self, values: &[(&str, f64)]) -> Result<Vec<f64>> {
         let [formula] = self.statement.members.as_slice() else {
-            return Err(Error::new("an equation has no value").help("evaluate one of its sides: Formula::members"));
+            return Err(Error::new("an equation has no value").help("evaluate one of its sides"));
         };
         let mut state = Assignment::<f64>::new(&self.symbols);
         let mut known = Vec::new();
         for (name, value) in values {
-            let shown = text::plain(name);
-            let Some((id, dots)) =
-                names::parse(name).and_then(|(name, dots)| self.symbols.find(&name).map(|(id, _)| (id, dots)))
-            else {
-                return Err(Error::new(format!("{shown} does not occur in the formula"))
+            let parsed = names::parse(name);
+            let found = parsed.and_then(|(name, dots)| self.symbols.find(&name).map(|(id, _)| (id, dots)));
+            let Some((id, dots)) = found else {
+                return Err(Error::new(format!("{} does not occur in the formula", text::plain(name)))
                     .help(format!("its letters are {}", self.letters().join(", "))));
             };
             if known.contains(&(id, dots)) {
-                return Err(Error::new(format!("{shown} is set twice")).help("set it once"));
+                return Err(Error::new(format!("{} is set twice", text::plain(name))).help("set it once"));
             }
             state.set(id, dots, *value);
             known.push((id, dots));
@@ -132,22 +131,21 @@ impl Formula {
         let missing: Vec<String> = self.letters().into_iter().filter(|letter| !is_set(letter)).collect();
         if !missing.is_empty() {
             let settings: Vec<String> = missing.iter().map(|name| format!("--set '{name}=…'")).collect();
-            return Err(Error::new(format!("no value for {}", missing.join(", "))).help(settings.join(" ")));
+            return Err(Error::new(format!("there is no value for {}", missing.join(", "))).help(settings.join(" ")));
         }
         let value = evaluate(formula, &state, &[]).map_err(|reason| match reason {
-            Unavailable::Derivative(_) => Error::new("the formula needs a time derivative that was not given")
-                .help("give the dotted letters values too: \\dot x"),
-            Unavailable::Symbol(_) => Error::new("the formula has no value: a letter in it has none"),
-            Unavailable::Operation(what) => Error::new(format!("the formula has no value: {what} cannot be evaluated")),
+            Unavailable::Derivative(_) => Error::new("the formula needs the value of a time derivative")
+                .help("set the dotted symbols too: --set '\\dot x=…'"),
+            Unavailable::Operation(what) => Error::new(format!("the formula has no value: {what}")),
+            Unavailable::Symbol(_) => Error::new("a symbol of the formula has no value"),
         })?;
-        let entries: Vec<f64> = match value {
-            Value::Scalar(value) => vec![value.value()],
-            other => other.entries().iter().map(|x| x.value()).collect(),
+        let (entries, what) = match value {
+            Value::Scalar(value) => (vec![value.value()], "the formula"),
+            other => (other.entries().iter().map(|x| x.value()).collect(), "an entry of the formula"),
         };
         match entries.iter().find(|entry| !entry.is_finite()) {
             None => Ok(entries),
-            Some(entry) => Err(Error::new(format!("the formula has no real value here: {entry}"))
-                .help("choose values inside its domain")),
+            Some(entry) => Err(Error::new(format!("{what} has no real value here: {entry}"))),
         }
     }
 }
@@ -157,18 +155,6 @@ impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&text::statement(&self.statement, &self.symbols))
     }
-}
-
-/// Whether two formulas are equal: the verdict with its evidence.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct Comparison {
-    /// The verdict, the states used, and the certificate or the counterexample.
-    pub finding: Finding,
-    /// How the two were read.
-    pub readings: [String; 2],
-    /// What was assumed of letters for which no range was given.
-    pub assumed: Vec<String>,
 }
 
 /// Compares two formulas for all real values of their letters, or for those in `ranges`, whose ends belong to them.
@@ -214,11 +200,9 @@ pub fn compare(
         }
     }
     let placed = |(which, fault): (usize, Fault)| match which {
-        0 => Error::fault(&Arc::new(Source::new(PATH, left)), fault),
-        1 => Error::fault(&Arc::new(Source::new(PATH, right)), fault),
-        _ => Error::new(fault.message).help("a range is for a letter of the two formulas"),
+        0 => Error::fault(&Arc::new(Source::new("left formula", left)), fault),
+        1 => Error::fault(&Arc::new(Source::new("right formula", right)), fault),
+        _ => Error::new(fault.message).help(fault.help.unwrap_or("name a letter of the formulas".to_owned())),
     };
-    let compare::Answer { finding, readings, assumed } =
-        compare::equal(left, right, &given, options).map_err(placed)?;
-    Ok(Comparison { finding, readings, assumed })
+    compare::equal(left, right, &given, options).map_err(placed)
 }

@@ -91,7 +91,7 @@
 //! use onshell::mechanics::System;
 //! use onshell::systems::Pendulum;
 //!
-//! let pendulum = System::new(&Pendulum)?;
+//! let pendulum = System::new(&Pendulum::<1>::new())?;
 //! let parameters = pendulum.parameter_values(&[("m", 1.0), ("l", 2.0), ("g", 9.81)])?;
 //! let mut evaluator = pendulum.acceleration_evaluator(&parameters);
 //! let acceleration = evaluator.accelerations(0.0, &[0.3], &[0.0])?[0];
@@ -147,10 +147,12 @@ pub mod testing;
 
 #[cfg(feature = "notes")]
 pub use check::Options;
+#[cfg(feature = "notes")]
+pub use check::kinds::compare::Comparison;
 pub use code::Code;
 pub use error::{Error, Result};
 #[cfg(feature = "notes")]
-pub use formulas::{Comparison, Formula, compare};
+pub use formulas::{Formula, compare};
 pub use source::{Source, Span};
 
 /// The Rust code of the README, so that it is tested.

@@ -4,12 +4,6 @@
 const LONGEST: usize = 60;
 
 /// The candidate nearest to `word`, if it is near enough to be a spelling mistake.
-///
-/// ```
-/// use onshell::suggest::nearest;
-/// assert_eq!(nearest("asume", ["assume", "where"]), Some("assume"));
-/// assert_eq!(nearest("colour", ["assume", "where"]), None);
-/// ```
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
     if length > LONGEST {
@@ -38,6 +32,12 @@ pub fn distance(a: &str, b: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::nearest;
+
+    #[test]
+    fn a_spelling_mistake_is_near_and_another_word_is_not() {
+        assert_eq!(nearest("asume", ["assume", "where"]), Some("assume"));
+        assert_eq!(nearest("colour", ["assume", "where"]), None);
+    }
 
     #[test]
     fn a_swap_of_letters_is_one_step() {

@@ -1,15 +1,11 @@
 //! `onshell equal`: two formulas, no file.
 
-use std::sync::Arc;
+use std::ops::RangeInclusive;
 
 use crate::check::Options;
-use crate::check::kinds::compare::{Answer, equal};
-use crate::formula::symbols::Name;
 use crate::latex::names;
-use crate::notes::claims::Range;
 use crate::report;
-use crate::source::Source;
-use crate::{Error, Result};
+use crate::{Comparison, Error, Result, compare};
 
 use super::outcome::{Format, Outcome, Screen};
 
@@ -58,7 +54,7 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     }
 }
 
-fn answered(arguments: &Arguments) -> Result<Answer> {
+fn answered(arguments: &Arguments) -> Result<Comparison> {
     let mut ranges = Vec::new();
     for given in &arguments.ranges {
         let wrong = || {
@@ -68,25 +64,15 @@ fn answered(arguments: &Arguments) -> Result<Answer> {
         ranges.push(range(given).ok_or_else(wrong)?);
     }
     let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
-    equal(&arguments.left, &arguments.right, &ranges, options).map_err(|(which, fault)| {
-        let formula = |name: &str, text: &str| Error::fault(&Arc::new(Source::new(name, text)), fault.clone());
-        match which {
-            0 => formula("left formula", &arguments.left),
-            1 => formula("right formula", &arguments.right),
-            _ => match &fault.help {
-                Some(help) => Error::new(fault.message.clone()).help(help.clone()),
-                None => Error::new(fault.message.clone()).help("name a letter of the formulas"),
-            },
-        }
-    })
+    compare(&arguments.left, &arguments.right, &ranges, options)
 }
 
 /// A range such as `x=0.1..3`, with both of its ends.
-fn range(given: &str) -> Option<(Name, Range)> {
+fn range(given: &str) -> Option<(&str, RangeInclusive<f64>)> {
     let (name, ends) = given.split_once('=')?;
     let (low, high) = ends.split_once("..")?;
     let (low, high) = (low.trim().parse::<f64>().ok()?, high.trim().parse::<f64>().ok()?);
-    let (name, dots) = names::parse(name.trim())?;
+    let (_, dots) = names::parse(name.trim())?;
     let sound = low.is_finite() && high.is_finite() && low < high && dots == 0;
-    sound.then_some((name, Range::Interval { low, high, low_open: false, high_open: false }))
+    sound.then_some((name.trim(), low..=high))
 }

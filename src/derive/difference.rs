@@ -15,26 +15,6 @@ use crate::{Error, Result};
 ///
 /// The difference of two that are equal as polynomials in sines, cosines and roots is 0.
 ///
-/// ```
-/// use onshell::derive::{Class, Letter, difference};
-/// use onshell::formula::{Symbols, text};
-/// use onshell::latex::{Macros, read_formula};
-/// use onshell::scalar::{DualNum, Graph, Symbol};
-///
-/// let mut symbols = Symbols::open();
-/// let mut letter = |latex: &str, class| {
-///     read_formula(latex, &mut symbols, &Macros::default()).map(|expr| Letter { expr, class })
-/// };
-/// let letters = [letter("M", Class::Parameter), letter("\\theta", Class::Coordinate)].map(Result::unwrap);
-/// let (graph, (printed, derived)) = Graph::record(|| {
-///     let (mass, theta) = (Symbol::input(0), Symbol::input(1));
-///     (mass * theta.sin(), -mass * theta.sin())
-/// })?;
-/// let left = difference(&graph, printed, derived, &letters)?;
-/// assert_eq!(text::formula(&left, &symbols), "2·M·sin(θ)");
-/// # Ok::<(), onshell::Error>(())
-/// ```
-///
 /// # Errors
 /// When the difference is too long, has a number without an exact value, or a function without a name in print.
 pub fn difference(graph: &Graph, printed: Symbol, derived: Symbol, letters: &[Letter]) -> Result<Expr> {
@@ -97,5 +77,31 @@ impl Algebra {
         let left = self.presented(&side(residual.top.part(moves)))?;
         let rest = Polynomial::default().minus(&residual.top.part(|monomial| !moves(monomial)))?;
         Ok((left, self.presented(&side(rest))?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::derive::{Class, Letter, difference};
+    use crate::formula::{Symbols, text};
+    use crate::latex::{Macros, read_formula};
+    use crate::scalar::{DualNum, Graph, Symbol};
+
+    #[test]
+    fn a_flipped_sign_is_twice_the_term() {
+        let mut symbols = Symbols::open();
+        let mut letter = |latex: &str, class| {
+            read_formula(latex, &mut symbols, &Macros::default()).map(|expr| Letter { expr, class })
+        };
+        let letters = [letter("M", Class::Parameter), letter("\\theta", Class::Coordinate)].map(Result::unwrap);
+        let recorded = Graph::record(|| {
+            let (mass, theta) = (Symbol::input(0), Symbol::input(1));
+            (mass * theta.sin(), -mass * theta.sin())
+        });
+        let (graph, (printed, derived)) = recorded.expect("no branch");
+        let left = difference(&graph, printed, derived, &letters).expect("a short difference");
+        assert_eq!(text::formula(&left, &symbols), "2·M·sin(θ)");
+        let none = difference(&graph, printed, printed, &letters).expect("a short difference");
+        assert_eq!(text::formula(&none, &symbols), "0");
     }
 }

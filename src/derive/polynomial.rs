@@ -318,7 +318,7 @@ mod tests {
         assert_eq!(product.divided_by(&sum).unwrap(), Some(difference.clone()));
         let over = product.scaled(&Monomial::atom(0, -3), Exact::new(2, 3)).unwrap();
         assert_eq!(over.divided_by(&difference).unwrap().unwrap().times(&difference).unwrap(), over);
-        // the twin: what is no factor does not divide
+        // must-fail case: what is no factor does not divide
         assert_eq!(product.divided_by(&plus(&sum, &Polynomial::one())).unwrap(), None);
         assert_eq!(product.divided_by(&Polynomial::default()).unwrap(), None);
     }

@@ -82,7 +82,7 @@ mod tests {
         assert_eq!(read(0.0), (0, 1, false));
         assert_eq!(read(std::f64::consts::PI), (1, 1, true));
         assert_eq!(read(-std::f64::consts::FRAC_PI_2), (-1, 2, true));
-        // the twins: near is not equal, and the root of 2 is no multiple of π
+        // must-fail cases: near is not equal, and the root of 2 is no multiple of π
         assert_ne!(read(0.333_333), (1, 3, false));
         assert_ne!(read(3.125), (1, 1, true));
         assert!(!read(std::f64::consts::SQRT_2).2);

@@ -75,8 +75,7 @@ pub trait Environment<D: Differentiable> {
         let entry = &self.symbols().indices[index.0];
         entry.count.map_or(Ok(entry.upper), |count| Err(Unavailable::Symbol(count)))
     }
-    /// The integral of `body` over a continuum; `body` evaluates the integrand at the current point. `integrand` is
-    /// the
+    /// The integral of `body` over a continuum; `body` evaluates the integrand at the current point. `integrand` is the
     /// integrand as a formula, if it has no free index.
     fn integral(
         &self,

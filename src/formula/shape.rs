@@ -71,8 +71,7 @@ pub fn shape_of(expr: &Expr, symbols: &Symbols) -> Result<Shape, Fault> {
 }
 
 /// Checks that two members of an equation have the same type. The literal 0 is a zero of any shape, and the literal 1
-/// is
-/// any unit matrix.
+/// is any unit matrix.
 ///
 /// # Errors
 /// Different shapes, or different free indices.

@@ -1,10 +1,8 @@
 //! The symbol table: the name, the kind and the indices of each symbol of a document.
 //!
 //! A name is a base (with its accents), the tokens of its subscript, and its primes. Overdots and powers are not part
-//! of
-//! a name. A subscript with declared index letters makes the name a family: `\hat e_a` stands for three vectors, and
-//! `\hat e_2` and `\hat e_b` are found as well. The meaning of a symbol (a coordinate, the Lagrangian, …) is not
-//! stored
+//! of a name. A subscript with declared index letters makes the name a family: `\hat e_a` stands for three vectors, and
+//! `\hat e_2` and `\hat e_b` are found as well. The meaning of a symbol (a coordinate, the Lagrangian, …) is not stored
 //! here; `check` stores it by [`SymbolId`].
 
 use std::collections::{BTreeMap, HashMap};
@@ -272,8 +270,7 @@ impl Symbols {
     }
 
     /// The family of component indices with this base, written without indices: `R` for `R_{ab}`, but not `M` for
-    /// `M_i`,
-    /// whose index is a label.
+    /// `M_i`, whose index is a label.
     pub fn find_whole(&self, base: &str) -> Option<SymbolId> {
         self.iter()
             .find(|(_, entry)| {
@@ -285,9 +282,8 @@ impl Symbols {
             .map(|(id, _)| id)
     }
 
-    /// Finds a name as [`Symbols::find`] does, with the index of [`Symbols::for_each`] added first. If it is not
-    /// found, it
-    /// is assembled as a family from the names of all its members.
+    /// Finds a name as [`Symbols::find`] does, with the index of [`Symbols::for_each`] added first. If it is not found,
+    /// it is assembled as a family from the names of all its members.
     pub fn find_or_assemble(&mut self, name: &Name) -> Option<(SymbolId, Vec<Index>)> {
         // A name that has the letter, or is known with another index, needs none.
         let own = |letter: &IndexId| name.subscript.contains(&self.indices[letter.0].letter);

@@ -1,7 +1,6 @@
 //! The formula tree, and the statements of a display.
 //!
-//! Two trees are equal if their nodes are equal in the same order; their places ([`Expr::span`]) are not compared.
-//! Sums
+//! Two trees are equal if their nodes are equal in the same order; their places ([`Expr::span`]) are not compared. Sums
 //! and products are flat lists, as authors write them, so that a single term or factor can be shown, removed or
 //! changed.
 

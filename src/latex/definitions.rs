@@ -1,8 +1,7 @@
 //! Symbols that a statement defines: an unknown name that is a whole member of a chain, and the formula beside it.
 //!
 //! An unknown name may be the left side, `\vec L = …`, or its square may be, `\omega_{eff}^2 = …`. It may be a later
-//! member of a chain of = and ≡, `… = M\vec v_{cm} = \vec P_{cm}`. After ≡ a sum of names may name the terms of the
-//! sum
+//! member of a chain of = and ≡, `… = M\vec v_{cm} = \vec P_{cm}`. After ≡ a sum of names may name the terms of the sum
 //! before it, one by one: `… \equiv \vec L_{orb} + \vec L_{spin}`.
 
 use crate::formula::shape::{self, Shape, Type};
@@ -24,8 +23,7 @@ pub struct DefinedSymbol {
     /// The position of the member that is the name, or that contains it among others.
     pub member: usize,
     /// The defining formula. For a family it contains the index letters of the printed name; for a symbol defined by
-    /// its
-    /// square it is the square.
+    /// its square it is the square.
     pub formula: Expr,
 }
 
@@ -201,8 +199,7 @@ fn undeclared(name: &Name, span: Span, symbols: &Symbols) -> Fault {
     }
 }
 
-/// One name and its definition. Its component indices must be the free component indices of the definition; its
-/// labels
+/// One name and its definition. Its component indices must be the free component indices of the definition; its labels
 /// must include the free labels.
 fn one(
     name: &Name,

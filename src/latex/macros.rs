@@ -1,7 +1,6 @@
 //! The author's own commands: `\newcommand`, `\def` and the `macros` of a claims file.
 //!
-//! Expansion works on tokens. The tokens of a macro's body carry the place of the call, so that a fault is shown
-//! where
+//! Expansion works on tokens. The tokens of a macro's body carry the place of the call, so that a fault is shown where
 //! the author wrote the call.
 
 use std::collections::HashMap;

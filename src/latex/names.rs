@@ -1,9 +1,7 @@
 //! Names in the layout: the base with its accents, the subscript, the primes, and the overdots.
 //!
 //! Each name has one spelling: `\vec{r_i}` is `\vec{r}_i`, `p_{\psi}` is `p_\psi`, `T_{\mathrm{rot}}` is `T_{rot}`,
-//! `\dot{\hat{e}_a}` is `\dot{\hat e}_a`, `x^\prime` is `x'`. Overdots (`overdots`) and powers are not part
-//! of a
-//! name.
+//! `\dot{\hat{e}_a}` is `\dot{\hat e}_a`, `x^\prime` is `x'`. Overdots (`overdots`) and powers are not part of a name.
 
 use crate::formula::symbols::Name;
 use crate::formula::tree::Sign;

@@ -1,9 +1,8 @@
 //! The normalizer: rewrites legacy TeX and decoration into the forms that the layout parser reads.
 //!
 //! Legacy TeX is `{a \over b}` and `{\bf v}`. Decoration is a box around a result, colour, or words under a brace or
-//! above
-//! a relation. Each rewritten token keeps its place, so that a fault is shown where the author wrote it. A decoration
-//! with mathematics in it, `\underbrace{x}_{=0}`, is not changed, and the reader rejects it.
+//! above a relation. Each rewritten token keeps its place, so that a fault is shown where the author wrote it. A
+//! decoration with mathematics in it, `\underbrace{x}_{=0}`, is not changed, and the reader rejects it.
 
 use crate::source::Span;
 
@@ -253,7 +252,7 @@ mod tests {
         ] {
             assert_eq!(shape(old), shape(new), "{old}");
         }
-        // The twins: a brace with mathematics under it keeps it, and an accent is no relation.
+        // must-fail cases: a brace with mathematics under it keeps it, and an accent is no relation.
         assert_ne!(shape("\\underbrace{a}_{=0} + b"), shape("{a} + b"));
         assert_ne!(shape("\\overset{!}{a} = b"), shape("a = b"));
         assert_ne!(shape("{a \\over b}"), shape("\\frac{b}{a}"));

@@ -1,7 +1,6 @@
 //! The statements of a display: rows, commas, `\Rightarrow`, chains of relations, branches of ±, "is constant".
 //!
-//! Rows, `\quad`, commas and arrows separate statements. A row that starts with a relation continues the row before.
-//! A
+//! Rows, `\quad`, commas and arrows separate statements. A row that starts with a relation continues the row before. A
 //! statement with `±` is read twice: once with all upper signs, once with all lower signs. An unknown name that is a
 //! whole member is defined by the statement ([`super::definitions`]).
 
@@ -192,8 +191,7 @@ fn split<'a>(items: Vec<&'a Item>, row: usize, pieces: &mut Vec<Piece<'a>>) {
 }
 
 /// Whether a row continues the formula of the row before: that row ends with an operator, or this row starts with a
-/// sign
-/// and has no relation.
+/// sign and has no relation.
 fn continues(items: &[&Item], before: Option<&Piece<'_>>) -> bool {
     let Some(before) = before else { return false };
     let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));

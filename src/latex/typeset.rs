@@ -1,8 +1,7 @@
 //! The writer of formulas as LaTeX that is read back as the same formula.
 //!
 //! The text is unambiguous first, and short second. The argument of a function is in parentheses unless it is one
-//! angle.
-//! A thin space separates factors, and a product within a product keeps its parentheses.
+//! angle. A thin space separates factors, and a product within a product keeps its parentheses.
 
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Excluded, Expr, Index, Node, Sign};

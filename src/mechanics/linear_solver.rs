@@ -169,7 +169,7 @@ mod tests {
                 assert!(is_surely_well_conditioned(&matrix) && condition_number(&matrix) < 1e-4 * MAX_CONDITION);
             }
         }
-        // the twins: singular, or nearly, or of no size
+        // must-fail cases: singular, or nearly, or of no size
         for off in [4.0, 4.0 + 1e-9, f64::NAN, f64::INFINITY] {
             assert!(!is_surely_well_conditioned(&matrix(2, off)));
         }

@@ -18,8 +18,7 @@ pub struct Display {
     /// file.
     ///
     /// Spaces replace comments, `\tag`, `\label`, numbers, block-quote markers and macro definitions. A row break,
-    /// `\\`,
-    /// replaces a blank line between two rows.
+    /// `\\`, replaces a blank line between two rows.
     pub text: String,
     /// The printed number, without its parentheses.
     pub number: Option<Numbered>,

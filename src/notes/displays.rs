@@ -2,8 +2,7 @@
 //! number.
 //!
 //! There are two copies of the file: the text as it is, and `clean`, in which spaces replace everything that is no
-//! formula.
-//! The text of a display comes from `clean`, so that a place in it is also a place in the file.
+//! formula. The text of a display comes from `clean`, so that a place in it is also a place in the file.
 
 use super::display::{Display, Numbered};
 

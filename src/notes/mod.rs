@@ -1,14 +1,11 @@
 //! Documents: the notes as the author wrote them, and the claims file beside them.
 //!
 //! [`Notes`] are the display equations of a Markdown or TeX file, each with the byte range of the display, of its
-//! number
-//! and of its labels. [`Claims`] are the contents of the JSON file that declares the symbols and states what the
-//! equations
-//! claim. An [`Address`] in the claims file names an equation of the notes. LaTeX stays text here; no mathematics is
-//! read.
+//! number and of its labels. [`Claims`] are the contents of the JSON file that declares the symbols and states what the
+//! equations claim. An [`Address`] in the claims file names an equation of the notes. LaTeX stays text here; no
+//! mathematics is read.
 //!
-//! This folder may import [`crate::source`], [`crate::code`], [`crate::error`] and [`crate::suggest`]. It does not
-//! know
+//! This folder may import [`crate::source`], [`crate::code`], [`crate::error`] and [`crate::suggest`]. It does not know
 //! LaTeX formulas, mechanics or verdicts.
 //!
 //! Reading takes time linear in the size of a file, and does not recurse on its nesting.

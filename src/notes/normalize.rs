@@ -1,8 +1,7 @@
 //! The normal form of LaTeX text: without spaces, sizing commands, and braces around one token.
 //!
 //! `p_{\psi}` is `p_\psi`, and `\left( x \right)` is `(x)`. The normal form is used to find an equation by a snippet,
-//! and a
-//! symbol that is declared twice. No mathematics is read.
+//! and a symbol that is declared twice. No mathematics is read.
 
 /// Commands that change only the look of a formula.
 const LOOKS: &[&str] = &[
@@ -40,13 +39,6 @@ const LOOKS: &[&str] = &[
 /// The normal form of `latex`: its significant tokens, each followed by a separator.
 ///
 /// If a formula contains a snippet, its normal form contains the normal form of the snippet.
-///
-/// ```
-/// use onshell::notes::normalize::normalized;
-/// assert_eq!(normalized(r"p_{\psi}"), normalized(r"p_ \psi"));
-/// assert!(normalized(r"a = \dot{z}\,(2c)").contains(&normalized(r"\dot z \left(2 c\right)")));
-/// assert!(!normalized(r"\dot\theta_1").contains(&normalized(r"\dot\theta_2")));
-/// ```
 pub fn normalized(latex: &str) -> String {
     let mut tokens: Vec<&str> = Vec::new();
     let mut open: Vec<usize> = Vec::new();
@@ -86,4 +78,16 @@ fn next(rest: &str) -> Option<&str> {
         length += if letters > 0 { letters } else { rest[1..].chars().next().map_or(0, char::len_utf8) };
     }
     rest.get(..length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::normalized;
+
+    #[test]
+    fn spellings_of_one_formula_agree_and_other_formulas_do_not() {
+        assert_eq!(normalized(r"p_{\psi}"), normalized(r"p_ \psi"));
+        assert!(normalized(r"a = \dot{z}\,(2c)").contains(&normalized(r"\dot z \left(2 c\right)")));
+        assert!(!normalized(r"\dot\theta_1").contains(&normalized(r"\dot\theta_2")));
+    }
 }

@@ -1,8 +1,7 @@
 //! References: the places where the prose cites an equation by its number.
 //!
 //! A number in parentheses is a reference if it has the form of the document's equation numbers. A number without a
-//! point
-//! is one only after a word such as "eq.".
+//! point is one only after a word such as "eq.".
 
 use std::collections::HashSet;
 
@@ -23,8 +22,7 @@ pub struct Reference {
 /// The most bytes up to the `\)` of inline mathematics.
 const INLINE: usize = 1024;
 
-/// The references in `prose`, which is the file with spaces in place of everything that is no prose. `numbers` are
-/// the
+/// The references in `prose`, which is the file with spaces in place of everything that is no prose. `numbers` are the
 /// equation numbers of the document.
 pub(super) fn all<'a>(prose: &[u8], source: &Source, numbers: impl Iterator<Item = &'a str>) -> Vec<Reference> {
     let styles: HashSet<String> = numbers.filter(|number| tex_scanner::is_number(number)).map(style).collect();

@@ -42,8 +42,7 @@ fn after_break(bytes: &[u8], at: usize) -> usize {
 
 /// Writes a row break, `\\`, over the first blank line between two rows of `body`.
 ///
-/// TeX allows no blank line in a display, but some converters print blank lines between rows. Nothing is written
-/// within
+/// TeX allows no blank line in a display, but some converters print blank lines between rows. Nothing is written within
 /// braces, an environment or `\left … \right`. A line with only a comment or a `\tag` is not blank.
 pub(super) fn mark_blank_lines(clean: &mut [u8], source: &str, body: Span) {
     let source = source.as_bytes();

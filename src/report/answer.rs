@@ -1,14 +1,14 @@
 //! The answer to whether two formulas are equal, for people.
 
 use crate::check::Verdict;
-use crate::check::kinds::compare::Answer;
+use crate::check::kinds::compare::Comparison;
 
 use super::diagnostic;
 use super::style::Style;
 use super::wrap::wrap;
 
 /// Whether the two are equal: none, where neither can be told.
-pub fn equal(answer: &Answer) -> Option<bool> {
+pub fn equal(answer: &Comparison) -> Option<bool> {
     match answer.finding.verdict {
         verdict if verdict.passes() => Some(true),
         Verdict::Refuted => Some(false),
@@ -17,7 +17,7 @@ pub fn equal(answer: &Answer) -> Option<bool> {
 }
 
 /// The answer with its evidence.
-pub fn text(answer: &Answer, style: Style) -> String {
+pub fn text(answer: &Comparison, style: Style) -> String {
     let finding = &answer.finding;
     let word = match equal(answer) {
         Some(true) => "equal",

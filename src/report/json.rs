@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::Error;
-use crate::check::kinds::compare::Answer;
+use crate::check::kinds::compare::Comparison;
 use crate::check::{Counterexample, Document, Equation, Finding, Formula, Inherited, Misfit, Repair, Report};
 use crate::formula::text::plain;
 use crate::source::{Source, Span};
@@ -171,7 +171,7 @@ fn number(value: f64) -> Value {
 }
 
 /// The answer of `onshell equal`.
-pub fn answer(answer: &Answer) -> Value {
+pub fn answer(answer: &Comparison) -> Value {
     json!({
         "schema": 1,
         "equal": super::answer::equal(answer),

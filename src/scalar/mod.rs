@@ -84,7 +84,7 @@ mod tests {
             // the derivative of the series is the series of the derivative, to the orders that num-dual has not
             let fifth = series.derivative().derivative().nth_derivative_value(3).unwrap();
             prop_assert!((fifth - series.nth_derivative_value(5).unwrap()).abs() <= 1e-12 * (1.0 + fifth.abs()));
-            // the twin: an order off is noticed
+            // must-fail case: an order off is noticed
             prop_assert!(which == 13 || derivatives[2] != derivatives[3]);
         }
 
@@ -94,7 +94,7 @@ mod tests {
             let (series, instant) = (function(which, Series::constant(t)), function(which, Primal(t)));
             let (a, b) = (series.value(), instant.0);
             prop_assert_eq!((a.value, a.magnitude), (b.value, b.magnitude), "function {}", which);
-            // the twin: a plain number finds a power, and how large its rounding is, in another way
+            // must-fail case: a plain number finds a power, and how large its rounding is, in another way
             let plain = function(which, t);
             prop_assert!(which != 3 || (plain.value, plain.magnitude) != (b.value, b.magnitude));
         }

@@ -178,7 +178,7 @@ mod tests {
         for none in [f64::NAN, f64::INFINITY, 1e300, 1e-300] {
             assert_eq!(simplest_rational(none), None);
         }
-        // the twin: the next number is another one
+        // must-fail case: the next number is another one
         assert_ne!(ratio(0.1_f64.next_up()), Some((1, 10)));
     }
 
@@ -192,7 +192,7 @@ mod tests {
         assert_eq!(exact_constant(FRAC_PI_6), of_pi(1, 6));
         assert_eq!(exact_constant(TAU), of_pi(2, 1));
         assert_eq!(exact_constant(3.0 * PI / 4.0), of_pi(3, 4));
-        // the twins
+        // must-fail cases
         assert_eq!(exact_constant(22.0 / 7.0), Some(ExactConstant::Ratio(Ratio { numerator: 22, denominator: 7 })));
         assert_eq!(exact_constant(12.5664), Some(ExactConstant::Ratio(Ratio { numerator: 7854, denominator: 625 })));
         assert_eq!(exact_constant(0.5), Some(ExactConstant::Ratio(Ratio { numerator: 1, denominator: 2 })));

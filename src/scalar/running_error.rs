@@ -140,7 +140,7 @@ mod tests {
         let difference = (large + 1.0) - large;
         assert_eq!(difference.value, 1.0);
         assert!(difference.magnitude >= 2e10);
-        // the twin: without cancellation the scale stays that of the value
+        // must-fail case: without cancellation the scale stays that of the value
         assert!((RunningError::new(1.0) + 2.0).magnitude <= 3.0);
     }
 
@@ -161,7 +161,7 @@ mod tests {
         let nothing = x.sin() * x.sin() + x.cos() * x.cos() - 1.0;
         assert!((x / nothing).value.is_nan());
         assert!(nothing.powi(-1).value.is_nan());
-        // the twin: small, and known to be
+        // must-fail case: small, and known to be
         assert_eq!((RunningError::new(1.0) / 1e-200).value, 1e200);
     }
 

@@ -416,7 +416,7 @@ mod tests {
             assert!(nothing.nth_derivative_value(1).is_some_and(f64::is_nan));
             assert!(nothing.derivative().derivative().value().is_nan());
         }
-        // the twin: what has a value and does not vary has the rate 0
+        // must-fail case: what has a value and does not vary has the rate 0
         assert_eq!(((zero + 4.0).sqrt() * 3.0).derivative().value(), 0.0);
     }
 
@@ -455,7 +455,7 @@ mod tests {
             }
             assert!(x.rate(x.known()).is_none());
         }
-        // the twin: it is no coefficient
+        // must-fail case: it is no coefficient
         assert_eq!((t * t).rate(2).unwrap().value, 2.0);
     }
 
@@ -467,7 +467,7 @@ mod tests {
         assert_eq!((x * 3.0).known(), 2);
         assert_eq!(x.derivative().known(), 1);
         assert!(x.derivative().derivative().value().is_nan());
-        // the twin: a constant is known to all orders
+        // must-fail case: a constant is known to all orders
         assert_eq!(Series::constant(3.0_f64).derivative().nth_derivative_value(4), Some(0.0));
     }
 }

@@ -341,7 +341,7 @@ mod tests {
         assert_eq!(zero(|x, y| (x + y).powi(3) - (x * x + x * y * 2.0 + y * y) * (x + y)), Some(0.0));
         assert_eq!(zero(|x, y| (x - y).cos() - (y - x).cos() + (x - y).sin() + (y - x).sin()), Some(0.0));
         assert_eq!(zero(|x, y| x * y / x - y), Some(0.0));
-        // the twins
+        // must-fail cases
         assert_eq!(zero(|x, _| x.sin() * x.sin() - x.cos() * x.cos() - 1.0), None);
         assert_eq!(zero(|x, y| x.sin().powi(2) + y.cos().powi(2) - 1.0), None);
         assert_eq!(zero(|x, y| (x - y).sin() - (y - x).sin()), None);

@@ -377,7 +377,7 @@ mod tests {
             assert_eq!((x + y).place(), (y + x).place());
             assert_eq!(x.sin().place(), x.sin().place());
             assert_eq!(((-x) * y).place(), (-(x * y)).place());
-            // the twins: nothing else is taken for equal
+            // must-fail cases: nothing else is taken for equal
             assert_ne!((x - y).place(), (y - x).place());
             assert_ne!((x / y).place(), (y / x).place());
             assert_eq!(constant(x * y), None);
@@ -395,7 +395,7 @@ mod tests {
         ] {
             assert!(fault.unwrap().message().contains("cannot be traced"));
         }
-        // the twin: a branch on a constant is none
+        // must-fail case: a branch on a constant is none
         assert!(Graph::record(|| Symbol::from(2.0).abs()).is_ok());
     }
 

@@ -110,7 +110,7 @@ fn what_is_damaged_is_unreadable_at_its_place() {
         ("brace", r"E = \frac{p^2}{2m", "never closed"),
         ("empty", r" ", "display is empty"),
         ("name", r"K = \frac{p^2}{2m}", "so it is unknown"),
-        ("cell", r"E = \begin{pmatrix} p & & m \end{pmatrix}", "nothing in column 2"),
+        ("cell", r"E = \begin{pmatrix} p & & m \end{pmatrix}", "is empty in column 2"),
         ("no-relation", r"\frac{p^2}{2m}", "without a relation"),
     ] {
         let (verdict, ok, code, equation) = changed(&format!("reprint-{name}"), (r"E = \frac{p^2}{2m}", damage), "1.2");

@@ -17,9 +17,10 @@ use crate::check::sample::context::{Context, Options};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// The answer to whether two formulas are equal.
+/// Whether two formulas are equal: the verdict with its evidence.
 #[derive(Clone, Debug)]
-pub struct Answer {
+#[non_exhaustive]
+pub struct Comparison {
     /// The verdict, with its evidence.
     pub finding: Finding,
     /// The readings of both formulas.
@@ -35,7 +36,7 @@ pub type Misread = (usize, Fault);
 ///
 /// # Errors
 /// When one of the two cannot be read, or a range is for a letter that is in neither.
-pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Result<Answer, Misread> {
+pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Result<Comparison, Misread> {
     let mut symbols = Symbols::open();
     let macros = Macros::default();
     let lhs = read_formula(a, &mut symbols, &macros).map_err(|fault| (0, fault))?;
@@ -63,7 +64,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let span = Span::default();
     if lhs == rhs {
         let finding = Finding::new(Code::Definition, Verdict::Definition, span, "both formulas are the same");
-        return Ok(Answer { finding, readings, assumed });
+        return Ok(Comparison { finding, readings, assumed });
     }
     let spread = Spread::WithEnds;
     let context = Context {
@@ -78,5 +79,5 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     };
     let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };
     let finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
-    Ok(Answer { finding, readings, assumed })
+    Ok(Comparison { finding, readings, assumed })
 }

@@ -2,11 +2,9 @@
 //!
 //! Equal dimensions are required of the terms of a sum, the members of a chain, and the entries of a matrix.
 //! Dimensionless are the argument of a function, the angle of a rotation, an exponent, and the base of a power whose
-//! exponent is no literal. A dot divides by the dimension of the independent variable. All members of a family have
-//! one
+//! exponent is no literal. A dot divides by the dimension of the independent variable. All members of a family have one
 //! dimension, and so have all components of a vector or a matrix. The literal 0 has any dimension; every other number
-//! is
-//! dimensionless. An integral multiplies by the dimension of its region: a length, an area or a volume.
+//! is dimensionless. An integral multiplies by the dimension of its region: a length, an area or a volume.
 
 use std::collections::BTreeSet;
 
@@ -78,8 +76,7 @@ impl<'a> UnitCheck<'a> {
     }
 
     /// Checks a statement against the known dimensions, and infers further ones from the terms that fit. Returns the
-    /// terms
-    /// that do not fit.
+    /// terms that do not fit.
     pub fn statement(&mut self, statement: &Statement) -> Vec<Mismatch> {
         let mut mismatches = Vec::new();
         let mut pool: Vec<Pooled<'_>> = Vec::new();

@@ -63,17 +63,9 @@ const PREFIXES: [&str; 23] = [
 
 /// Reads the dimension of a product of units.
 ///
-/// ```
-/// use onshell::formula::units::parse;
-/// assert_eq!(parse("N m"), parse("kg m^2/s^2"));
-/// assert_eq!(parse("J s").unwrap().to_string(), "kg m² s⁻¹");
-/// assert!(parse("kg m/s/s").is_err());
-/// ```
-///
 /// # Errors
 /// [`Code::InvalidUnit`] at the bytes that are no unit, with the unit that was probably meant; [`Code::Ambiguous`]
-/// for
-/// several units after a slash.
+/// for several units after a slash.
 pub fn parse(text: &str) -> Result<Dimension, Fault> {
     let mut parser = Parser { text, at: 0 };
     let found = parser.product()?;
@@ -266,6 +258,13 @@ fn unknown(word: &str, span: Span, behind: &str) -> Fault {
 #[cfg(test)]
 mod tests {
     use super::{Dimension, parse};
+
+    #[test]
+    fn units_multiply_and_two_slashes_are_rejected() {
+        assert_eq!(parse("N m"), parse("kg m^2/s^2"));
+        assert_eq!(parse("J s").unwrap().to_string(), "kg m² s⁻¹");
+        assert!(parse("kg m/s/s").is_err());
+    }
 
     fn shown(text: &str) -> String {
         parse(text).unwrap_or_else(|fault| panic!("{text}: {}", fault.message)).to_string()

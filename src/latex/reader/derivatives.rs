@@ -40,8 +40,7 @@ impl Reader<'_> {
     }
 
     /// Whether a derivative before these factors must act on their product: a constant first factor is not
-    /// differentiated
-    /// alone, and constants after the factor that varies change nothing.
+    /// differentiated alone, and constants after the factor that varies change nothing.
     fn reaches_to_the_end<'i>(&self, factors: impl Iterator<Item = &'i Item>) -> bool {
         let factors: Vec<&Item> =
             factors.filter(|item| !matches!(joint(item), Some(Joint::CDot | Joint::Times))).collect();

@@ -1,10 +1,8 @@
 //! Integrals over a declared continuum, `\int_V \rho(\vec r)\,\vec r\,d^3r`, and limits of a shrinking part of it,
 //! `\lim_{V(\vec r) \to 0}`.
 //!
-//! The differential ends an integral, or is first and is followed by the integrand. It has the letter of the
-//! position,
-//! without its arrow, and the dimension of the continuum as its power: `d^3r`, `d^2r`, `dr`. A volume also has `dV`,
-//! an
+//! The differential ends an integral, or is first and is followed by the integrand. It has the letter of the position,
+//! without its arrow, and the dimension of the continuum as its power: `d^3r`, `d^2r`, `dr`. A volume also has `dV`, an
 //! area `dA` and `dS`. `dm` is the declared density times the differential.
 
 use crate::code::Code;

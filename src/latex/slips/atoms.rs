@@ -45,7 +45,7 @@ impl Finder<'_> {
                     self.root_lost(b);
                 }
                 match (number_of(a), number_of(b)) {
-                    // A fraction of two numbers is not mended into 1.
+                    // A fraction of two numbers is not corrected into 1.
                     (Some((n, over)), Some((m, under))) if self.pool.is_some() => {
                         self.number(over, n, Some(m));
                         self.number(under, m, Some(n));
@@ -270,7 +270,7 @@ impl Finder<'_> {
             same && (base.eq_ignore_ascii_case(&own) || are_angles || is_unit(entry) && is_unit(other))
         };
         // Where a slip is undone, an accent may have been lost that made of it another kind of thing.
-        let mended = |other: &Entry| {
+        let corrected = |other: &Entry| {
             let same = letter(&other.name) == own && other.slots.len() == entry.slots.len();
             self.pool.is_some() && same && other.name.subscript == entry.name.subscript
         };
@@ -283,7 +283,7 @@ impl Finder<'_> {
                 && (other.angle || !entry.angle || is_time);
             known && fits && (other.kind == entry.kind || letter(&other.name) == own)
         };
-        let slip = |id: SymbolId, other: &Entry| match alike(other) || mended(other) {
+        let slip = |id: SymbolId, other: &Entry| match alike(other) || corrected(other) {
             true => Some(Slip::Symbol),
             false => present(id, other).then_some(Slip::Name),
         };

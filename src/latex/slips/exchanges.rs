@@ -1,6 +1,5 @@
 //! Edits for corrections only: two parts exchanged, a product for a quotient, lost bars of a norm, lost roots, and 0
-//! for a
-//! whole side.
+//! for a whole side.
 
 use crate::formula::Kind;
 use crate::source::Span;

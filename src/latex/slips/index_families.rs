@@ -21,9 +21,8 @@ struct Member {
 
 impl Finder<'_> {
     /// Each family with each choice of the letters of these items; the components of vectors, δ, ε, and matrices
-    /// without
-    /// indices. Members with exactly the letters that occur once come first, since the lost factor was summed with
-    /// them.
+    /// without indices. Members with exactly the letters that occur once come first, since the lost factor was summed
+    /// with them.
     pub(super) fn members(&self, items: &[Item]) -> Vec<String> {
         let mut letters = Vec::new();
         self.letters(items, &mut letters);

@@ -1,6 +1,5 @@
 //! The places in a text where a term or a factor may be missing: after the last term of a sum, and after the last
-//! factor
-//! of a product.
+//! factor of a product.
 
 use crate::formula::Symbols;
 use crate::source::Span;

@@ -9,8 +9,7 @@ use super::parts::{Factor, Term, is_big, is_function, is_integral, is_number, is
 
 impl Finder<'_> {
     /// Inserts each factor of the pool into a term: before it, after it if it is no number, and after Σ, ∫ or lim. A
-    /// vector is
-    /// also inserted before and after each vector, with × and ·.
+    /// vector is also inserted before and after each vector, with × and ·.
     pub(super) fn insert_factors(&mut self, factors: &[Factor<'_>]) {
         let Some(pool) = self.pool else { return };
         let (Some(first), Some(last)) = (factors.first(), factors.last()) else { return };

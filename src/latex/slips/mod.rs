@@ -60,7 +60,7 @@ pub fn corrections(text: &str, symbols: &Symbols, macros: &Macros, pool: &Pool) 
 }
 
 fn found(text: &str, symbols: &Symbols, macros: &Macros, pool: Option<&Pool>) -> Vec<Edit> {
-    // A display of which nothing is typeset at all has no terms, but its characters may be mended.
+    // A display of which nothing is typeset at all has no terms, but its characters may be corrected.
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
     let mut finder = Finder::new(text, symbols, pool);
     if pool.is_some() {

@@ -113,7 +113,7 @@ impl Finder<'_> {
         };
         let all: Vec<Vec<Span>> =
             terms.iter().map(|term| self.factors(term.items).iter().map(place).collect()).collect();
-        // A power that stands on the last factor alone, put on the sum, which may begin at any factor of its first term.
+        // A power on the last factor alone, put on the sum, which may begin at any factor of its first term.
         for (at, term) in terms.iter().enumerate() {
             for last in terms[at + 1..].iter().filter_map(|later| later.items.last()) {
                 if let Layout::Scripts { nucleus, sup: Some(sup), sub, .. } = &last.layout {

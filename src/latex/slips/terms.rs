@@ -32,7 +32,7 @@ impl Finder<'_> {
                 if terms.len() > 1 {
                     self.drop_term(&terms, at);
                 }
-                // Of two terms that are one, an author writes twice the term: so none is mended by a second one.
+                // Of two terms that are one, an author writes twice the term: so none is corrected by a second one.
                 if self.pool.is_none() {
                     self.double_term(term);
                 }

@@ -171,8 +171,8 @@ fn a_slip_is_undone_by_a_correction_of_the_wrong_text() {
                 continue;
             }
             let wrong = slip.applied(text);
-            let mended = corrections(&wrong, &symbols, &macros, &pool);
-            let is_undone = mended.iter().any(|edit| is_the_same(&edit.applied(&wrong), text));
+            let corrected = corrections(&wrong, &symbols, &macros, &pool);
+            let is_undone = corrected.iter().any(|edit| is_the_same(&edit.applied(&wrong), text));
             if !is_undone {
                 not_undone.push(format!("{:?}: nothing makes of {wrong} {text} again", slip.slip));
             }
@@ -223,8 +223,8 @@ fn what_authors_do_and_no_slip_of_one_kind_undoes_is_undone() {
         ("M x + \\int l \\, d", "M x + \\int l \\, d x"),
         ("\\int M d x + l d x", "\\int M d x + \\int l d x"),
     ] {
-        let mended = corrections(wrong, &symbols, &macros, &pool(wrong));
-        let texts: Vec<String> = mended.iter().map(|edit| bare(&edit.applied(wrong))).collect();
+        let corrected = corrections(wrong, &symbols, &macros, &pool(wrong));
+        let texts: Vec<String> = corrected.iter().map(|edit| bare(&edit.applied(wrong))).collect();
         assert!(texts.contains(&bare(right)), "nothing makes of {wrong} {right}");
         // Where slips are made, nothing is put in that an author would not lose.
         assert!(!slips(wrong, &symbols, &macros).iter().any(|edit| bare(&edit.applied(wrong)) == bare(right)));
@@ -239,8 +239,8 @@ fn a_lost_term_may_be_like_one_that_stands_there() {
     let (symbols, macros) = (symbols(), Macros::default());
     let text = "\\lambda_1 \\dot\\theta + \\lambda_2 \\dot\\phi";
     let like = Pool::of([text].into_iter(), &symbols, &macros, 48).of_like_terms(&symbols, &macros);
-    let mended = corrections(text, &symbols, &macros, &like);
-    let texts: Vec<String> = mended.iter().map(|edit| bare(&edit.applied(text))).collect();
+    let corrected = corrections(text, &symbols, &macros, &like);
+    let texts: Vec<String> = corrected.iter().map(|edit| bare(&edit.applied(text))).collect();
     assert!(texts.contains(&bare(&format!("{text} + \\lambda_3 \\dot\\phi"))));
     assert!(!texts.contains(&bare(&format!("{text} + \\lambda_2 \\dot\\phi"))), "it stands there");
 }
@@ -287,7 +287,7 @@ fn what_a_macro_stands_for_is_edited_as_a_whole_or_not_at_all() {
             assert!(apart || edit.span.contains(*call), "{edit:?} is inside of {call:?}");
         }
     }
-    // The twin: what the macro says, written out, is edited inside.
+    // must-fail case: what the macro says, written out, is edited inside.
     let written_out = "\\frac{1}{2} m \\dot{\\theta}^2";
     assert!(slips(written_out, &symbols(), &Macros::default()).iter().any(|edit| edit.slip == Slip::Number));
 }
@@ -364,7 +364,7 @@ fn a_command_and_a_letter_never_run_together() {
     ] {
         assert!(are_sound(text, &symbols).expect(text) > 0);
     }
-    // The twin: where they do, it is seen.
+    // must-fail case: where they do, it is seen.
     let known: HashSet<String> = known(&symbols).into_iter().chain(commands("\\theta x")).collect();
     assert_eq!(commands("\\thetax").difference(&known).collect::<Vec<_>>(), ["\\thetax"]);
 }

@@ -69,7 +69,7 @@ mod tests {
             for power in 0..2 * n {
                 assert!(miss(power) < 1e-14, "{n} nodes, x^{power}");
             }
-            // the twin: ∫ P_n² is what is missed, times the leading coefficient of P_n squared
+            // must-fail case: ∫ P_n² is what is missed, times the leading coefficient of P_n squared
             assert!(miss(2 * n) > 1e-8, "{n} nodes, x^{}", 2 * n);
         }
     }

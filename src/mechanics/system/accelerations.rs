@@ -251,7 +251,7 @@ mod tests {
     fn the_top_takes_no_more_steps_than_by_hand() {
         let system = System::new(&crate::systems::HeavyTop).unwrap();
         assert!(system.steps() <= 11, "{}", system.steps());
-        // The twin: with parameters that vary there is more to do.
+        // must-fail case: with parameters that vary there is more to do.
         assert!(system.program(false).steps() > 11, "{}", system.program(false).steps());
     }
 
@@ -311,7 +311,7 @@ mod tests {
                 system.write_with(level, &columns, &mut places).unwrap();
                 let of = |i: usize| result.iter().map(|column| column[i]).collect::<Vec<_>>();
                 assert!((0..STATES).all(|i| agree(&of(i), &expected[i])), "{name}, {level:?}");
-                // the twin: one lane too far
+                // must-fail case: one lane too far
                 assert!(!(0..STATES).all(|i| agree(&of((i + 1) % STATES), &expected[i])), "{name}");
             }
             for (i, expected) in expected.iter().enumerate() {

@@ -18,9 +18,9 @@ impl System {
     /// `pub fn accelerations(time: f64, q: &[f64; N], v: &[f64; N], parameters: &[f64; P]) -> [f64; N]`.
     ///
     /// Its documentation lists the entries of the slices. An argument that the motion does not depend on has a name
-    /// with an underscore. The
-    /// mass matrix is inverted without exchanging rows: where that fails, as where it is singular, the function gives
-    /// what is not finite or badly rounded, and [`System::accelerations`] an answer or an error.
+    /// with an underscore. The mass matrix is inverted without exchanging rows: where that fails, as where it is
+    /// singular, the function gives what is not finite or badly rounded, and [`System::accelerations`] an answer or an
+    /// error.
     ///
     /// ```
     /// use onshell::mechanics::System;

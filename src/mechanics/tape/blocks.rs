@@ -354,7 +354,7 @@ pub(in crate::mechanics) mod tests {
             for level in levels() {
                 let mut outputs = in_blocks(&program, level);
                 assert!(agree(&outputs, &expected), "{level:?}");
-                // the twin: one lane too far
+                // must-fail case: one lane too far
                 outputs[0].rotate_left(1);
                 assert!(!agree(&outputs, &expected));
             }

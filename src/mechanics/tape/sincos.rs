@@ -131,7 +131,7 @@ mod tests {
             dispatch!(level, simd => sin_cos_of_all(simd, &angles, &mut sines, &mut cosines));
             let error = worst(&angles, &sines, &cosines);
             assert!(error <= 2.0, "{level:?}: {error}");
-            // the twins: one for the other, and one angle too far
+            // must-fail cases: one for the other, and one angle too far
             assert!(worst(&angles, &cosines, &sines) > 1e6);
             sines.rotate_left(1);
             assert!(worst(&angles, &sines, &cosines) > 1e6);

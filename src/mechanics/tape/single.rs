@@ -176,7 +176,7 @@ mod tests {
             assert!((first - sum).abs() < 1e-15 && first == again);
             assert_eq!((*input, *uniform), (x, 2.0 * p));
             assert_eq!([0, 1, 2, 3].map(|n| single.output(n)), [*first, *input, *uniform, *again]);
-            // the twin: another state gives another sum
+            // must-fail case: another state gives another sum
             single.run(0.0, &[x + 0.1], &[0.0]);
             assert!((single.output(0) - sum).abs() > 1e-2);
         }

@@ -40,8 +40,7 @@ pub enum Range {
         high: Count,
     },
     /// `rigid, turning with \vec\omega`: a vector of fixed length whose rate is ω × the vector; `about \vec c`: a
-    /// position
-    /// that turns about **c**. Under `varies with time` only.
+    /// position that turns about **c**. Under `varies with time` only.
     Rigid {
         /// ω, in LaTeX.
         turning_with: String,

@@ -94,7 +94,7 @@ mod tests {
         assert_eq!(by(by(angle, 3, 2), 1, 3).label, by(angle, 1, 2).label);
         assert_eq!(by(by(angle, -12, 1), 1, 8).label, by(angle, -3, 2).label);
         assert!(!by(angle, 1, 1 << 10).lost);
-        // the twins
+        // must-fail cases
         assert_ne!(by(angle, 1, 4).label, by(angle, 1, 2).label);
         assert!(by(angle, 1, 1 << 40).lost);
     }

@@ -254,7 +254,7 @@ mod tests {
         assert_eq!((sum.first, sum.second), (size, Size::ONE));
         assert_eq!(all.size(square), Size { degree: 6, norm: 25.0 });
         assert_eq!(all.reduced(square, factor), (factor, 0));
-        // the twin: another factor does
+        // must-fail case: another factor does
         let other = all.factor(Residue::new(4321), size);
         assert_eq!(all.common(factor, other).first, size);
     }

@@ -294,7 +294,7 @@ mod tests {
         };
         let (root, pi) = (std::f64::consts::SQRT_2, std::f64::consts::PI);
         assert_eq!([root, 1.0 / root, 1.0 / pi, pi * pi].map(opaque), [true; 4]);
-        // the twins: a part of π, a decimal, a fraction
+        // must-fail cases: a part of π, a decimal, a fraction
         assert_eq!([4.0 * pi / 3.0, 6.674e-11, 1.0 / 720.0].map(opaque), [false; 3]);
     }
 }

@@ -187,7 +187,7 @@ mod tests {
         assert_eq!(a.plus(a.negated()), Residue::ZERO);
         assert!(a.is_zero() || a.times(a.inverse()) == Residue::ONE);
         assert_eq!(a.square().root().map(Residue::square), Some(a.square()));
-        // the twins
+        // must-fail cases
         assert!(b.is_zero() || a.plus(b) != a);
         assert!(a.is_zero() || a.square().negated().root().is_none());
     }
@@ -235,7 +235,7 @@ mod tests {
             |n: i64| Residue::<FirstPrime>::whole(n).root().is_some_and(|root| root.square() == Residue::whole(n));
         for n in [2, 3, 5, 6, 7, 10, 14, 15, 21, 35, 210] {
             assert!(has_root(n), "√{n}");
-            // the twin: of n and −n one alone has a root
+            // must-fail case: of n and −n one alone has a root
             assert!(!has_root(-n), "√−{n}");
         }
         assert!([11, 17].iter().all(|n| !has_root(*n)));

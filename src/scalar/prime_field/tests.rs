@@ -192,7 +192,7 @@ fn false_identities_pass_no_more_often_than_the_bound_says() {
         measured
     }
     let all = [check(&Line), check(&Product), check(&Sine), check(&Cosines), check(&Fraction)];
-    // the twin: in so small a field there are accidents, so that the bound is put to the test
+    // must-fail case: in so small a field there are accidents, so that the bound is put to the test
     assert!(all.iter().filter(|measured| **measured > 0.0).count() >= 4, "{all:?}");
 }
 

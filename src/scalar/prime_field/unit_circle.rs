@@ -102,7 +102,7 @@ mod tests {
         let (at_a, at_b, sum) = (circle.at(a), circle.at(b), circle.at(a + b));
         assert_eq!(at_a.cosine.square().plus(at_a.sine.square()), one);
         assert_eq!(sum.sine, at_a.sine.times(at_b.cosine).plus(at_a.cosine.times(at_b.sine)));
-        // the twin: another angle is another point
+        // must-fail case: another angle is another point
         assert!(circle.at(a + b + 1).sine != sum.sine);
         // and labels beyond a turn begin again
         assert_eq!(circle.at(a + 4 * quarter).sine, at_a.sine);
