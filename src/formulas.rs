@@ -7,10 +7,11 @@ use std::sync::Arc;
 
 use crate::check::Options;
 use crate::check::kinds::compare::{self, Comparison};
+use crate::code::Code;
 use crate::formula::{Assignment, Expr, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
 use crate::latex::{Macros, names, read_display};
 use crate::notes::claims::Range;
-use crate::source::{Fault, Source};
+use crate::source::{Fault, Source, Span};
 use crate::{Error, Result};
 
 /// The name under which the text of a formula stands in errors.
@@ -56,6 +57,9 @@ impl Formula {
     /// As [`Formula::read`], for the first statement that cannot be read.
     pub fn read_all(latex: &str) -> Result<Vec<Formula>> {
         let source = Arc::new(Source::new(PATH, latex));
+        if latex.trim().is_empty() {
+            return Err(Error::at(&source, Span::at(0), "the formula is missing").with_code(Code::Syntax));
+        }
         let mut symbols = Symbols::open();
         let reading = read_display(latex, &mut symbols, &Macros::default());
         let symbols = Arc::new(symbols);

@@ -344,7 +344,7 @@ impl Checker<'_> {
         }
         if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
             let what = format!("{} is constant", text::formula(last, &self.model.symbols));
-            let mut finding = conserved::conserved(last, context)?;
+            let mut finding = conserved::check(last, context)?;
             self.only_constant(introduced, statement, &mut finding)?;
             parts.push(self.part(finding, what));
         }

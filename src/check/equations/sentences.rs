@@ -188,7 +188,7 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
         Test::Conserved(latex) => {
             let formula = checker.formula(latex)?;
             let reading = format!("{} is constant", text::formula(&formula, symbols));
-            Ok((conserved::conserved(&formula, context)?, reading))
+            Ok((conserved::check(&formula, context)?, reading))
         }
         Test::Of(of, property) => {
             let function = function(checker, of)?;
@@ -289,7 +289,7 @@ fn claim(
             });
         }
         if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
-            findings.push(conserved::conserved(last, context)?);
+            findings.push(conserved::check(last, context)?);
         }
     }
     Ok(merged(findings)

@@ -36,7 +36,7 @@ impl Checker<'_> {
         if uses.is_empty() && !restated.is_empty() {
             let name = text::plain(&self.model.name(symbol));
             let message = format!(
-                "defines {name}, but {} only repeats the definition, so it was not tested",
+                "defines {name}, but {} only repeats the definition, so it was not tested; use {name} in an equation that can fail",
                 restated.join(", ")
             );
             return Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message));

@@ -103,7 +103,7 @@ impl Checker<'_> {
                 }
             };
             for (what, at) in all {
-                let mut finding = conserved::conserved(&what, &context)?;
+                let mut finding = conserved::check(&what, &context)?;
                 if let Some(at) = at {
                     let introduced: Vec<&DefinedSymbol> =
                         reading.introduced.iter().filter(|i| i.statement == at).collect();

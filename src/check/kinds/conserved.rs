@@ -21,7 +21,7 @@ use crate::check::verdict::finding::Finding;
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
-pub fn conserved(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
+pub fn check(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if !context.model.has_motion() {
         return Ok(context.finding(
             Code::NoMotion,

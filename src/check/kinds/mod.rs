@@ -1,8 +1,9 @@
 //! The kinds of claim other than an identity, one file for each.
 //!
-//! A new kind of claim goes here. Each file has a function `check(…, &Context) -> Result<Finding>`, which samples states with
-//! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and tests mutants of the claim. [`scan`] and
-//! [`root_isolation`] follow a function along one variable. Knows `judge` and below; `equations` calls it.
+//! A new kind of claim goes here. The file of a kind has a function `check(…, &Context) -> Result<Finding>`, which samples states with
+//! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and tests mutants of the claim. [`shape`],
+//! [`scan`] and [`root_isolation`] are helpers: they follow a function along one variable. [`compare`] compares two
+//! formulas without a document. An identity between two formulas is judged in [`crate::check::judge::identity`]. Knows `judge` and below; `equations` calls it.
 
 pub(crate) mod compare;
 pub(crate) mod conserved;

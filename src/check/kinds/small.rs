@@ -142,7 +142,9 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     };
     let not_tested = |term: &Expr| {
         let words = crate::formula::text::formula(term, &context.model.symbols);
-        format!("“{words}” is smaller than the claimed order, so it is not tested; remove it, or raise `order`")
+        format!(
+            "“{words}” is beyond order {order}, so it is not tested; raise `order` in the claims file, or remove the term"
+        )
     };
     // A term that is small off shell too is beyond the order, and is not tested.
     let free = families_of(link, small, context, false)?;

@@ -1,4 +1,7 @@
 //! The ranking of repairs: which correction is the likeliest.
+//!
+//! The order of the kinds of slip is that of the variants of [`Slip`]. Missing terms are ordered by their cost first, in
+//! [`super::missing_terms`].
 
 use crate::latex::names;
 use crate::latex::slips::{Edit, Slip};
