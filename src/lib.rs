@@ -120,6 +120,8 @@
 //! documents, formulas and checks. Without both the crate is mechanics alone.
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
+// The headers of modules speak to readers of the source as well, and name what is private.
+#![allow(rustdoc::private_intra_doc_links)]
 
 #[cfg(feature = "notes")]
 pub mod check;

@@ -102,7 +102,9 @@ impl Arithmetic for RunningError {
         if n == 0.0 {
             return RunningError::new(1.0);
         }
-        Self::from_slope(self.value.powf(n), n * self.value.powf(n - 1.0), self.magnitude)
+        // The compiler may turn x^(1/2) into √x, which rounds otherwise, in one caller and not in another.
+        let value = if n == 0.5 { self.value.sqrt() } else { self.value.powf(n) };
+        Self::from_slope(value, n * self.value.powf(n - 1.0), self.magnitude)
     }
     fn apply(self, function: Function) -> Self {
         let periodic = matches!(function, Function::Sin | Function::Cos | Function::Tan);
