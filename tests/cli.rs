@@ -25,6 +25,8 @@ mod reprint;
 mod steps;
 #[path = "cli/widths.rs"]
 mod widths;
+#[path = "cli/writing.rs"]
+mod writing;
 
 use support::{Desk, SIGN};
 

@@ -12,7 +12,7 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 use super::documents::{Job, Loaded, find, folder, load};
-use super::fix::{Fixed, Made, fix};
+use super::fix::{Fixed, Made, fix, unmended};
 use super::outcome::{Format, Outcome, Screen, shown};
 use super::progress::ProgressLine;
 
@@ -59,16 +59,15 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     let mut again = arguments.fix;
     while again {
         again = false;
-        match fix(&result, arguments.yes, screen.err) {
-            Ok(Fixed { made, left: more }) => {
-                left.extend(more);
-                if made != Made::Nothing {
-                    (result, errors) = checked(arguments, registry);
-                    again = made == Made::Shared;
-                }
-            }
-            Err(error) => errors.push(error),
+        let Fixed { made, left: more, mended, errors: failures } = fix(&result, arguments.yes, screen.err);
+        left.extend(more);
+        if made != Made::Nothing {
+            (result, errors) = checked(arguments, registry);
+            let still_wrong = unmended(&mended, &result);
+            again = made == Made::Shared && still_wrong.is_empty() && failures.is_empty();
+            left.extend(still_wrong);
         }
+        errors.extend(failures);
     }
     let mut told = HashSet::new();
     left.retain(|line: &String| told.insert(line.clone()));

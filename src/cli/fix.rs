@@ -13,14 +13,19 @@
 //!
 //! These edits are made after asking only: an edit of an equation that uses a display which no passing equation uses; an
 //! edit outside of the part that fails; a sign, a number or a factor in a definition whose other side may be wrong.
-//! Nothing else in the file changes, and nothing at all if the file has changed since it was checked.
+//! A display that cannot be read is never edited: what it says is not known. Nothing else in the file changes, and nothing
+//! at all if the file has changed since it was checked ([`super::replace_file`]). After the edits the file is checked again;
+//! an edited equation that does not pass then is named.
 
 use std::io::{BufRead, IsTerminal, Write};
+use std::path::Path;
 
-use crate::check::{Document, Equation, Repair, Report};
+use crate::check::{Document, Equation, Repair, Report, Verdict};
 use crate::latex::slips::Slip;
 use crate::report::{Style, suggestion, wrap};
 use crate::{Error, Result};
+
+use super::replace_file::replace;
 
 /// What was done to the notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,14 +45,37 @@ pub(super) struct Fixed {
     pub made: Made,
     /// The edits that are left to the author, with the reasons: a sentence each.
     pub left: Vec<String>,
+    /// The equations that should pass now, each as the path of its notes and its name.
+    pub mended: Vec<(String, String)>,
+    /// Why files could not be changed, or the author not be asked.
+    pub errors: Vec<Error>,
 }
 
 /// Makes the edits that are clear.
-pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Result<Fixed> {
-    let mut made = Made::Nothing;
-    let mut left = Vec::new();
+pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Fixed {
+    let mut fixed = Fixed { made: Made::Nothing, left: Vec::new(), mended: Vec::new(), errors: Vec::new() };
+    if let Err(error) = fix_documents(report, yes, style, &mut fixed) {
+        fixed.errors.push(error);
+    }
+    fixed
+}
+
+/// The sentences on edited equations that do not pass in `report`, which is of the edited notes.
+pub(super) fn unmended(mended: &[(String, String)], report: &Report) -> Vec<String> {
+    let found = |(path, id): &(String, String)| {
+        let document = report.documents.iter().find(|document| document.path == *path)?;
+        let equation = document.equations.iter().find(|equation| equation.id == *id)?;
+        let verdict = equation.finding.verdict;
+        (!equation.ok)
+            .then(|| format!("({id}) was edited as suggested in {path}, but now it is {verdict}: undo the edit"))
+    };
+    mended.iter().filter_map(found).collect()
+}
+
+fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) -> Result<()> {
     for document in &report.documents {
         let mut chosen: Vec<&Repair> = Vec::new();
+        let mut mended = Vec::new();
         let mut clear: Vec<(&Equation, &Repair)> =
             document.equations.iter().filter_map(|equation| Some((equation, clear(document, equation)?))).collect();
         if clear.iter().any(|(_, repair)| mends_several(repair)) {
@@ -61,20 +89,23 @@ pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Result<Fixed> {
             };
             let doubt = doubt(equation, repair);
             if let (true, Some(doubt)) = (yes, &doubt) {
-                left.push(format!("({}) was not edited: {doubt}", equation.id));
+                fixed.left.push(format!("({}) was not edited: {doubt}", equation.id));
                 continue;
             }
             if chosen.iter().all(apart) && (yes || agreed(document, equation, repair, style)?) {
                 chosen.push(repair);
+                let ids = repair.shared.as_ref().map_or(vec![equation.id.clone()], |shared| shared.mends.clone());
+                mended.extend(ids.into_iter().map(|id| (document.path.clone(), id)));
             }
         }
         if !chosen.is_empty() {
             apply(document, &chosen)?;
-            let is_shared = made == Made::Shared || chosen.iter().any(|repair| repair.shared.is_some());
-            made = if is_shared { Made::Shared } else { Made::All };
+            fixed.mended.append(&mut mended);
+            let is_shared = fixed.made == Made::Shared || chosen.iter().any(|repair| repair.shared.is_some());
+            fixed.made = if is_shared { Made::Shared } else { Made::All };
         }
     }
-    Ok(Fixed { made, left })
+    Ok(())
 }
 
 /// The edit of an equation that is the only one, or clearly the likeliest.
@@ -107,6 +138,14 @@ fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> 
         repair.shared.is_none() || !leaves_out
     })
     .filter(|repair| !repair.step && !repair.idle && repair.is_in_the_notes(&document.source.text))
+    .filter(|repair| is_read(document, equation, repair))
+}
+
+/// Whether the equation, and the display that an edit changes, can be read.
+fn is_read(document: &Document, equation: &Equation, repair: &Repair) -> bool {
+    let is_read = |equation: &Equation| equation.finding.verdict != Verdict::Unreadable;
+    let changed = |other: &&Equation| repair.shared.as_ref().is_some_and(|shared| shared.of == other.id);
+    is_read(equation) && document.equations.iter().filter(changed).all(is_read)
 }
 
 /// Whether an edit corrects several equations at once.
@@ -157,16 +196,11 @@ fn agreed(document: &Document, equation: &Equation, repair: &Repair, style: Styl
 
 /// Writes the notes with edits made, the last first, so that the places of the others stay.
 fn apply(document: &Document, repairs: &[&Repair]) -> Result<()> {
-    let path = &document.path;
-    let failed = |error: std::io::Error| Error::new(format!("cannot change {path}: {error}"));
-    if std::fs::read_to_string(path).map_err(failed)? != document.source.text {
-        return Err(Error::new(format!("{path} has changed since it was checked")).help("run the command again"));
-    }
     let mut text = document.source.text.clone();
     let mut sorted = repairs.to_vec();
     sorted.sort_by_key(|repair| std::cmp::Reverse(repair.span.start));
     for repair in sorted {
         text.replace_range(repair.span.range(), &repair.replacement);
     }
-    std::fs::write(path, text).map_err(failed)
+    replace(Path::new(&document.path), &document.source.text, &text)
 }

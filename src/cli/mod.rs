@@ -18,6 +18,7 @@ mod mutate;
 mod outcome;
 mod progress;
 mod read;
+mod replace_file;
 mod terminal;
 
 use std::process::ExitCode;

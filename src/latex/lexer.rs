@@ -173,6 +173,7 @@ fn spelling(name: &str) -> &str {
         "bm" | "boldsymbol" | "pmb" | "symbf" | "mathbfit" => "mathbf",
         "operatorname" | "mathrm" | "mathit" | "mathsf" | "textrm" | "textit" | "mathnormal" => "mathrm",
         "mbox" | "hbox" | "textnormal" | "textup" => "text",
+        "intercal" => "top",
         "lbrace" => "{",
         "rbrace" => "}",
         other => other,

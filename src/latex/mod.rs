@@ -9,6 +9,7 @@
 //! | `overdots` | `\dot x` and its kin: the order of a time derivative |
 //! | [`names`] | which name a typeset item is |
 //! | [`reader`] | layout to a formula; the rules of reading are in its documentation |
+//! | `rows`, `pieces` | the rows of a display, and its parts that are statements |
 //! | [`statements`], [`definitions`] | a whole display; the names that it defines |
 //! | [`mod@typeset`] | a formula back to LaTeX that reads as the same formula |
 //! | [`slips`] | small edits of a display: mutations, and candidate corrections |
@@ -27,7 +28,11 @@ pub mod names;
 mod normalize;
 mod overdots;
 #[cfg(feature = "notes")]
+mod pieces;
+#[cfg(feature = "notes")]
 pub mod reader;
+#[cfg(feature = "notes")]
+mod rows;
 #[cfg(feature = "notes")]
 pub mod slips;
 #[cfg(feature = "notes")]

@@ -11,9 +11,8 @@ use crate::source::{Fault, Span};
 
 use super::definitions::{DefinedSymbol, New, Place, Unknown};
 use super::layout::{Item, Layout, typeset_items};
-use super::lexer::Space;
 use super::macros::Macros;
-use super::names;
+use super::pieces::{Piece, Printed, pieces};
 use super::reader::Reader;
 
 /// The result of reading a display.
@@ -38,10 +37,7 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
             return reading;
         }
     };
-    let mut pieces: Vec<Piece> = Vec::new();
-    for (row, items) in rows(&items).into_iter().enumerate() {
-        split(items, row + 1, &mut pieces);
-    }
+    let pieces = pieces(&items);
     if pieces.is_empty() {
         let fault = Fault::new(Span::new(0, text.len()), "this display is empty");
         reading.statements.push(Err(fault));
@@ -82,186 +78,6 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
     reading
 }
 
-/// A statement as items: each member with the relation before it; the first has none.
-struct Piece<'a> {
-    links: Vec<Link<'a>>,
-    constant: Option<Span>,
-    row: usize,
-}
-
-/// The relation before a member and its place; `None` before the first.
-type Printed = Option<(Relation, Span)>;
-
-struct Link<'a> {
-    relation: Printed,
-    items: Vec<&'a Item>,
-}
-
-/// The rows of a display, or of the `aligned` or `split` environment that is the whole display.
-fn rows(items: &[Item]) -> Vec<Vec<&Item>> {
-    let significant: Vec<&Item> =
-        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','))).collect();
-    if let [Item { layout: Layout::Environment(name, rows), .. }] = significant.as_slice()
-        && matches!(
-            name.trim_end_matches('*'),
-            "aligned" | "split" | "gathered" | "align" | "gather" | "alignedat" | "equation" | "eqnarray"
-        )
-    {
-        return rows.iter().map(|row| row.iter().flatten().collect()).collect();
-    }
-    items
-        .split(|item| item.layout == Layout::Row)
-        .map(|row| row.iter().filter(|item| item.layout != Layout::Align).collect())
-        .collect()
-}
-
-/// Divides a row into statements and appends them.
-fn split<'a>(items: Vec<&'a Item>, row: usize, pieces: &mut Vec<Piece<'a>>) {
-    let mut current: Option<Piece<'a>> = None;
-    let mut starts_row = true;
-    let mut at = 0;
-    if continues(&items, pieces.last()) {
-        current = pieces.pop();
-    }
-    while at < items.len() {
-        let item = items[at];
-        let mut close = |current: &mut Option<Piece<'a>>| pieces.extend(current.take());
-        let is_wide = matches!(item.layout, Layout::Space(Space::Wide));
-        // Before a row it indents what goes on.
-        if is_wide && starts_row {
-            at += 1;
-            continue;
-        }
-        if separates(item) {
-            // A wide space inside a statement is only layout: `a \quad = b`, `= 0 \quad \Rightarrow`.
-            let relation_follows = items[at + 1..]
-                .iter()
-                .find(|next| !matches!(next.layout, Layout::Space(_)))
-                .is_some_and(|next| relation(next).is_some());
-            if !(is_wide && relation_follows) {
-                close(&mut current);
-            }
-            at += 1;
-            continue;
-        }
-        if let Some(span) = says_constant(item) {
-            if let Some(piece) = &mut current {
-                piece.constant = Some(span);
-                if piece.links.last().is_some_and(|link| link.items.is_empty()) {
-                    piece.links.pop();
-                }
-            }
-            at += 1;
-            continue;
-        }
-        let found = match (&item.layout, items.get(at + 1).map(|next| &next.layout)) {
-            (Layout::Other(':'), Some(Layout::Other('='))) => {
-                at += 1;
-                Some(Relation::Identical)
-            }
-            _ => relation(item),
-        };
-        at += 1;
-        if let Some(found) = found {
-            let link = Link { relation: Some((found, item.span)), items: Vec::new() };
-            if current.is_none() && starts_row && !pieces.is_empty() {
-                current = pieces.pop();
-            }
-            let piece = current.get_or_insert_with(|| Piece { links: Vec::new(), constant: None, row });
-            if piece.links.is_empty() {
-                piece.links.push(Link { relation: None, items: Vec::new() });
-            }
-            piece.links.push(link);
-            starts_row = false;
-            continue;
-        }
-        if matches!(item.layout, Layout::Space(_)) && current.is_none() {
-            continue;
-        }
-        let piece = current.get_or_insert_with(|| Piece { links: Vec::new(), constant: None, row });
-        if piece.links.is_empty() {
-            piece.links.push(Link { relation: None, items: Vec::new() });
-        }
-        if let Some(link) = piece.links.last_mut() {
-            link.items.push(item);
-        }
-        starts_row = false;
-    }
-    pieces.extend(current);
-}
-
-/// Whether a row continues the formula of the row before: that row ends with an operator, or this row starts with a
-/// sign and has no relation.
-fn continues(items: &[&Item], before: Option<&Piece<'_>>) -> bool {
-    let Some(before) = before else { return false };
-    let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
-    let is_operator = |item: &Item| {
-        is_sign(item) || matches!(&item.layout, Layout::Command(name) if matches!(name.as_str(), "\\cdot" | "\\times"))
-    };
-    let is_empty = |item: &Item| matches!(&item.layout, Layout::Group(items) if items.is_empty());
-    let significant = |item: &&&Item| !matches!(item.layout, Layout::Space(_)) && !is_empty(item);
-    let last = before.links.last();
-    let open = last.is_some_and(|link| match link.items.iter().rev().find(significant) {
-        Some(item) => is_operator(item),
-        None => link.relation.is_some(),
-    });
-    let first = items.iter().find(significant).copied();
-    let adds = first.is_some_and(|item| {
-        item.layout != Layout::Other('-') && is_operator(item)
-            || is_sign(item) && !items.iter().any(|item| relation(item).is_some())
-    });
-    before.constant.is_none() && (open || adds)
-}
-
-fn separates(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
-        Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
-        Layout::Text(word) => matches!(
-            word.trim_matches(|c: char| c == ',' || c == '.'),
-            "and" | "or" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
-        ),
-        _ => false,
-    }
-}
-
-/// `\text{ is constant}`, `\mathrm{const}`.
-fn says_constant(item: &Item) -> Option<Span> {
-    let word = match &item.layout {
-        Layout::Text(word) => word.clone(),
-        Layout::Style(style, _) if style == "\\mathrm" => names::printed(item, None)?.name.base,
-        Layout::Scripts { .. } => return None,
-        _ => return None,
-    };
-    let word = word.trim_start_matches("\\mathrm{").trim_end_matches(['}', '.', ',', ';', ' ']);
-    matches!(word, "isconstant" | "isconserved" | "const" | "constant" | "=const").then_some(item.span)
-}
-
-fn relation(item: &Item) -> Option<Relation> {
-    Some(match &item.layout {
-        Layout::Other('=') => Relation::Equal,
-        Layout::Other('<') => Relation::Less,
-        Layout::Other('>') => Relation::Greater,
-        Layout::Other('≈') => Relation::Approximately,
-        Layout::Other('≡') => Relation::Identical,
-        Layout::Other('≤') => Relation::LessEqual,
-        Layout::Other('≥') => Relation::GreaterEqual,
-        Layout::Other('≠') => Relation::NotEqual,
-        Layout::Command(name) => match name.as_str() {
-            "\\equiv" | "\\coloneqq" => Relation::Identical,
-            "\\lt" => Relation::Less,
-            "\\gt" => Relation::Greater,
-            "\\leq" => Relation::LessEqual,
-            "\\geq" => Relation::GreaterEqual,
-            "\\neq" => Relation::NotEqual,
-            "\\approx" => Relation::Approximately,
-            "\\propto" => Relation::Proportional,
-            _ => return None,
-        },
-        _ => return None,
-    })
-}
-
 fn has_branch(item: &&Item) -> bool {
     fn inside(item: &Item) -> bool {
         match &item.layout {
@@ -280,16 +96,12 @@ fn has_branch(item: &&Item) -> bool {
 }
 
 impl Piece<'_> {
-    fn span(&self) -> Span {
-        let spans = self.links.iter().flat_map(|link| {
-            link.relation.iter().map(|(_, span)| *span).chain(link.items.iter().map(|item| item.span))
-        });
-        spans.reduce(Span::to).unwrap_or_default()
-    }
-
     /// The statement, and the symbols that it defines with the position of their members.
     fn read(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<(Statement, Vec<(usize, New)>), Fault> {
         let span = self.span();
+        if let Some(fault) = &self.fault {
+            return Err(fault.clone());
+        }
         let links: Vec<(Printed, Vec<Item>)> = self
             .links
             .iter()

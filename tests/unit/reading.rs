@@ -9,6 +9,8 @@ mod derived;
 mod introductions;
 #[path = "reading/lecture.rs"]
 mod lecture;
+#[path = "reading/misreadings.rs"]
+mod misreadings;
 #[path = "reading/particles.rs"]
 mod particles;
 

@@ -9,7 +9,7 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
 use super::super::overdots;
-use super::items::{contents, is_minus_one, is_number, is_transpose, starts_differential, whole_number};
+use super::items::{contents, is_number, starts_differential, whole_number};
 use super::state::{Read, Reader, unknown_command};
 
 impl Reader<'_> {
@@ -98,7 +98,13 @@ impl Reader<'_> {
             Layout::Style(name, _) | Layout::Accent(name, _) => {
                 Err(Fault::unsupported(span, format!("{name} is not supported here")))
             }
+            Layout::Text(word) if word == "or" => Err(Fault::unsupported(span, "alternatives are not supported")
+                .help("write each case as an equation of its own")),
             Layout::Text(word) => Err(Fault::unsupported(span, format!("the text “{word}” is not supported here"))),
+            Layout::Other(',') => Err(Fault::unsupported(span, "a comma is not supported here")
+                .help("write an equation for each value; write numbers as 1000 and 1.5")),
+            Layout::Other('.' | '…') => Err(Fault::unsupported(span, "a point between formulas is not supported")
+                .help("write \\cdot for a product, and all terms in place of an ellipsis")),
             Layout::Other(c) => Err(Fault::unsupported(span, format!("“{c}” is not supported here"))),
             Layout::Letter(_) | Layout::Space(_) | Layout::Row | Layout::Align => {
                 Err(Fault::unsupported(span, "this is not supported here"))
@@ -208,30 +214,5 @@ impl Reader<'_> {
             }
             _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),
         }
-    }
-
-    /// A base with a superscript: a power, a transpose, an inverse.
-    pub(super) fn raised(&mut self, base: Expr, sup: &Item, span: Span) -> Read<Expr> {
-        let shape = self.shape_of(&base)?;
-        let boxed = Box::new(base);
-        if let Shape::Matrix(..) = shape {
-            if is_transpose(sup) {
-                return Ok(Expr::new(Node::Transpose(boxed), span));
-            }
-            if is_minus_one(sup) {
-                return Ok(Expr::new(Node::Inverse(boxed), span));
-            }
-        }
-        if matches!(&sup.layout, Layout::Command(name) if matches!(name.as_str(), "\\dagger" | "\\circ" | "\\ast"))
-            || matches!(sup.layout, Layout::Other('*'))
-            || matches!(contents(sup), [Item { layout: Layout::Fence(Delimiter::Round, _), .. }])
-        {
-            return Err(Fault::unsupported(sup.span, "this superscript is not supported"));
-        }
-        if shape == Shape::Vector && whole_number(sup) == Some(2) {
-            return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));
-        }
-        let exponent = self.item(sup)?;
-        Ok(Expr::new(Node::Power(boxed, Box::new(exponent)), span))
     }
 }

@@ -7,13 +7,15 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{function_head, is_number, is_numeric, is_numeric_item};
+use super::items::{Joint, function_head, is_number, is_numeric, is_numeric_item, joint};
 use super::state::{Read, Reader};
 
 /// The items that could be the argument of a function.
 struct Run {
     /// One past the last of them.
     end: usize,
+    /// The count of numbers before the symbols.
+    numbers: usize,
     /// The symbols among them, and whether each is an angle.
     symbols: Vec<(bool, Name)>,
     /// Whether it is a single fraction or root.
@@ -82,7 +84,8 @@ impl Reader<'_> {
                 }
             });
         }
-        if !self.is_settled(&run, items)? {
+        let logarithm = function == Function::Ln && run.numbers > 0 && !run.symbols.is_empty();
+        if logarithm || !self.is_settled(&run, items, start)? {
             let span = head.to(items[run.end.min(items.len() - 1)].span);
             let shown = function.name();
             let help = match !run.has_angle() && self.time_follows(items, run.end) || self.rate_goes_on(&run, items) {
@@ -99,14 +102,13 @@ impl Reader<'_> {
 
     /// Numbers, then symbols up to the first angle or dotted symbol; or a single fraction or root.
     fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
-        let mut run = Run { end: start, symbols: Vec::new(), stands_alone: false, is_rate: false };
-        let mut numbers = 0;
+        let mut run = Run { end: start, numbers: 0, symbols: Vec::new(), stands_alone: false, is_rate: false };
         while let Some(item) = items.get(run.end) {
             if self.is_leading_number(item, run.end == start) {
                 if !run.symbols.is_empty() {
                     break;
                 }
-                numbers += 1;
+                run.numbers += 1;
                 run.end += 1;
                 if matches!(item.layout, Layout::Fraction(..) | Layout::Root(..)) && !is_numeric_item(item) {
                     run.stands_alone = true;
@@ -120,7 +122,7 @@ impl Reader<'_> {
             }
             if printed.sup.is_some() {
                 // After an angle the argument is over; before that, the power could be of the symbol or the function.
-                if run.end == start || run.symbols.is_empty() && numbers > 0 || !run.has_angle() {
+                if run.end == start || run.symbols.is_empty() && run.numbers > 0 || !run.has_angle() {
                     return Err(Fault::ambiguous(
                         head.to(item.span),
                         "a power at the end of an argument may belong to the function or to the argument",
@@ -156,7 +158,7 @@ impl Reader<'_> {
     }
 
     /// Whether this run of items is the only possible argument.
-    fn is_settled(&self, run: &Run, items: &[Item]) -> Read<bool> {
+    fn is_settled(&self, run: &Run, items: &[Item], start: usize) -> Read<bool> {
         let sure = match run.symbols.as_slice() {
             [] | [_] | [.., (true, _)] => true,
             [(_, first), (_, second)] => {
@@ -171,7 +173,16 @@ impl Reader<'_> {
             Some(Layout::Scripts { .. }) => next.is_some_and(|item| names::printed(item, self.branch).is_none()),
             _ => false,
         };
-        let could_go_on = parenthesis && !run.has_angle() && function_head(&items[run.end])?.is_none()
+        // `\sin 2 \cdot \theta`, `\sin\omega\cdot t`: the dot may stand inside of the argument.
+        let is_bare_number = run.symbols.is_empty() && !run.stands_alone && !is_numeric_item(&items[start]);
+        let dot_follows = next.is_some_and(|item| matches!(joint(item), Some(Joint::CDot | Joint::Times)));
+        let multiplied = dot_follows && (is_bare_number || !run.has_angle() && self.is_time(items.get(run.end + 1)));
+        let number_follows = !run.symbols.is_empty()
+            && !run.has_angle()
+            && next.is_some_and(|item| is_number(item) || self.is_leading_number(item, false));
+        let could_go_on = multiplied
+            || number_follows
+            || parenthesis && !run.has_angle() && function_head(&items[run.end])?.is_none()
             || run.stands_alone && self.goes_on(items, run.end)
             || !run.has_angle() && self.time_follows(items, run.end)
             || self.rate_goes_on(run, items);
@@ -196,8 +207,13 @@ impl Reader<'_> {
     /// Whether `\,t` follows, as in `\cos\omega\,t`.
     fn time_follows(&self, items: &[Item], at: usize) -> bool {
         let space = items.get(at).is_some_and(|item| matches!(item.layout, Layout::Space(Space::Thin)));
-        let time = items.get(at + 1).and_then(|item| names::printed(item, self.branch)).map(|printed| printed.name);
-        space && time.is_some() && time == self.symbols.time
+        space && self.is_time(items.get(at + 1))
+    }
+
+    /// Whether an item is the time.
+    fn is_time(&self, item: Option<&Item>) -> bool {
+        let name = item.and_then(|item| names::printed(item, self.branch)).map(|printed| printed.name);
+        name.is_some() && name == self.symbols.time
     }
 
     /// Whether an item is the time in parentheses, `(t)`, which may follow a symbol that varies.

@@ -58,7 +58,7 @@ pub(super) fn is_minus_one(item: &Item) -> bool {
     matches!(contents(item), [Item { layout: Layout::Other('-'), .. }, one] if whole_number(one) == Some(1))
 }
 
-/// `T`, as the mark of a transpose.
+/// `T` or `\top`, as the mark of a transpose.
 pub(super) fn is_transpose(item: &Item) -> bool {
     match contents(item) {
         [Item { layout: Layout::Letter('T'), .. }] => true,

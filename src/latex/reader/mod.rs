@@ -3,8 +3,11 @@
 //! | file | what is read there |
 //! | --- | --- |
 //! | `terms` | sums, terms, factors, products |
-//! | `atoms` | one item: a number, a fraction, a root, a matrix, a power |
-//! | `symbols` | a name, its superscript, and a parenthesis after it |
+//! | `atoms` | one item: a number, a fraction, a root, a matrix |
+//! | `superscripts` | powers, transposes, and what looks like a power and is none |
+//! | `symbols` | a name |
+//! | `applications` | a name before a parenthesis: a product, or a function |
+//! | `words` | letters that spell a function or a word |
 //! | `vector_names` | the norm, the unit vector and the components of a declared vector |
 //! | `functions` | `\sin` and the like, and where an argument ends |
 //! | `derivatives` | `\frac{d}{dt}`, `dx/dt`; overdots such as `\dot x` are in `latex::overdots` |
@@ -18,8 +21,8 @@
 //! # The rules
 //!
 //! *Products.* Letters side by side are factors, `MgR` is three; a declared name is always one symbol, with its accents
-//! and its subscript. A parenthesis after a symbol is a factor too, `\lambda_1(…)`, unless it holds a lone name:
-//! `f(x)` could be a call, and is rejected.
+//! and its subscript. A parenthesis after a symbol is a factor too, `\lambda_1(…)`, unless it may be an argument:
+//! `f(x)` and `x(0)` are rejected. So are letters that spell a function, `sin x`.
 //!
 //! *Functions.* `\sin(…)` and `\sin{…}` take what is enclosed. Otherwise the argument is what follows at once; it ends at a
 //! typeset space, another function, a dotted symbol, a sign, a relation. Of several symbols (`\cos\theta p_\psi`,
@@ -42,6 +45,7 @@
 //! and the message says how to write it. The list is in `docs/notation.md`. The tests have some 375 short formulas,
 //! each with the value that a person would compute or the word that it must be rejected.
 
+mod applications;
 mod atoms;
 mod derivatives;
 mod functions;
@@ -49,9 +53,11 @@ mod integrals;
 mod items;
 mod state;
 mod sums;
+mod superscripts;
 mod symbols;
 mod terms;
 mod vector_names;
+mod words;
 
 use crate::formula::shape;
 use crate::formula::symbols::Symbols;

@@ -48,6 +48,10 @@ pub(super) fn unknown_command(name: &str, span: Span) -> Fault {
         "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
         "\\partial" | "\\nabla" => Fault::unsupported(span, format!("{name} is not supported"))
             .help("leave the equation out with \"skip\" in the claims file"),
+        "\\underbrace" | "\\overbrace" => {
+            Fault::unsupported(span, "a formula as the label of a brace is not supported")
+                .help("write the label in \\text{…}, or remove the brace")
+        }
         "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::unsupported(span, format!("{name} is not supported")),
         "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
             .help("say under \"where\" what the name of the family means in this equation"),

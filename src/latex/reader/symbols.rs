@@ -6,7 +6,7 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{is_lone, is_minus_one, is_transpose, whole_number};
+use super::items::{is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -23,12 +23,16 @@ impl Reader<'_> {
         if name.base == "e" || name.base == "\\mathrm{e}" {
             let declared = self.symbols.find(name).is_some();
             if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots) {
-                if name.base == "e" && whole_number(sup).is_some() {
+                if name.base == "e" && is_figure(sup) {
                     return Err(Fault::ambiguous(
                         span,
                         "e with a number as its exponent may be the exponential or a power of a symbol",
                     )
                     .help("write \\exp(2) for the exponential, or declare e"));
+                }
+                if self.symbols.open && mentions_j(sup) {
+                    return Err(Fault::ambiguous(sup.span, "j in an exponent of e may be √−1 or a symbol")
+                        .help("complex numbers are not supported; for a symbol, use another letter"));
                 }
                 let exponent = self.item(sup)?;
                 let euler = Expr::new(Node::Euler, span);
@@ -79,6 +83,11 @@ impl Reader<'_> {
             return self.undeclared(printed, span, items, cursor);
         }
         let fault = Fault::undeclared(span, name);
+        if name.base == "i" && name.subscript.is_empty() {
+            return Err(
+                fault.help("complex numbers are not supported; if i is a quantity, declare it in the claims file")
+            );
+        }
         Err(match self.symbols.nearest(name) {
             Some(near) => fault.help(format!("did you mean {near}? If not, declare {name} in the claims file")),
             None => fault.help(format!("declare {name} in the claims file")),
@@ -144,15 +153,32 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, "d before a symbol may be a differential or a factor")
                 .help("write \\frac{d}{dt} for a derivative, or use another letter for the factor"));
         }
-        let fence = items.get(*cursor).is_some_and(|item| matches!(item.layout, Layout::Fence(Delimiter::Round, _)));
-        let is_function_name = ["f", "F", "h", "G", "V", "W", "J", "Y", "\\Gamma", "\\Phi"]
-            .contains(&name.base.as_str())
-            || name.base.starts_with("\\mathrm{") && name.base.len() > "\\mathrm{x}".len();
-        if fence && is_function_name {
-            return Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product"))
-                .help("for a product, put a thin space \\, before the parenthesis"));
+        let factor = items
+            .get(*cursor)
+            .filter(|item| matches!(item.layout, Layout::Fence(..)) || names::printed(item, self.branch).is_some());
+        if ["\\Sigma", "\\Pi"].contains(&name.base.as_str()) && name.primes == 0 && factor.is_some() {
+            return Err(Fault::ambiguous(span, format!("{name} may be a sum, a product or a symbol"))
+                .help("write \\sum_i or \\prod_i for the operation, and put a thin space \\, after a symbol"));
         }
-        if name.base.contains("\\vec") || name.base.contains("\\mathbf") || name.base.contains("\\hat") {
+        if name.subscript.is_empty() && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str()) {
+            return Err(Fault::ambiguous(span, "i may be √−1 or a symbol").help(
+                "complex numbers are not supported; for a symbol, use another letter or declare i in a claims file",
+            ));
+        }
+        if name.base.starts_with("\\mathrm{") {
+            return Err(Fault::ambiguous(span, format!("{name} may be a unit, a word or a symbol")).help(
+                "leave units out; for a symbol, use a letter with a subscript, or declare the name in a claims file",
+            ));
+        }
+        let twin = |primes: u8| Name { primes, ..name.clone() };
+        let other =
+            [0, 1].map(twin).into_iter().find(|twin| twin.primes != name.primes && self.symbols.find(twin).is_some());
+        if name.primes > 1 || other.is_some() {
+            return Err(Fault::ambiguous(span, "a prime may be a derivative or a part of a name").help(
+                "write \\dot x or \\frac{dx}{dt} for a derivative by the time; for another symbol use \\tilde x or x_1",
+            ));
+        }
+        if ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark)) {
             return Err(Fault::unsupported(span, format!("{name} looks like a vector, and is not declared"))
                 .help("declare vectors and matrices in a claims file"));
         }
@@ -186,61 +212,6 @@ impl Reader<'_> {
             _ => None,
         };
         Ok(node.map(|node| Expr::new(node, span)))
-    }
-
-    /// A symbol with its power. A parenthesis after it is a separate factor, unless it may be a function's argument.
-    fn applied(
-        &mut self,
-        expr: Expr,
-        id: SymbolId,
-        sup: Option<&Item>,
-        items: &[Item],
-        cursor: &mut usize,
-    ) -> Read<Expr> {
-        let span = expr.span;
-        // `x(t)^2` is the square of x.
-        if let Some(Item { layout: Layout::Scripts { nucleus, sub: None, sup: Some(above), primes: 0 }, .. }) =
-            items.get(*cursor)
-            && sup.is_none()
-            && self.is_argument(nucleus, id)
-        {
-            *cursor += 1;
-            return self.raised(expr, above, span);
-        }
-        if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor) {
-            let plain = |item: &&Item| !matches!(item.layout, Layout::Space(_));
-            let inside: Vec<&Item> = inside.iter().filter(plain).collect();
-            let lone = inside.iter().all(|item| {
-                names::printed(item, self.branch).is_some_and(|p| p.sup.is_none())
-                    || matches!(item.layout, Layout::Other(','))
-            }) && (inside.len() == 1 || inside.iter().any(|item| matches!(item.layout, Layout::Other(','))));
-            if self.is_argument(&items[*cursor], id) {
-                *cursor += 1;
-            } else if lone {
-                let name = &self.symbols.entry(id).name;
-                let printed = inside.iter().filter_map(|item| names::printed(item, self.branch));
-                let arguments: Vec<String> = printed
-                    .map(|printed| names::with_dots(&printed.name, printed.dots).unwrap_or(printed.name).to_string())
-                    .collect();
-                let arguments = arguments.join(", ");
-                return Err(Fault::ambiguous(
-                    span.to(*fence),
-                    format!("{name}({arguments}) may be a function of {arguments} or a product"),
-                )
-                .help("for a product, remove the parentheses"));
-            }
-        }
-        match sup {
-            Some(sup) => self.raised(expr, sup, span),
-            None => Ok(expr),
-        }
-    }
-
-    /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.
-    fn is_argument(&self, item: &Item, id: SymbolId) -> bool {
-        let entry = self.symbols.entry(id);
-        self.is_time_in_parentheses(item) && entry.varies
-            || entry.argument.as_ref().is_some_and(|argument| is_lone(item, argument))
     }
 
     fn rotation(
@@ -302,4 +273,25 @@ impl Reader<'_> {
 fn differentiated(expr: Expr, dots: u8) -> Expr {
     let span = expr.span;
     if dots == 0 { expr } else { Expr::new(Node::TimeDerivative(dots, Box::new(expr)), span) }
+}
+
+/// Whether an exponent has no letters: `2`, `-1`, `0.5`, `1/3`.
+fn is_figure(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Number(_) => true,
+        Layout::Other(c) => matches!(c, '-' | '+' | '/'),
+        Layout::Group(items) => items.iter().all(is_figure),
+        Layout::Fraction(above, below) => is_figure(above) && is_figure(below),
+        _ => false,
+    }
+}
+
+/// Whether the letter j stands in an exponent, outside of subscripts.
+fn mentions_j(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Letter(c) => *c == 'j',
+        Layout::Group(items) | Layout::Fence(_, items) => items.iter().any(mentions_j),
+        Layout::Fraction(above, below) => mentions_j(above) || mentions_j(below),
+        _ => false,
+    }
 }

@@ -11,11 +11,13 @@ use super::items::{
     Joint, beside, extent, function_head, is_big_sum, is_integral, is_limit, is_number, is_numeric_item, joint,
 };
 use super::state::{Read, Reader};
+use super::words::are_no_words;
 
 impl Reader<'_> {
     /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
     pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
         let whole = extent(items).unwrap_or(end);
+        are_no_words(items, self.symbols.open)?;
         let mut terms: Vec<Term> = Vec::new();
         let mut at = 0;
         let mut pending: Option<(Sign, Span)> = None;
@@ -156,7 +158,34 @@ impl Reader<'_> {
         if let Some(span) = operator {
             return Err(Fault::new(span, "no factor follows this operator"));
         }
-        self.join(runs, whole)
+        let product = self.join(runs, whole)?;
+        self.has_no_implied_sum(&product)?;
+        Ok(product)
+    }
+
+    /// Without declarations: rejects `P_{ij} d_j`, where the repeated letter may mean a sum.
+    fn has_no_implied_sum(&self, product: &Expr) -> Read<()> {
+        let Node::Product(factors) = &product.node else { return Ok(()) };
+        if !self.symbols.open {
+            return Ok(());
+        }
+        let letters = |factor: &Expr| -> Vec<String> {
+            match &factor.node {
+                Node::Symbol { id, .. } => index_letters(&self.symbols.entry(*id).name.subscript),
+                _ => Vec::new(),
+            }
+        };
+        let of_each: Vec<Vec<String>> = factors.iter().map(letters).collect();
+        let shares = |a: &Vec<String>, b: &Vec<String>| a.len() > 1 && a.iter().any(|letter| b.contains(letter));
+        let implied = (0..of_each.len())
+            .find(|at| (0..of_each.len()).any(|other| other != *at && shares(&of_each[*at], &of_each[other])));
+        match implied {
+            Some(at) => {
+                Err(Fault::ambiguous(factors[at].span, "a letter that two factors have as an index may mean a sum")
+                    .help("write \\sum for a sum, and declare the indices in a claims file"))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Rejects neighbouring factors that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
@@ -168,6 +197,11 @@ impl Reader<'_> {
         if matches!(before.layout, Layout::Number(_)) && (is_numeric_item(item) || is_number(item)) {
             return Err(Fault::ambiguous(span, "two numbers side by side may be a product or one number")
                 .help("write \\cdot between them"));
+        }
+        let touches = !matches!(items[at - 1].layout, Layout::Space(_));
+        if touches && is_number(item) && (names::printed(before, self.branch).is_some() || is_parenthesis(before)) {
+            return Err(Fault::ambiguous(span, "a number after a symbol may be a subscript, a power or a factor")
+                .help("write x_2, x^2 or 2x"));
         }
         let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
         if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
@@ -201,6 +235,7 @@ impl Reader<'_> {
             return Err(Fault::shape(span, "× stands between a number and a vector, and needs two vectors")
                 .help("put an arrow on the vector, or write a plain product without ×"));
         }
+        self.are_plain_products(&parts)?;
         if parts.iter().filter(|(_, _, is_vector)| *is_vector).count() < 2 {
             return Ok(Expr::new(Node::Product(factors), whole));
         }
@@ -234,6 +269,30 @@ impl Reader<'_> {
         let mut expr = beside(parts.into_iter().map(|(_, expr, _)| expr).collect());
         expr.span = whole;
         Ok(expr)
+    }
+
+    /// Without declarations, × between letters may be the product of two vectors.
+    fn are_plain_products(&self, parts: &[(Joint, Expr, bool)]) -> Read<()> {
+        let has_letter = |expr: &Expr| !expr.symbols().is_empty();
+        let ends = |expr: &Expr| match &expr.node {
+            Node::Product(factors) => factors.last().is_some_and(has_letter),
+            _ => has_letter(expr),
+        };
+        let starts = |expr: &Expr| match &expr.node {
+            Node::Product(factors) => factors.first().is_some_and(has_letter),
+            _ => has_letter(expr),
+        };
+        let crossed = parts
+            .windows(2)
+            .find(|pair| self.symbols.open && pair[1].0 == Joint::Times && ends(&pair[0].1) && starts(&pair[1].1));
+        match crossed {
+            Some(pair) => {
+                let span = pair[0].1.span.to(pair[1].1.span);
+                Err(Fault::ambiguous(span, "× may be a product of numbers or of vectors")
+                    .help("for numbers, remove × or write \\cdot; declare vectors in a claims file"))
+            }
+            None => Ok(()),
+        }
     }
 
     /// The place of a factor with the letter of a vector but without its arrow: the B of `\vec B`.
@@ -277,6 +336,7 @@ impl Reader<'_> {
             let span = item.span.to(items[*cursor + 4].span);
             let inner = self.item(&items[*cursor + 1])?;
             *cursor += 5;
+            self.is_no_value("this derivative", span, items.get(*cursor).unwrap_or(item))?;
             return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), span), true));
         }
         if let Layout::Fraction(numerator, denominator) = &item.layout
@@ -284,6 +344,7 @@ impl Reader<'_> {
         {
             *cursor += 1;
             if !rest.is_empty() {
+                self.is_no_value("this derivative", item.span, items.get(*cursor).unwrap_or(item))?;
                 let inner = self.sum(rest, item.span)?;
                 return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), item.span), true));
             }
@@ -300,6 +361,20 @@ impl Reader<'_> {
         }
         Ok((self.item(item)?, true))
     }
+}
+
+/// The letters of a subscript of two or three that are usual as indices: `ij`, `\\mu\\nu`, `abc`.
+fn index_letters(subscript: &[String]) -> Vec<String> {
+    const USUAL: [&str; 16] = [
+        "a", "b", "c", "i", "j", "k", "l", "m", "n", "\\alpha", "\\beta", "\\mu", "\\nu", "\\rho", "\\sigma",
+        "\\lambda",
+    ];
+    let all_usual = subscript.len() <= 4 && subscript.iter().all(|token| USUAL.contains(&token.as_str()));
+    if all_usual { subscript.to_vec() } else { Vec::new() }
+}
+
+fn is_parenthesis(item: &Item) -> bool {
+    matches!(item.layout, Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, _))
 }
 
 /// The place of a factor that is the norm of a vector, or a derivative of one.

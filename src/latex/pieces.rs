@@ -1,0 +1,247 @@
+//! The parts of a display that are statements, before they are read: chains of members with relations between them.
+//!
+//! Commas, `\quad`, arrows, words such as `\text{and}`, rows and columns separate statements. A row that starts with a
+//! relation or a sign continues the row before. Where it is not clear what a row continues, or what a comma or a point
+//! means, the part has a fault.
+
+use crate::formula::tree::Relation;
+use crate::source::{Fault, Span};
+
+use super::layout::{Delimiter, Item, Layout};
+use super::lexer::Space;
+use super::names;
+use super::rows::{Row, is_operator, is_sign, is_significant, relation, rows};
+
+/// The statements of a display.
+pub(super) fn pieces(items: &[Item]) -> Vec<Piece<'_>> {
+    let mut pieces: Vec<Piece<'_>> = Vec::new();
+    for (at, row) in rows(items).into_iter().enumerate() {
+        split(row, at + 1, &mut pieces);
+    }
+    reject_lone_values(&mut pieces);
+    pieces
+}
+
+/// A statement as items: each member with the relation before it; the first has none.
+pub(super) struct Piece<'a> {
+    pub(super) links: Vec<Link<'a>>,
+    pub(super) constant: Option<Span>,
+    pub(super) row: usize,
+    /// Why it cannot be read, whatever its items say.
+    pub(super) fault: Option<Fault>,
+}
+
+/// The relation before a member and its place; `None` before the first.
+pub(super) type Printed = Option<(Relation, Span)>;
+
+pub(super) struct Link<'a> {
+    pub(super) relation: Printed,
+    pub(super) items: Vec<&'a Item>,
+}
+
+impl Piece<'_> {
+    fn new(row: usize) -> Self {
+        Piece { links: Vec::new(), constant: None, row, fault: None }
+    }
+
+    /// Where it stands.
+    pub(super) fn span(&self) -> Span {
+        let spans = self.links.iter().flat_map(|link| {
+            link.relation.iter().map(|(_, span)| *span).chain(link.items.iter().map(|item| item.span))
+        });
+        spans.reduce(Span::to).unwrap_or_default()
+    }
+}
+
+/// Divides a row into statements and appends them.
+fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>) {
+    let mut current: Option<Piece<'a>> = None;
+    let mut starts_row = true;
+    let mut at = 0;
+    let unclear = pieces.last().and_then(|before| unclear_continuation(&row, before, pieces));
+    if continues(&row, pieces.last()) {
+        current = pieces.pop();
+    }
+    let items = row.items;
+    while at < items.len() {
+        let item = items[at];
+        let mut close = |current: &mut Option<Piece<'a>>| pieces.extend(current.take());
+        let is_wide = matches!(item.layout, Layout::Space(Space::Wide));
+        // Before a row it indents what goes on.
+        if is_wide && starts_row {
+            at += 1;
+            continue;
+        }
+        if separates(item) && !joins(&items, at) {
+            // A wide space inside a statement is only layout: `a \quad = b`, `= 0 \quad \Rightarrow`.
+            let relation_follows = items[at + 1..]
+                .iter()
+                .find(|next| !matches!(next.layout, Layout::Space(_)))
+                .is_some_and(|next| relation(next).is_some());
+            if !(is_wide && relation_follows) {
+                close(&mut current);
+            }
+            at += 1;
+            continue;
+        }
+        if let Some(span) = says_constant(item) {
+            if let Some(piece) = &mut current {
+                piece.constant = Some(span);
+                if piece.links.last().is_some_and(|link| link.items.is_empty()) {
+                    piece.links.pop();
+                }
+            }
+            at += 1;
+            continue;
+        }
+        let found = match (&item.layout, items.get(at + 1).map(|next| &next.layout)) {
+            (Layout::Other(':'), Some(Layout::Other('='))) => {
+                at += 1;
+                Some(Relation::Identical)
+            }
+            _ => relation(item),
+        };
+        at += 1;
+        if let Some(found) = found {
+            let link = Link { relation: Some((found, item.span)), items: Vec::new() };
+            if current.is_none() && starts_row && !pieces.is_empty() {
+                current = pieces.pop();
+            }
+            let piece = current.get_or_insert_with(|| Piece::new(number));
+            if piece.links.is_empty() {
+                piece.links.push(Link { relation: None, items: Vec::new() });
+            }
+            piece.links.push(link);
+            starts_row = false;
+            continue;
+        }
+        if matches!(item.layout, Layout::Space(_)) && current.is_none() {
+            continue;
+        }
+        let piece = current.get_or_insert_with(|| Piece::new(number));
+        if piece.links.is_empty() {
+            piece.links.push(Link { relation: None, items: Vec::new() });
+        }
+        if let Some(link) = piece.links.last_mut() {
+            link.items.push(item);
+        }
+        if is_number_of_the_row(&items, at - 1) {
+            piece.fault = Some(
+                Fault::ambiguous(item.span, "this may be the number of the equation or a factor")
+                    .help("write \\tag{…} for the number, or \\cdot before a factor"),
+            );
+        }
+        starts_row = false;
+    }
+    pieces.extend(current);
+    if let (Some(fault), Some(last)) = (unclear, pieces.last_mut()) {
+        last.fault = Some(fault);
+    }
+}
+
+/// Whether a row continues the formula of the row before: that row ends with an operator, or this row starts with a
+/// sign and has no relation, or with a + , or with a sign after the mark where the relations stand.
+fn continues(row: &Row<'_>, before: Option<&Piece<'_>>) -> bool {
+    let Some(before) = before else { return false };
+    let last = before.links.last();
+    let open = last.is_some_and(|link| match link.items.iter().rev().find(|item| is_significant(item)) {
+        Some(item) => is_operator(item),
+        None => link.relation.is_some(),
+    });
+    let first = row.items.iter().find(|item| is_significant(item)).copied();
+    let has_relation = row.items.iter().any(|item| relation(item).is_some());
+    let adds = first.is_some_and(|item| {
+        item.layout != Layout::Other('-') && is_operator(item) || is_sign(item) && (!has_relation || row.is_indented)
+    });
+    before.constant.is_none() && (open || adds)
+}
+
+/// The fault of a row that may continue the row before in more than one way, or be an equation of its own.
+fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>]) -> Option<Fault> {
+    let first = row.items.iter().find(|item| is_significant(item)).copied()?;
+    let has_relation = row.items.iter().any(|item| relation(item).is_some());
+    let starts_with_relation = relation(first).is_some();
+    if first.layout == Layout::Other('-') && has_relation && !row.is_indented && !row.is_aligned {
+        return Some(
+            Fault::ambiguous(first.span, "this row may continue the row before or be an equation of its own")
+                .help("put & before the relation of each row, or write each equation in a display of its own"),
+        );
+    }
+    let several = pieces.iter().filter(|piece| piece.row == before.row).count() > 1;
+    if several && (starts_with_relation || continues(row, Some(before))) {
+        return Some(
+            Fault::ambiguous(first.span, "this row may continue any statement of the row before")
+                .help("write the statements of that row on rows of their own"),
+        );
+    }
+    (row.follows_stop && !starts_with_relation && is_sign(first) && continues(row, Some(before))).then(|| {
+        Fault::ambiguous(first.span, "this row starts with a sign, but the row before ends with a comma or a point")
+            .help("remove the comma, or write the row as an equation")
+    })
+}
+
+/// Whether a comma or a point does not separate statements: `1,000`, `a.b`, `x + ... + y`.
+fn joins(items: &[&Item], at: usize) -> bool {
+    let before = at.checked_sub(1).map(|before| items[before]);
+    let after = items.get(at + 1).copied();
+    let is_number = |item: Option<&Item>| item.is_some_and(|item| matches!(item.layout, Layout::Number(_)));
+    let is_point = |item: Option<&Item>| item.is_some_and(|item| item.layout == Layout::Other('.'));
+    match items[at].layout {
+        Layout::Other(',') => {
+            let touches = after.is_some_and(|next| next.span.start == items[at].span.end);
+            touches && is_number(before) && is_number(after)
+        }
+        Layout::Other('.') => {
+            let rest = items[at + 1..].iter().find(|next| !matches!(next.layout, Layout::Space(Space::Thin)));
+            is_point(before) || is_point(after) || rest.is_some_and(|next| !separates(next))
+        }
+        _ => false,
+    }
+}
+
+/// Whether the item is a whole number in parentheses at the end of the row, after a space: `F = ma \quad (2)`.
+fn is_number_of_the_row(items: &[&Item], at: usize) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &items[at].layout else { return false };
+    let is_number = matches!(inside.as_slice(), [Item { layout: Layout::Number(_), .. }]);
+    let after_space = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
+    let is_last = items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
+    is_number && after_space && is_last
+}
+
+/// Marks statements without a relation beside statements with one: the values of `i = 1, 2, 3`, the x of `x, y > 0`.
+fn reject_lone_values(pieces: &mut [Piece<'_>]) {
+    let is_whole = |piece: &Piece<'_>| piece.links.len() > 1 || piece.constant.is_some();
+    if !pieces.iter().any(is_whole) {
+        return;
+    }
+    for piece in pieces.iter_mut().filter(|piece| !is_whole(piece) && piece.fault.is_none()) {
+        let what = "this part has no relation of its own: it may be one of several values, or share a relation";
+        piece.fault = Some(
+            Fault::ambiguous(piece.span(), what).help("write an equation for each value, and a relation for each name"),
+        );
+    }
+}
+
+fn separates(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
+        Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
+        Layout::Text(word) => matches!(
+            word.trim_matches(|c: char| c == ',' || c == '.'),
+            "and" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
+        ),
+        _ => false,
+    }
+}
+
+/// `\text{ is constant}`, `\mathrm{const}`.
+fn says_constant(item: &Item) -> Option<Span> {
+    let word = match &item.layout {
+        Layout::Text(word) => word.clone(),
+        Layout::Style(style, _) if style == "\\mathrm" => names::printed(item, None)?.name.base,
+        Layout::Scripts { .. } => return None,
+        _ => return None,
+    };
+    let word = word.trim_start_matches("\\mathrm{").trim_end_matches(['}', '.', ',', ';', ' ']);
+    matches!(word, "isconstant" | "isconserved" | "const" | "constant" | "=const").then_some(item.span)
+}

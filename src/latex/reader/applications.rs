@@ -1,0 +1,211 @@
+//! A name directly before a parenthesis: a function with its argument, or a product.
+//!
+//! In print both look alike, so the contents of the parenthesis decide:
+//!
+//! | contents | reading |
+//! | --- | --- |
+//! | the time after a symbol that varies, or the declared argument | the symbol itself |
+//! | a lone name, a number, a list | rejected: `f(x)`, `x(0)`, `H(q, p)` |
+//! | the time in a sum, after a symbol that varies or is not declared | rejected: `x(t + T)` |
+//! | a sum | a product, `m(a + b)` |
+//! | one term | a product after a declared name |
+//!
+//! Without declarations, one term is a product only with a dotted symbol in it, `\lambda(\dot\phi \sin\theta)`, or with a
+//! power on the parenthesis, `m(l\omega)^2`. The usual names of functions, and names with a prime, are rejected before
+//! any parenthesis.
+
+use crate::formula::SymbolId;
+use crate::formula::symbols::{Entry, Name};
+use crate::formula::tree::Expr;
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::names;
+use super::items::{differential, function_head, is_lone, is_numeric_item, starts_differential};
+use super::state::{Read, Reader};
+
+/// Letters that stand for functions more often than for factors before a parenthesis.
+const FUNCTIONS: [&str; 21] = [
+    "f", "F", "h", "G", "V", "W", "J", "Y", "O", "P", "U", "H", "D", "d", "\\Gamma", "\\Phi", "\\Psi", "\\psi",
+    "\\Theta", "\\delta", "\\Delta",
+];
+
+/// Letters that usually depend on a place, `u(x + h)`.
+const FIELDS: [&str; 8] = ["y", "u", "w", "\\phi", "\\varphi", "\\eta", "\\chi", "\\xi"];
+
+impl Reader<'_> {
+    /// A symbol with its power. A parenthesis after it is a separate factor, unless it may be a function's argument.
+    pub(super) fn applied(
+        &mut self,
+        expr: Expr,
+        id: SymbolId,
+        sup: Option<&Item>,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Expr> {
+        let span = expr.span;
+        match items.get(*cursor) {
+            // `x(t)^2` is the square of x.
+            Some(Item { layout: Layout::Scripts { nucleus, sub: None, sup: Some(above), primes: 0 }, .. })
+                if sup.is_none() && self.is_argument(nucleus, id) =>
+            {
+                *cursor += 1;
+                return self.raised(expr, above, span);
+            }
+            Some(next) if self.is_argument(next, id) => *cursor += 1,
+            Some(next) => self.is_a_product(id, span, next)?,
+            None => {}
+        }
+        match sup {
+            Some(sup) => self.raised(expr, sup, span),
+            None => Ok(expr),
+        }
+    }
+
+    /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.
+    fn is_argument(&self, item: &Item, id: SymbolId) -> bool {
+        let entry = self.symbols.entry(id);
+        self.is_time_in_parentheses(item) && entry.varies
+            || entry.argument.as_ref().is_some_and(|argument| is_lone(item, argument))
+    }
+
+    /// Rejects what follows a symbol if it is a parenthesis that may be the argument of a function.
+    fn is_a_product(&self, id: SymbolId, span: Span, next: &Item) -> Read<()> {
+        let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
+        let entry = self.symbols.entry(id);
+        self.is_no_value(&entry.name.to_string(), span, next)?;
+        let span = span.to(fence.span);
+        let name = &entry.name;
+        let ambiguous = || {
+            Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product"))
+                .help("for a product, put a thin space \\, before the parenthesis"))
+        };
+        if self.shifts_the_time(&inside) && (entry.varies || self.symbols.open) {
+            return ambiguous();
+        }
+        if !self.symbols.open {
+            return Ok(());
+        }
+        let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item));
+        let is_powered = !matches!(next.layout, Layout::Fence(..));
+        let is_plain_product = is_sum || is_powered || inside.iter().any(|item| has_rate(item));
+        match is_function(entry) || self.is_at_a_place(name, &inside) || !is_plain_product {
+            true => ambiguous(),
+            false => Ok(()),
+        }
+    }
+
+    /// Rejects a parenthesis directly after a quantity if it holds a number, a lone name or a list: `x(0)`, `f(x)`,
+    /// `H(q, p)`. `name` is the quantity, for the message.
+    pub(super) fn is_no_value(&self, name: &str, span: Span, next: &Item) -> Read<()> {
+        let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
+        let span = span.to(fence.span);
+        let is_comma = |item: &&Item| matches!(item.layout, Layout::Other(',' | ';'));
+        let is_list = inside.iter().any(|item| is_comma(&item));
+        if inside.iter().all(|item| self.lone_name(item).is_some() || is_comma(&item)) && (inside.len() == 1 || is_list)
+        {
+            let arguments: Vec<String> = inside
+                .iter()
+                .filter_map(|item| self.lone_name(item))
+                .map(|(name, dots)| names::with_dots(&name, dots).unwrap_or(name).to_string())
+                .collect();
+            let arguments = arguments.join(", ");
+            return Err(Fault::ambiguous(
+                span,
+                format!("{name}({arguments}) may be a function of {arguments} or a product"),
+            )
+            .help("for a product, remove the parentheses"));
+        }
+        if is_list {
+            return Err(Fault::unsupported(span, format!("{name}(…) has several arguments, which is not supported"))
+                .help("write the name without its arguments"));
+        }
+        if !inside.is_empty() && inside.iter().all(|item| is_value(item)) {
+            return Err(Fault::ambiguous(
+                span,
+                format!("a number in parentheses after {name} may be an argument or a factor"),
+            )
+            .help(format!(
+                "for a product write \\cdot before it; for a value use a name of its own, such as {name}_0"
+            )));
+        }
+        Ok(())
+    }
+
+    /// The name that an item is, without a power, and the number of its dots.
+    fn lone_name(&self, item: &Item) -> Option<(Name, u8)> {
+        let printed = names::printed(item, self.branch).filter(|printed| printed.sup.is_none())?;
+        Some((printed.name, printed.dots))
+    }
+
+    fn is_sign(&self, item: &Item) -> bool {
+        match &item.layout {
+            Layout::Other(c) => matches!(c, '+' | '-'),
+            Layout::Command(name) => matches!(name.as_str(), "\\pm" | "\\mp"),
+            _ => false,
+        }
+    }
+
+    /// Whether the time stands in a parenthesis as a term or a factor of its own, and in no function.
+    fn shifts_the_time(&self, inside: &[&Item]) -> bool {
+        let is_time = |item: &&Item| names::printed(item, None).map(|printed| printed.name) == self.symbols.time;
+        let is_function = |item: &&Item| matches!(function_head(item), Ok(Some(_)));
+        self.symbols.time.is_some() && inside.iter().any(is_time) && !inside.iter().any(is_function)
+    }
+
+    /// `u(x + h)`: a field at a place beside another.
+    fn is_at_a_place(&self, name: &Name, inside: &[&Item]) -> bool {
+        let is_place = |item: &&Item| {
+            let printed = names::printed(item, self.branch).filter(|printed| printed.sup.is_none());
+            printed.is_some_and(|printed| ["x", "z"].contains(&printed.name.base.as_str()))
+        };
+        FIELDS.contains(&name.base.as_str()) && inside.iter().any(is_place)
+    }
+}
+
+/// A parenthesis, with a script perhaps, and what is in it without the spaces.
+fn parenthesis(item: &Item) -> Option<(&Item, Vec<&Item>)> {
+    let fence = match &item.layout {
+        Layout::Scripts { nucleus, .. } => nucleus,
+        _ => item,
+    };
+    let Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, inside) = &fence.layout else {
+        return None;
+    };
+    Some((fence, inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect()))
+}
+
+/// Whether a name usually stands for a function.
+fn is_function(entry: &Entry) -> bool {
+    let base = entry.name.base.as_str();
+    let is_ornate =
+        ["\\mathcal{", "\\mathscr{", "\\mathbb{", "\\mathfrak{"].iter().any(|style| base.starts_with(style));
+    entry.name.primes > 0 || FUNCTIONS.contains(&base) || is_ornate
+}
+
+/// Whether an item is a part of a number: digits, π, a sign, a fraction of numbers.
+fn is_value(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Number(_) => true,
+        Layout::Other(c) => matches!(c, '+' | '-' | '/'),
+        Layout::Command(name) => name == "\\pi",
+        _ => is_numeric_item(item),
+    }
+}
+
+/// Whether a dotted symbol or a derivative stands anywhere in an item.
+fn has_rate(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Accent(command, inner) => super::super::overdots::order(command).is_some() || has_rate(inner),
+        Layout::Fraction(above, below) => {
+            starts_differential(below) && differential_above(above) || has_rate(above) || has_rate(below)
+        }
+        Layout::Group(items) | Layout::Fence(_, items) => items.iter().any(has_rate),
+        Layout::Scripts { nucleus, .. } | Layout::Style(_, nucleus) | Layout::Root(_, nucleus) => has_rate(nucleus),
+        _ => false,
+    }
+}
+
+fn differential_above(above: &Item) -> bool {
+    super::items::contents(above).first().is_some_and(|first| differential(first).is_some())
+}

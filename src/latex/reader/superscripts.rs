@@ -1,0 +1,130 @@
+//! What stands above a base: a power, a transpose, an inverse; and marks that look like a power and are none.
+//!
+//! `X^T`, `A^\dagger`, `x^*`, `x^{(n)}`, `v^+`, `F^{\mathrm{ext}}` and indices above a symbol are rejected, since to read
+//! them as powers would be silently wrong. Without declarations, letters that are usual as indices are rejected too.
+
+use crate::formula::shape::Shape;
+use crate::formula::symbols::Name;
+use crate::formula::tree::{Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Item, Layout};
+use super::super::names;
+use super::items::{contents, is_minus_one, is_transpose, whole_number};
+use super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// A base with a superscript: a power, a transpose, an inverse.
+    pub(super) fn raised(&mut self, base: Expr, sup: &Item, span: Span) -> Read<Expr> {
+        let shape = self.shape_of(&base)?;
+        if let Shape::Matrix(..) = shape {
+            if is_transpose(sup) {
+                return Ok(Expr::new(Node::Transpose(Box::new(base)), span));
+            }
+            if is_minus_one(sup) {
+                return Ok(Expr::new(Node::Inverse(Box::new(base)), span));
+            }
+        }
+        self.is_a_power(&base, sup, span)?;
+        let boxed = Box::new(base);
+        if shape == Shape::Vector && whole_number(sup) == Some(2) {
+            return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));
+        }
+        let exponent = self.item(sup)?;
+        Ok(Expr::new(Node::Power(boxed, Box::new(exponent)), span))
+    }
+
+    /// Rejects a superscript that is no power.
+    fn is_a_power(&self, base: &Expr, sup: &Item, span: Span) -> Read<()> {
+        let marks: Vec<&Item> = contents(sup).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        if is_transpose(sup) {
+            let is_letter = matches!(marks.as_slice(), [Item { layout: Layout::Letter(_), .. }]);
+            let is_declared = !self.symbols.open && self.symbols.find(&Name::plain("T")).is_some();
+            return match is_letter && is_declared {
+                true => Ok(()),
+                false => Err(Fault::ambiguous(span, "this may be a transpose or a power")
+                    .help("only matrices that are declared or written out can be transposed; for a power, declare T")),
+            };
+        }
+        match marks.as_slice() {
+            [Item { layout: Layout::Command(name), .. }]
+                if ["\\dagger", "\\ddagger", "\\circ", "\\ast", "\\star", "\\perp", "\\parallel", "\\pm", "\\mp"]
+                    .contains(&name.as_str()) =>
+            {
+                return Err(mark(sup.span));
+            }
+            [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†'), .. }] => return Err(mark(sup.span)),
+            [Item { layout: Layout::Fence(..), .. }] => return Err(mark(sup.span)),
+            [Item { layout: Layout::Text(_), .. }] => return Err(label(sup.span)),
+            [Item { layout: Layout::Style(style, inner), .. }]
+                if style == "\\mathrm" && contents(inner).len() > 1 && !self.is_declared(marks[0]) =>
+            {
+                return Err(label(sup.span));
+            }
+            _ => {}
+        }
+        let letters: Option<Vec<String>> = marks.iter().map(|item| letter(item)).collect();
+        let letters = letters.unwrap_or_default();
+        let is_index = |letter: &String| self.symbols.index(letter).is_some();
+        if !letters.is_empty() && letters.iter().all(is_index) && !marks.iter().all(|item| self.is_declared(item)) {
+            return Err(Fault::unsupported(sup.span, "indices above a symbol are not supported")
+                .help("write the index as a subscript"));
+        }
+        match self.symbols.open {
+            true => is_unlikely_index(self.subscript_of(base), base, &letters, sup, span),
+            false => Ok(()),
+        }
+    }
+
+    /// Whether an item is a declared name.
+    fn is_declared(&self, item: &Item) -> bool {
+        names::printed(item, None).is_some_and(|printed| self.symbols.find(&printed.name).is_some())
+    }
+
+    /// The subscript of a symbol.
+    fn subscript_of(&self, base: &Expr) -> &[String] {
+        match &base.node {
+            Node::Symbol { id, .. } => &self.symbols.entry(*id).name.subscript,
+            _ => &[],
+        }
+    }
+}
+
+/// Without declarations: rejects letters above a base that are as likely indices, a label or an ordinal as a power.
+fn is_unlikely_index(subscript: &[String], base: &Expr, letters: &[String], sup: &Item, span: Span) -> Read<()> {
+    let is_symbol = matches!(base.node, Node::Symbol { .. });
+    let is_number = matches!(base.node, Node::Number(_));
+    let has_index = matches!(subscript, [.., last] if last.starts_with(|c: char| c.is_lowercase() || c == '\\'));
+    let is_usual = |letter: &String| ["i", "j", "\\mu", "\\nu"].contains(&letter.as_str());
+    let is_power = |letter: &String| ["n", "m", "k", "p", "q", "r", "s", "\\gamma"].contains(&letter.as_str());
+    let is_ordinal = is_number && ["o", "st", "nd", "rd", "th"].contains(&letters.concat().as_str());
+    let may_be_index = match letters {
+        [] => is_symbol && matches!(whole_number(sup), Some(0 | 1)),
+        [only] => is_ordinal || !is_number && (is_usual(only) || is_symbol && (has_index || !is_power(only))),
+        [_, _] => is_symbol || is_ordinal,
+        _ => true,
+    };
+    match may_be_index {
+        true => Err(Fault::ambiguous(span, "what stands above may be indices, a label or a power").help(
+            "write indices and labels as a subscript; write a power as a product in parentheses, x^{(a \\cdot b)}",
+        )),
+        false => Ok(()),
+    }
+}
+
+fn mark(span: Span) -> Fault {
+    Fault::unsupported(span, "this superscript is no power, and is not supported").help("use another name, such as x_+")
+}
+
+fn label(span: Span) -> Fault {
+    Fault::unsupported(span, "a word above a symbol is not supported").help("write it as a subscript")
+}
+
+/// The letter that an item is.
+fn letter(item: &Item) -> Option<String> {
+    match &item.layout {
+        Layout::Letter(c) => Some(c.to_string()),
+        Layout::Command(name) if names::is_letter(name) => Some(name.clone()),
+        _ => None,
+    }
+}

@@ -1,0 +1,93 @@
+//! Letters side by side that spell a function or a word: `sin x`, `log y`, `KE`, `speed`.
+//!
+//! In print these are upright or stand apart, and nobody means the product of their letters. So a run of letters
+//! without a space between them is rejected if it has the name of a function in it. Without declarations, usual words are
+//! rejected too. For a product, a space or `\,` between the letters is enough.
+
+use crate::formula::tree::Function;
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Item, Layout};
+use super::state::Read;
+
+/// Functions that may stand anywhere in a run, `mgsin`.
+const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "cot", "sec", "csc", "exp", "log"];
+
+/// Functions and operators that begin or end a run, `xmax`.
+const OPERATORS: [&str; 14] =
+    ["det", "max", "min", "arg", "sgn", "lim", "sup", "inf", "dim", "mod", "erf", "div", "rot", "curl"];
+
+/// Functions that are a whole run.
+const SHORT: [&str; 3] = ["ln", "lg", "tg"];
+
+/// Numbers without a unit, which have two letters: Reynolds, Nusselt, Prandtl, …; and the parts of a complex number.
+const NUMBERS: [&str; 18] =
+    ["Re", "Im", "Nu", "Pr", "Gr", "Ra", "Fr", "Bo", "Bi", "Pe", "We", "Sh", "Kn", "Oh", "Ja", "Ro", "Ec", "Wi"];
+
+/// Words that are a whole run.
+const WORDS: [&str; 51] = [
+    "and", "or", "of", "to", "so", "no", "for", "the", "with", "where", "if", "is", "in", "it", "not", "let", "then",
+    "when", "else", "all", "any", "are", "from", "rad", "deg", "sum", "mol", "avg", "net", "tot", "kin", "pot", "vel",
+    "pos", "acc", "old", "new", "out", "KE", "PE", "ME", "GPE", "EPE", "NTU", "FWHM", "RMS", "SNR", "COP", "EMF", "SG",
+    "CoV",
+];
+
+/// Rejects runs of letters that spell a function or, without declarations, a word.
+pub(super) fn are_no_words(items: &[Item], open: bool) -> Read<()> {
+    let mut at = 0;
+    while at < items.len() {
+        let Some((mut word, mut span)) = start(&items[at]) else {
+            at += 1;
+            continue;
+        };
+        while matches!(items[at].layout, Layout::Letter(_))
+            && let Some((next, place)) = items.get(at + 1).and_then(start)
+            && (place.start == span.end || place == span)
+        {
+            word.push_str(&next);
+            span = span.to(place);
+            at += 1;
+        }
+        at += 1;
+        is_no_word(&word, span, open)?;
+    }
+    Ok(())
+}
+
+/// The letter that an item is or begins with, and its place.
+fn start(item: &Item) -> Option<(String, Span)> {
+    match &item.layout {
+        Layout::Letter(c) => Some((c.to_string(), item.span)),
+        Layout::Scripts { nucleus, .. } => match nucleus.layout {
+            Layout::Letter(c) => Some((c.to_string(), nucleus.span)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn is_no_word(word: &str, span: Span, open: bool) -> Read<()> {
+    let apart = "for a product, put a space \\, between the letters";
+    let function = FUNCTIONS.iter().find(|name| word.contains(**name));
+    if let Some(name) = function.or(SHORT.iter().find(|name| word == **name)) {
+        let help = match Function::named(name) {
+            Some(_) => format!("write \\{name} for the function; {apart}"),
+            None => apart.to_owned(),
+        };
+        return Err(Fault::ambiguous(span, format!("{word} may be a function or a product")).help(help));
+    }
+    if let Some(name) = OPERATORS.iter().find(|name| word.starts_with(**name) || word.ends_with(**name)) {
+        return Err(Fault::ambiguous(span, format!("{word} may contain the operator {name} or be a product"))
+            .help(format!("{name} is not supported; {apart}")));
+    }
+    let is_lower = |c: char| c.is_ascii_lowercase();
+    let is_long = word.len() >= 4
+        && word.chars().skip(1).all(is_lower)
+        && word.to_ascii_lowercase().contains(['a', 'e', 'i', 'o', 'u']);
+    let has_number = NUMBERS.iter().any(|name| word.contains(name));
+    if open && (is_long || has_number || WORDS.contains(&word)) {
+        return Err(Fault::ambiguous(span, format!("{word} may be a name or a product"))
+            .help(format!("a name of several letters is a letter with a subscript, such as E_{{kin}}; {apart}")));
+    }
+    Ok(())
+}

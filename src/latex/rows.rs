@@ -1,0 +1,118 @@
+//! The rows of a display, and the statements that stand side by side in them.
+//!
+//! `\\` separates rows. `&` marks where the relations of all rows stand, and every second `&` begins another column of
+//! equations: `a &= b & c &= d` are two.
+
+use crate::formula::tree::Relation;
+use crate::source::Span;
+
+use super::layout::{Item, Layout};
+use super::lexer::Space;
+
+/// Between two columns of equations.
+static COLUMN: Item = Item { layout: Layout::Space(Space::Wide), span: Span { start: 0, end: 0 } };
+
+/// One row of a display.
+pub(super) struct Row<'a> {
+    /// What stands in it, without alignment marks.
+    pub items: Vec<&'a Item>,
+    /// Whether the relations are aligned by `&`, and something stands before the first of them.
+    pub is_aligned: bool,
+    /// Whether it begins with `&`, and a row before has something there: it continues that row.
+    pub is_indented: bool,
+    /// Whether the row before ends with a comma or a point.
+    pub follows_stop: bool,
+}
+
+/// The rows of a display, or of the `aligned` or `split` environment that is the whole display.
+pub(super) fn rows(items: &[Item]) -> Vec<Row<'_>> {
+    let significant: Vec<&Item> =
+        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','))).collect();
+    let cells: Vec<Vec<Vec<&Item>>> = match significant.as_slice() {
+        [Item { layout: Layout::Environment(name, rows), .. }]
+            if matches!(
+                name.trim_end_matches('*'),
+                "aligned" | "split" | "gathered" | "align" | "gather" | "alignedat" | "equation" | "eqnarray"
+            ) =>
+        {
+            rows.iter().map(|row| row.iter().map(|cell| cell.iter().collect()).collect()).collect()
+        }
+        _ => items
+            .split(|item| item.layout == Layout::Row)
+            .map(|row| row.split(|item| item.layout == Layout::Align).map(|cell| cell.iter().collect()).collect())
+            .collect(),
+    };
+    let mut rows: Vec<Row<'_>> = Vec::with_capacity(cells.len());
+    for cells in &cells {
+        let is_aligned = cells.len() > 1 && !is_blank(&cells[0]);
+        let is_indented = cells.len() > 1 && is_blank(&cells[0]) && rows.iter().any(|row| row.is_aligned);
+        let stop = |row: &Row<'_>| {
+            let last = row.items.iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
+            last.is_some_and(|item| matches!(item.layout, Layout::Other(',' | '.' | ';')))
+        };
+        let follows_stop = rows.last().is_some_and(stop);
+        rows.push(Row { items: side_by_side(cells), is_aligned, is_indented, follows_stop });
+    }
+    rows
+}
+
+fn is_blank(cell: &[&Item]) -> bool {
+    cell.iter().all(|item| matches!(item.layout, Layout::Space(_)))
+}
+
+/// The cells of a row one after the other, with a break before each column of equations but the first.
+fn side_by_side<'a>(cells: &[Vec<&'a Item>]) -> Vec<&'a Item> {
+    let mut items: Vec<&'a Item> = Vec::new();
+    for (at, cell) in cells.iter().enumerate() {
+        let joins = |item: Option<&&Item>| item.is_some_and(|item| relation(item).is_some() || is_operator(item));
+        let goes_on = joins(items.iter().rev().find(|item| is_significant(item)))
+            || joins(cell.iter().find(|item| is_significant(item)));
+        if at > 0 && at % 2 == 0 && !is_blank(cell) && !goes_on {
+            items.push(&COLUMN);
+        }
+        items.extend(cell);
+    }
+    items
+}
+
+/// Whether an item is + or −.
+pub(super) fn is_sign(item: &Item) -> bool {
+    matches!(item.layout, Layout::Other('+' | '-'))
+}
+
+/// Whether an item is an operator between two terms or factors.
+pub(super) fn is_operator(item: &Item) -> bool {
+    is_sign(item)
+        || matches!(&item.layout, Layout::Command(name) if matches!(name.as_str(), "\\cdot" | "\\times" | "\\pm" | "\\mp"))
+}
+
+/// Whether an item is more than a space or an empty group.
+pub(super) fn is_significant(item: &&&Item) -> bool {
+    !matches!(item.layout, Layout::Space(_)) && !matches!(&item.layout, Layout::Group(items) if items.is_empty())
+}
+
+/// The relation that an item is.
+pub(super) fn relation(item: &Item) -> Option<Relation> {
+    Some(match &item.layout {
+        Layout::Other('=') => Relation::Equal,
+        Layout::Other('<') => Relation::Less,
+        Layout::Other('>') => Relation::Greater,
+        Layout::Other('≈') => Relation::Approximately,
+        Layout::Other('≡') => Relation::Identical,
+        Layout::Other('≤') => Relation::LessEqual,
+        Layout::Other('≥') => Relation::GreaterEqual,
+        Layout::Other('≠') => Relation::NotEqual,
+        Layout::Command(name) => match name.as_str() {
+            "\\equiv" | "\\coloneqq" => Relation::Identical,
+            "\\lt" => Relation::Less,
+            "\\gt" => Relation::Greater,
+            "\\leq" => Relation::LessEqual,
+            "\\geq" => Relation::GreaterEqual,
+            "\\neq" => Relation::NotEqual,
+            "\\approx" => Relation::Approximately,
+            "\\propto" => Relation::Proportional,
+            _ => return None,
+        },
+        _ => return None,
+    })
+}
