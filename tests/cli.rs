@@ -15,6 +15,8 @@ mod damage;
 mod derive;
 #[path = "cli/explain.rs"]
 mod explain;
+#[path = "cli/files.rs"]
+mod files;
 #[path = "cli/formulas.rs"]
 mod formulas;
 #[path = "cli/mutate.rs"]

@@ -16,6 +16,7 @@
 //! Nothing else in the file changes, and nothing at all if the file has changed since it was checked.
 
 use std::io::{BufRead, IsTerminal, Write};
+use std::path::Path;
 
 use crate::check::{Document, Equation, Repair, Report};
 use crate::latex::slips::Slip;
@@ -168,5 +169,18 @@ fn apply(document: &Document, repairs: &[&Repair]) -> Result<()> {
     for repair in sorted {
         text.replace_range(repair.span.range(), &repair.replacement);
     }
-    std::fs::write(path, text).map_err(failed)
+    replace(Path::new(path), &text).map_err(failed)
+}
+
+/// Replaces a file in one step. The new text is written beside it and renamed, so the notes are whole at any time: with
+/// no room left on the disk they stay as they were. A link stays a link, and the file keeps its permissions.
+fn replace(path: &Path, text: &str) -> std::io::Result<()> {
+    let file = path.canonicalize()?;
+    let folder = file.parent().unwrap_or(Path::new("."));
+    let mut beside = tempfile::NamedTempFile::new_in(folder)?;
+    beside.write_all(text.as_bytes())?;
+    beside.as_file().set_permissions(std::fs::metadata(&file)?.permissions())?;
+    beside.as_file().sync_all()?;
+    beside.persist(&file)?;
+    Ok(())
 }

@@ -370,7 +370,10 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
             None => {
                 let n = self.scalar(exponent)?;
                 // A whole number that does not vary is a power of its own, for negative bases too.
-                let varies = exponent.symbols().iter().any(|(id, _)| self.environment.symbols().entry(*id).varies);
+                // A number of too many digits is near a whole number, and is none.
+                let symbols = exponent.symbols();
+                let varies = |id| self.environment.symbols().entry(id).varies;
+                let varies = symbols.is_empty() || symbols.iter().any(|(id, _)| varies(*id));
                 match n.re() {
                     whole if !varies && whole.fract() == 0.0 && whole.abs() <= 64.0 => x.powi(whole as i32),
                     _ => (x.ln() * n).exp(),

@@ -38,6 +38,13 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
             return reading;
         }
     };
+    if let Some(span) = grouped_number(&items) {
+        let number = text.get(span.range()).unwrap_or_default();
+        let fault = Fault::ambiguous(span, format!("{number} may be one number, or two parts of a list"))
+            .help("for one number, leave the comma out; for a list, put a space after the comma");
+        reading.statements.push(Err(fault));
+        return reading;
+    }
     let mut pieces: Vec<Piece> = Vec::new();
     for (row, items) in rows(&items).into_iter().enumerate() {
         split(items, row + 1, &mut pieces);
@@ -213,13 +220,30 @@ fn continues(items: &[&Item], before: Option<&Piece<'_>>) -> bool {
     before.constant.is_none() && (open || adds)
 }
 
+/// Digits with a comma before the last three, `1,000`, without a space.
+fn grouped_number(items: &[Item]) -> Option<Span> {
+    let is_comma = |item: &Item| item.layout == Layout::Other(',');
+    items.windows(3).find_map(|window| match window {
+        [a @ Item { layout: Layout::Number(first), .. }, comma, b @ Item { layout: Layout::Number(second), .. }]
+            if is_comma(comma)
+                && (1..=3).contains(&first.len())
+                && second.split('.').next().is_some_and(|whole| whole.len() == 3)
+                && a.span.end == comma.span.start
+                && comma.span.end == b.span.start =>
+        {
+            Some(a.span.to(b.span))
+        }
+        _ => None,
+    })
+}
+
 fn separates(item: &Item) -> bool {
     match &item.layout {
         Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
         Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
         Layout::Text(word) => matches!(
             word.trim_matches(|c: char| c == ',' || c == '.'),
-            "and" | "or" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
+            "and" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
         ),
         _ => false,
     }

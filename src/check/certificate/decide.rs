@@ -30,8 +30,8 @@
 
 use crate::formula::{Expr, Node, SymbolId};
 use crate::notes::claims::Range;
-use crate::scalar::prime_field::{FirstPrime, Modulus, SecondPrime, evaluate_at_point, false_accept_log2};
 use crate::scalar::Modular;
+use crate::scalar::prime_field::{FirstPrime, Modulus, SecondPrime, evaluate_at_point, false_accept_log2};
 
 use crate::check::certificate::claim::{Certificate, Claim, Differences};
 use crate::check::certificate::family_growth::GrowthAnalysis;

@@ -66,7 +66,7 @@ pub fn check(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.no_state(&ensemble));
     }
     let states = AtStates::new(&link, &ensemble.states);
-    let outcome = match states.run() {
+    let outcome = match states.run(&ensemble.projection) {
         Ok(outcome) => outcome,
         Err(reason) => return Ok(context.unavailable(&reason)),
     };

@@ -3,9 +3,10 @@
 //! Offers [`sampler::Sampler`], which draws numbers; [`projection::Projection`], the equations of the hypotheses, which
 //! [`newton`] solves; [`ensemble::Ensemble`], the states; [`context::Context`], a claim's hypotheses and the name that
 //! seeds its states; [`prescribed_values`], states with given values of some quantities; [`outcome`], the result of a
-//! claim at all states. Knows `state`, `hypotheses`, `model` and `verdict`.
+//! claim at all states; [`enclosed`], a claim at one state with as many digits as it needs. Knows `state`, `hypotheses`, `model` and `verdict`.
 
 pub(crate) mod context;
+pub(crate) mod enclosed;
 pub(crate) mod ensemble;
 pub(crate) mod hypothesis_residual;
 pub(crate) mod newton;

@@ -212,7 +212,11 @@ impl<'m> Projection<'m> {
     }
 
     /// The Jacobian and the values of the planned rows.
-    fn linearised(&self, base: &[f64], plan: &[(Row, usize)]) -> Result<Option<(DMatrix<f64>, DVector<f64>)>> {
+    pub(crate) fn linearised(
+        &self,
+        base: &[f64],
+        plan: &[(Row, usize)],
+    ) -> Result<Option<(DMatrix<f64>, DVector<f64>)>> {
         let n = plan.len();
         let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
         let (mut jacobian, mut values) = (DMatrix::zeros(n, n), DVector::zeros(n));

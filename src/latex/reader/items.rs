@@ -95,6 +95,42 @@ pub(super) fn is_numeric_item(item: &Item) -> bool {
     }
 }
 
+/// Whether an item is a parenthesis with numbers and nothing else, such as `(0)` and `(-1, 2)`.
+pub(super) fn is_number_in_parentheses(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let is_part = |item: &Item| matches!(item.layout, Layout::Space(_) | Layout::Other('+' | '-' | ','));
+    inside.iter().any(is_number) && inside.iter().all(|item| is_number(item) || is_part(item))
+}
+
+/// Whether an item is a parenthesis with one name and nothing else.
+pub(super) fn is_lone_name(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let mut inside = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let (Some(only), None) = (inside.next(), inside.next()) else { return false };
+    names::printed(only, None).is_some_and(|printed| printed.sup.is_none())
+}
+
+/// The first letters side by side that spell the name of a function without its backslash: `sin`.
+pub(super) fn bare_function(items: &[Item]) -> Option<(&'static str, Span)> {
+    const NAMES: [&str; 5] = ["sin", "cos", "tan", "exp", "log"];
+    let letter = |item: &Item| match &item.layout {
+        Layout::Letter(letter) => Some(*letter),
+        Layout::Scripts { nucleus, .. } => match nucleus.layout {
+            Layout::Letter(letter) => Some(letter),
+            _ => None,
+        },
+        _ => None,
+    };
+    items.windows(3).find_map(|window| {
+        let [a, b, c] = window else { return None };
+        let is_joined = a.span.end == b.span.start && b.span.end == c.span.start;
+        let is_plain = [a, b].iter().all(|item| matches!(item.layout, Layout::Letter(_)));
+        let spelt: String = window.iter().map_while(letter).collect();
+        let name = NAMES.into_iter().find(|name| *name == spelt)?;
+        (is_joined && is_plain).then(|| (name, a.span.to(c.span)))
+    })
+}
+
 /// Factors side by side as one formula.
 pub(super) fn beside(mut factors: Vec<Expr>) -> Expr {
     if factors.len() == 1 {

@@ -6,7 +6,7 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{is_lone, is_minus_one, is_transpose, whole_number};
+use super::items::{is_lone, is_lone_name, is_minus_one, is_number_in_parentheses, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -207,7 +207,30 @@ impl Reader<'_> {
             *cursor += 1;
             return self.raised(expr, above, span);
         }
-        if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor) {
+        // A number in parentheses, and a name under a power, are what authors write for a function's value.
+        let next = items.get(*cursor);
+        let under_power = match next.map(|item| &item.layout) {
+            Some(Layout::Scripts { nucleus, .. }) => Some(&**nucleus).filter(|nucleus| is_lone_name(nucleus)),
+            _ => None,
+        };
+        if let Some(item) = next.filter(|item| is_number_in_parentheses(item)).or(under_power) {
+            let name = &self.symbols.entry(id).name;
+            return Err(Fault::ambiguous(
+                span.to(item.span),
+                format!("{name}(…) may be the value of a function or a product"),
+            )
+            .help(format!("for a product, remove the parentheses; for a value, give it a name of its own, {name}_0")));
+        }
+        if let Some(Item { layout: Layout::Fence(Delimiter::Round, _), span: fence }) = next
+            && self.symbols.entry(id).name.to_string() == "O"
+        {
+            return Err(Fault::unsupported(
+                span.to(*fence),
+                "O(…) is the order of a remainder, which is not supported",
+            )
+            .help("leave the remainder out, write ≈, and name what is small in the claims file: \"small\""));
+        }
+        if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = next {
             let plain = |item: &&Item| !matches!(item.layout, Layout::Space(_));
             let inside: Vec<&Item> = inside.iter().filter(plain).collect();
             let lone = inside.iter().all(|item| {

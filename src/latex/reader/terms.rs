@@ -8,7 +8,8 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, unaccented};
 use super::items::{
-    Joint, beside, extent, function_head, is_big_sum, is_integral, is_limit, is_number, is_numeric_item, joint,
+    Joint, bare_function, beside, extent, function_head, is_big_sum, is_integral, is_limit, is_number, is_numeric_item,
+    joint,
 };
 use super::state::{Read, Reader};
 
@@ -86,6 +87,12 @@ impl Reader<'_> {
     /// A term: factors and the operators between them; all of `items`.
     pub(super) fn term(&mut self, items: &[Item]) -> Read<Expr> {
         let whole = extent(items).unwrap_or_default();
+        if let Some((name, span)) = bare_function(items) {
+            return Err(Fault::ambiguous(span, format!("{name} may be the function or a product of three letters"))
+                .help(format!(
+                    "for the function, write \\{name}; for the product, put thin spaces \\, between the letters"
+                )));
+        }
         // Factors between one `\cdot` or `\times` and the next stand side by side.
         let mut runs: Vec<(Joint, Vec<Expr>)> = vec![(Joint::Beside, Vec::new())];
         let mut next = Joint::Beside;

@@ -254,9 +254,7 @@ impl Arithmetic for Enclosure {
                 let root = self.times(self).minus(one()).apply(Function::Sqrt);
                 self.plus(root).apply(Function::Ln)
             }
-            Function::Atanh => {
-                one().plus(self).over(one().minus(self)).apply(Function::Ln).over(Self::whole(2))
-            }
+            Function::Atanh => one().plus(self).over(one().minus(self)).apply(Function::Ln).over(Self::whole(2)),
         }
     }
     fn angle_from(self, x: Self) -> Self {

@@ -103,7 +103,8 @@ fn what_may_have_no_value_is_unknown() {
     evaluate_to(256, STEPS, || {
         let one = Enclosure::exact(1.0);
         let nothing = one.sin() * one.sin() + one.cos() * one.cos() - 1.0;
-        for unknown in [one / nothing, nothing.sqrt(), nothing.ln(), (-one).sqrt(), (one * 2.0).asin(), -one.ln() / 0.0] {
+        for unknown in [one / nothing, nothing.sqrt(), nothing.ln(), (-one).sqrt(), (one * 2.0).asin(), -one.ln() / 0.0]
+        {
             assert!(!unknown.is_known());
         }
         // must-fail cases
