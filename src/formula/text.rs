@@ -149,6 +149,23 @@ impl Writer<'_> {
     }
 }
 
+/// A number with so many significant digits. What is not finite is said in words.
+pub fn number(value: f64, digits: usize) -> String {
+    let magnitude = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+    if value.is_nan() {
+        "no value".to_owned()
+    } else if value.is_infinite() {
+        (if value > 0.0 { "+∞" } else { "−∞" }).to_owned()
+    } else if value == 0.0 {
+        "0".to_owned()
+    } else if (-4.0..digits as f64).contains(&magnitude) {
+        let decimals = (digits as f64 - 1.0 - magnitude).max(0.0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.*e}", digits - 1)
+    }
+}
+
 /// A LaTeX name as Unicode: Greek letters as letters, accents as combining marks.
 pub fn plain(latex: &str) -> String {
     let mut text = String::new();

@@ -3,6 +3,7 @@
 use crate::formula::symbols::{Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Index, Node};
 use crate::source::{Fault, Span};
+use crate::suggest::declaration;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
@@ -28,7 +29,7 @@ impl Reader<'_> {
                         span,
                         "e with a number as its exponent may be the exponential or a power of a symbol",
                     )
-                    .help("write \\exp(2) for the exponential, or declare e"));
+                    .help(format!("write \\exp(2) for the exponential, or {}", declaration("e", 0))));
                 }
                 let exponent = self.item(sup)?;
                 let euler = Expr::new(Node::Euler, span);
@@ -36,7 +37,7 @@ impl Reader<'_> {
             }
             if !declared && name.subscript.is_empty() {
                 return Err(Fault::ambiguous(span, "e may be Euler’s number or a symbol")
-                    .help("write \\exp(1) for the number, or declare e"));
+                    .help(format!("write \\exp(1) for the number, or {}", declaration("e", 0))));
             }
         }
         if let Some(special) = self.special(&printed, span)? {
@@ -78,11 +79,11 @@ impl Reader<'_> {
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
         }
-        let fault = Fault::undeclared(span, name);
-        Err(match self.symbols.nearest(name) {
-            Some(near) => fault.help(format!("did you mean {near}? If not, declare {name} in the claims file")),
-            None => fault.help(format!("declare {name} in the claims file")),
-        })
+        let add = declaration(&name.to_string(), dots);
+        Err(Fault::undeclared(span, name).help(match self.symbols.nearest(name) {
+            Some(near) => format!("did you mean {near}? If not, {add}"),
+            None => add,
+        }))
     }
 
     /// A name with dots that is declared with its dots, as `\dot{\vec v}` for the rate in turning axes, is that
