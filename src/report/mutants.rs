@@ -132,7 +132,8 @@ fn slip(source: &Source, equation: &Mutants, fate: &str, survivor: &Survivor) ->
     )
 }
 
-fn change(old: &str, new: &str) -> String {
+/// The change of one text into another, as a phrase.
+pub fn change(old: &str, new: &str) -> String {
     match (old, new.trim()) {
         ("", new) => format!("“{new}” added"),
         (old, "") => format!("“{old}” left out"),

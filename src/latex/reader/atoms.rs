@@ -79,7 +79,7 @@ impl Reader<'_> {
                 if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
                     return Err(Fault::ambiguous(
                         span,
-                        "braces do not print, so this power may belong to the last factor only",
+                        "braces do not print, so {a b}^2 may be (a b)^2 or a b^2",
                     )
                     .help("use parentheses"));
                 }
