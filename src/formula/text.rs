@@ -197,7 +197,23 @@ pub fn plain(latex: &str) -> String {
         }
     }
     text.push_str(rest);
-    text
+    subscripts(&text)
+}
+
+/// A name in which a subscript has a number as its own subscript: `p_{θ_{1}}` becomes p_θ₁.
+fn subscripts(name: &str) -> String {
+    let Some((head, rest)) = name.split_once("_{") else { return name.to_owned() };
+    let Some(close) = matching(rest) else { return name.to_owned() };
+    let (inner, after) = (&rest[..close], subscripts(&rest[close + 1..]));
+    let lowered = inner.split_once('_').and_then(|(letter, number)| {
+        let number = number.strip_prefix('{').and_then(|number| number.strip_suffix('}')).unwrap_or(number);
+        let digits: Option<String> = number.chars().map(|c| char::from_u32(u32::from('₀') + c.to_digit(10)?)).collect();
+        Some(format!("{letter}{}", digits.filter(|digits| !digits.is_empty())?))
+    });
+    match lowered {
+        Some(lowered) => format!("{head}_{lowered}{after}"),
+        None => format!("{head}_{{{inner}}}{after}"),
+    }
 }
 
 fn matching(inner: &str) -> Option<usize> {

@@ -71,6 +71,8 @@ fn is_read(item: &Equation, finding: &Finding) -> bool {
 /// The verdict as a predicate. What is `unreadable` was not read, or was read and cannot be evaluated.
 fn outcome(finding: &Finding, is_read: bool) -> String {
     match (finding.verdict, is_read) {
+        // A second print that lacks something has nothing to read there.
+        (Verdict::Unreadable, _) if finding.code == Code::LostInPrint => "is not printed in full".to_owned(),
         (Verdict::Unreadable, true) => "was read, but cannot be checked".to_owned(),
         (Verdict::Unreadable, false) => "could not be read".to_owned(),
         (verdict, _) => format!("is {verdict}"),

@@ -204,13 +204,17 @@ fn details(item: &Equation, style: Style) -> String {
         text.push_str(&(wrap(&first, line, indent + inside + 2, style.width) + "\n"));
     };
     if item.parts.is_empty() {
-        tell(0, &item.reading);
+        // What could not be read has no reading.
+        if !item.reading.is_empty() {
+            tell(0, &item.reading);
+        }
         if let Some(reason) = &item.finding.not_certified_because {
             tell(0, &format!("not certified because of {reason}"));
         }
     }
     for part in &item.parts {
-        tell(0, &format!("{}:\u{a0} {}", part.finding.verdict.word(), part.reading));
+        let unread = if part.reading.is_empty() { &part.latex } else { &part.reading };
+        tell(0, &format!("{}:\u{a0} {unread}", part.finding.verdict.word()));
         tell(2, &summary_of(&part.finding));
         if let Some(reason) = &part.finding.not_certified_because {
             tell(2, &format!("not certified because of {reason}"));

@@ -1,12 +1,13 @@
 //! Lines for the claims file that would make an equation checkable.
 
+use crate::source::Span;
 use crate::suggest::in_json;
 
 use crate::check::document::checker::Checker;
 use crate::check::model::claim::Link;
 use crate::check::model::free_symbols;
 use crate::check::model::meaning::Meaning;
-use crate::source::Span;
+use crate::check::sample::sampler::contains;
 
 impl Checker<'_> {
     /// The message that ≈ needs a limit or a small quantity, with the line that names one.
@@ -14,7 +15,9 @@ impl Checker<'_> {
         let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], self.model);
         let plain = || drawn.iter().filter(|symbol| self.model.symbols.entry(**symbol).slots.is_empty());
         let varies = |symbol: &&_| !matches!(self.model.meaning(**symbol), Some(Meaning::Constant(_)));
-        let symbol = plain().find(varies).or_else(|| plain().next());
+        // What cannot be 0 is less likely to be meant.
+        let may_vanish = |symbol: &&_| contains(&self.model.range(**symbol), 0.0);
+        let symbol = plain().find(varies).or_else(|| plain().find(may_vanish)).or_else(|| plain().next());
         let name = symbol.map_or_else(|| "…".to_owned(), |symbol| self.model.name(*symbol));
         let small = self.entry(place, &format!("\"small\": {}", in_json(&name)));
         let limit = format!("\"limit\": {}", in_json(&format!("{name}\\to\\infty")));
