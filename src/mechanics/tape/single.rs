@@ -104,8 +104,8 @@ impl Machine {
     }
 }
 
-/// One by one, in one loop: two calls to copy are longer, and vectors of what was just written one by one have to wait
-/// for it.
+/// Copies numbers one by one. Two calls of `copy_from_slice` are slower, because vector loads wait for the single stores
+/// before them.
 #[inline(always)]
 fn enter<L: IndexMut<usize, Output = f64> + ?Sized>(list: &mut L, time: f64, q: &[f64], v: &[f64]) {
     list[0] = time;
