@@ -14,10 +14,8 @@ use crate::check::verdict::report::Document;
 pub fn unclaimed(notes: &Notes) -> Document {
     let equation = |display: &Display| {
         let beside = claims_beside(Path::new(&notes.source.path));
-        let message = format!(
-            "these notes have no claims file, so this equation was not checked; write {}",
-            beside.display()
-        );
+        let message =
+            format!("these notes have no claims file, so this equation was not checked; write {}", beside.display());
         let finding = Finding::new(Code::NoClaimsFile, Verdict::Unclaimed, display.body, message);
         Some(unjudged(notes, display.id()?, display.line, finding))
     };

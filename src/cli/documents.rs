@@ -40,8 +40,11 @@ pub(super) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     }
     let claims = if claims.is_empty() { vec![claims_beside(path)] } else { claims.to_vec() };
     if let Some(absent) = claims.iter().find(|claims| !claims.exists()) {
-        return Err(Error::new(format!("{} has no claims file", path.display()))
-            .help(format!("write {}; for example: {}", absent.display(), smallest(path))));
+        return Err(Error::new(format!("{} has no claims file", path.display())).help(format!(
+            "write {}; for example: {}",
+            absent.display(),
+            smallest(path)
+        )));
     }
     Ok(vec![Job::Pair { notes: path.to_owned(), claims }])
 }

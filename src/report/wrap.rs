@@ -68,9 +68,8 @@ fn words(text: &str, room: usize) -> Vec<String> {
 
 /// The words of a text. What is in quotes is one word, if it fits into a line.
 fn quoted(text: &str, room: usize) -> Vec<String> {
-    let is_open = |text: &str| {
-        text.matches('“').count() > text.matches('”').count() || text.matches('"').count() % 2 == 1
-    };
+    let is_open =
+        |text: &str| text.matches('“').count() > text.matches('”').count() || text.matches('"').count() % 2 == 1;
     let words: Vec<&str> = text.split([' ', '\n']).filter(|word| !word.is_empty()).collect();
     let mut joined: Vec<String> = Vec::new();
     let mut at = 0;

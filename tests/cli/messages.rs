@@ -95,9 +95,7 @@ fn where_no_state_is_found_the_hypothesis_is_named_with_its_place() {
 #[test]
 fn laws_that_cannot_be_met_are_named_with_their_places() {
     let notes = "$$ m \\ddot x = -k x \\tag{1} $$\n\n$$ x^2 = -k \\tag{2} $$\n";
-    let claims = |laws: Value| {
-        json!({ "notes": "notes.md", "constants": { "m, k": "> 0" }, "varies with time": { "x": "any" }, "laws": laws })
-    };
+    let claims = |laws: Value| json!({ "notes": "notes.md", "constants": { "m, k": "> 0" }, "varies with time": { "x": "any" }, "laws": laws });
     let desk = desk("laws", notes, &claims(json!({ "spring": "1", "constraint": "2" })));
     let run = desk.onshell(&["check", "notes.md"]);
     let at = place(&desk, "notes.md", "x^2").replace('(', "").replace(')', "");
@@ -112,9 +110,11 @@ fn a_term_beyond_the_order_is_told_with_the_order_to_write() {
         let claims = numbers(json!({ "equations": { "1": { "small": "x", "order": order } } }));
         check(name, &format!("$$ {latex} \\tag{{1}} $$\n"), &claims)
     };
-    for (latex, order, needed) in
-        [("\\sin x \\approx x + 5x^3", 2, 3), ("\\sin x \\approx x + 5x^5", 2, 5), ("\\sin x \\approx x (1 + x^2)", 1, 3)]
-    {
+    for (latex, order, needed) in [
+        ("\\sin x \\approx x + 5x^3", 2, 3),
+        ("\\sin x \\approx x + 5x^5", 2, 5),
+        ("\\sin x \\approx x (1 + x^2)", 1, 3),
+    ] {
         let line = format!("write \"order\": {needed} in the claims file");
         says(&of("beyond", latex, order), &["error[term-beyond-order]", &line]);
         // With this order the wrong term is found.

@@ -219,9 +219,10 @@ fn what_is_expected_not_to_pass_is_left_out_and_so_is_what_does_not() {
     let wrong = "$$\n(x + a)^2 = x^2 + a^2\n\\tag{3}\n$$\n";
     let notes = format!("{SQUARE}\n{wrong}");
     let expected = json!({ "3": { "expect": "refuted", "because": "the mixed term is lost" } });
-    for (equations, why) in
-        [(expected, "the claims file expects the equation not to pass"), (json!({}), "the equation does not pass: it is refuted")]
-    {
+    for (equations, why) in [
+        (expected, "the claims file expects the equation not to pass"),
+        (json!({}), "the equation does not pass: it is refuted"),
+    ] {
         let desk = desk("mutate-left-out", &notes, equations);
         let run = mutate(&desk, &["-v"]);
         assert_eq!(run.code, 0, "{}{}", run.out, run.err);

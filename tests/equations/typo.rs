@@ -107,8 +107,7 @@ fn stands(equation: &Equation, notes: &Notes) -> Result<(), Failed> {
         let finite = found.state.iter().map(|(_, value)| *value).chain([found.lhs, found.rhs]).all(f64::is_finite);
         // an equality fails where its sides differ, and ≠ where they are equal, up to rounding
         let largest = found.state.iter().map(|(_, value)| value.abs()).fold(1.0, f64::max);
-        let is_unequal =
-            finding.code == Code::InequalityFails && notes.source.slice(finding.span).contains("\\neq");
+        let is_unequal = finding.code == Code::InequalityFails && notes.source.slice(finding.span).contains("\\neq");
         let fails = match is_unequal {
             true => (found.lhs - found.rhs).abs() <= 1e-14 * largest,
             false => found.lhs != found.rhs,

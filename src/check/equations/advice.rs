@@ -21,7 +21,9 @@ impl Checker<'_> {
         let name = symbol.map_or_else(|| "…".to_owned(), |symbol| self.model.name(*symbol));
         let small = self.entry(place, &format!("\"small\": {}", in_json(&name)));
         let limit = format!("\"limit\": {}", in_json(&format!("{name}\\to\\infty")));
-        format!("≈ does not say when the two sides are nearly equal; write {small} in the claims file, or {limit} for a limit")
+        format!(
+            "≈ does not say when the two sides are nearly equal; write {small} in the claims file, or {limit} for a limit"
+        )
     }
 
     /// A key with its value as a line to add to the claims file for the equation at a place.
@@ -29,7 +31,9 @@ impl Checker<'_> {
         let display = self.notes.equations.iter().position(|display| display.body.contains(place));
         let id = display.and_then(|at| self.notes.equations[at].id().filter(|_| self.assigned[at].is_none()));
         match id {
-            Some(id) if self.claims.equations.is_empty() => format!("\"equations\": {{ {}: {{ {line} }} }}", in_json(id)),
+            Some(id) if self.claims.equations.is_empty() => {
+                format!("\"equations\": {{ {}: {{ {line} }} }}", in_json(id))
+            }
             Some(id) => format!("{}: {{ {line} }} under \"equations\"", in_json(id)),
             None => format!("{line} in the entry of the equation"),
         }

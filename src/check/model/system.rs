@@ -78,12 +78,11 @@ impl Builder<'_> {
     fn missing(&self, place: &Spanned<String>, what: &str, name: &str) -> Error {
         let add = in_json(name);
         let role = if what == "parameter" { "constants" } else { "coordinates" };
-        self.error(place, format!("no declared symbol is the {what} {name} of \"{}\"", place.value))
-            .help(format!(
-                "add {add}: \"any\" under \"{role}\"; or, if the notes have another name for it, say which: \"system\": {{ \
+        self.error(place, format!("no declared symbol is the {what} {name} of \"{}\"", place.value)).help(format!(
+            "add {add}: \"any\" under \"{role}\"; or, if the notes have another name for it, say which: \"system\": {{ \
                  \"name\": \"{}\", \"read\": {{ {add}: \"…\" }} }}",
-                place.value
-            ))
+            place.value
+        ))
     }
 
     pub(crate) fn means(&mut self) -> Result<()> {

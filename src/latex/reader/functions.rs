@@ -103,9 +103,9 @@ impl Reader<'_> {
         let is_factor = |item: &Item| is_number(item) || names::printed(item, self.branch).is_some();
         let long = if items.get(end).is_some_and(is_factor) { end + 1 } else { end };
         let mut said = |items: &[Item]| self.term(items).ok().map(|read| text::formula(&read, self.symbols));
-        let parts = items[..long].split_last().map(|(last, short)| {
-            (said(short), said(std::slice::from_ref(last)), said(&items[..long]))
-        });
+        let parts = items[..long]
+            .split_last()
+            .map(|(last, short)| (said(short), said(std::slice::from_ref(last)), said(&items[..long])));
         match parts {
             Some((Some(short), Some(last), Some(long))) => {
                 format!("the argument of \\{name} may end in two places: {name}({short})·{last} or {name}({long})")

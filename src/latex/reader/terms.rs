@@ -130,8 +130,11 @@ impl Reader<'_> {
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
-                return Err(Fault::ambiguous(factor.span, "braces do not print, so {a + b} c may be (a + b) c or a + b c")
-                    .help("use parentheses"));
+                return Err(Fault::ambiguous(
+                    factor.span,
+                    "braces do not print, so {a + b} c may be (a + b) c or a + b c",
+                )
+                .help("use parentheses"));
             }
             if next == Joint::Beside && !runs.last().is_none_or(|(_, run)| run.is_empty()) {
                 self.run_together(items, start)?;
@@ -166,13 +169,15 @@ impl Reader<'_> {
         let item = &items[at];
         let span = before.span.to(item.span);
         if matches!(before.layout, Layout::Number(_)) && (is_numeric_item(item) || is_number(item)) {
-            return Err(Fault::ambiguous(span, "2 3 may be the product 2·3 or the number 23")
-                .help("write \\cdot between them"));
+            return Err(
+                Fault::ambiguous(span, "2 3 may be the product 2·3 or the number 23").help("write \\cdot between them")
+            );
         }
         let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
         if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
-            return Err(Fault::ambiguous(span, "|a|b|c| may be |a|·b·|c| or |a·|b|·c|")
-                .help("use \\left| and \\right|"));
+            return Err(
+                Fault::ambiguous(span, "|a|b|c| may be |a|·b·|c| or |a·|b|·c|").help("use \\left| and \\right|")
+            );
         }
         Ok(())
     }
