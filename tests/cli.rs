@@ -19,6 +19,8 @@ mod explain;
 mod files;
 #[path = "cli/formulas.rs"]
 mod formulas;
+#[path = "cli/messages.rs"]
+mod messages;
 #[path = "cli/mutate.rs"]
 mod mutate;
 #[path = "cli/reprint.rs"]

@@ -20,7 +20,7 @@ use std::path::Path;
 
 use crate::check::{Document, Equation, Repair, Report};
 use crate::latex::slips::Slip;
-use crate::report::{Style, suggestion, wrap};
+use crate::report::{Style, mutants, suggestion, wrap};
 use crate::{Error, Result};
 
 /// What was done to the notes.
@@ -39,16 +39,20 @@ pub(super) enum Made {
 pub(super) struct Fixed {
     /// What was done to the notes.
     pub made: Made,
-    /// The edits that are left to the author, with the reasons: a sentence each.
-    pub left: Vec<String>,
+    /// What was edited, and the edits that are left to the author with the reasons: a sentence each.
+    pub told: Vec<String>,
 }
 
 /// Makes the edits that are clear.
 pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Result<Fixed> {
     let mut made = Made::Nothing;
-    let mut left = Vec::new();
+    let mut told = Vec::new();
     for document in &report.documents {
         let mut chosen: Vec<&Repair> = Vec::new();
+        let unclear = |equation: &&Equation| !equation.repairs.is_empty() && clear(document, equation).is_none();
+        told.extend(document.equations.iter().filter(unclear).map(|equation| {
+            format!("({}) was not edited: no suggestion for it is clear enough; choose one by hand", equation.id)
+        }));
         let mut clear: Vec<(&Equation, &Repair)> =
             document.equations.iter().filter_map(|equation| Some((equation, clear(document, equation)?))).collect();
         if clear.iter().any(|(_, repair)| mends_several(repair)) {
@@ -62,10 +66,11 @@ pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Result<Fixed> {
             };
             let doubt = doubt(equation, repair);
             if let (true, Some(doubt)) = (yes, &doubt) {
-                left.push(format!("({}) was not edited: {doubt}", equation.id));
+                told.push(format!("({}) was not edited: {doubt}", equation.id));
                 continue;
             }
             if chosen.iter().all(apart) && (yes || agreed(document, equation, repair, style)?) {
+                told.push(edited(document, equation, repair));
                 chosen.push(repair);
             }
         }
@@ -75,7 +80,14 @@ pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Result<Fixed> {
             made = if is_shared { Made::Shared } else { Made::All };
         }
     }
-    Ok(Fixed { made, left })
+    Ok(Fixed { made, told })
+}
+
+/// The sentence that an edit was made.
+fn edited(document: &Document, equation: &Equation, repair: &Repair) -> String {
+    let (line, column) = document.source.line_column(repair.span.start);
+    let change = mutants::change(document.source.slice(repair.span).trim(), &repair.replacement);
+    format!("({}) was edited at {}:{line}:{column}: {change}", equation.id, document.path)
 }
 
 /// The edit of an equation that is the only one, or clearly the likeliest.
