@@ -348,7 +348,8 @@ codes! {
     Skipped = "skipped",
     /// The notes have no claims file, so their equations were not checked.
     ///
-    /// Write a JSON file with the name of the notes beside them: `top.json` for `top.md`.
+    /// Write a JSON file with the name of the notes beside them, `top.json` for `top.md`. It names the notes and declares
+    /// the symbols: `{ "notes": "top.md", "constants": { "m, g": "> 0" } }`.
     NoClaimsFile = "no-claims-file",
 }
 

@@ -25,6 +25,19 @@ struct Inner {
     missing: Option<Missing>,
 }
 
+/// The reason of a failure to read or write, as a clause: without the number that the operating system gives it.
+#[cfg(feature = "notes")]
+pub(crate) fn reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        std::io::ErrorKind::PermissionDenied => "permission is denied".to_owned(),
+        _ => {
+            let text = error.to_string();
+            text.split(" (os error").next().unwrap_or(&text).to_lowercase()
+        }
+    }
+}
+
 impl Error {
     /// An error without a place, of the class [`Code::Input`].
     pub fn new(message: impl Into<String>) -> Self {

@@ -149,7 +149,14 @@ impl Formula {
         };
         match entries.iter().find(|entry| !entry.is_finite()) {
             None => Ok(entries),
-            Some(entry) => Err(Error::new(format!("{what} has no real value here: {entry}"))),
+            Some(entry) if entry.is_nan() => {
+                Err(Error::new(format!("{what} has no real value at this point, like the root of a negative number"))
+                    .help("choose values at which every root, logarithm and quotient in it is a real number"))
+            }
+            Some(_) => Err(Error::new(format!(
+                "{what} has no real value at this point: it is infinite, or too large to compute with"
+            ))
+            .help("choose other values: no denominator may be 0")),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Texts and places in them. Every folder may import this file; it imports only [`crate::code`].
+//! Texts and places in them. Every folder may import this file; it imports only [`crate::code`] and [`crate::suggest`].
 //!
 //! A [`Source`] is a file as it was read. A [`Span`] is a half-open range of bytes in it. A [`Fault`] is something
 //! wrong at a span. A fault does not know its file; [`crate::Error`] adds that.
@@ -7,6 +7,7 @@ use std::fmt;
 use std::ops::Range;
 
 use crate::code::Code;
+use crate::suggest;
 
 /// A half-open range of bytes in a text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -87,7 +88,7 @@ impl Fault {
 
     /// A formula that has more than one meaning; `what` names the readings, as in `a/bc may be a/(bc) or (a/b)c`.
     pub fn ambiguous(span: Span, what: impl fmt::Display) -> Self {
-        Fault::new(span, format!("ambiguous: {what}")).code(Code::Ambiguous)
+        Fault::new(span, what.to_string()).code(Code::Ambiguous)
     }
 
     /// A notation that is well-formed and that onshell does not support.
@@ -115,10 +116,11 @@ impl Fault {
         Fault::new(span, message).code(Code::NotesFile)
     }
 
-    /// A name that is not declared, at `span`.
+    /// A name that is not declared, at `span`, with the advice to declare it.
     pub fn undeclared(span: Span, name: impl fmt::Display) -> Self {
         let missing = Some(Missing::Name(name.to_string()));
-        Fault { missing, ..Fault::new(span, format!("{name} is not declared")).code(Code::UndeclaredName) }
+        let fault = Fault::new(span, format!("{name} is not declared")).code(Code::UndeclaredName);
+        Fault { missing, ..fault.help(suggest::declaration(&name.to_string(), 0)) }
     }
 
     /// The same fault in another class.

@@ -1,12 +1,17 @@
-//! "Did you mean": the known word nearest to an unknown one.
+//! What to type instead: the known word nearest to an unknown one, and lines for a claims file.
 
 /// The most characters of a word that is compared; the comparison is quadratic.
 const LONGEST: usize = 60;
 
+/// The fewest characters of a word that is compared.
+const SHORTEST: usize = 3;
+
 /// The candidate nearest to `word`, if it is near enough to be a spelling mistake.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
-    if length > LONGEST {
+    // Almost any two short words are near each other, and so are any two numbers.
+    let is_number = word.chars().all(|c| c.is_ascii_digit() || "().,".contains(c));
+    if !(SHORTEST..=LONGEST).contains(&length) || is_number {
         return None;
     }
     candidates
@@ -29,9 +34,44 @@ pub fn distance(a: &str, b: &str) -> usize {
     strsim::osa_distance(&a.replace(['_', '-'], " "), &b.replace(['_', '-'], " "))
 }
 
+/// A text as it stands in a claims file: in quotes, with its backslashes doubled.
+pub fn in_json(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+/// The advice to declare a name, as LaTeX, with the line to write; `dots` is how many overdots it has in the notes.
+pub fn declaration(name: &str, dots: u8) -> String {
+    let is_vector = ["\\vec", "\\mathbf", "\\boldsymbol", "\\bm"].iter().any(|arrow| name.contains(arrow));
+    let role = if dots > 0 || is_vector { "varies with time" } else { "constants" };
+    let add = format!("add {}: \"any\" under \"{role}\" in the claims file", in_json(name));
+    match name {
+        "i" | "\\mathrm{i}" => format!("complex numbers are not supported; if {name} is a real number, {add}"),
+        _ => add,
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{declaration, in_json, nearest};
+
+    #[test]
+    fn a_declaration_is_a_line_of_json() {
+        assert_eq!(in_json("\\theta"), "\"\\\\theta\"");
+        assert_eq!(declaration("\\omega_0", 0), r#"add "\\omega_0": "any" under "constants" in the claims file"#);
+        assert!(declaration("x", 1).contains("\"varies with time\""));
+        assert!(declaration("\\vec r", 0).contains("\"varies with time\""));
+        assert!(declaration("i", 0).contains("complex numbers are not supported"));
+        assert!(!declaration("i_1", 0).contains("complex"));
+    }
+
+    #[test]
+    fn nothing_is_suggested_for_a_number_or_a_word_of_two_letters() {
+        assert_eq!(nearest("9", ["1", "19"]), None);
+        assert_eq!(nearest("6.74", ["6.73"]), None);
+        assert_eq!(nearest("xy", ["xz", "x"]), None);
+        // A swap of letters in a longer word is still one.
+        assert_eq!(nearest("xzy", ["xyz"]), Some("xyz"));
+    }
 
     #[test]
     fn a_spelling_mistake_is_near_and_another_word_is_not() {

@@ -15,6 +15,8 @@ mod continua;
 mod coupled;
 #[path = "checks/difference.rs"]
 mod difference;
+#[path = "checks/digits.rs"]
+mod digits;
 #[path = "checks/doubles.rs"]
 mod doubles;
 #[path = "checks/edges.rs"]

@@ -17,6 +17,8 @@ mod derive;
 mod explain;
 #[path = "cli/formulas.rs"]
 mod formulas;
+#[path = "cli/messages.rs"]
+mod messages;
 #[path = "cli/mutate.rs"]
 mod mutate;
 #[path = "cli/reprint.rs"]

@@ -14,8 +14,11 @@
 //! or the rate of the equation's side. That no state tells it apart is not enough. A slip that leaves the equation
 //! true cannot be found by a check of truth.
 
-use rayon::prelude::*;
+use std::collections::HashMap;
+use std::fmt;
 use std::sync::Arc;
+
+use rayon::prelude::*;
 
 use crate::Result;
 use crate::formula::Expr;
@@ -54,6 +57,18 @@ pub enum MutantOutcome {
     Survived,
 }
 
+impl MutantOutcome {
+    /// The word for it in reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            MutantOutcome::Refuted => "refuted",
+            MutantOutcome::Refused => "refused",
+            MutantOutcome::Equivalent => "equivalent",
+            MutantOutcome::Survived => "survived",
+        }
+    }
+}
+
 /// A slip that was not detected, or whose correction was not suggested.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Survivor {
@@ -85,9 +100,30 @@ pub struct Mutants {
     /// Those that passed.
     pub survivors: Vec<Survivor>,
     /// The reason why the equation was left out, if it was.
-    pub left_out: Option<String>,
+    pub left_out: Option<LeftOut>,
     /// The quality of the suggestions for detected mutants, if requested.
     pub repairs: Option<Repairs>,
+}
+
+/// Why an equation has no mutants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LeftOut {
+    /// The claims file skips it.
+    Skipped,
+    /// The claims file expects that it does not pass.
+    ExpectedNotToPass,
+    /// It does not pass. Whether a slip in it would be detected can be told of an equation that passes only.
+    DoesNotPass(Verdict),
+}
+
+impl fmt::Display for LeftOut {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LeftOut::Skipped => f.write_str("the claims file skips the equation"),
+            LeftOut::ExpectedNotToPass => f.write_str("the claims file expects the equation not to pass"),
+            LeftOut::DoesNotPass(verdict) => write!(f, "the equation does not pass: it is {verdict}"),
+        }
+    }
 }
 
 /// The quality of suggestions: for how many detected mutants the original, or an equivalent text, was suggested.
@@ -104,7 +140,7 @@ pub struct Repairs {
 }
 
 impl Mutants {
-    fn none(display: &Display, left_out: Option<String>) -> Self {
+    fn none(display: &Display, left_out: Option<LeftOut>) -> Self {
         let (id, line) = (shown(display), display.line);
         Mutants { id, line, refuted: 0, refused: 0, equivalent: 0, survivors: Vec::new(), left_out, repairs: None }
     }
@@ -143,15 +179,16 @@ pub struct Mutated {
 pub fn mutate(run: &Run<'_>, claims: &Claims, notes: &Notes, repair: bool) -> Result<Mutated> {
     let (claims, notes) = with_errata_corrected(claims, notes)?;
     let silent = Run { progress: &(), ..*run };
-    let passing = check_in(&Run { only: None, ..silent }, &claims, &notes)?;
-    let passing: Vec<String> = passing.equations.into_iter().filter(|e| e.ok).map(|e| e.id).collect();
+    let checked = check_in(&Run { only: None, ..silent }, &claims, &notes)?;
+    let failing = checked.equations.into_iter().filter(|equation| !equation.ok);
+    let failing: HashMap<String, Verdict> = failing.map(|equation| (equation.id, equation.finding.verdict)).collect();
     let equations = with_checker(&silent, &claims, &notes, |checker| {
         let chosen = wanted(&notes, checker.assigned, run.only);
         let all: Result<Vec<Mutants>> = chosen
             .par_iter()
             .with_max_len(1)
             .map(|at| {
-                let found = equation(&silent, &checker, *at, &passing, repair);
+                let found = equation(&silent, &checker, *at, &failing, repair);
                 run.progress.done(&notes.source.path);
                 found
             })
@@ -176,19 +213,25 @@ fn with_errata_corrected(claims: &Claims, notes: &Notes) -> Result<(Claims, Note
     Ok((claims, with_text(notes, text)?))
 }
 
-fn equation(run: &Run<'_>, checker: &Checker<'_>, at: usize, passing: &[String], repair: bool) -> Result<Mutants> {
+fn equation(
+    run: &Run<'_>,
+    checker: &Checker<'_>,
+    at: usize,
+    failing: &HashMap<String, Verdict>,
+    repair: bool,
+) -> Result<Mutants> {
     let display = &checker.notes.equations[at];
-    let left_out = |why: &str| Ok(Mutants::none(display, Some(why.to_owned())));
+    let left_out = |why: LeftOut| Ok(Mutants::none(display, Some(why)));
     let plain = Claim::default();
     let claim = checker.assigned[at].unwrap_or(&plain);
     if claim.skip.is_some() {
-        return left_out("the claims file skips the equation");
+        return left_out(LeftOut::Skipped);
     }
     if claim.expect.is_some() {
-        return left_out("the claims file expects the equation not to pass");
+        return left_out(LeftOut::ExpectedNotToPass);
     }
-    if !passing.contains(&shown(display)) {
-        return left_out("the equation does not pass");
+    if let Some(verdict) = failing.get(&shown(display)) {
+        return left_out(LeftOut::DoesNotPass(*verdict));
     }
     let edits = slips::slips(&display.text, &checker.model.symbols, &checker.model.macros);
     // Only text of the file is edited, not text that an erratum put in its place.
@@ -248,7 +291,11 @@ fn repairs(checker: &Checker<'_>, at: usize, claim: &Claim, slips: &[&Edit]) -> 
     let at = |wanted| places.iter().filter(|(place, _)| *place == wanted).count();
     let (tried, first, missed) = (places.len(), at(Some(0)), at(None));
     let missed_slip = |(edit, (_, suggested)): (&&Edit, &(_, String))| {
-        survivor(display, (*edit).clone(), format!("suggested: {suggested}"))
+        let because = match suggested.as_str() {
+            "" => "nothing was suggested".to_owned(),
+            suggested => format!("suggested: {suggested}"),
+        };
+        survivor(display, (*edit).clone(), because)
     };
     Ok(Repairs {
         tried,

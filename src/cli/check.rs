@@ -12,7 +12,7 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 use super::documents::{Job, Loaded, find, folder, load};
-use super::fix::{Fixed, Made, fix, unmended};
+use super::fix::{Fixed, Made, fix, not_passing};
 use super::outcome::{Format, Outcome, Screen, shown};
 use super::progress::ProgressLine;
 
@@ -55,30 +55,36 @@ pub struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let (mut result, mut errors) = checked(arguments, registry);
-    let mut left = Vec::new();
+    let mut told = Vec::new();
     let mut again = arguments.fix;
     while again {
         again = false;
-        let Fixed { made, left: more, mended, errors: failures } = fix(&result, arguments.yes, screen.err);
-        left.extend(more);
+        let Fixed { made, told: more, edited, errors: failures } = fix(&result, arguments.yes, screen.err);
+        told.extend(more);
         if made != Made::Nothing {
             (result, errors) = checked(arguments, registry);
-            let still_wrong = unmended(&mended, &result);
+            let still_wrong = not_passing(&edited, &result);
             again = made == Made::Shared && still_wrong.is_empty() && failures.is_empty();
-            left.extend(still_wrong);
+            told.extend(still_wrong);
         }
         errors.extend(failures);
     }
-    let mut told = HashSet::new();
-    left.retain(|line: &String| told.insert(line.clone()));
+    if arguments.fix && told.is_empty() && errors.is_empty() {
+        told.push(match result.unexpected() {
+            0 => "nothing was edited: everything is as expected".to_owned(),
+            _ => "nothing was edited: no edit is suggested for what is not as expected".to_owned(),
+        });
+    }
+    let mut known = HashSet::new();
+    told.retain(|line: &String| known.insert(line.clone()));
     let code = if errors.is_empty() { result.exit_code() } else { 2 };
     let output = match arguments.format {
         Format::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
         Format::Text => report::text::report(&result, arguments.verbose, screen.out),
         Format::Json => format!("{:#}\n", report::json::report(&result, &errors)),
     };
-    let left: String = left.iter().map(|line| wrap("", line, 2, screen.err.width) + "\n").collect();
-    Outcome { output, messages: left + &shown(&errors, screen), code }
+    let told: String = told.iter().map(|line| wrap("", line, 2, screen.err.width) + "\n").collect();
+    Outcome { output, messages: told + &shown(&errors, screen), code }
 }
 
 /// The report on the documents that are named, and the errors of those that could not be checked.

@@ -2,8 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::error::reason;
+use crate::latex::names;
 use crate::notes::{Claims, Notes, claims_beside, json};
-use crate::{Error, Result};
+use crate::suggest::in_json;
+use crate::{Error, Formula, Result};
 
 /// The files of a document.
 pub(super) enum Job {
@@ -33,19 +36,45 @@ pub(super) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
         return Ok(vec![Job::Claims(path.to_owned())]);
     }
     if let Err(error) = path.metadata() {
-        return Err(Error::new(format!("cannot read {}: {error}", path.display())));
+        return Err(Error::new(format!("cannot read {}: {}", path.display(), reason(&error))));
     }
     let claims = if claims.is_empty() { vec![claims_beside(path)] } else { claims.to_vec() };
     if let Some(absent) = claims.iter().find(|claims| !claims.exists()) {
-        return Err(Error::new(format!("{} has no claims file", path.display()))
-            .help(format!("write one: {}", absent.display())));
+        return Err(Error::new(format!("{} has no claims file", path.display())).help(format!(
+            "write {}; for example: {}",
+            absent.display(),
+            smallest(path)
+        )));
     }
     Ok(vec![Job::Pair { notes: path.to_owned(), claims }])
 }
 
+/// The smallest claims file for notes: it declares the letters of the displays that can be read without one.
+fn smallest(path: &Path) -> String {
+    let name = path.file_name().map_or_else(|| shown(path), |name| name.to_string_lossy().into_owned());
+    let (mut constants, mut varying): (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
+    let displays = Notes::read(path, &shown(path)).map(|notes| notes.equations).unwrap_or_default();
+    let formulas = displays.iter().filter_map(|display| Formula::read_all(&display.text).ok()).flatten();
+    for (name, dots) in formulas.flat_map(|formula| formula.letters()).filter_map(|letter| names::parse(&letter)) {
+        let list = if dots > 0 { &mut varying } else { &mut constants };
+        let name = name.to_string();
+        if name != "t" && !list.contains(&name) {
+            list.push(name);
+        }
+    }
+    constants.retain(|name| !varying.contains(name));
+    let declared = |role: &str, names: &[String]| match names {
+        [] => String::new(),
+        names => format!(", \"{role}\": {{ {}: \"any\" }}", in_json(&names.join(","))),
+    };
+    let (constants, varying) = (declared("constants", &constants), declared("varies with time", &varying));
+    format!("{{ \"notes\": {}{constants}{varying} }}", in_json(&name))
+}
+
 /// The documents of a folder and of those in it, in the order of their names.
 pub(super) fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
-    let unreadable = |error: std::io::Error| Error::new(format!("cannot read the folder {}: {error}", path.display()));
+    let unreadable =
+        |error: std::io::Error| Error::new(format!("cannot read the folder {}: {}", path.display(), reason(&error)));
     let entries: std::io::Result<Vec<_>> = std::fs::read_dir(path).map_err(unreadable)?.collect();
     let mut paths: Vec<PathBuf> = entries.map_err(unreadable)?.into_iter().map(|entry| entry.path()).collect();
     paths.sort();

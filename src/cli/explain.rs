@@ -5,13 +5,13 @@ use crate::{Error, suggest};
 
 use super::outcome::{Format, Outcome, Screen};
 
-/// Explains a verdict or the code of a message
+/// Explains a verdict, the outcome of a mutant, or the code of a message
 ///
-/// Without a word, it lists all verdicts and codes.
+/// Without a word, it lists everything that it explains.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  onshell explain refuted")]
 pub struct Arguments {
-    /// A verdict such as `refuted`, or a code as it stands in `error[…]`
+    /// A verdict such as `refuted`, an outcome such as `survived`, or a code as it stands in `error[…]`
     #[arg(value_name = "VERDICT-OR-CODE")]
     word: Option<String>,
 }
@@ -20,10 +20,10 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let Some(word) = &arguments.word else { return Outcome::done(all(screen.out)) };
     match Topic::named(word).as_slice() {
         [] => {
-            let unknown = Error::new(format!("“{word}” is neither a verdict nor a code"));
+            let unknown = Error::new(format!("“{word}” is no verdict, no outcome of a mutant, and no code"));
             let error = match suggest::nearest(word, Topic::all().map(Topic::word)) {
                 Some(near) => unknown.help(format!("did you mean {near}?")),
-                None => unknown.help("`onshell explain` lists all verdicts and codes"),
+                None => unknown.help("`onshell explain` without a word lists all that it explains"),
             };
             Outcome::failed(&error, Format::Text, screen)
         }

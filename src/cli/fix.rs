@@ -22,7 +22,7 @@ use std::path::Path;
 
 use crate::check::{Document, Equation, Repair, Report, Verdict};
 use crate::latex::slips::Slip;
-use crate::report::{Style, suggestion, wrap};
+use crate::report::{Style, mutants, suggestion, wrap};
 use crate::{Error, Result};
 
 use super::replace_file::replace;
@@ -43,17 +43,17 @@ pub(super) enum Made {
 pub(super) struct Fixed {
     /// What was done to the notes.
     pub made: Made,
-    /// The edits that are left to the author, with the reasons: a sentence each.
-    pub left: Vec<String>,
-    /// The equations that should pass now, each as the path of its notes and its name.
-    pub mended: Vec<(String, String)>,
+    /// What was edited, and the edits that are left to the author with the reasons: a sentence each.
+    pub told: Vec<String>,
+    /// The edited equations, which should pass now: each as the path of its notes and its name.
+    pub edited: Vec<(String, String)>,
     /// Why files could not be changed, or the author not be asked.
     pub errors: Vec<Error>,
 }
 
 /// Makes the edits that are clear.
 pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Fixed {
-    let mut fixed = Fixed { made: Made::Nothing, left: Vec::new(), mended: Vec::new(), errors: Vec::new() };
+    let mut fixed = Fixed { made: Made::Nothing, told: Vec::new(), edited: Vec::new(), errors: Vec::new() };
     if let Err(error) = fix_documents(report, yes, style, &mut fixed) {
         fixed.errors.push(error);
     }
@@ -61,7 +61,7 @@ pub(super) fn fix(report: &Report, yes: bool, style: Style) -> Fixed {
 }
 
 /// The sentences on edited equations that do not pass in `report`, which is of the edited notes.
-pub(super) fn unmended(mended: &[(String, String)], report: &Report) -> Vec<String> {
+pub(super) fn not_passing(edited: &[(String, String)], report: &Report) -> Vec<String> {
     let found = |(path, id): &(String, String)| {
         let document = report.documents.iter().find(|document| document.path == *path)?;
         let equation = document.equations.iter().find(|equation| equation.id == *id)?;
@@ -69,13 +69,18 @@ pub(super) fn unmended(mended: &[(String, String)], report: &Report) -> Vec<Stri
         (!equation.ok)
             .then(|| format!("({id}) was edited as suggested in {path}, but now it is {verdict}: undo the edit"))
     };
-    mended.iter().filter_map(found).collect()
+    edited.iter().filter_map(found).collect()
 }
 
 fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) -> Result<()> {
     for document in &report.documents {
         let mut chosen: Vec<&Repair> = Vec::new();
-        let mut mended = Vec::new();
+        let mut told = Vec::new();
+        let mut edited = Vec::new();
+        let unclear = |equation: &&Equation| !equation.repairs.is_empty() && clear(document, equation).is_none();
+        fixed.told.extend(document.equations.iter().filter(unclear).map(|equation| {
+            format!("({}) was not edited: no suggestion for it is clear enough; choose one by hand", equation.id)
+        }));
         let mut clear: Vec<(&Equation, &Repair)> =
             document.equations.iter().filter_map(|equation| Some((equation, clear(document, equation)?))).collect();
         if clear.iter().any(|(_, repair)| mends_several(repair)) {
@@ -89,23 +94,32 @@ fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) ->
             };
             let doubt = doubt(equation, repair);
             if let (true, Some(doubt)) = (yes, &doubt) {
-                fixed.left.push(format!("({}) was not edited: {doubt}", equation.id));
+                fixed.told.push(format!("({}) was not edited: {doubt}", equation.id));
                 continue;
             }
             if chosen.iter().all(apart) && (yes || agreed(document, equation, repair, style)?) {
+                told.push(sentence(document, equation, repair));
                 chosen.push(repair);
                 let ids = repair.shared.as_ref().map_or(vec![equation.id.clone()], |shared| shared.mends.clone());
-                mended.extend(ids.into_iter().map(|id| (document.path.clone(), id)));
+                edited.extend(ids.into_iter().map(|id| (document.path.clone(), id)));
             }
         }
         if !chosen.is_empty() {
             apply(document, &chosen)?;
-            fixed.mended.append(&mut mended);
+            fixed.told.append(&mut told);
+            fixed.edited.append(&mut edited);
             let is_shared = fixed.made == Made::Shared || chosen.iter().any(|repair| repair.shared.is_some());
             fixed.made = if is_shared { Made::Shared } else { Made::All };
         }
     }
     Ok(())
+}
+
+/// The sentence that an edit was made.
+fn sentence(document: &Document, equation: &Equation, repair: &Repair) -> String {
+    let (line, column) = document.source.line_column(repair.span.start);
+    let change = mutants::change(document.source.slice(repair.span).trim(), &repair.replacement);
+    format!("({}) was edited at {}:{line}:{column}: {change}", equation.id, document.path)
 }
 
 /// The edit of an equation that is the only one, or clearly the likeliest.

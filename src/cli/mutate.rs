@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use rayon::prelude::*;
 
 use crate::check::document::setup;
-use crate::check::mutation::{Mutated, mutate};
+use crate::check::mutation::{Mutants, Mutated, mutate};
 use crate::check::{Options, Run};
 use crate::report;
 use crate::systems::Registry;
@@ -83,7 +83,14 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     let survivors: usize = documents.iter().flat_map(|d| &d.equations).map(|e| e.survivors.len()).sum();
     let mutants: usize = documents.iter().flat_map(|d| &d.equations).map(|e| e.count()).sum();
     if mutants == 0 && errors.is_empty() {
-        errors.push(Error::new("there is no equation to mutate").help("name notes that have a claims file"));
+        let left_out: Vec<&Mutants> =
+            documents.iter().flat_map(|d| &d.equations).filter(|e| e.left_out.is_some()).collect();
+        errors.push(match left_out.as_slice() {
+            [] => Error::new("there is no equation to mutate")
+                .help("name notes that have a claims file, and equations with a number or a claim"),
+            all => Error::new(format!("no equation can be mutated: {} left out", counted(all.len())))
+                .help("only an equation that passes is mutated; `onshell check` shows what is wrong with the others"),
+        });
     }
     let code = if !errors.is_empty() { 2 } else { u8::from(survivors > 0) };
     let output = match arguments.format {
@@ -92,4 +99,8 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
         Format::Json => format!("{:#}\n", report::mutants::json(&documents, &errors)),
     };
     Outcome { output, messages: shown(&errors, screen), code }
+}
+
+fn counted(equations: usize) -> String {
+    if equations == 1 { "1 equation was".to_owned() } else { format!("all {equations} equations were") }
 }

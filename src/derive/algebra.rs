@@ -1,9 +1,9 @@
 //! Quotients of polynomials in atoms, and the relations between the atoms: sin² = 1 − cos², √x² = x.
 //!
 //! An [`Algebra`] knows its atoms. An atom is an input, π, or a function of something that is in normal form itself. A
-//! relation gives a power of an atom by the atoms that came before it; [`Algebra::canonical`] uses them until nothing
-//! changes, so that what is 0 becomes 0. A denominator is kept as powers of polynomials without content; single terms
-//! are no denominators, since exponents may be negative.
+//! relation expresses a power of an atom by earlier atoms. [`Algebra::canonical`] applies the relations until nothing
+//! changes, so that a formula that is always 0 becomes 0. A denominator is a product of powers of polynomials without
+//! content. A single term is never a denominator, since exponents may be negative.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -14,10 +14,10 @@ use super::rational::Exact;
 use crate::scalar::Function;
 use crate::{Error, Result};
 
-/// Exponents are below this.
+/// The upper limit of exponents.
 const HIGHEST: u32 = 1 << 16;
 
-/// What a polynomial is made of.
+/// An atom of a polynomial.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Atom {
     /// The n-th input.
@@ -40,7 +40,7 @@ pub(super) struct Fraction {
 }
 
 impl Fraction {
-    /// How many terms there are, above and below.
+    /// The number of terms in the numerator and the denominator.
     pub fn len(&self) -> usize {
         self.top.len() + self.under.keys().map(Polynomial::len).sum::<usize>()
     }
@@ -60,20 +60,20 @@ pub(super) struct Pair {
     pub cosine: u32,
 }
 
-/// The atoms and what is known of them.
+/// The atoms and their relations.
 #[derive(Default)]
 pub(super) struct Algebra {
     atoms: Vec<Atom>,
     places: HashMap<Atom, u32>,
-    /// For an atom the power of it that is known, and what it is.
+    /// For each atom with a relation: the power, and the polynomial that it equals.
     relations: BTreeMap<u32, (u32, Polynomial)>,
     pairs: Vec<Pair>,
-    /// How much may be done for one normal form, if that is bounded.
+    /// The limit of work for one normal form, if there is one.
     pub work: Option<usize>,
 }
 
 impl Algebra {
-    /// With so many inputs; the n-th is the n-th atom.
+    /// The algebra of so many inputs; the n-th input is the n-th atom.
     pub fn of_inputs(count: usize) -> Self {
         let mut algebra = Algebra::default();
         for n in 0..count as u32 {
@@ -82,7 +82,7 @@ impl Algebra {
         algebra
     }
 
-    /// The same, giving up on a normal form that takes more work than this.
+    /// The same with a limit of work for one normal form, which fails beyond it.
     pub fn bounded(self, work: usize) -> Self {
         Algebra { work: Some(work), ..self }
     }
@@ -109,7 +109,7 @@ impl Algebra {
         &self.atoms[place as usize]
     }
 
-    /// The roots of sums: the atom, which power of it is known, and what that is.
+    /// The roots of sums: the atom, the power with a relation, and the sum that it equals.
     pub fn roots(&self) -> impl Iterator<Item = (u32, u32, &Polynomial)> {
         let is_root = |atom: u32| matches!(self.atom(atom), Atom::Root(..));
         let relations = self.relations.iter().filter(move |(atom, (_, value))| is_root(**atom) && value.len() > 1);
@@ -160,7 +160,7 @@ impl Algebra {
     /// Applies every relation to positive powers, and cancels negative powers where it can.
     pub fn canonical(&self, polynomial: &Polynomial) -> Result<Polynomial> {
         let mut normal = polynomial.clone();
-        // a relation speaks of atoms that came before
+        // a relation contains earlier atoms only
         for (&atom, (degree, value)) in self.relations.iter().rev() {
             let (lowest, highest) = normal.exponents(atom);
             if lowest >= 0 && highest < *degree as i32 {
@@ -181,7 +181,7 @@ impl Algebra {
         Ok(normal)
     }
 
-    /// The same in lowest terms, as far as the factors of the denominator tell.
+    /// The same fraction without common factors, as far as they are factors of the denominator.
     pub fn cancelled(&self, mut fraction: Fraction) -> Result<Fraction> {
         if fraction.under.is_empty() {
             return Ok(fraction);
@@ -314,7 +314,7 @@ impl Algebra {
         polynomial.content().0.part(|atom, _| self.is_exponential(atom))
     }
 
-    /// Whether a fraction has any of these atoms in it, however deep.
+    /// Whether a fraction contains any of these atoms, also within other atoms.
     pub fn reads(&self, a: &Fraction, atoms: &[u32]) -> bool {
         let factors = a.under.keys().chain([&a.top]).flat_map(Polynomial::terms);
         let mut inside = factors.flat_map(|(monomial, _)| monomial.factors()).map(|&(atom, _)| atom);
@@ -332,7 +332,7 @@ fn too_high() -> Error {
     Error::new("an exponent is too large to be typeset").help("use exponents of at most 64")
 }
 
-/// Replaces the power of an atom that is known, as often as it is contained; no exponent of the atom is negative.
+/// Replaces the power of an atom that has a relation, as often as it occurs. No exponent of the atom may be negative.
 fn lowered(polynomial: &Polynomial, atom: u32, degree: u32, value: &Polynomial) -> Result<Polynomial> {
     let mut result = Polynomial::default();
     for (exponent, coefficient) in polynomial.powers(atom)? {
@@ -343,7 +343,7 @@ fn lowered(polynomial: &Polynomial, atom: u32, degree: u32, value: &Polynomial) 
     Ok(result)
 }
 
-/// Divides the coefficient of every power of an atom, if all can be divided.
+/// Divides the coefficient of every power of an atom, if all are divisible.
 fn divided(polynomial: &Polynomial, atom: u32, by: &Polynomial) -> Result<Option<Polynomial>> {
     let mut result = Polynomial::default();
     for (exponent, coefficient) in polynomial.powers(atom)? {

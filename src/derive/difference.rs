@@ -1,4 +1,4 @@
-//! What remains of one formula without the other, and what is left and right in an equation of motion.
+//! The difference of two formulas in normal form, and the two sides of an equation of motion.
 
 use num_traits::One;
 
@@ -13,10 +13,10 @@ use crate::{Error, Result};
 
 /// The normal form of `printed` − `derived`: two nodes of one recording, whose n-th input is the n-th letter.
 ///
-/// The difference of two that are equal as polynomials in sines, cosines and roots is 0.
+/// It is 0 for two formulas that are equal as polynomials in sines, cosines and roots.
 ///
 /// # Errors
-/// When the difference is too long, has a number without an exact value, or a function without a name in print.
+/// When the difference is too long, or contains a number without an exact value or a function that cannot be typeset.
 pub fn difference(graph: &Graph, printed: Symbol, derived: Symbol, letters: &[Letter]) -> Result<Expr> {
     named(graph, &[printed, derived], letters)?;
     let mut algebra = Algebra::of_inputs(letters.len()).bounded(WORK);
@@ -26,10 +26,10 @@ pub fn difference(graph: &Graph, printed: Symbol, derived: Symbol, letters: &[Le
     Printer { algebra: &algebra, letters }.sum(&[rest])
 }
 
-/// What is derived beside a refuted equation must not cost more than the refutation.
+/// The limit of work: the explanation of a refuted equation must not cost more than its refutation.
 const WORK: usize = 20_000;
 
-/// Whether all that some nodes are made of has a name.
+/// Whether every input that some nodes depend on has a name.
 fn named(graph: &Graph, outputs: &[Symbol], letters: &[Letter]) -> Result<()> {
     let nodes = graph.nodes();
     let mut waiting: Vec<u32> = outputs.iter().map(|output| output.place()).collect();
@@ -49,8 +49,8 @@ fn named(graph: &Graph, outputs: &[Symbol], letters: &[Letter]) -> Result<()> {
     Ok(())
 }
 
-/// The two sides of the equation that says that `residual` vanishes, the accelerations on the left: a node of a
-/// recording whose n-th input is the n-th letter.
+/// The two sides of the equation `residual` = 0, with the accelerations on the left. `residual` is a node of a recording
+/// whose n-th input is the n-th letter.
 ///
 /// # Errors
 /// As [`difference`].
@@ -67,8 +67,8 @@ pub fn equation_of_motion(graph: &Graph, residual: Symbol, letters: &[Letter]) -
 }
 
 impl Algebra {
-    /// Of a residual that vanishes, the terms with accelerations and the opposite of the others. An exponential that
-    /// all terms share is divided out, since it is never 0.
+    /// The terms of a vanishing residual with accelerations, and the negative of the others. An exponential that all
+    /// terms share is divided out, since it is never 0.
     pub(super) fn balanced(&mut self, mut residual: Fraction, accelerations: &[u32]) -> Result<(Fraction, Fraction)> {
         let shared = self.shared_exponential(&residual.top);
         residual.top = residual.top.scaled(&shared.power(-1), Exact::one())?;

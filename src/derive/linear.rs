@@ -1,7 +1,6 @@
 //! Linear equations between fractions, solved by determinants.
 //!
-//! Coordinates that the matrix does not connect are solved apart, so that no factor enters a denominator that has no
-//! business there.
+//! Coordinates that the matrix does not connect are solved separately, so that denominators get no needless factors.
 
 use num_traits::One;
 
@@ -10,7 +9,7 @@ use super::polynomial::Polynomial;
 use super::rational::Exact;
 use crate::{Error, Result};
 
-/// Determinants of more rows are not expanded.
+/// The largest number of rows of a determinant that is expanded.
 const ROWS: usize = 6;
 
 impl Algebra {

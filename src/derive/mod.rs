@@ -1,13 +1,13 @@
 //! Derived quantities typeset as formulas: L, momenta, energy, equations of motion, H.
 //!
-//! `mechanics` has what follows from a Lagrangian as a recorded graph, which evaluates well and cannot be read. This
+//! `mechanics` records what follows from a Lagrangian as a graph, which can be evaluated and not be read. This
 //! folder turns it into a [`formula::Expr`](crate::formula::Expr) with the system's own names. `normal` expands the
 //! graph over atoms with exact rational coefficients (`rational`, `polynomial`, `algebra`), `shorten` finds the
-//! shortest way to write it, `print` collects and orders it. `linear` solves for accelerations and for the velocities
-//! that belong to momenta. `names` has the letters, [`quantities`] says what there is to derive, and [`mod@difference`]
-//! shows what is left of one side without the other.
+//! shortest way to write it, `print` collects and orders it. `linear` solves for accelerations, and for the
+//! velocities as functions of momenta. `names` has the letters, [`quantities`] lists what can be derived, and
+//! [`mod@difference`] is the difference of two formulas.
 //!
-//! No verdict is taken from a normal form; it only explains. The tests read every typeset formula back and compare it
+//! No verdict depends on a normal form; it only explains. The tests read every typeset formula back and compare it
 //! with automatic differentiation, for every system. A quantity without an exact or printable form is an error.
 //!
 //! This folder imports `mechanics`, `scalar`, `formula`, and the typesetter of `latex`.
@@ -28,16 +28,16 @@ pub use quantities::{Derivation, Equation, Quantity};
 
 use crate::formula::Expr;
 
-/// The name of an input of a recorded graph, and what kind of thing it is, for its place in a term.
+/// The name of an input of a recorded graph, and its kind, which determines its place in a term.
 #[derive(Clone, Debug)]
 pub struct Letter {
     /// The input as it is printed.
     pub expr: Expr,
-    /// What it is.
+    /// Its kind.
     pub class: Class,
 }
 
-/// What an input is. The factors of a term are ordered by it.
+/// The kind of an input. The factors of a term are ordered by it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
     /// A parameter of the system, any other constant.

@@ -9,7 +9,7 @@ use crate::{Error, Result};
 
 use super::{Class, Letter};
 
-/// The names of a system, and of what is derived from it.
+/// The names of a system and of the quantities derived from it.
 pub(super) struct Names {
     pub symbols: Symbols,
     pub coordinates: Vec<SymbolId>,
@@ -109,7 +109,7 @@ impl Names {
     }
 }
 
-/// A symbol with so many dots.
+/// A symbol with this number of dots.
 pub(super) fn symbol(id: SymbolId, dots: u8) -> Expr {
     Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default())
 }

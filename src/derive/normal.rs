@@ -1,15 +1,15 @@
 //! From the recorded graph of a function to its normal form, atom by atom.
 //!
-//! Sines and cosines of sums are taken apart by the addition theorems, whole multiples of an angle too; exponentials of
-//! sums are products; tangents are quotients; inverse hyperbolic functions are logarithms. What is left are atoms with
-//! the relations that [`Algebra`] knows.
+//! Sines and cosines of sums, and of whole multiples of an angle, are expanded by the addition theorems. Exponentials of
+//! sums become products, tangents quotients, inverse hyperbolic functions logarithms. What remains are atoms with the
+//! relations of [`Algebra`].
 //!
 //! # Why the normal form explains and does not decide
 //!
-//! Two formulas with one normal form are equal. Two that have different forms may still be equal, since not all
-//! identities are known to it; and a mistake in it would be a mistake in every verdict. So no verdict depends on
-//! it. It shows the author what is true, and by how much a refuted equation is off. What it prints is read back and
-//! compared with numbers in the tests. The normal form that shortens tapes (`scalar::polynomial`) is another one:
+//! Two formulas with the same normal form are equal. Two with different forms may be equal as well, since not all
+//! identities are used; and a mistake in the normal form would be a mistake in every verdict. So no verdict depends on
+//! it. It shows the author the derived equation, and the difference of the two sides of a refuted one. The tests read
+//! the typeset formulas back and compare them with numbers. The normal form that shortens tapes (`scalar::polynomial`) is another one:
 //! there the aim is few operations, and rounding is allowed.
 
 use num_rational::Ratio;
@@ -21,14 +21,14 @@ use super::rational::{self, Exact};
 use crate::scalar::{Function, Graph, Node, Symbol};
 use crate::{Error, Result};
 
-/// Multiples of an angle beyond this are angles of their own.
+/// The largest multiple of an angle that is expanded; a larger one is an atom of its own.
 const MULTIPLE: i128 = 6;
 
 impl Algebra {
     /// The normal forms of some nodes of a graph.
     ///
     /// # Errors
-    /// When one is too long, has a number in it that has no exact value, or a function that has no name in print.
+    /// When one is too long, or contains a number without an exact value or a function that cannot be typeset.
     pub fn normal(&mut self, graph: &Graph, outputs: &[Symbol]) -> Result<Vec<Fraction>> {
         let nodes = graph.nodes();
         let mut needed = vec![false; nodes.len()];
@@ -42,7 +42,7 @@ impl Algebra {
         let mut done = 0;
         for (place, node) in nodes.iter().enumerate().filter(|(place, _)| needed[*place]) {
             known[place] = self.of(*node, &known)?;
-            // what is multiplied and cancelled next costs a product of lengths
+            // the cost of the next product is the product of the lengths
             done += known[place].len().pow(2);
             if self.work.is_some_and(|most| done > most) {
                 return Err(Error::new("the expression has too many terms to be typeset")
@@ -135,7 +135,7 @@ impl Algebra {
         })
     }
 
-    /// A square root; squares of numbers are taken out.
+    /// A square root; square factors of numbers are moved out of it.
     fn square_root(&mut self, of: Fraction) -> Result<Polynomial> {
         let (_, content) = of.top.content();
         match rational::root(content.abs()).filter(|_| !of.top.is_zero()) {
@@ -150,7 +150,7 @@ impl Algebra {
         }
     }
 
-    /// e to a sum is a product, with the exponents over whole numbers as powers.
+    /// The exponential of a sum as a product. Whole multiples in the exponent become powers.
     fn exponential(&mut self, of: Fraction) -> Result<Polynomial> {
         if !of.under.is_empty() {
             return Ok(self.call(Function::Exp, of));
@@ -216,7 +216,7 @@ impl Algebra {
         Ok((sine, cosine))
     }
 
-    /// The angle a + factor · b with its leading sign positive, and whether that was changed.
+    /// The angle a + factor · b with a positive leading sign, and whether the sign was changed.
     pub fn angle(&self, a: &Polynomial, b: &Polynomial, factor: Exact) -> Result<(Polynomial, bool)> {
         let sum = a.plus(b, factor)?;
         if is_negative(&sum) { Ok((Polynomial::default().minus(&sum)?, true)) } else { Ok((sum, false)) }

@@ -1,7 +1,7 @@
-//! Polynomials with exact coefficients, whose exponents may be negative, in atoms that are known by number alone.
+//! Polynomials with exact coefficients in numbered atoms. Exponents may be negative.
 //!
-//! Monomials are ordered lexicographically, which is compatible with multiplication: so the last is the leading one of
-//! every product, and division and square roots go term by term.
+//! Monomials are ordered lexicographically, which is compatible with multiplication. So the leading monomial of a product
+//! is the product of the leading monomials, and division and square roots go term by term.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -58,7 +58,7 @@ impl Monomial {
         if n == 0 { Monomial::default() } else { Monomial(self.0.iter().map(|&(atom, e)| (atom, e * n)).collect()) }
     }
 
-    /// The factors that are wanted.
+    /// The monomial with the factors for which `wanted` holds.
     pub fn part(&self, wanted: impl Fn(u32, i32) -> bool) -> Self {
         Monomial(self.0.iter().copied().filter(|&(atom, exponent)| wanted(atom, exponent)).collect())
     }
@@ -133,7 +133,7 @@ impl Polynomial {
         self.0.get(monomial).copied().unwrap_or_else(Exact::zero)
     }
 
-    /// Its only term, if it has but one.
+    /// Its term, if it has exactly one.
     pub fn single(&self) -> Option<(&Monomial, Exact)> {
         self.terms().next().filter(|_| self.len() == 1)
     }
@@ -205,13 +205,13 @@ impl Polynomial {
         (0..n).try_fold(Polynomial::one(), |product, _| product.times(self))
     }
 
-    /// The terms that are wanted.
+    /// The polynomial of the terms for which `wanted` holds.
     pub fn part(&self, wanted: impl Fn(&Monomial) -> bool) -> Self {
         let wanted = self.terms().filter(|(monomial, _)| wanted(monomial));
         Polynomial(wanted.map(|(monomial, coefficient)| (monomial.clone(), coefficient)).collect())
     }
 
-    /// The exponents of an atom, lowest and highest; 0 for a term without it.
+    /// The lowest and the highest exponent of an atom; a term without it counts as 0.
     pub fn exponents(&self, atom: u32) -> (i32, i32) {
         let exponents = || self.0.keys().map(|monomial| monomial.exponent(atom));
         (exponents().min().unwrap_or(0), exponents().max().unwrap_or(0))
@@ -227,7 +227,7 @@ impl Polynomial {
         Ok(powers)
     }
 
-    /// What all terms have in common: each atom with its lowest exponent, and the largest number that leaves whole
+    /// The content: each atom with its lowest exponent in all terms, and the largest number that leaves whole
     /// coefficients, with the sign of the leading one.
     pub fn content(&self) -> (Monomial, Exact) {
         let mut terms = self.terms();

@@ -1,9 +1,9 @@
 //! From the normal form to a formula as physicists print it.
 //!
-//! A sum is collected by its parameters, since each of them stands for a part of the physics: λ₁(θ̇² + φ̇² sin²θ).
-//! Within a collection the terms over one denominator are put together, what they share is taken out, and a square is
-//! written as one. Highest derivatives come first, then velocities and momenta, then what depends on the place alone;
-//! in a term the number, parameters, coordinates, momenta, accelerations, velocities, functions.
+//! A sum is collected by its parameters, since each of them has a physical meaning: λ₁(θ̇² + φ̇² sin²θ). Within a
+//! collection the terms over one denominator are added, common factors are moved out, and a square is written as a
+//! square. The order of terms: highest derivatives, velocities and momenta, terms of coordinates only. The order of
+//! factors: number, parameters, coordinates, momenta, accelerations, velocities, functions.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -46,7 +46,7 @@ impl Printer<'_> {
     /// The sum of some fractions.
     ///
     /// # Errors
-    /// When a function has no name in print.
+    /// When a function cannot be typeset.
     pub fn sum(&self, fractions: &[Fraction]) -> Result<Expr> {
         let mut plain = Polynomial::default();
         let mut pieces = Vec::new();
@@ -86,8 +86,8 @@ impl Printer<'_> {
         Ok(Piece { place: self.place(&fraction.top), sign, expr })
     }
 
-    /// A polynomial without content as factors, with the sign of the whole; 1 is no factor. Where the whole would be
-    /// negative and a factor can take the sign, it does: −(a b − 2c) is 2c − a b.
+    /// A polynomial without content as factors, with the sign of the whole; 1 is left out. A negative sign of the whole is
+    /// moved into a factor, if one can take it: −(a b − 2c) becomes 2c − a b.
     fn inside(&self, rest: &Polynomial, number: Exact) -> Result<(Sign, Vec<Expr>)> {
         let mut sign = sign_of(number);
         if rest.as_constant().is_some_and(|value| value.is_one()) {
@@ -159,7 +159,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Each term by itself.
+    /// The terms one by one.
     fn flat(&self, polynomial: &Polynomial) -> Result<Vec<Piece>> {
         polynomial.terms().map(|(monomial, number)| self.piece(monomial, number)).collect()
     }
@@ -202,7 +202,7 @@ impl Printer<'_> {
         Ok(pieces)
     }
 
-    /// One collection, what its terms share taken out.
+    /// One collection, with the common factors of its terms moved out.
     fn collected(&self, group: &Polynomial) -> Result<Piece> {
         if let Some((monomial, number)) = group.single() {
             return self.piece(monomial, number);
@@ -340,7 +340,7 @@ impl Printer<'_> {
     }
 }
 
-/// The pieces in their order; among those of one kind a positive one goes first.
+/// The pieces in their order; among pieces of one kind a positive one comes first.
 fn assemble(mut pieces: Vec<Piece>) -> Expr {
     pieces.sort_by(|a, b| a.place.cmp(&b.place));
     let kind = |piece: &Piece| (piece.place.0, piece.place.1);

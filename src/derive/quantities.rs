@@ -1,7 +1,7 @@
 //! What can be derived of a system and typeset: the Lagrangian, momenta, energy, equations of motion, H.
 //!
-//! The [`System`] is run over symbols; what it computes is what it computes for numbers. Of the solving there is no
-//! recording: accelerations and the velocities that belong to momenta come from the mass matrix in normal form.
+//! The [`System`] runs over symbols with the same code as over numbers. Solving is not recorded: accelerations, and
+//! velocities as functions of momenta, are computed from the mass matrix in normal form.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ use crate::scalar::{Graph, Symbol};
 use crate::source::Span;
 use crate::{Error, Result};
 
-/// What to derive.
+/// A quantity to derive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// L(q, q̇, t).
@@ -41,7 +41,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Each of them.
+    /// All quantities.
     pub const ALL: [Quantity; 8] = [
         Quantity::Lagrangian,
         Quantity::Momenta,
@@ -54,10 +54,10 @@ impl Quantity {
     ];
 }
 
-/// An equation that was derived.
+/// A derived equation.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// What it is, in words.
+    /// Its name in words, such as `momentum of θ`.
     pub name: String,
     /// The left side.
     pub left: Expr,
@@ -72,7 +72,7 @@ pub struct Derivation {
     recorded: Recorded,
 }
 
-/// What the system computes, as symbols.
+/// The quantities of the system as symbols.
 struct Recorded {
     lagrangian: Symbol,
     momenta: Vec<Symbol>,
@@ -95,7 +95,7 @@ impl Derivation {
     /// Prepares a system.
     ///
     /// # Errors
-    /// When two of its names are one, or a name cannot be read.
+    /// When two of its names are the same, or a name cannot be read.
     pub fn new(system: &System) -> Result<Self> {
         let names = Names::new(system)?;
         let inputs = Inputs { n: system.coordinates().len(), parameters: system.parameters().len() };
@@ -115,7 +115,7 @@ impl Derivation {
         format!("{} = {}", typeset(&equation.left, self.symbols()), typeset(&equation.right, self.symbols()))
     }
 
-    /// An equation in plain words.
+    /// An equation in plain text.
     pub fn text(&self, equation: &Equation) -> String {
         let span = Span::default();
         let members = vec![equation.left.clone(), equation.right.clone()];
@@ -126,7 +126,7 @@ impl Derivation {
     /// The equations for one quantity, in the order of the coordinates.
     ///
     /// # Errors
-    /// When there is none (H where L is not quadratic in the velocities), or none that can be typeset.
+    /// When it does not exist (H, if L is not quadratic in the velocities), or cannot be typeset.
     pub fn equations(&self, quantity: Quantity) -> Result<Vec<Equation>> {
         let names = &self.names;
         let mut work = Work::new(self);
@@ -177,7 +177,7 @@ impl Derivation {
         }
     }
 
-    /// A coordinate whose sine or cosine is taken is an angle, and is typeset as one.
+    /// Marks a coordinate as an angle for typesetting, if its sine or cosine occurs.
     fn find_angles(&mut self) -> Result<()> {
         let mut work = Work::new(self);
         work.normal(&[self.recorded.lagrangian])?;
@@ -218,7 +218,7 @@ fn record(system: &System, inputs: &Inputs) -> Recorded {
     }
 }
 
-/// One derivation under way, with atoms of its own.
+/// One derivation with its own atoms.
 struct Work<'a> {
     of: &'a Derivation,
     algebra: Algebra,
@@ -259,7 +259,7 @@ impl<'a> Work<'a> {
         self.of.recorded.mass.iter().map(|row| self.normal(row)).collect()
     }
 
-    /// The velocities as functions of coordinates and momenta, and the momenta less those at rest.
+    /// The velocities as functions of coordinates and momenta, and the momenta minus the momenta at rest.
     fn velocities(&mut self) -> Result<(Vec<Fraction>, Vec<Fraction>)> {
         let mass = self.mass()?;
         let velocities = self.places(&self.of.names.inputs().velocities());

@@ -1,6 +1,6 @@
-//! Exact coefficients: rational numbers whose arithmetic is checked.
+//! Exact coefficients: rational numbers with checked arithmetic.
 //!
-//! A coefficient that outgrows 128 bits is an error, never a wrong number.
+//! A coefficient of more than 128 bits is an error, never a wrong number.
 
 use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedMul, One, Signed};
@@ -29,7 +29,7 @@ pub(super) fn times(a: Exact, b: Exact) -> Result<Exact> {
     a.checked_mul(&b).ok_or_else(too_large)
 }
 
-/// The number whose square it is, if that is rational.
+/// The square root, if it is rational.
 pub(super) fn root(a: Exact) -> Option<Exact> {
     let whole = |n: i128| {
         let near = (n as f64).sqrt() as i128;
@@ -39,7 +39,7 @@ pub(super) fn root(a: Exact) -> Option<Exact> {
     Some(Ratio::new(whole(*a.numer())?, whole(*a.denom())?))
 }
 
-/// The largest number of which both are whole multiples.
+/// The greatest common divisor of two rational numbers.
 pub(super) fn common(a: Exact, b: Exact) -> Exact {
     fn gcd(a: i128, b: i128) -> i128 {
         if b == 0 { a } else { gcd(b, a % b) }

@@ -1,8 +1,8 @@
-//! Of the many ways to write one polynomial on the circle, the one with the fewest terms.
+//! The shortest way to write a polynomial in sines and cosines.
 //!
-//! Neighbours are contracted while there are any: a − a cos² is a sin², a sin² + a cos² is a, and cos α cos β + sin α
-//! sin β is cos(α − β). It is tried from the form in cosines and from the forms in sines, angle by angle, and the
-//! shortest result is taken. Nothing is decided here: each form is equal to each other.
+//! Pairs of terms are contracted as long as possible: a − a cos² is a sin², a sin² + a cos² is a, and cos α cos β + sin α
+//! sin β is cos(α − β). This starts from the form in cosines and from the forms in sines, angle by angle, and the
+//! shortest result is used. All forms are equal, so no verdict depends on the choice.
 
 use std::collections::BTreeSet;
 
@@ -13,11 +13,11 @@ use super::polynomial::{Monomial, Polynomial};
 use super::rational::Exact;
 use crate::Result;
 
-/// With more angles than this only the form in cosines is tried.
+/// The largest number of angles for which the forms in sines are tried too.
 const ANGLES: usize = 5;
 
 impl Algebra {
-    /// The same polynomial with as few terms as are found.
+    /// The same polynomial with the fewest terms that are found.
     pub fn shortened(&self, polynomial: &Polynomial) -> Result<Polynomial> {
         let (one, pairs) = (Exact::one(), self.used(polynomial));
         let canonical = self.canonical(polynomial)?;
@@ -47,7 +47,7 @@ impl Algebra {
         Ok(best)
     }
 
-    /// A fraction, the numerator as short as it is found; sums of angles are put together again.
+    /// A fraction with the shortest numerator that is found; sums of angles are restored.
     pub fn presented(&mut self, fraction: &Fraction) -> Result<Fraction> {
         let fraction = self.cancelled(fraction.clone())?;
         let short = self.shortened(&fraction.top)?;
@@ -55,7 +55,7 @@ impl Algebra {
         Ok(Fraction { top, ..fraction })
     }
 
-    /// What is a multiple of a sum whose root is an atom, with a power of the root instead.
+    /// Replaces a multiple of a sum whose root is an atom by a power of the root.
     fn rooted(&self, polynomial: &Polynomial) -> Result<Polynomial> {
         let mut result = polynomial.clone();
         for (atom, degree, value) in self.roots() {
@@ -92,7 +92,7 @@ impl Algebra {
         let one = Exact::one();
         let monomials: Vec<Monomial> = polynomial.terms().map(|(monomial, _)| monomial.clone()).collect();
         for monomial in monomials {
-            // (what the term has, what its partner has, the two are a sine)
+            // (factors of the term, factors of its partner, whether the two make a sine)
             for (mine, theirs, is_sine) in
                 [([a.cosine, b.cosine], [a.sine, b.sine], false), ([a.sine, b.cosine], [a.cosine, b.sine], true)]
             {
@@ -119,7 +119,7 @@ impl Algebra {
     }
 }
 
-/// What it takes to write a polynomial: first its terms, then their denominators, then their factors.
+/// The length of a polynomial in print: its terms, then their denominators, then their factors.
 fn weight(polynomial: &Polynomial) -> (usize, usize, u32) {
     let factors = polynomial.terms().flat_map(|(monomial, _)| monomial.factors());
     let below: BTreeSet<Monomial> =

@@ -5,7 +5,7 @@
 
 use nalgebra::{DMatrix, Vector3};
 
-use crate::scalar::Number;
+use crate::scalar::{Number, Ratio};
 
 pub use super::environment::{Body, Differentiable, Environment, Unavailable, differentiate};
 use super::ids::{Index, IndexId, SymbolId};
@@ -43,23 +43,15 @@ pub fn evaluate_to<D: Differentiable>(
     Evaluator { environment, indices, terms, number: std::marker::PhantomData }.value(expr)
 }
 
-/// The value of a literal; most have one digit.
-fn literal(text: &str) -> Option<f64> {
-    match text.as_bytes() {
-        [digit @ b'0'..=b'9'] => Some(f64::from(digit - b'0')),
-        _ => text.parse().ok(),
-    }
-}
-
-/// The exact value of an exponent that holds numbers only.
-pub fn constant_exponent(expr: &Expr) -> Option<f64> {
+/// The exact value of an exponent that holds numbers only, where it fits.
+pub fn constant_exponent(expr: &Expr) -> Option<Ratio> {
     match &expr.node {
-        Node::Number(text) => literal(text),
-        Node::Sum(terms) => terms.iter().try_fold(0.0, |sum, term| {
+        Node::Number(digits) => Ratio::from_decimal(digits),
+        Node::Sum(terms) => terms.iter().try_fold(Ratio::whole(0), |sum, term| {
             let value = constant_exponent(&term.expr)?;
-            Some(if term.sign == Sign::Plus { sum + value } else { sum - value })
+            sum.plus(if term.sign == Sign::Plus { value } else { value.negated()? })
         }),
-        Node::Quotient(a, b) => Some(constant_exponent(a)? / constant_exponent(b)?),
+        Node::Quotient(a, b) => constant_exponent(a)?.over(constant_exponent(b)?),
         _ => None,
     }
 }
@@ -77,9 +69,9 @@ type Evaluated<T> = Result<T, Unavailable>;
 impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
     fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         Ok(match &expr.node {
-            Node::Number(text) => Value::Scalar(constant(literal(text).ok_or(Unavailable::Operation("a number"))?)),
-            Node::Pi => Value::Scalar(constant(std::f64::consts::PI)),
-            Node::Euler => Value::Scalar(constant(std::f64::consts::E)),
+            Node::Number(digits) => Value::Scalar(D::decimal(digits).ok_or(Unavailable::Operation("a number"))?),
+            Node::Pi => Value::Scalar(D::pi()),
+            Node::Euler => Value::Scalar(D::one().exp()),
             Node::Symbol { id, indices, dots } => return self.symbol(*id, indices, *dots),
             Node::Sum(terms) => return self.sum(terms),
             Node::Product(factors) => return self.product(factors),
@@ -93,7 +85,7 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
                 Value::Scalar(match degree {
                     2 => x.sqrt(),
                     3 => x.cbrt(),
-                    n => x.powf(1.0 / f64::from(*n)),
+                    n => x.rational_power(Ratio { numerator: 1, denominator: u64::from(*n) }),
                 })
             }
             Node::Call(function, argument) => {
@@ -368,17 +360,20 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
         let constant = constant_exponent(exponent);
         let x = match (&base.node, constant) {
             // An even power of an absolute value asks for no sign.
-            (Node::Norm(inner), Some(n)) if n % 2.0 == 0.0 => self.norm(inner, false)?,
+            (Node::Norm(inner), Some(n)) if n.is_whole() && n.numerator % 2 == 0 => self.norm(inner, false)?,
             _ => self.scalar(base)?,
         };
         Ok(match constant {
-            Some(n) if n.fract() == 0.0 && n.abs() <= 64.0 => x.powi(n as i32),
-            Some(0.5) => x.sqrt(),
-            Some(n) => x.powf(n),
+            Some(n) if n.is_whole() && n.numerator.abs() <= 64 => x.powi(n.numerator as i32),
+            Some(Ratio { numerator: 1, denominator: 2 }) => x.sqrt(),
+            Some(n) => x.rational_power(n),
             None => {
                 let n = self.scalar(exponent)?;
                 // A whole number that does not vary is a power of its own, for negative bases too.
-                let varies = exponent.symbols().iter().any(|(id, _)| self.environment.symbols().entry(*id).varies);
+                // A number of too many digits is near a whole number, and is none.
+                let symbols = exponent.symbols();
+                let varies = |id| self.environment.symbols().entry(id).varies;
+                let varies = symbols.is_empty() || symbols.iter().any(|(id, _)| varies(*id));
                 match n.re() {
                     whole if !varies && whole.fract() == 0.0 && whole.abs() <= 64.0 => x.powi(whole as i32),
                     _ => (x.ln() * n).exp(),

@@ -255,7 +255,7 @@ impl Binder<'_> {
                 if found.free.iter().any(|letter| !self.is_label(*letter)) {
                     return Err(Fault::ambiguous(
                         span,
-                        "a power of a term with a free index may or may not be summed over that index",
+                        "v_a^2 may be the square of one component or the sum of all squares, v_a v_a",
                     )
                     .help("write the sum, \\sum_a, or both factors"));
                 }

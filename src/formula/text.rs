@@ -149,6 +149,23 @@ impl Writer<'_> {
     }
 }
 
+/// A number with so many significant digits. What is not finite is said in words.
+pub fn number(value: f64, digits: usize) -> String {
+    let magnitude = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+    if value.is_nan() {
+        "no value".to_owned()
+    } else if value.is_infinite() {
+        (if value > 0.0 { "+∞" } else { "−∞" }).to_owned()
+    } else if value == 0.0 {
+        "0".to_owned()
+    } else if (-4.0..digits as f64).contains(&magnitude) {
+        let decimals = (digits as f64 - 1.0 - magnitude).max(0.0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.*e}", digits - 1)
+    }
+}
+
 /// A LaTeX name as Unicode: Greek letters as letters, accents as combining marks.
 pub fn plain(latex: &str) -> String {
     let mut text = String::new();
@@ -180,7 +197,23 @@ pub fn plain(latex: &str) -> String {
         }
     }
     text.push_str(rest);
-    text
+    subscripts(&text)
+}
+
+/// A name in which a subscript has a number as its own subscript: `p_{θ_{1}}` becomes p_θ₁.
+fn subscripts(name: &str) -> String {
+    let Some((head, rest)) = name.split_once("_{") else { return name.to_owned() };
+    let Some(close) = matching(rest) else { return name.to_owned() };
+    let (inner, after) = (&rest[..close], subscripts(&rest[close + 1..]));
+    let lowered = inner.split_once('_').and_then(|(letter, number)| {
+        let number = number.strip_prefix('{').and_then(|number| number.strip_suffix('}')).unwrap_or(number);
+        let digits: Option<String> = number.chars().map(|c| char::from_u32(u32::from('₀') + c.to_digit(10)?)).collect();
+        Some(format!("{letter}{}", digits.filter(|digits| !digits.is_empty())?))
+    });
+    match lowered {
+        Some(lowered) => format!("{head}_{lowered}{after}"),
+        None => format!("{head}_{{{inner}}}{after}"),
+    }
 }
 
 fn matching(inner: &str) -> Option<usize> {

@@ -8,6 +8,7 @@ use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
 use crate::formula::tree::{Expr, Index, IndexId, Node, Sign, Term};
 use crate::source::{Fault, Span};
+use crate::suggest::declaration;
 
 use super::layout::{Delimiter, Item, Layout};
 use super::names;
@@ -194,8 +195,8 @@ impl Unknown {
 fn undeclared(name: &Name, span: Span, symbols: &Symbols) -> Fault {
     let fault = Fault::undeclared(span, name);
     match symbols.nearest(name) {
-        Some(near) => fault.help(format!("did you mean {near}? If not, declare {name} in the claims file")),
-        None => fault.help(format!("declare {name} in the claims file")),
+        Some(near) => fault.help(format!("did you mean {near}? If not, {}", declaration(&name.to_string(), 0))),
+        None => fault,
     }
 }
 
@@ -232,7 +233,7 @@ fn one(
             span,
             format!("{name} is not declared, and its definition depends on the index {letter}"),
         )
-        .help(format!("give it the index {letter} too, or declare {name} in the claims file")));
+        .help(format!("give it the index {letter} too, or {}", declaration(&name.to_string(), 0))));
     }
     let components = |free: &[IndexId]| -> Vec<IndexId> { free.iter().copied().filter(|l| !is_label(l)).collect() };
     let (left, right) = (components(&free), components(&of_source.free));
@@ -274,7 +275,7 @@ fn only_three_by_three(name: &Name, shape: Shape) -> String {
         Shape::Matrix(rows, columns) => format!(
             "{name} would be a {rows}×{columns} matrix, and only 3×3 matrices can be defined; write an equation for each entry"
         ),
-        _ => format!("declare {name} in the claims file"),
+        _ => declaration(&name.to_string(), 0),
     }
 }
 

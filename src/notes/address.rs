@@ -216,9 +216,10 @@ impl Point {
         let error = not_found(source, self.span, message);
         match &self.target {
             Target::Snippet(_) | Target::EverySnippet(_) => error.help("copy the LaTeX from the notes"),
-            Target::Number(id) | Target::Label(id) | Target::Name(id) => match closest(notes, id) {
-                Some(closest) => error.help(format!("did you mean {closest}?")),
-                None => error.help("the notes have no numbers, labels or names; use a snippet in backticks"),
+            Target::Number(id) | Target::Label(id) | Target::Name(id) => match (closest(notes, id), known(notes)) {
+                (_, None) => error.help("the notes have no numbers, labels or names; use a snippet in backticks"),
+                (Some(closest), _) => error.help(format!("did you mean {closest}?")),
+                (None, Some(known)) => error.help(format!("the notes have {known}")),
             },
         }
     }
@@ -232,20 +233,36 @@ fn not_found(source: &Arc<Source>, span: Span, message: impl Into<String>) -> Er
     Error::at(source, span, message).with_code(Code::EquationAddress)
 }
 
-/// The number, label or name nearest to `id`.
+/// All numbers, labels and names of the notes.
+fn ids(notes: &Notes) -> impl Iterator<Item = &str> {
+    notes.equations.iter().flat_map(|d| d.number.iter().chain(&d.labels)).map(|n| n.id.as_str())
+}
+
+/// The nearest number of the same chapter, as they count; or the label or name nearest to `id`.
 fn closest<'a>(notes: &'a Notes, id: &str) -> Option<&'a str> {
-    let ids = notes.equations.iter().flat_map(|d| d.number.iter().chain(&d.labels)).map(|n| n.id.as_str());
-    // Two numbers of one chapter are as far apart as they count; anything else as its letters differ.
     let apart = |other: &str| match (chapter(id), chapter(other)) {
-        (Some((a, m)), Some((b, n))) if a == b => (0, m.abs_diff(n)),
-        _ => (suggest::distance(id, other), 0),
+        (Some((a, m)), Some((b, n))) if a == b => Some(m.abs_diff(n)),
+        _ => None,
     };
-    ids.min_by_key(|other| apart(other))
+    let of_chapter = ids(notes).filter(|other| apart(other).is_some()).min_by_key(|other| apart(other));
+    of_chapter.or_else(|| suggest::nearest(id, ids(notes)))
 }
 
 fn chapter(id: &str) -> Option<(&str, u64)> {
     let (chapter, number) = id.rsplit_once('.')?;
     Some((chapter, number.parse().ok()?))
+}
+
+/// The numbers, labels and names of the notes in words: a few, or the first and the last.
+fn known(notes: &Notes) -> Option<String> {
+    const FEW: usize = 8;
+    let ids: Vec<String> = ids(notes).map(|id| format!("({id})")).collect();
+    match ids.as_slice() {
+        [] => None,
+        few if few.len() <= FEW => Some(few.join(", ")),
+        [first, .., last] => Some(format!("{} equations with a number or a label, from {first} to {last}", ids.len())),
+        [one] => Some(one.clone()),
+    }
 }
 
 fn containing(notes: &Notes, snippet: &str) -> Vec<usize> {

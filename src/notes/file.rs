@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::code::Code;
+use crate::error::reason;
 use crate::source::Source;
 use crate::{Error, Result};
 
@@ -12,7 +13,7 @@ const LARGEST: u64 = 64 << 20;
 
 /// Reads a text file: too large, unreadable and not UTF-8 are errors.
 pub(super) fn read_text(path: &Path, shown_as: &str) -> Result<Arc<Source>> {
-    let failed = |error: std::io::Error| Error::new(format!("cannot read {shown_as}: {error}"));
+    let failed = |error: std::io::Error| Error::new(format!("cannot read {shown_as}: {}", reason(&error)));
     let about = std::fs::metadata(path).map_err(failed)?;
     if about.is_dir() {
         return Err(Error::new(format!("cannot read {shown_as}: it is a folder")));

@@ -2,6 +2,7 @@
 
 use crate::check::Verdict;
 use crate::check::kinds::compare::Comparison;
+use crate::code::Code;
 
 use super::diagnostic;
 use super::style::Style;
@@ -33,6 +34,8 @@ pub fn text(answer: &Comparison, style: Style) -> String {
     }
     match &finding.counterexample {
         Some(_) => diagnostic::evidence(finding).iter().for_each(|line| tell("", line)),
+        // The same formula twice needs no state; that there were too few is said above.
+        None if finding.tried == 0 || finding.code == Code::TooFewStates => {}
         None => tell("", &format!("{} of {} sampled states gave a number", finding.points, finding.tried)),
     }
     if let Some(power) = finding.false_accept_log2 {

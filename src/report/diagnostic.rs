@@ -3,8 +3,9 @@
 use annotate_snippets::{Element, Group, Level, Title};
 
 use crate::Error;
-use crate::check::{Document, Equation, Finding, Part};
-use crate::formula::text::plain;
+use crate::check::{Document, Equation, Finding, Part, Verdict};
+use crate::code::Code;
+use crate::formula::text::{number, plain};
 
 use super::code;
 use super::excerpt::{Excerpt, alone};
@@ -42,7 +43,7 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
     }));
     let message = match (&item.because, finding.verdict.passes()) {
         (Some(_), true) => format!("({}) is {}, against expectation", item.id, finding.verdict),
-        _ => format!("({}) is {}: {}", item.id, finding.verdict, finding.message),
+        _ => format!("({}) {}: {}", item.id, outcome(finding, is_read(item, finding)), finding.message),
     };
     let code = code::of_finding(finding);
     let title: Title<'_> = Level::ERROR.primary_title(titled("error", code, &message, style)).id(code);
@@ -54,8 +55,28 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
 /// One more part of an equation that is not as expected.
 fn another(document: &Document, item: &Equation, at: usize, finding: &Finding, first: &Finding) -> String {
     let (line, column) = document.source.line_column(finding.span.start);
-    let name = format!("part {} of {}, at {line}:{column}, is {}", at + 1, item.parts.len(), finding.verdict);
+    let outcome = outcome(finding, is_read(item, finding));
+    let name = format!("part {} of {}, at {line}:{column}, {outcome}", at + 1, item.parts.len());
     if finding.message == first.message { format!("{name} too") } else { format!("{name}: {}", finding.message) }
+}
+
+/// Whether the text that a finding is about was read, so that its reading can be shown.
+fn is_read(item: &Equation, finding: &Finding) -> bool {
+    let part = item.parts.iter().find(|part| std::ptr::eq(&part.finding, finding));
+    // A formula whose shapes or indices do not fit has no reading, but each part of it was read.
+    let fits = !matches!(finding.code, Code::ShapeMismatch | Code::IndexMismatch);
+    !fits || !part.map_or(&item.reading, |part| &part.reading).is_empty()
+}
+
+/// The verdict as a predicate. What is `unreadable` was not read, or was read and cannot be evaluated.
+fn outcome(finding: &Finding, is_read: bool) -> String {
+    match (finding.verdict, is_read) {
+        // A second print that lacks something has nothing to read there.
+        (Verdict::Unreadable, _) if finding.code == Code::LostInPrint => "is not printed in full".to_owned(),
+        (Verdict::Unreadable, true) => "was read, but cannot be checked".to_owned(),
+        (Verdict::Unreadable, false) => "could not be read".to_owned(),
+        (verdict, _) => format!("is {verdict}"),
+    }
 }
 
 /// A note or advice below the lines of a file.
@@ -70,34 +91,52 @@ pub fn evidence(finding: &Finding) -> Vec<String> {
     let Some(counterexample) = &finding.counterexample else { return Vec::new() };
     let state = counterexample.state.iter();
     let state: Vec<String> =
-        state.map(|(name, value)| format!("{}\u{a0}=\u{a0}{}", plain(name), short(*value, 5))).collect();
+        state.map(|(name, value)| format!("{}\u{a0}=\u{a0}{}", plain(name), number(*value, 5))).collect();
     let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
-    let mut notes = vec![
-        format!("at {}", if state.is_empty() { "every state".to_owned() } else { state.join(", ") }),
-        format!("left side {}, right side {}{entry}", short(counterexample.lhs, 7), short(counterexample.rhs, 7)),
-    ];
+    let mut notes = vec![format!("at {}", if state.is_empty() { "every state".to_owned() } else { state.join(", ") })];
+    // The message of what is not conserved gives its rate.
+    if finding.code != Code::NotConserved {
+        notes.push(format!("{}{entry}", sides(counterexample.lhs, counterexample.rhs)));
+    }
     notes
         .extend(finding.difference.as_ref().map(|formula| format!("left side − right side = {}{entry}", formula.text)));
     notes.extend(finding.derived.as_ref().map(|formula| format!("derived: {}", formula.text)));
     notes
 }
 
-/// A number with so many significant digits.
-fn short(value: f64, digits: usize) -> String {
-    let magnitude = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
-    if !value.is_finite() || value == 0.0 {
-        value.to_string()
-    } else if (-4.0..digits as f64).contains(&magnitude) {
-        let decimals = (digits as f64 - 1.0 - magnitude).max(0.0) as usize;
-        format!("{value:.decimals$}")
-    } else {
-        format!("{value:.*e}", digits - 1)
-    }
+/// The values of both sides. Two that differ late have so many digits that they differ, and their difference is given.
+fn sides(lhs: f64, rhs: f64) -> String {
+    const USUAL: usize = 7;
+    const MOST: usize = 17;
+    let differs = |digits: &usize| number(lhs, *digits) != number(rhs, *digits);
+    let (digits, difference) = match (USUAL..=MOST).find(differs) {
+        _ if lhs == rhs => (USUAL, String::new()),
+        Some(digits) if number(lhs, USUAL - 3) != number(rhs, USUAL - 3) => (digits, String::new()),
+        Some(digits) => (MOST.min(digits + 1), format!(", difference {}", number(lhs - rhs, 3))),
+        None => (USUAL, String::new()),
+    };
+    let side = |name: &str, value: f64| match value.is_nan() {
+        true => format!("the {name} side is not a real number"),
+        false => format!("{name} side {}", number(value, digits)),
+    };
+    format!("{}, {}{difference}", side("left", lhs), side("right", rhs))
 }
 
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
+
+    #[test]
+    fn two_sides_that_differ_are_seen_to_differ() {
+        assert_eq!(sides(1.0, 2.0), "left side 1.000000, right side 2.000000");
+        let close = sides(1.000000012345, 1.0000000);
+        assert_eq!(close, "left side 1.000000012, right side 1.000000000, difference 1.23e-8");
+        assert!(sides(1.0, f64::EPSILON + 1.0).contains("difference -2.22e-16"));
+        // Equal sides have no difference to show: `≠` fails there.
+        assert_eq!(sides(1.0, 1.0), "left side 1.000000, right side 1.000000");
+        assert_eq!(sides(f64::NAN, 1.0), "the left side is not a real number, right side 1.000000");
+        assert!(sides(f64::INFINITY, 0.0).starts_with("left side +∞"));
+    }
 
     use super::super::style::columns;
     use super::*;

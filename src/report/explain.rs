@@ -3,6 +3,7 @@
 //! The explanations of the codes are in [`crate::code`]; those of the verdicts are here, in one table.
 
 use crate::check::Verdict;
+use crate::check::mutation::MutantOutcome;
 use crate::code::Code;
 
 use super::style::{Style, columns};
@@ -13,14 +14,23 @@ use super::wrap::wrap;
 pub enum Topic {
     /// A verdict on an equation or a sentence.
     Verdict(Verdict),
+    /// What became of a mutant in mutation testing.
+    Mutant(MutantOutcome),
     /// A class of messages.
     Code(Code),
 }
 
+/// What can become of a mutant, without `refuted`, which means what the verdict of this name means.
+const OUTCOMES: [MutantOutcome; 3] = [MutantOutcome::Refused, MutantOutcome::Equivalent, MutantOutcome::Survived];
+
 impl Topic {
-    /// Everything that can be explained: the verdicts, from the best to the worst, and the codes.
+    /// Everything that can be explained: the verdicts, from the best to the worst; the outcomes of mutants; and the
+    /// codes by the alphabet.
     pub fn all() -> impl Iterator<Item = Topic> {
-        Verdict::ALL.into_iter().map(Topic::Verdict).chain(Code::ALL.iter().copied().map(Topic::Code))
+        let mut codes = Code::ALL.to_vec();
+        codes.sort_by_key(|code| code.word());
+        let outcomes = OUTCOMES.into_iter().map(Topic::Mutant);
+        Verdict::ALL.into_iter().map(Topic::Verdict).chain(outcomes).chain(codes.into_iter().map(Topic::Code))
     }
 
     /// What a word names: a verdict, a code, both, or nothing.
@@ -32,6 +42,7 @@ impl Topic {
     pub fn word(self) -> &'static str {
         match self {
             Topic::Verdict(verdict) => verdict.word(),
+            Topic::Mutant(outcome) => outcome.word(),
             Topic::Code(code) => code.word(),
         }
     }
@@ -40,6 +51,7 @@ impl Topic {
     pub fn explanation(self) -> &'static str {
         match self {
             Topic::Verdict(verdict) => of_verdict(verdict),
+            Topic::Mutant(outcome) => of_outcome(outcome),
             Topic::Code(code) => code.explanation(),
         }
     }
@@ -50,6 +62,7 @@ pub fn topic(topic: Topic, style: Style) -> String {
     let kind = match topic {
         Topic::Verdict(verdict) if verdict.passes() => "verdict, passes",
         Topic::Verdict(_) => "verdict, does not pass",
+        Topic::Mutant(_) => "outcome of a mutant",
         Topic::Code(_) => "code of a message",
     };
     format!("{} ({kind})\n\n{}", topic.word(), paragraphs(topic.explanation(), style))
@@ -63,11 +76,13 @@ pub fn all(style: Style) -> String {
         let first = text.split_once(".\n").map_or(text, |(first, _)| first).trim_end_matches('.');
         wrap(&format!("  {:<width$}  ", topic.word()), &first.replace('\n', " "), width + 4, style.width) + "\n"
     };
-    let of = |is_verdict: bool| {
-        let topics = Topic::all().filter(|topic| matches!(topic, Topic::Verdict(_)) == is_verdict);
-        topics.map(line).collect::<String>()
-    };
-    format!("Verdicts:\n{}\nCodes of messages:\n{}", of(true), of(false))
+    let of = |is_wanted: fn(&Topic) -> bool| Topic::all().filter(is_wanted).map(line).collect::<String>();
+    format!(
+        "Verdicts:\n{}\nOutcomes of mutants (onshell mutate):\n{}\nCodes of messages:\n{}",
+        of(|topic| matches!(topic, Topic::Verdict(_))),
+        of(|topic| matches!(topic, Topic::Mutant(_))),
+        of(|topic| matches!(topic, Topic::Code(_)))
+    )
 }
 
 /// Markdown in lines that fit: paragraphs are wrapped; lines with an indent of four are kept as they are.
@@ -103,6 +118,48 @@ fn paragraphs(markdown: &str, style: Style) -> String {
         was_example = is_example;
     }
     text
+}
+
+/// What an outcome of a mutant means.
+fn of_outcome(outcome: MutantOutcome) -> &'static str {
+    match outcome {
+        MutantOutcome::Refuted => of_verdict(Verdict::Refuted),
+        MutantOutcome::Refused => {
+            r"The mutant was detected, because it cannot be read or claims too little.
+
+The equation with this mistake in it is ambiguous, has units or shapes that do not fit, or is the same on both sides.
+
+For example, this mutant of a definition is refused, because a name cannot be defined by itself:
+
+    p = m p
+
+There is nothing to do."
+        }
+        MutantOutcome::Equivalent => {
+            r"The mutant is as true as the original, so no check could detect it.
+
+It reads the same, or exact arithmetic shows that both are equal.
+
+For example, these two are equivalent:
+
+    |a - b| = |b - a|
+    |-a + b| = |b - a|
+
+There is nothing to do."
+        }
+        MutantOutcome::Survived => {
+            r"The mutant passes: a mistake like this in the equation would not be detected.
+
+The report gives the place of the mistake, the change, and why it passes.
+
+For example, with x declared as positive, the second survives as a mutant of the first:
+
+    x^2 \geq 0
+    x^3 \geq 0
+
+Widen the ranges or remove hypotheses; for a definition, use the defined name in one more equation."
+        }
+    }
 }
 
 /// What a verdict means.

@@ -1,9 +1,11 @@
 //! What became of mutants, for people and for machines.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Value, json};
 
 use crate::Error;
-use crate::check::mutation::{Mutants, Mutated, Repairs, Survivor};
+use crate::check::mutation::{LeftOut, Mutants, Mutated, Repairs, Survivor};
 use crate::source::Source;
 
 use super::style::{Style, columns};
@@ -75,10 +77,28 @@ fn figures([mutants, refuted, refused, equivalent, survived]: [usize; 5]) -> Str
 fn counted(document: &Mutated) -> String {
     let own = Totals::of(std::slice::from_ref(document));
     let figures = figures([own.mutants, own.refuted, own.refused, own.equivalent, own.survivors]);
-    match document.equations.iter().filter(|equation| equation.left_out.is_some()).count() {
-        0 => figures,
-        1 => format!("{figures}; 1 equation was left out"),
-        n => format!("{figures}; {n} equations were left out"),
+    match left_out(document) {
+        None => figures,
+        Some(left_out) => format!("{figures}; {left_out}"),
+    }
+}
+
+/// How many equations of a document were left out, and why.
+fn left_out(document: &Mutated) -> Option<String> {
+    let mut reasons: BTreeMap<LeftOut, usize> = BTreeMap::new();
+    for reason in document.equations.iter().filter_map(|equation| equation.left_out) {
+        *reasons.entry(reason).or_insert(0) += 1;
+    }
+    let reason = |(reason, count): (&LeftOut, &usize)| match reason {
+        LeftOut::Skipped => format!("{count}\u{a0}skipped"),
+        LeftOut::ExpectedNotToPass => format!("{count}\u{a0}expected\u{a0}not\u{a0}to\u{a0}pass"),
+        LeftOut::DoesNotPass(verdict) => format!("{count}\u{a0}{verdict}"),
+    };
+    let listed = reasons.iter().map(reason).collect::<Vec<_>>().join(", ");
+    match reasons.values().sum::<usize>() {
+        0 => None,
+        1 => Some(format!("1 equation was left out: {listed}")),
+        n => Some(format!("{n} equations were left out: {listed}")),
     }
 }
 
@@ -112,7 +132,8 @@ fn slip(source: &Source, equation: &Mutants, fate: &str, survivor: &Survivor) ->
     )
 }
 
-fn change(old: &str, new: &str) -> String {
+/// The change of one text into another, as a phrase.
+pub fn change(old: &str, new: &str) -> String {
     match (old, new.trim()) {
         ("", new) => format!("“{new}” added"),
         (old, "") => format!("“{old}” left out"),
@@ -203,7 +224,7 @@ fn document(document: &Mutated) -> Value {
             "refused": equation.refused,
             "equivalent": equation.equivalent,
             "survivors": equation.survivors.iter().map(survivor).collect::<Vec<_>>(),
-            "left_out": equation.left_out,
+            "left_out": equation.left_out.map(|why| why.to_string()),
             "repairs": equation.repairs.as_ref().map(repairs),
         })
     };

@@ -29,19 +29,40 @@ pub fn report(report: &Report, verbose: bool, style: Style) -> String {
     if !verbose && !report.documents.is_empty() {
         text.push('\n');
     }
-    let mut code = None;
+    let mut codes: Vec<(&'static str, Verdict, usize)> = Vec::new();
     for document in &report.documents {
         let own = |item: &&Equation| !item.ok && item.finding.follows_from.is_none();
         for item in items(document).filter(own) {
             text.push_str(&diagnostic::unexpected(document, item, style));
             text.push_str("\n\n");
-            code = code.or(Some(code::of_item(item)));
+            let (code, verdict) = (code::of_item(item), code::first_unexpected(item).verdict);
+            match codes.iter_mut().find(|(known, ..)| *known == code) {
+                Some((_, worst, count)) => {
+                    *count += 1;
+                    if verdict.severity() > worst.severity() {
+                        *worst = verdict;
+                    }
+                }
+                None => codes.push((code, verdict, 1)),
+            }
         }
     }
     text.push_str(&wrap("", &summary(report), INDENT, style.width));
     text.push('\n');
-    text.push_str(&code.map(|code| code_hint(code, style)).unwrap_or_default());
+    text.push_str(&codes_hint(codes, style));
     text
+}
+
+/// How often each code of what is not as expected occurs, and how to look up the first: that of the worst verdict.
+fn codes_hint(mut codes: Vec<(&'static str, Verdict, usize)>, style: Style) -> String {
+    codes.sort_by_key(|(_, verdict, count)| std::cmp::Reverse((verdict.severity(), *count)));
+    let Some((first, ..)) = codes.first() else { return String::new() };
+    let counts: Vec<String> = codes.iter().map(|(code, _, count)| format!("{count}\u{a0}{code}")).collect();
+    let listed = match codes.len() {
+        1 => String::new(),
+        _ => wrap("", &format!("Codes: {}", counts.join(", ")), INDENT, style.width) + "\n",
+    };
+    listed + &code_hint(first, style)
 }
 
 /// The line that says how to look up a code.
@@ -183,13 +204,17 @@ fn details(item: &Equation, style: Style) -> String {
         text.push_str(&(wrap(&first, line, indent + inside + 2, style.width) + "\n"));
     };
     if item.parts.is_empty() {
-        tell(0, &item.reading);
+        // What could not be read has no reading.
+        if !item.reading.is_empty() {
+            tell(0, &item.reading);
+        }
         if let Some(reason) = &item.finding.not_certified_because {
             tell(0, &format!("not certified because of {reason}"));
         }
     }
     for part in &item.parts {
-        tell(0, &format!("{}:\u{a0} {}", part.finding.verdict.word(), part.reading));
+        let unread = if part.reading.is_empty() { &part.latex } else { &part.reading };
+        tell(0, &format!("{}:\u{a0} {unread}", part.finding.verdict.word()));
         tell(2, &summary_of(&part.finding));
         if let Some(reason) = &part.finding.not_certified_because {
             tell(2, &format!("not certified because of {reason}"));

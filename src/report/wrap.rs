@@ -49,19 +49,44 @@ pub(super) fn titled(level: &str, code: &str, message: &str, style: Style) -> St
 fn words(text: &str, room: usize) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut operator: Option<&str> = None;
-    for word in text.split([' ', '\n']).filter(|word| !word.is_empty()) {
-        if OPERATORS.contains(&word) && operator.is_none() {
-            operator = Some(word);
+    for word in quoted(text, room) {
+        if operator.is_none()
+            && let Some(found) = OPERATORS.into_iter().find(|operator| *operator == word)
+        {
+            operator = Some(found);
             continue;
         }
         let word = match operator.take() {
             Some(operator) => format!("{operator} {word}"),
-            None => word.to_owned(),
+            None => word,
         };
         if columns(&word) <= room { words.push(word) } else { words.extend(pieces(&word, room)) }
     }
     words.extend(operator.map(str::to_owned));
     words
+}
+
+/// The words of a text. What is in quotes is one word, if it fits into a line.
+fn quoted(text: &str, room: usize) -> Vec<String> {
+    let is_open =
+        |text: &str| text.matches('“').count() > text.matches('”').count() || text.matches('"').count() % 2 == 1;
+    let words: Vec<&str> = text.split([' ', '\n']).filter(|word| !word.is_empty()).collect();
+    let mut joined: Vec<String> = Vec::new();
+    let mut at = 0;
+    while at < words.len() {
+        let mut whole = words[at].to_owned();
+        let mut end = at + 1;
+        while is_open(&whole) && end < words.len() && columns(&whole) < room {
+            whole = format!("{whole} {}", words[end]);
+            end += 1;
+        }
+        if is_open(&whole) || columns(&whole) > room {
+            (whole, end) = (words[at].to_owned(), at + 1);
+        }
+        joined.push(whole);
+        at = end;
+    }
+    joined
 }
 
 /// A word in pieces that fit.
@@ -152,6 +177,15 @@ mod tests {
         }
         // What can be broken nowhere is seen: without wrapping the same text is too wide.
         assert!(columns(&"a b ".repeat(60)) > 120);
+    }
+
+    #[test]
+    fn what_is_in_quotes_stays_together_where_it_fits() {
+        assert_eq!(wrap("", "it holds with “− a”", 2, 16), "it holds with\n  “− a”");
+        assert_eq!(wrap("", r#"add it to "varies with time" now"#, 2, 22), "add it to\n  \"varies with time\"\n  now");
+        // What does not fit is broken like any other text, and so is a quote that never ends.
+        assert_eq!(wrap("", "“aaaa bbbb cccc dddd”", 2, 12), "“aaaa bbbb\n  cccc dddd”");
+        assert_eq!(wrap("", "“aa bb cc dd", 2, 9), "“aa bb cc\n  dd");
     }
 
     #[test]

@@ -6,6 +6,9 @@ use std::fmt::Debug;
 
 use num_dual::DualNum;
 
+use super::number::Number;
+use super::rational::Ratio;
+
 /// The elementary functions of one variable that a number must know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[allow(missing_docs)] // each is the function it is named after
@@ -62,12 +65,20 @@ impl Function {
 /// otherwise: code that branches then takes the path that real-valued code would take.
 pub trait Arithmetic: Copy + Debug + Send + Sync + 'static {
     /// The number this one is built over; `f64` when it is built over nothing.
-    type Inner: DualNum<Primitive = f64>;
+    type Inner: Number;
     /// The highest derivative that the number carries.
     const DERIVATIVES: usize = 0;
 
     /// The number that does not vary.
     fn constant(value: Self::Inner) -> Self;
+    /// The constant that decimal digits write.
+    fn decimal(digits: &str) -> Option<Self> {
+        Self::Inner::decimal(digits).map(Self::constant)
+    }
+    /// The constant π.
+    fn pi() -> Self {
+        Self::constant(Self::Inner::pi())
+    }
     /// The real value, on which branches are decided.
     fn real(self) -> f64;
     /// Sum.
@@ -84,6 +95,10 @@ pub trait Arithmetic: Copy + Debug + Send + Sync + 'static {
     fn power(self, n: i32) -> Self;
     /// Power with a real exponent.
     fn real_power(self, n: f64) -> Self;
+    /// Power with a rational exponent.
+    fn rational_power(self, n: Ratio) -> Self {
+        self.real_power(n.value())
+    }
     /// An elementary function of this number.
     fn apply(self, function: Function) -> Self;
     /// The angle of the point (x, self), in (−π, π].
@@ -253,6 +268,17 @@ macro_rules! dual_number {
                 type Output<O> = O;
                 fn map_dual<M: Fn(Self) -> O, O>(self, f: M) -> O {
                     f(self)
+                }
+            }
+            impl$(<$b: $bound>)? $crate::scalar::Number for $name$(<$b>)? {
+                fn decimal(digits: &str) -> Option<Self> {
+                    <Self as Arithmetic>::decimal(digits)
+                }
+                fn pi() -> Self {
+                    <Self as Arithmetic>::pi()
+                }
+                fn rational_power(self, exponent: $crate::scalar::Ratio) -> Self {
+                    Arithmetic::rational_power(self, exponent)
                 }
             }
             impl$(<$b: $bound>)? DualNum for $name$(<$b>)? {

@@ -6,6 +6,7 @@
 //! - [`Series`]: a truncated Taylor series in time;
 //! - [`Primal`]: the value of a series without its derivatives;
 //! - [`RunningError`]: a value with a running bound on its rounding error;
+//! - [`Enclosure`](enclosure::Enclosure): a value of any precision between bounds;
 //! - [`Symbol`]: a node of an expression graph, for tracing a function ([`Graph::record`]);
 //! - [`Modular`]: an element of a prime field, for polynomial identity testing ([`prime_field`]).
 //!
@@ -18,6 +19,9 @@
 pub use num_dual::DualNum;
 
 mod arithmetic;
+#[cfg(feature = "notes")]
+pub mod enclosure;
+mod number;
 mod primal;
 pub mod prime_field;
 pub mod rational;
@@ -27,6 +31,9 @@ mod simplify;
 mod symbol;
 
 pub use arithmetic::{Arithmetic, Function};
+#[cfg(feature = "notes")]
+pub use enclosure::Enclosure;
+pub use number::Number;
 pub use primal::Primal;
 pub use prime_field::Modular;
 pub use rational::Ratio;
@@ -34,13 +41,6 @@ pub use running_error::RunningError;
 pub use series::{Series, TERMS};
 pub use simplify::{simplify_all, try_simplify};
 pub use symbol::{Graph, Node, Symbol};
-
-/// A number that mechanics and formulas are evaluated on: any `Copy` dual number over `f64` that may cross threads.
-///
-/// Implemented for everything that qualifies; it is a short name for a bound.
-pub trait Number: DualNum<Primitive = f64> + Copy + Send + Sync {}
-
-impl<D: DualNum<Primitive = f64> + Copy + Send + Sync> Number for D {}
 
 #[cfg(test)]
 mod tests {

@@ -6,7 +6,7 @@
 use std::fmt;
 
 use super::arithmetic::{dual_number, power_by_squaring};
-use super::{Arithmetic, Function, Number};
+use super::{Arithmetic, Function, Number, Ratio};
 
 /// The value of a series, without its derivatives.
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +53,9 @@ impl<B: Number> Arithmetic for Primal<B> {
             true => self.power(n as i32),
             false => Primal(self.0.powf(n)),
         }
+    }
+    fn rational_power(self, n: Ratio) -> Self {
+        Primal(self.0.rational_power(n))
     }
     fn apply(self, function: Function) -> Self {
         match function {

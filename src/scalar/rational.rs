@@ -1,8 +1,9 @@
 //! Rational reconstruction: the exact constant that an `f64` was written for. It is a short decimal, the simplest
 //! fraction that rounds to it, or a simple multiple of π.
 //!
-//! 1/3 has no exact `f64`, and a formula that prints 1/3 means the fraction. Exact arithmetic (the prime field, the
-//! normal form of derived formulas) reads all constants by this rule.
+//! 1/3 has no exact `f64`, and a traced formula that contains its rounding means the fraction. The normal form of derived
+//! formulas reads its constants by this rule, in order to show them. What decides a verdict does not: a printed number is
+//! the decimal that is printed, and of an `f64` in a Lagrangian only a short decimal is taken for exact.
 
 use std::f64::consts::PI;
 
@@ -44,6 +45,38 @@ impl Ratio {
         Some(Ratio { numerator: numerator.try_into().ok()?, denominator: denominator.try_into().ok()? })
     }
 
+    /// The fraction that decimal digits write: `2`, `0.25`, `1e-3`; `None` where it does not fit, or they write none.
+    ///
+    /// ```
+    /// use onshell::scalar::Ratio;
+    /// assert_eq!(Ratio::from_decimal("0.25"), Ratio::new(1, 4));
+    /// assert_eq!(Ratio::from_decimal("1.0000000000000000000001"), None);
+    /// ```
+    pub fn from_decimal(digits: &str) -> Option<Self> {
+        let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
+        let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        if whole.is_empty() && part.is_empty() {
+            return None;
+        }
+        let mut numerator = 0_i128;
+        for digit in whole.chars().chain(part.chars()) {
+            numerator = numerator.checked_mul(10)?.checked_add(digit.to_digit(10)?.into())?;
+        }
+        let places = exponent.parse::<i32>().ok()?.checked_sub(i32::try_from(part.len()).ok()?)?;
+        let power = 10_i128.checked_pow(places.unsigned_abs())?;
+        if places < 0 { Ratio::new(numerator, power) } else { Ratio::new(numerator.checked_mul(power)?, 1) }
+    }
+
+    /// The quotient, where it fits and the divisor is not 0.
+    pub fn over(self, other: Ratio) -> Option<Ratio> {
+        self.times(other.inverse()?)
+    }
+
+    /// Whether it is a whole number.
+    pub fn is_whole(self) -> bool {
+        self.denominator == 1
+    }
+
     /// The product, where it fits.
     pub fn times(self, other: Ratio) -> Option<Ratio> {
         Ratio::new(
@@ -82,8 +115,12 @@ fn gcd(mut a: u128, mut b: u128) -> u128 {
     a.max(1)
 }
 
-/// The exact constant that an `f64` was written for. `None` for a number that is not finite, or too large or small.
+/// The exact constant that an `f64` was written for, to be shown. `None` for a number that is not finite, or too large
+/// or small.
 pub fn exact_constant(x: f64) -> Option<ExactConstant> {
+    if let Some(decimal) = short_decimal(x) {
+        return Some(ExactConstant::Ratio(decimal));
+    }
     let part = simplest_rational(x / PI).filter(|part| part.denominator <= PARTS_OF_PI && part.numerator != 0);
     // π times a fraction may be off by a rounding
     let of_pi = part.or_else(|| near(x / PI)).filter(|part| (part.value() * PI - x).abs() <= x.abs() * f64::EPSILON);
@@ -100,10 +137,16 @@ fn near(x: f64) -> Option<Ratio> {
 }
 
 /// A decimal of at most this many significant digits is taken literally. A longer one may be a rounded fraction.
-pub const SHORT_DECIMAL_DIGITS: usize = 12;
+const SHORT_DECIMAL_DIGITS: usize = 12;
 
-/// The decimal that is the shortest to round to `x`, if it is short.
-fn decimal(x: f64) -> Option<Ratio> {
+/// The decimal that is the shortest to round to `x`, if it is short: what an author of a Lagrangian in Rust wrote.
+pub fn short_decimal(x: f64) -> Option<Ratio> {
+    if x == 0.0 {
+        return Some(Ratio::whole(0));
+    }
+    if !x.is_finite() {
+        return None;
+    }
     let text = format!("{x:e}");
     let (mantissa, exponent) = text.split_once('e')?;
     let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
@@ -125,7 +168,7 @@ pub fn simplest_rational(x: f64) -> Option<Ratio> {
     if !(1e-15..1e18).contains(&x.abs()) {
         return None;
     }
-    if let Some(decimal) = decimal(x) {
+    if let Some(decimal) = short_decimal(x) {
         return Some(decimal);
     }
     let is_near = |n: u128, d: u128| d != 0 && n as f64 / d as f64 == x.abs();
@@ -183,6 +226,27 @@ mod tests {
     }
 
     #[test]
+    fn a_printed_number_is_the_fraction_that_its_digits_write() {
+        let ratio = |n, d| Ratio::new(n, d);
+        for (digits, expected) in [
+            ("2", ratio(2, 1)),
+            ("0.250", ratio(1, 4)),
+            (".5", ratio(1, 2)),
+            ("12e-1", ratio(6, 5)),
+            ("1.5e3", ratio(1500, 1)),
+            ("1.00000000000000001", ratio(100_000_000_000_000_001, 100_000_000_000_000_000)),
+        ] {
+            assert!(expected.is_some());
+            assert_eq!(Ratio::from_decimal(digits), expected, "{digits}");
+        }
+        // must-fail cases: no digits, too many digits, and a neighbour that rounds to the same double
+        for none in ["", ".", "x", "1e", "1.2.3", "1.0000000000000000000000001", "1e40"] {
+            assert_eq!(Ratio::from_decimal(none), None, "{none}");
+        }
+        assert_ne!(Ratio::from_decimal("0.1"), Ratio::from_decimal("0.10000000000000001"));
+    }
+
+    #[test]
     fn parts_of_a_turn_are_parts_of_pi() {
         use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, TAU};
         let of_pi = |n, d| Some(ExactConstant::MultipleOfPi(Ratio { numerator: n, denominator: d }));
@@ -195,6 +259,9 @@ mod tests {
         // must-fail cases
         assert_eq!(exact_constant(22.0 / 7.0), Some(ExactConstant::Ratio(Ratio { numerator: 22, denominator: 7 })));
         assert_eq!(exact_constant(12.5664), Some(ExactConstant::Ratio(Ratio { numerator: 7854, denominator: 625 })));
+        // must-fail cases: a decimal within one rounding of a multiple of π is the decimal
+        assert_eq!(exact_constant(1_068_966_896.0), Some(ExactConstant::Ratio(Ratio::whole(1_068_966_896))));
+        assert!(matches!(exact_constant(64.355_049_509_9), Some(ExactConstant::Ratio(_))));
         assert_eq!(exact_constant(0.5), Some(ExactConstant::Ratio(Ratio { numerator: 1, denominator: 2 })));
     }
 }

@@ -14,7 +14,7 @@
 use std::fmt;
 
 use super::arithmetic::{dual_number, power_by_squaring};
-use super::{Arithmetic, Function, Number};
+use super::{Arithmetic, Function, Number, Ratio};
 
 /// How many coefficients a [`Series`] holds: the value and the derivatives up to `TERMS - 1`.
 pub const TERMS: usize = 6;
@@ -200,6 +200,18 @@ impl<B: Number> Series<B> {
         })
     }
 
+    /// A power y = xⁿ from its value, by x·y′ = n·y·x′; `factor(j, k)` is n·j − (k − j).
+    fn power_of_value(&self, value: B, factor: impl Fn(usize, usize) -> B) -> Self {
+        let x = &self.coefficients;
+        Series::build(self.known(), self.length_of_function(), |k, y| match k {
+            0 => value,
+            _ => {
+                let sum = (1..=k).map(|j| x[j] * y[k - j] * factor(j, k));
+                sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / (x[0] * k as f64)
+            }
+        })
+    }
+
     /// Two functions, each the other's derivative up to a sign: sine and cosine (−1), their hyperbolic sisters (+1).
     fn coupled(&self, first: B, second: B, sign: f64) -> (Self, Self) {
         let (x, length) = (&self.coefficients, self.length_of_function());
@@ -302,29 +314,20 @@ impl<B: Number> Arithmetic for Series<B> {
         if n.fract() == 0.0 && n.abs() <= 64.0 {
             return self.power(n as i32);
         }
-        // x·y′ = n·y·x′
         let x = &self.coefficients;
-        Series::build(self.known(), self.length_of_function(), |k, y| match k {
-            0 => x[0].powf(n),
-            _ => {
-                let sum = (1..=k).map(|j| x[j] * y[k - j] * (n * j as f64 - (k - j) as f64));
-                sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / (x[0] * k as f64)
-            }
-        })
+        self.power_of_value(x[0].powf(n), |j, k| B::from(n * j as f64 - (k - j) as f64))
+    }
+    fn rational_power(self, n: Ratio) -> Self {
+        let (above, below) = (n.numerator as f64, n.denominator as f64);
+        let factor = |j: usize, k: usize| B::from(above * j as f64 - below * (k - j) as f64) / below;
+        self.power_of_value(self.coefficients[0].rational_power(n), factor)
     }
     fn apply(self, function: Function) -> Self {
         let (one, x0) = (Series::constant(B::one()), self.coefficients[0]);
         let value = || function.of(x0);
         match function {
             Function::Sqrt => self.real_power(0.5),
-            Function::Cbrt => {
-                let root = value();
-                let slope = |k: usize, y: &[B; TERMS]| {
-                    let sum = (1..=k).map(|j| self.coefficients[j] * y[k - j] * (j as f64 / 3.0 - (k - j) as f64));
-                    sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / (x0 * k as f64)
-                };
-                Series::build(self.known(), self.length_of_function(), |k, y| if k == 0 { root } else { slope(k, y) })
-            }
+            Function::Cbrt => self.power_of_value(value(), |j, k| B::from(j as f64 - 3.0 * (k - j) as f64) / 3.0),
             Function::Exp => Series::build(self.known(), self.length_of_function(), |k, y| match k {
                 0 => value(),
                 _ => Self::integral_step(k, &self.coefficients, y),

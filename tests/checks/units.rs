@@ -44,7 +44,7 @@ fn an_equation_whose_units_are_off_neither_fails_nor_teaches() {
 fn units_that_cannot_be_are_errors_at_their_place() {
     for (units, define, place, words) in [
         (json!({ "l": "metre" }), r"\dot\theta", "metre", "write m"),
-        (json!({ "l": "kg m/s/s" }), r"\dot\theta", "/s/s", "ambiguous: the units after the /"),
+        (json!({ "l": "kg m/s/s" }), r"\dot\theta", "/s/s", "may divide by the next unit only"),
         (json!({ "l, k": "m" }), r"\dot\theta", "k", "there is no symbol k"),
         (json!({ "l": "m", r"\Omega": "1/s" }), r"\ddot\theta", r#""\\ddot\\theta""#, "s⁻²"),
         (json!({ "l": "m" }), r"\dot\theta + l", r#""\\dot\\theta + l""#, "they cannot be added"),

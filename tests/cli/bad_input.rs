@@ -202,7 +202,7 @@ fn claims_that_are_misspelt() {
 #[test]
 fn symbols_that_nobody_declared() {
     let run = check("undeclared", CLAIMS, NOTES.replace("2ab", "2ac"));
-    refused(&run, &["(1) is unreadable", "notes.md:2:", "c is not declared"]);
+    refused(&run, &["(1) could not be read", "notes.md:2:", "c is not declared"]);
     let in_claims = claims_with("\"always\"", "\"always\", \"assume\": \"c > 0\"");
     refused(&check("undeclared-claims", in_claims, NOTES), &["claims.json:5", "c is not declared"]);
 }

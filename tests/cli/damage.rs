@@ -108,8 +108,8 @@ fn displays_that_lack_the_same_names_do_not_blame_each_other() {
         verdicts(&run).into_iter().map(|(_, message)| message).collect()
     };
     let found = of("circle", "m p v = m v + b a");
-    assert!(found[0].contains("p is not declared; declare p"), "{found:?}");
-    assert!(found[1].contains("not declared; declare"), "{found:?}");
+    assert!(found[0].contains("p is not declared; add \"p\": \"any\""), "{found:?}");
+    assert!(found[1].contains("not declared; add "), "{found:?}");
     // The twin: a side of its own is what introduces a name, though another is lacking beside it.
     let found = of("side", "p = m v + b");
     assert!(found[0].contains("p is not declared; its definition may be in (2), which cannot be read"), "{found:?}");

@@ -1,4 +1,4 @@
-//! `onshell explain`: every verdict and every code.
+//! `onshell explain`: every verdict, every outcome of a mutant, and every code.
 
 use onshell::Code;
 use onshell::check::Verdict;
@@ -7,7 +7,10 @@ use crate::support::Desk;
 
 /// Every word that can be explained.
 fn words() -> Vec<&'static str> {
-    Verdict::ALL.iter().map(|verdict| verdict.word()).chain(Code::ALL.iter().map(|code| code.word())).collect()
+    let mut codes: Vec<&str> = Code::ALL.iter().map(|code| code.word()).collect();
+    codes.sort_unstable();
+    let outcomes = ["refused", "equivalent", "survived"];
+    Verdict::ALL.iter().map(|verdict| verdict.word()).chain(outcomes).chain(codes).collect()
 }
 
 #[test]
@@ -40,5 +43,5 @@ fn an_unknown_word_is_refused_with_the_nearest_one() {
     assert_eq!((near.code, near.out.as_str()), (2, ""));
     assert!(near.err.contains("did you mean refuted?"), "{}", near.err);
     let far = desk.onshell(&["explain", "quark"]);
-    assert!(far.code == 2 && far.err.contains("lists all verdicts and codes"), "{}", far.err);
+    assert!(far.code == 2 && far.err.contains("lists all that it explains"), "{}", far.err);
 }

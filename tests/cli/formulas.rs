@@ -110,7 +110,7 @@ fn eval_refuses_rather_than_guess() {
         (r"x", vec!["x=1e400"], "too large"),
         (r"x", vec!["x"], "sets nothing: it is not NAME=VALUE"),
         (r"x", vec!["x=seven"], "sets nothing: it is not NAME=VALUE"),
-        (r"a/bc", vec!["a=1", "b=1", "c=1"], "ambiguous: a/bc may be a/(bc) or (a/b)c"),
+        (r"a/bc", vec!["a=1", "b=1", "c=1"], "a/bc may be a/(bc) or (a/b)c"),
         (r"\foo x", vec!["x=1"], r"\foo"),
         (r"", vec![], "missing"),
     ] {
@@ -143,7 +143,7 @@ fn read_points_at_what_it_does_not_understand() {
     for (formula, place, word) in [
         (r"a + \foo b", "1:5", r"\foo"),
         ("a + + b", "1:3", "two signs"),
-        (r"a = b/cd", "1:7", "ambiguous: a/bc may be a/(bc) or (a/b)c"),
+        (r"a = b/cd", "1:7", "a/bc may be a/(bc) or (a/b)c"),
     ] {
         let run = desk.onshell(&["read", formula]);
         assert_eq!(run.code, 2, "{formula}: {}", run.out);

@@ -219,15 +219,16 @@ fn what_is_expected_not_to_pass_is_left_out_and_so_is_what_does_not() {
     let wrong = "$$\n(x + a)^2 = x^2 + a^2\n\\tag{3}\n$$\n";
     let notes = format!("{SQUARE}\n{wrong}");
     let expected = json!({ "3": { "expect": "refuted", "because": "the mixed term is lost" } });
-    for (equations, why) in
-        [(expected, "the claims file expects the equation not to pass"), (json!({}), "the equation does not pass")]
-    {
+    for (equations, why) in [
+        (expected, "the claims file expects the equation not to pass"),
+        (json!({}), "the equation does not pass: it is refuted"),
+    ] {
         let desk = desk("mutate-left-out", &notes, equations);
         let run = mutate(&desk, &["-v"]);
         assert_eq!(run.code, 0, "{}{}", run.out, run.err);
         assert!(run.out.contains(&format!("· 3  left out: {why}")), "{}", run.out);
         let brief = mutate(&desk, &[]);
-        assert!(brief.out.contains("; 1 equation was left out\n"), "{}", brief.out);
+        assert!(brief.out.contains("; 1 equation was left out: 1 "), "{}", brief.out);
         let found = self::equations(&report(&desk));
         assert_eq!((&found[1]["left_out"], &found[1]["mutants"]), (&json!(why), &json!(0)));
         // The twin: the sound one is not.

@@ -6,9 +6,9 @@
 use std::sync::Arc;
 
 use libtest_mimic::Failed;
-use onshell::check::{Counterexample, Equation, Verdict};
+use onshell::check::{Counterexample, Equation, Finding, Verdict};
 use onshell::notes::{Kind, Notes};
-use onshell::{Formula, Source};
+use onshell::{Code, Formula, Source};
 
 use crate::paper::{Paper, check, describe, failing};
 
@@ -87,10 +87,15 @@ impl Typo {
             Verdict::Unreadable if equation.finding.message.is_empty() => Err("refused without a reason".into()),
             Verdict::Unreadable => Ok(()),
             Verdict::Refuted => stands(equation, &notes),
-            Verdict::Undecided if self.unpinned && equation.finding.message.starts_with("defines") => Ok(()),
+            Verdict::Undecided if self.unpinned && is_untested_definition(&equation.finding) => Ok(()),
             _ => Err(Failed::from(format!("neither refuted nor unreadable: {}", describe(equation)))),
         }
     }
+}
+
+/// Whether a finding is that no equation tests a definition.
+fn is_untested_definition(finding: &Finding) -> bool {
+    matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested)
 }
 
 /// Whether the counterexamples of a refuted equation are ones: finite, both sides as they must not be, and the printed sides have
@@ -102,7 +107,8 @@ fn stands(equation: &Equation, notes: &Notes) -> Result<(), Failed> {
         let finite = found.state.iter().map(|(_, value)| *value).chain([found.lhs, found.rhs]).all(f64::is_finite);
         // an equality fails where its sides differ, and ≠ where they are equal, up to rounding
         let largest = found.state.iter().map(|(_, value)| value.abs()).fold(1.0, f64::max);
-        let fails = match finding.message.starts_with("“≠” fails") {
+        let is_unequal = finding.code == Code::InequalityFails && notes.source.slice(finding.span).contains("\\neq");
+        let fails = match is_unequal {
             true => (found.lhs - found.rhs).abs() <= 1e-14 * largest,
             false => found.lhs != found.rhs,
         };

@@ -6,7 +6,7 @@ use approx::assert_relative_eq;
 use nalgebra::{Rotation3, Vector3};
 use num_dual::Dual64;
 use onshell::mechanics::{Body, Nodes};
-use onshell::scalar::DualNum;
+use onshell::scalar::Number;
 
 const BODIES: [Body<f64>; 6] = [
     Body::Box { edges: [0.7, 1.9, 1.2] },
@@ -58,7 +58,7 @@ fn monomials(degree: i32) -> Vec<[i32; 3]> {
     (0..=degree).flat_map(|a| (0..=degree - a).map(move |b| [a, b, degree - a - b])).collect()
 }
 
-fn sum<D: DualNum<Primitive = f64> + Copy + Send + Sync>(nodes: &Nodes<D>, powers: [i32; 3]) -> D {
+fn sum<D: Number + Copy + Send + Sync>(nodes: &Nodes<D>, powers: [i32; 3]) -> D {
     nodes.integral(|r| r.x.powi(powers[0]) * r.y.powi(powers[1]) * r.z.powi(powers[2]))
 }
 

@@ -30,8 +30,8 @@
 
 use crate::formula::{Expr, Node, SymbolId};
 use crate::notes::claims::Range;
+use crate::scalar::Modular;
 use crate::scalar::prime_field::{FirstPrime, Modulus, SecondPrime, evaluate_at_point, false_accept_log2};
-use crate::scalar::{Modular, rational};
 
 use crate::check::certificate::claim::{Certificate, Claim, Differences};
 use crate::check::certificate::family_growth::GrowthAnalysis;
@@ -275,11 +275,6 @@ pub(crate) fn all_symbols(formulas: &[&Expr], projection: &Projection<'_>) -> Re
     while let Some(formula) = waiting.pop() {
         let mut symbols = Vec::new();
         formula.walk(&mut |expr| match &expr.node {
-            Node::Number(digits)
-                if digits.chars().filter(char::is_ascii_digit).count() > rational::SHORT_DECIMAL_DIGITS =>
-            {
-                reason = reason.or(Some("a number with too many digits"));
-            }
             Node::Integral(..) => reason = reason.or(Some("an integral")),
             Node::Shrinking(..) => reason = reason.or(Some("a limit")),
             Node::Symbol { id, .. } => symbols.push(*id),

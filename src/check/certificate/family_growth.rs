@@ -149,13 +149,13 @@ impl<'a> GrowthAnalysis<'a> {
                 self.divided(above, b, dots, 1)
             }
             Node::Power(base, exponent) => match constant_exponent(exponent) {
-                Some(n) if n.fract() == 0.0 && n.abs() <= 16.0 => {
+                Some(n) if n.is_whole() && n.numerator.abs() <= 16 => {
                     let base = match &self.opened(base).node {
-                        Node::Norm(inner) if n % 2.0 == 0.0 => inner,
+                        Node::Norm(inner) if n.numerator % 2 == 0 => inner,
                         _ => base,
                     };
-                    let times = n.abs() as u32;
-                    if n < 0.0 {
+                    let times = n.numerator.unsigned_abs() as u32;
+                    if n.numerator < 0 {
                         return self.divided(Growth::default(), base, dots, times);
                     }
                     let once = self.of(base, dots)?;

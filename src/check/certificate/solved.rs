@@ -87,7 +87,7 @@ pub(crate) struct Step {
 impl<'s, 'm, F: Modulus> Solved<'s, 'm, F> {
     /// States that obey no hypotheses.
     pub fn without_hypotheses(projection: &'s Projection<'m>, whole: Vec<(usize, f64)>) -> Self {
-        let mut anywhere = Sampler::new(1, "anywhere").base(&projection.slots, Spread::Declared);
+        let mut anywhere = Sampler::new(1, "anywhere").draw_base(&projection.slots, Spread::Declared);
         whole.iter().for_each(|(at, value)| anywhere[*at] = *value);
         let (plan, idle) = (Vec::new(), RefCell::default());
         Solved {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::notes::claims::Range;
 use crate::scalar::prime_field::Modulus;
-use crate::scalar::{DualNum, Modular};
+use crate::scalar::{DualNum, Modular, Number};
 
 use crate::check::certificate::solved::{Solved, Step, determinant};
 use crate::check::model::state_cache::Row;
@@ -132,10 +132,12 @@ impl<F: Modulus> Solved<'_, '_, F> {
             let (sine, cosine) = (start.sin() / other.sin(), start.cos() / other.cos());
             for (m, n) in (-POWERS..=POWERS).flat_map(|m| (-POWERS..=POWERS).map(move |n| (m, n))) {
                 if is_one(ratio * sine.powi(m) * cosine.powi(n)) {
-                    let of_sine = [0.0, PI].into_iter().filter(|_| m > 0);
-                    let of_cosine = [PI / 2.0, -PI / 2.0].into_iter().filter(|_| n > 0);
-                    let zeros = of_sine.chain(of_cosine).filter(|angle| contains_turned(range, *angle));
-                    return Ok(Some(zeros.map(Modular::from).collect()));
+                    // In quarters of a turn.
+                    let of_sine = [0, 2].into_iter().filter(|_| m > 0);
+                    let of_cosine = [1, -1].into_iter().filter(|_| n > 0);
+                    let zeros = of_sine.chain(of_cosine).map(f64::from);
+                    let zeros = zeros.filter(|quarters| contains_turned(range, quarters * PI / 2.0));
+                    return Ok(Some(zeros.map(|quarters| Modular::pi() / 2.0 * quarters).collect()));
                 }
             }
         }

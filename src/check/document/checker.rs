@@ -209,20 +209,29 @@ impl Checker<'_> {
 
     fn declared_law(&self, name: &Spanned<String>, what: &Spanned<String>) -> Result<Law> {
         let printed = self.printed(what)?;
-        let statements = match &printed {
+        let statements: Vec<(Statement, Option<usize>)> = match &printed {
             Some(places) => {
-                places.iter().map(|(display, at)| self.read_statement(*display, *at, what)).collect::<Result<_>>()?
+                let read = |(display, at): &(usize, usize)| {
+                    let offset = self.notes.equations[*display].body.start;
+                    Ok((self.read_statement(*display, *at, what)?, Some(offset)))
+                };
+                places.iter().map(read).collect::<Result<_>>()?
             }
-            None => self.statements(what)?,
+            None => self.statements(what)?.into_iter().map(|statement| (statement, None)).collect(),
         };
         let mut hypotheses = Vec::new();
-        for statement in &statements {
+        for (statement, offset) in &statements {
+            let (source, span) = match offset {
+                Some(offset) => (&self.notes.source, statement.span.shifted(*offset)),
+                None => (&self.claims.source, what.span),
+            };
+            let hypothesis = |link| Hypothesis::of(link, true).stated_at(source, span).of_law(&name.value);
             if statement.relations.is_empty() {
                 let message = format!("“{}” is not an equation, so it cannot be a law", what.value);
                 return Err(Error::at(&self.claims.source, what.span, message)
                     .help("give the number of an equation, or the equation as LaTeX; each law has its own name"));
             }
-            hypotheses.extend(self.links(statement)?.into_iter().map(|link| Hypothesis::of(link, true)));
+            hypotheses.extend(self.links(statement)?.into_iter().map(hypothesis));
         }
         let printed = printed.unwrap_or_default();
         let units_off = !self.claims.units.is_empty()
@@ -277,14 +286,17 @@ impl Checker<'_> {
         if let Some((_, named)) = self.claims.conditions.iter().find(|(name, _)| name.value == latex.value) {
             return named.iter().try_for_each(|latex| self.hypothesis(latex, throughout, into));
         }
-        if let Some(reading) = self.display(&latex.value) {
+        if let Some(at) = self.place(&latex.value) {
             let before = into.len();
-            for statement in &reading.statements {
+            let offset = self.notes.equations[at].body.start;
+            for statement in &self.readings[at].statements {
                 let statement = statement.as_ref().map_err(|fault| self.unread(latex, fault))?;
                 if statement.relations.is_empty() {
                     continue;
                 }
-                into.extend(self.links(statement)?.into_iter().map(|link| Hypothesis::of(link, throughout)));
+                let span = statement.span.shifted(offset);
+                let hypothesis = |link| Hypothesis::of(link, throughout).stated_at(&self.notes.source, span);
+                into.extend(self.links(statement)?.into_iter().map(hypothesis));
             }
             return if into.len() > before { Ok(()) } else { Err(self.no_equation(latex)) };
         }
@@ -301,7 +313,8 @@ impl Checker<'_> {
                 return Err(Error::at(&self.claims.source, latex.span, message)
                     .help("write a relation such as \\dot\\theta = 0, or a name that is under \"conditions\""));
             }
-            into.extend(self.links(&statement)?.into_iter().map(|link| Hypothesis::of(link, throughout)));
+            let hypothesis = |link| Hypothesis::of(link, throughout).stated_at(&self.claims.source, latex.span);
+            into.extend(self.links(&statement)?.into_iter().map(hypothesis));
         }
         Ok(())
     }

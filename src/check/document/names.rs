@@ -9,6 +9,7 @@ use crate::notes::claims::{Claim, Claims, Spanned};
 use crate::notes::document::Numbered;
 use crate::notes::{Display, Notes};
 use crate::source::Missing;
+use crate::suggest::declaration;
 use crate::{Error, Result};
 
 use crate::check::model::Model;
@@ -65,9 +66,10 @@ pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) ->
         let error = Error::at(&claims.source, latex.span, format!("there is no symbol {}", latex.value))
             .with_code(Code::UndeclaredName)
             .lacking(Some(Missing::Name(latex.value.clone())));
+        let add = declaration(latex.value.trim(), 0);
         match name.and_then(|name| model.symbols.nearest(&name)) {
-            Some(near) => error.help(format!("did you mean {near}?")),
-            None => error,
+            Some(near) => error.help(format!("did you mean {near}? If not, {add}")),
+            None => error.help(add),
         }
     })
 }

@@ -46,17 +46,22 @@ impl Checker<'_> {
             .map(|other| other.id().map_or_else(|| format!("line {}", other.line), |id| format!("({id})")))
             .collect();
         let message = match names.as_slice() {
-            [] => mismatch.message,
-            names => format!("{}; units inferred from {}", mismatch.message, names.join(", ")),
+            [] => misfit(&mismatch.message),
+            names => format!("{}; units inferred from {}", misfit(&mismatch.message), names.join(", ")),
         };
         Some(Finding::new(Code::UnitMismatch, Verdict::Unreadable, mismatch.span.shifted(offset), message))
     }
 }
 
+/// The message for a term with the wrong unit.
+fn misfit(what: &str) -> String {
+    format!("the units do not fit: {what}")
+}
+
 impl Checker<'_> {
     /// The message for the first term with the wrong unit in a statement of the claims file.
     pub(crate) fn unit_conflict_of_claim(&self, statement: &Statement) -> Option<String> {
-        Some(self.units.as_ref()?.mismatch(statement)?.message)
+        Some(misfit(&self.units.as_ref()?.mismatch(statement)?.message))
     }
 
     /// Checks the units of the hypotheses in the claims file, and of the laws that it writes out, except for claims with

@@ -2,7 +2,7 @@
 //!
 //! A misprint in a display that defines a name, or prints a law, makes the name or the law unknown wherever it is used, in
 //! the claims file too. So an unknown name is attributed to an unreadable display that contains it. If that display only
-//! lacks other name_search, names, it must have the name as one of its sides. What needs the name is unreadable; the rest is checked.
+//! lacks other names, it must have the name as one of its sides. What needs the name is unreadable; the rest is checked.
 
 use crate::latex::{Reading, name_search};
 use crate::notes::Notes;

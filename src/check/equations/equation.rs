@@ -300,7 +300,7 @@ impl Checker<'_> {
                         ..context.finding(
                             Code::NeedsLimitOrSmall,
                             Verdict::Unreadable,
-                            "≈ needs a `limit` or a `small` quantity in the claims file",
+                            self.needs_limit_or_small(&link, span),
                         )
                     }
                 }

@@ -14,6 +14,7 @@ use crate::check::judge::identity;
 use crate::check::model::claim::{Law, Link};
 use crate::check::sample::context::Context;
 use crate::check::sample::setting::FEWEST;
+use crate::check::sample::unmet_hypotheses;
 use crate::check::vacuity::forced_value;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -67,8 +68,11 @@ impl Checker<'_> {
         let ensemble = lawful.ensemble(lawful.mode(true, &sides), false, FEWEST)?;
         let names: Vec<&str> = self.model.laws.iter().map(|law| law.name.as_str()).collect();
         if ensemble.states.is_empty() {
-            let message =
-                format!("no sampled state satisfies the laws ({}); check them against each other", names.join(", "));
+            let message = format!(
+                "no sampled state satisfies the laws ({}): none was found that obeys {}",
+                names.join(", "),
+                unmet_hypotheses::explanation(&ensemble.projection)
+            );
             return Ok(Some(context.finding(Code::LawsTooStrong, Verdict::Undecided, message)));
         }
         let forced = forced_value::of_formulas(&sides, &lawful, &ensemble);

@@ -4,6 +4,7 @@
 //! display, `parts` for another text of it, `uses` for the equations that use a defined name. [`definition_tests`] says
 //! whether these equations fail with another definition. Knows `document`, `kinds` and below.
 
+pub(crate) mod advice;
 pub(crate) mod chain;
 pub(crate) mod chain_certificates;
 pub(crate) mod consequences;

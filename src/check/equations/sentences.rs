@@ -127,19 +127,16 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
             let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
             let found = claim(checker, sentence, &statements, context)?;
             let finding = match found.verdict {
-                Verdict::Refuted => Finding {
-                    verdict: Verdict::Verified,
-                    code: Code::NotAlways,
-                    message: "the claim does not always hold: there is a counterexample".into(),
-                    not_certified_because: Some("a counterexample in numbers".into()),
-                    ..found
-                },
-                verdict if verdict.passes() => Finding {
-                    verdict: Verdict::Refuted,
-                    code: Code::HoldsAlways,
-                    message: "the claim holds at every sampled state".into(),
-                    ..found
-                },
+                Verdict::Refuted => {
+                    let message = "the claim does not always hold: there is a counterexample";
+                    Finding {
+                        not_certified_because: Some("a counterexample in numbers".into()),
+                        ..found.replaced(Code::NotAlways, Verdict::Verified, message)
+                    }
+                }
+                verdict if verdict.passes() => {
+                    found.replaced(Code::HoldsAlways, Verdict::Refuted, "the claim holds at every sampled state")
+                }
                 _ => found,
             };
             Ok((finding, format!("not always: {}", reading.join("; "))))

@@ -1,6 +1,6 @@
 //! A claim at sampled states, with cached values of its sides, since each mutant shares one of them.
 
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 
 use crate::Result;
 use crate::code::Code;
@@ -11,7 +11,9 @@ use crate::check::judge::mutants::{Mutant, mutants_of};
 use crate::check::model::claim::Link;
 use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
+use crate::check::sample::enclosed;
 use crate::check::sample::outcome::{Outcome, gathered};
+use crate::check::sample::projection::Projection;
 use crate::check::state::residual;
 use crate::check::state::residual::{Point, Sides};
 use crate::check::state::sampled_state::SampledState;
@@ -34,11 +36,22 @@ impl<'a, 'm> AtStates<'a, 'm> {
         self.sides[at].get_or_init(|| Sides::of(self.link, &self.states[at]).ok()).as_ref()
     }
 
-    /// Tests the link itself at all states.
-    pub(crate) fn run(&self) -> Result<Outcome, Unavailable> {
-        gathered(self.states.len(), |at| match self.sides(at) {
-            Some(sides) => residual::test_sides(self.link, sides, &self.states[at]),
-            None => residual::test(self.link, &self.states[at]),
+    /// Tests the link itself at all states. Where doubles may err, it is decided with more digits; one certain failure
+    /// is enough.
+    pub(crate) fn run(&self, projection: &Projection<'_>) -> Result<Outcome, Unavailable> {
+        let is_refuted = Cell::new(false);
+        gathered(self.states.len(), |at| {
+            let state = &self.states[at];
+            let point = match self.sides(at) {
+                Some(sides) => residual::test_sides(self.link, sides, state),
+                None => residual::test(self.link, state),
+            }?;
+            if is_refuted.get() {
+                return Ok(point);
+            }
+            let point = enclosed::settled(point, self.link, state, projection);
+            is_refuted.set(matches!(point, Point::Fails(_)));
+            Ok(point)
         })
     }
 

@@ -13,7 +13,11 @@ use crate::check::judge::trivial::trivial;
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::order::derivatives;
 use crate::check::sample::context::Context;
+use crate::check::sample::enclosed;
+use crate::check::sample::enclosed::Decision;
+use crate::check::sample::ensemble::Ensemble;
 use crate::check::search::{boundary, branches, double_range, family_sizes, magnitudes, worst_state};
+use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual;
 use crate::check::state::residual::Point;
 use crate::check::state::sampled_state::SampledState;
@@ -60,6 +64,34 @@ fn judged(link: &Link, context: &Context<'_>) -> Result<Finding> {
     }
 }
 
+/// The number of states at which a claim that is not certified is tested with more digits than doubles have.
+const STATES_TO_ALL_DIGITS: usize = 3;
+
+/// The finding on an equality that passed in doubles, tested with more digits.
+fn to_all_digits(link: &Link, ensemble: &Ensemble<'_>, finding: Finding) -> Finding {
+    if finding.verdict != Verdict::Verified {
+        return finding;
+    }
+    for state in ensemble.states.iter().take(STATES_TO_ALL_DIGITS) {
+        match enclosed::decided(link, state, &ensemble.projection) {
+            Decision::Differ(failure) if enclosed::is_beyond_doubles(&failure) => {
+                let by = failure.residual.log10().floor();
+                let message =
+                    format!("the two sides differ, by about 10^{by} of their size; look at the digits of its numbers");
+                return Finding {
+                    max_residual: Some(failure.residual),
+                    counterexample: Some(counterexample(link, state, &failure)),
+                    ..finding.replaced(Code::SidesDiffer, Verdict::Refuted, message)
+                };
+            }
+            Decision::Agree => {}
+            // Nothing more is known than what doubles say.
+            Decision::Differ(_) | Decision::Open => break,
+        }
+    }
+    finding
+}
+
 /// Whether a claim tested off shell must be tested on shell as well.
 #[derive(Clone, Copy, PartialEq)]
 enum Next {
@@ -96,7 +128,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     let fails = |state: &SampledState<'_, RunningError>| matches!(residual::test(link, state), Ok(Point::Fails(_)));
     ensemble.states.extend(branches::states(context, &ensemble)?.into_iter().filter(fails));
     let states = AtStates::new(link, &ensemble.states);
-    let outcome = match states.run() {
+    let outcome = match states.run(&ensemble.projection) {
         Ok(outcome) => outcome,
         Err(reason) => return Ok((context.unavailable(&reason), Next::Settled)),
     };
@@ -153,6 +185,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         finding = family_sizes::certified(link, context, &ensemble, finding)?;
         finding = family_sizes::at_other_sizes(link, context, ensemble.mode, finding)?;
         finding = magnitudes::at_all_magnitudes(link, context, ensemble.mode, finding)?;
+        finding = to_all_digits(link, &ensemble, finding);
     }
     let next = if finding.verdict == Verdict::Refuted { Next::OnShell } else { Next::Settled };
     Ok((finding, next))

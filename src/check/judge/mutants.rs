@@ -83,7 +83,7 @@ pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
                 Slip::Sign => link.rhs.clone().negated(),
                 _ => Expr::new(Node::Product(vec![Expr::integer(2, link.rhs.span), link.rhs.clone()]), link.rhs.span),
             };
-            Mutant { link: Link { rhs, ..link.clone() }, slip, change: format!("“{sign}({words})”") }
+            Mutant { link: Link { rhs, ..link.clone() }, slip, change: instead(&format!("{sign}({words})"), &words) }
         });
     let left = slips.of(&link.lhs).into_iter().map(|(lhs, slip, change)| (Link { lhs, ..link.clone() }, slip, change));
     let right = slips.of(&link.rhs).into_iter().map(|(rhs, slip, change)| (Link { rhs, ..link.clone() }, slip, change));
@@ -95,6 +95,11 @@ const MOST: usize = 2_000;
 
 /// The approximate largest number of nodes in all mutants of one claim together.
 const LARGEST: usize = 1_000_000;
+
+/// The phrase for a change of one text into another.
+fn instead(new: &str, old: &str) -> String {
+    format!("“{new}” in place of “{old}”")
+}
 
 /// A generator of formulas with one mistake.
 struct Slips<'a> {
@@ -150,8 +155,9 @@ impl Slips<'_> {
                     let words = self.words(&term.expr);
                     let mut flipped = terms.clone();
                     flipped[at].sign = term.sign.flipped();
-                    let sign = if term.sign == Sign::Plus { "−" } else { "+" };
-                    slips.push((Node::Sum(flipped), Slip::Sign, format!("“{sign} {words}”")));
+                    let (new, old) = if term.sign == Sign::Plus { ("−", "+") } else { ("+", "−") };
+                    let change = instead(&format!("{new} {words}"), &format!("{old} {words}"));
+                    slips.push((Node::Sum(flipped), Slip::Sign, change));
                     if terms.len() > 1 {
                         let mut fewer = terms.clone();
                         fewer.remove(at);
@@ -181,23 +187,19 @@ impl Slips<'_> {
             }
             Node::Number(digits) => {
                 if let Some(n) = digits.parse::<f64>().ok().filter(|n| *n != 0.0) {
-                    slips.push((
-                        Node::Number((2.0 * n).to_string()),
-                        Slip::Number,
-                        format!("{} for {digits}", 2.0 * n),
-                    ));
+                    let double = (2.0 * n).to_string();
+                    let change = instead(&double, digits);
+                    slips.push((Node::Number(double), Slip::Number, change));
                 }
             }
             Node::Power(base, exponent) => {
                 if let Some(n) = exponent.as_digits().and_then(|n| n.parse::<u32>().ok()) {
-                    let words = self.words(base);
                     let higher = Box::new(Expr::integer(n + 1, exponent.span));
-                    slips.push((
-                        Node::Power(base.clone(), higher),
-                        Slip::Power,
-                        format!("{words} to the power {}", n + 1),
-                    ));
-                    slips.push((base.node.clone(), Slip::Power, format!("{words} without its power")));
+                    let higher = Expr::new(Node::Power(base.clone(), higher), span);
+                    let words = self.words(expr);
+                    let change = instead(&self.words(&higher), &words);
+                    slips.push((higher.node, Slip::Power, change));
+                    slips.push((base.node.clone(), Slip::Power, instead(&self.words(base), &words)));
                 }
             }
             Node::Call(function, argument) => {
@@ -208,14 +210,16 @@ impl Slips<'_> {
                     _ => None,
                 };
                 if let Some(other) = other {
-                    let change = format!("{}({}) for {}", other.name(), self.words(argument), function.name());
-                    slips.push((Node::Call(other, argument.clone()), Slip::Function, change));
+                    let other = Expr::new(Node::Call(other, argument.clone()), span);
+                    let change = instead(&self.words(&other), &self.words(expr));
+                    slips.push((other.node, Slip::Function, change));
                 }
             }
             Node::Symbol { id, indices, dots } => self.symbol_slips(*id, indices, *dots, &mut slips),
             Node::Apply(id, arguments) => {
                 for other in self.present.iter().filter(|other| self.alike(**other, *id)) {
-                    let change = format!("{} for {}", self.model.name(*other), self.model.name(*id));
+                    let name = |id| text::plain(&self.model.name(id));
+                    let change = instead(&name(*other), &name(*id));
                     slips.push((Node::Apply(*other, arguments.clone()), Slip::Symbol, change));
                 }
             }
@@ -236,13 +240,16 @@ impl Slips<'_> {
                     for (j, entry) in row.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
                         let mut changed = rows.clone();
                         changed[i][j] = entry.clone().negated();
-                        let change = format!("“−({})” in row {}, column {}", self.words(entry), i + 1, j + 1);
+                        let words = self.words(entry);
+                        let change = instead(&format!("−({words})"), &words);
+                        let change = format!("{change} in row {}, column {}", i + 1, j + 1);
                         slips.push((Node::Matrix(changed), Slip::Sign, change));
                     }
                 }
             }
             Node::Transpose(inner) | Node::Inverse(inner) => {
-                slips.push((inner.node.clone(), Slip::Structure, format!("{} as it is", self.words(inner))));
+                let change = instead(&self.words(inner), &self.words(expr));
+                slips.push((inner.node.clone(), Slip::Structure, change));
             }
             Node::Entry(inner, i, j) if i != j => {
                 slips.push((
@@ -294,12 +301,12 @@ impl Slips<'_> {
                 slips.push((
                     symbol(id, &[Index::Fixed(other)], dots),
                     Slip::Index,
-                    format!("the index {other} on {name}"),
+                    format!("the index {other} in place of {value} on {name}"),
                 ));
             }
         }
         for other in self.present.iter().filter(|other| self.alike(**other, id)) {
-            let change = format!("{} for {name}", text::with_dots(&self.model.name(*other), dots));
+            let change = instead(&text::with_dots(&self.model.name(*other), dots), &name);
             slips.push((symbol(*other, indices, dots), Slip::Symbol, change));
         }
     }

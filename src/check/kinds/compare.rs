@@ -4,7 +4,7 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::symbols::Name;
 use crate::formula::{Relation, SymbolId, Symbols, text};
-use crate::latex::{Macros, read_formula};
+use crate::latex::{Macros, read_display, read_formula};
 use crate::notes::claims::Range;
 use crate::source::{Fault, Span};
 
@@ -39,6 +39,11 @@ pub type Misread = (usize, Fault);
 pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Result<Comparison, Misread> {
     let mut symbols = Symbols::open();
     let macros = Macros::default();
+    for (which, text) in [(0, a), (1, b)] {
+        if let Some(fault) = two_sides(text, &macros) {
+            return Err((which, fault));
+        }
+    }
     let lhs = read_formula(a, &mut symbols, &macros).map_err(|fault| (0, fault))?;
     let rhs = read_formula(b, &mut symbols, &macros).map_err(|fault| (1, fault))?;
     let mut model = Model::empty(symbols, macros);
@@ -48,14 +53,21 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
             return Err((2, fault.code(Code::Input)));
         }
     }
-    let mut assumed = Vec::new();
+    let (mut assumed, mut unit) = (Vec::new(), None);
     let letters: Vec<(SymbolId, Name)> = model.symbols.iter().map(|(id, entry)| (id, entry.name.clone())).collect();
     for (symbol, name) in letters {
         let given = ranges.iter().find(|(known, _)| *known == name).map(|(_, range)| range.clone());
         let shown = text::plain(&name.to_string());
-        if given.is_none() {
-            assumed.push(format!("{shown} is a real number"));
+        // Who means the imaginary unit should see that i is a letter like any other here.
+        let is_unit = name == Name::plain("i") || name == Name::plain("\\mathrm{i}");
+        if is_unit && given.is_none() {
+            unit = Some(shown.clone());
         }
+        assumed.push(match &given {
+            Some(Range::Interval { low, high, .. }) => format!("{shown} is between {low} and {high}"),
+            _ if is_unit => format!("{shown} is a real number (complex numbers are not supported)"),
+            _ => format!("{shown} is a real number"),
+        });
         model.mean(symbol, Meaning::Varying(model.varying.len()));
         model.varying.push(Variable::number(symbol, given.unwrap_or(Range::Any)));
         model.symbols.entry_mut(symbol).varies = true;
@@ -78,6 +90,32 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
         local: &[],
     };
     let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };
-    let finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
+    let mut finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
+    if finding.code == Code::TooFewStates {
+        finding.message = format!(
+            "only {} of {} sampled states gave a real number; give the letters ranges in which both formulas have a \
+             value, as --where 'x=0.1..3' does",
+            finding.points, finding.tried
+        );
+    }
+    if let (Some(unit), false) = (unit, finding.verdict.passes()) {
+        let message = format!("; {unit} was taken for a real number, because complex numbers are not supported");
+        finding.message.push_str(&message);
+    }
     Ok(Comparison { finding, readings, assumed })
+}
+
+/// The fault of a text that is an equation and not a formula: its two sides should be compared with each other.
+fn two_sides(text: &str, macros: &Macros) -> Option<Fault> {
+    let reading = read_display(text, &mut Symbols::open(), macros);
+    let statement = reading.statements.into_iter().flatten().find(|statement| !statement.relations.is_empty())?;
+    let (relation, place) = statement.relations[0];
+    let fault = Fault::new(place, format!("“{}” makes this an equation, and a formula is needed", relation.glyph()));
+    let side = |at: usize| text.get(statement.members.get(at)?.span.range());
+    let (left, right) = (side(0)?, side(1)?);
+    let advice = format!("give the two sides as two arguments: onshell equal '{left}' '{right}'");
+    Some(fault.code(Code::NotSupported).help(match relation {
+        Relation::Approximately => format!("{advice}; that they are nearly equal can be claimed in a claims file only"),
+        _ => advice,
+    }))
 }

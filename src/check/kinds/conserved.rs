@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, SymbolId, text};
 
 use crate::check::judge::at_states::AtStates;
 use crate::check::judge::conclusion::conclude;
@@ -12,6 +12,7 @@ use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 use crate::check::search::family_sizes;
+use crate::check::state::counterexample::values_of_motion;
 use crate::check::vacuity::forced_value;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -66,7 +67,7 @@ pub fn check(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.no_state(&ensemble));
     }
     let states = AtStates::new(&link, &ensemble.states);
-    let outcome = match states.run() {
+    let outcome = match states.run(&ensemble.projection) {
         Ok(outcome) => outcome,
         Err(reason) => return Ok(context.unavailable(&reason)),
     };
@@ -76,6 +77,9 @@ pub fn check(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     {
         return Ok(context.finding(Code::ForcedValue, Verdict::Undecided, forced_value::message(symbol, context)));
     }
+    if let (Some((_, at)), Some(found)) = (&outcome.failure, &mut finding.counterexample) {
+        found.state = values_of_motion(expr, &ensemble.states[*at]);
+    }
     finding.message = match finding.verdict {
         Verdict::Verified => {
             finding.message = "constant on shell".to_owned();
@@ -83,9 +87,21 @@ pub fn check(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         }
         Verdict::Refuted => {
             finding.code = Code::NotConserved;
-            "this is not constant on shell; the left side is its rate".to_owned()
+            not_constant(expr, &finding, context)
         }
         _ => finding.message,
     };
     Ok(finding)
+}
+
+/// The message that a quantity changes, with its rate at the counterexample.
+fn not_constant(quantity: &Expr, finding: &Finding, context: &Context<'_>) -> String {
+    let name = text::formula(quantity, &context.model.symbols);
+    let (quoted, rate) = match &quantity.node {
+        Node::Symbol { .. } => (name.clone(), format!("d{name}/dt")),
+        _ => (format!("“{name}”"), format!("d/dt({name})")),
+    };
+    let Some(found) = &finding.counterexample else { return format!("{quoted} is not constant") };
+    let entry = found.entry.as_ref().map_or_else(String::new, |entry| format!(" ({entry})"));
+    format!("{quoted} is not constant: {rate} = {}{entry} at the counterexample", text::number(found.lhs, 5))
 }

@@ -15,7 +15,7 @@ use crate::code::Code;
 use crate::formula::evaluate::evaluate;
 use crate::formula::{Expr, Relation, SymbolId, text};
 
-use crate::check::judge::mutants::{Mutant, Slip, mutants_of};
+use crate::check::judge::mutants::mutants_of;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::sample::context::Context;
@@ -67,7 +67,7 @@ pub fn check(
     let mut surviving: Vec<(Expr, String)> = mutants_of(&definition, context.model)
         .into_iter()
         .filter(|mutant| mutant.link.rhs != *formula)
-        .map(|mutant| (mutant.link.rhs.clone(), change(&mutant)))
+        .map(|mutant| (mutant.link.rhs, mutant.change))
         .collect();
     let mut names: Vec<String> = Vec::new();
     let mut points = 0;
@@ -136,7 +136,7 @@ pub fn check(
         }
         Some((_, change)) => {
             let message = format!(
-                "defines {name}, but no other equation would fail {change}; use {name} once more, or put it under `define`"
+                "defines {name}, but no other equation would fail with {change}; use {name} once more, or put it under `define`"
             );
             Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message))
         }
@@ -144,14 +144,6 @@ pub fn check(
             let message = format!("defines {name}; each change{except} makes {} fail", names.join(" or "));
             Ok(Finding { points, tried: points, ..context.finding(code, Verdict::Definition, message) })
         }
-    }
-}
-
-/// A change in a definition, as it continues "no other equation would fail …".
-fn change(mutant: &Mutant) -> String {
-    match mutant.change.split_once(" for ").filter(|_| mutant.slip == Slip::Number) {
-        Some((new, old)) => format!("if the {old} were a {new}"),
-        None => format!("with {}", mutant.change),
     }
 }
 

@@ -140,24 +140,29 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     let all_reach = |link: &Link, families: &[ShrinkingFamily<'_>], least: f64| {
         families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
     };
-    let not_tested = |term: &Expr| {
-        let words = crate::formula::text::formula(term, &context.model.symbols);
-        format!(
-            "“{words}” is beyond order {order}, so it is not tested; raise `order` in the claims file, or remove the term"
-        )
-    };
     // A term that is small off shell too is beyond the order, and is not tested.
     let free = families_of(link, small, context, false)?;
+    let not_tested = |term: &Expr, alone: &Link| {
+        let words = crate::formula::text::formula(term, &context.model.symbols);
+        let powers = free.iter().filter_map(|family| family.power(alone).ok()).map(|(power, _)| power);
+        let lowest = powers.filter(|power| power.is_finite()).fold(f64::INFINITY, f64::min).round();
+        // The order of the term, as far as it can be measured.
+        let needed = if lowest.is_finite() { f64::from(order + 1).max(lowest) } else { f64::from(order + 1) };
+        format!(
+            "“{words}” is beyond order {order}, so it is not tested; write \"order\": {needed:.0} in the claims file, or \
+             remove the term"
+        )
+    };
     for term in terms(link) {
         let alone = Link { lhs: term.clone(), rhs: Expr::integer(0, term.span), ..link.clone() };
         if !free.is_empty() && all_reach(&alone, &free, wanted) {
-            return Ok(context.finding(Code::TermBeyondOrder, Verdict::Undecided, not_tested(term)));
+            return Ok(context.finding(Code::TermBeyondOrder, Verdict::Undecided, not_tested(term, &alone)));
         }
     }
     for (term, without) in omissions(&link.rhs) {
         let without = Link { lhs: link.rhs.clone(), rhs: without, ..link.clone() };
         if !free.is_empty() && all_reach(&without, &free, wanted) {
-            return Ok(context.finding(Code::TermBeyondOrder, Verdict::Undecided, not_tested(&term)));
+            return Ok(context.finding(Code::TermBeyondOrder, Verdict::Undecided, not_tested(&term, &without)));
         }
     }
     let survivors: Vec<_> = mutants_of(link, context.model)

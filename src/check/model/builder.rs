@@ -6,6 +6,7 @@ use crate::formula::symbols::Name;
 use crate::formula::{Expr, Kind, SymbolId, text};
 use crate::latex::{names, read_formula};
 use crate::notes::claims::{Claims, Spanned};
+use crate::suggest::declaration;
 use crate::{Error, Result};
 
 use crate::check::model::Model;
@@ -32,6 +33,11 @@ impl Builder<'_> {
 
     pub(crate) fn error(&self, place: &Spanned<String>, message: impl Into<String>) -> Error {
         Error::at(&self.claims.source, place.span, message)
+    }
+
+    /// The error that a name is not declared, with the line that declares it.
+    pub(crate) fn undeclared(&self, latex: &Spanned<String>) -> Error {
+        self.error(latex, format!("{} is not declared", latex.value)).help(declaration(latex.value.trim(), 0))
     }
 
     pub(crate) fn name(&self, latex: &Spanned<String>) -> Result<Name> {

@@ -1,6 +1,9 @@
 //! Claims and hypotheses between two formulas: a [`Link`] is tested, a [`Hypothesis`] is assumed.
 
+use std::sync::Arc;
+
 use crate::formula::{Expr, IndexId, Relation};
+use crate::source::{Source, Span};
 
 /// A hypothesis of a claim.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,13 +18,29 @@ pub struct Hypothesis {
     pub free: Vec<IndexId>,
     /// Whether it holds at all times, so that its time derivatives vanish too, and not only at the instant.
     pub throughout: bool,
+    /// Where an author states it, for messages: a place in a file, after the name of the law if it is one.
+    pub stated: Option<Arc<str>>,
 }
 
 impl Hypothesis {
     /// A link as a hypothesis.
     pub fn of(link: Link, throughout: bool) -> Self {
         let Link { lhs, relation, rhs, free } = link;
-        Hypothesis { lhs, relation, rhs, free, throughout }
+        Hypothesis { lhs, relation, rhs, free, throughout, stated: None }
+    }
+
+    /// The same hypothesis, stated at a place of a file.
+    #[must_use]
+    pub fn stated_at(self, source: &Source, span: Span) -> Self {
+        let (line, column) = source.line_column(span.start);
+        Hypothesis { stated: Some(format!("{}:{line}:{column}", source.path).into()), ..self }
+    }
+
+    /// The same hypothesis as a part of a law.
+    #[must_use]
+    pub fn of_law(self, name: &str) -> Self {
+        let place = self.stated.as_ref().map_or_else(String::new, |place| format!(", {place}"));
+        Hypothesis { stated: Some(format!("{name}{place}").into()), ..self }
     }
 }
 

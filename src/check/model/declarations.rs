@@ -183,11 +183,11 @@ impl Builder<'_> {
                 self.variable(declaration)?;
                 self.early.extend(self.model.symbols.find(&name).map(|(id, _)| id));
             }
-            _ => return Err(self.error(&latex, format!("{name} is not declared"))),
+            _ => return Err(self.undeclared(&latex)),
         }
         match self.model.symbols.find(&name) {
             Some((id, _)) => Ok(id),
-            None => Err(self.error(&latex, format!("{name} is not declared"))),
+            None => Err(self.undeclared(&latex)),
         }
     }
 
@@ -269,9 +269,8 @@ impl Builder<'_> {
                     self.model.tie_components();
                 }
                 claims::Components::Names(three) => {
-                    let (id, indices) = self.model.symbols.find(&name).ok_or_else(|| {
-                        self.error(latex, format!("{name} is not declared")).help("declare the vector itself as well")
-                    })?;
+                    let known = self.model.symbols.find(&name);
+                    let (id, indices) = known.ok_or_else(|| self.undeclared(latex))?;
                     for (k, component) in three.iter().enumerate() {
                         let vector = Node::Symbol { id, indices: indices.clone(), dots: 0 };
                         let vector = Box::new(Expr::new(vector, Span::default()));
@@ -302,7 +301,7 @@ impl Builder<'_> {
             let family = |builder: &Self, latex: &Spanned<String>| {
                 let name = builder.name(latex)?;
                 let found = builder.model.symbols.find(&name).map(|(id, _)| id);
-                found.ok_or_else(|| builder.error(latex, format!("{name} is not declared")))
+                found.ok_or_else(|| builder.undeclared(latex))
             };
             let particles = match &declared.particles {
                 Some((mass, position)) => Some((family(self, mass)?, family(self, position)?)),

@@ -4,6 +4,7 @@
 //! place of an equation is tested at the same states. The cache keeps the numbers of the states. A hit gives what a new
 //! search would give, since the random stream of a claim depends on its name and the seed alone.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::check::model::claim::Hypothesis;
@@ -20,12 +21,19 @@ pub struct ProjectionRecord {
     pub(crate) moved: (usize, usize),
     /// Whether the search has been given up: there are too many equations, or no base could be projected.
     pub(crate) hopeless: bool,
+    /// How many bases failed at each hypothesis, by its place among the hypotheses.
+    pub(crate) unmet: BTreeMap<usize, usize>,
 }
 
 impl ProjectionRecord {
     /// Whether no base could be projected onto the hypotheses so far.
     pub(crate) fn is_stuck(&self) -> bool {
         self.moved.1 == 0
+    }
+
+    /// Counts a base that failed at a hypothesis.
+    pub(crate) fn fails_at(&mut self, hypothesis: usize) {
+        *self.unmet.entry(hypothesis).or_insert(0) += 1;
     }
 }
 

@@ -7,6 +7,7 @@ use crate::formula::{Kind, text};
 use crate::latex::names;
 use crate::mechanics::rotations::Axis;
 use crate::notes::claims::Spanned;
+use crate::suggest::in_json;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
 use std::sync::Arc;
@@ -33,7 +34,7 @@ impl Builder<'_> {
             }
             let name = self.name(symbol)?;
             if self.model.symbols.find(&name).is_none() {
-                return Err(self.error(symbol, format!("{name} is not declared")));
+                return Err(self.undeclared(symbol));
             }
         }
         let reads = |printed: &str, wanted: &str| {
@@ -75,8 +76,13 @@ impl Builder<'_> {
     }
 
     fn missing(&self, place: &Spanned<String>, what: &str, name: &str) -> Error {
-        self.error(place, format!("no declared symbol is the {what} {name} of \"{}\"", place.value))
-            .help(format!("declare {name}, or map it to a symbol with \"read\""))
+        let add = in_json(name);
+        let role = if what == "parameter" { "constants" } else { "coordinates" };
+        self.error(place, format!("no declared symbol is the {what} {name} of \"{}\"", place.value)).help(format!(
+            "add {add}: \"any\" under \"{role}\"; or, if the notes have another name for it, say which: \"system\": {{ \
+                 \"name\": \"{}\", \"read\": {{ {add}: \"…\" }} }}",
+            place.value
+        ))
     }
 
     pub(crate) fn means(&mut self) -> Result<()> {

@@ -15,6 +15,7 @@ use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::sampler::Sampler;
 use crate::check::sample::setting::Setting;
+use crate::check::sample::unmet_hypotheses;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
@@ -144,16 +145,7 @@ impl<'a> Context<'a> {
 
     /// The finding that no state was found that obeys the hypotheses. That is no proof that there is none.
     pub fn no_state(&self, ensemble: &Ensemble<'_>) -> Finding {
-        let message = match ensemble.projection.record.is_stuck() {
-            true => {
-                "no state was found that obeys the hypotheses: the solver failed, or they contradict each other; check \
-                 them, or write them solved for a symbol (x = …)"
-            }
-            false => {
-                "no state was found that obeys the hypotheses: they contradict each other or the declared ranges, or \
-                 the ranges are too wide; check the hypotheses, or narrow the ranges"
-            }
-        };
+        let message = format!("no state was found that obeys {}", unmet_hypotheses::explanation(&ensemble.projection));
         Finding { tried: ensemble.tried, ..self.finding(Code::NoState, Verdict::Undecided, message) }
     }
 

@@ -65,7 +65,7 @@ impl<'m> Ensemble<'m> {
         };
         while states.len() < points && tried < 4 * points + 32 && !is_given_up(&projection, tried) {
             tried += 1;
-            let base = draw.base(&projection.slots, setting.spread);
+            let base = draw.draw_base(&projection.slots, setting.spread);
             match projection.project(base) {
                 Ok(Some((base, state))) => {
                     states.push(state);
@@ -156,7 +156,7 @@ impl<'m> Ensemble<'m> {
                     break;
                 }
                 tried += 1;
-                let mut base = draw.base(&projection.slots, setting.spread);
+                let mut base = draw.draw_base(&projection.slots, setting.spread);
                 place.set(&mut base, &projection.slots);
                 if projection.slots.iter().zip(&base).all(|(slot, value)| contains(&slot.range, *value))
                     && let Ok(Some((base, state))) = projection.project(base)

@@ -3,9 +3,11 @@
 //! Offers [`sampler::Sampler`], which draws numbers; [`projection::Projection`], the equations of the hypotheses, which
 //! [`newton`] solves; [`ensemble::Ensemble`], the states; [`context::Context`], a claim's hypotheses and the name that
 //! seeds its states; [`prescribed_values`], states with given values of some quantities; [`outcome`], the result of a
-//! claim at all states. Knows `state`, `hypotheses`, `model` and `verdict`.
+//! claim at all states; [`unmet_hypotheses`], why there is no state; [`enclosed`], a claim at one state with as many
+//! digits as it needs. Knows `state`, `hypotheses`, `model` and `verdict`.
 
 pub(crate) mod context;
+pub(crate) mod enclosed;
 pub(crate) mod ensemble;
 pub(crate) mod hypothesis_residual;
 pub(crate) mod newton;
@@ -15,3 +17,4 @@ pub(crate) mod projection;
 pub(crate) mod sampler;
 pub(crate) mod setting;
 pub(crate) mod special;
+pub(crate) mod unmet_hypotheses;

@@ -112,20 +112,26 @@ impl<'m> Projection<'m> {
             }
             // The solution for a row before this one may have changed the others.
             if obeys.is_empty() {
-                let Some(values) = self.values(&state, &[row]) else { return Ok(None) };
+                let Some(values) = self.values(&state, &[row]) else { return Ok(self.failed_at(row)) };
                 value = values[0];
             }
             if residual::vanishes(value) {
                 continue;
             }
-            let Some(slot) = self.pivot(&base, row)? else { return Ok(None) };
+            let Some(slot) = self.pivot(&base, row)? else { return Ok(self.failed_at(row)) };
             let mut plan = self.record.plan.clone();
             plan.push((row, slot));
-            let Some(moved) = self.newton(&mut base, &plan)? else { return Ok(None) };
+            let Some(moved) = self.newton(&mut base, &plan)? else { return Ok(self.failed_at(row)) };
             (state, obeys) = (moved, Vec::new());
             self.record.plan = plan;
         }
         Ok(Some(Projected { base, state, obeys }))
+    }
+
+    /// No base: this row could not be solved.
+    fn failed_at(&mut self, row: Row) -> Option<Projected<'m>> {
+        self.record.fails_at(row.0);
+        None
     }
 
     /// The number for which a row is solved, beside those of the plan. Numbers in which the row is linear go first,
@@ -212,7 +218,11 @@ impl<'m> Projection<'m> {
     }
 
     /// The Jacobian and the values of the planned rows.
-    fn linearised(&self, base: &[f64], plan: &[(Row, usize)]) -> Result<Option<(DMatrix<f64>, DVector<f64>)>> {
+    pub(crate) fn linearised(
+        &self,
+        base: &[f64],
+        plan: &[(Row, usize)],
+    ) -> Result<Option<(DMatrix<f64>, DVector<f64>)>> {
         let n = plan.len();
         let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
         let (mut jacobian, mut values) = (DMatrix::zeros(n, n), DVector::zeros(n));
@@ -265,20 +275,22 @@ impl<'m> Projection<'m> {
         // Rules hold by construction, unless one contradicts another. The first states show that.
         let all = self.record.accepted < 2;
         let is_open = |(at, _): &(usize, &Hypothesis)| (all || !self.explicit()[*at]) && !obeyed.contains(at);
-        for (_, hypothesis) in self.hypotheses.iter().enumerate().filter(is_open) {
+        let holds = |hypothesis: &Hypothesis| {
             let Ok(entries) = difference(state, hypothesis) else { return false };
-            let holds = entries.iter().all(|entry| match hypothesis.relation {
+            entries.iter().all(|entry| match hypothesis.relation {
                 Relation::Equal | Relation::Identical | Relation::Proportional => {
                     let derivatives = if hypothesis.throughout { entry.known().min(THROUGHOUT + 1) } else { 1 };
                     (0..derivatives).all(|k| entry.nth_derivative_value(k).is_some_and(residual::vanishes))
                 }
                 relation => residual::holds(relation, entry.value()),
-            });
-            if !holds {
-                return false;
-            }
+            })
+        };
+        let mut open = self.hypotheses.iter().enumerate().filter(is_open);
+        let unmet = open.find(|(_, hypothesis)| !holds(hypothesis)).map(|(at, _)| at);
+        match unmet {
+            Some(at) => self.record.fails_at(at),
+            None => self.record.accepted += 1,
         }
-        self.record.accepted += 1;
-        true
+        unmet.is_none()
     }
 }

@@ -27,6 +27,7 @@ impl<'m> PrescribedValues<'m> {
             rhs: Expr::integer(0, quantity.span),
             free: Vec::new(),
             throughout: false,
+            stated: None,
         };
         let plain = Projection::new(model, setting);
         let nothing_is_solved = plain.equalities().next().is_none();

@@ -116,7 +116,7 @@ impl Sampler {
     }
 
     /// A random base: a value for each slot, with similar numbers apart from each other.
-    pub fn base(&mut self, slots: &[Slot], spread: Spread) -> Vec<f64> {
+    pub fn draw_base(&mut self, slots: &[Slot], spread: Spread) -> Vec<f64> {
         let mut base: Vec<f64> = Vec::with_capacity(slots.len());
         for slot in slots {
             // Numbers of a large group need not be apart from each other, nor uniform in their logarithm.

@@ -26,6 +26,8 @@ use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::context::Context;
+use crate::check::sample::enclosed;
+use crate::check::sample::enclosed::Decision;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual;
@@ -73,8 +75,17 @@ pub(crate) fn at_all_magnitudes(link: &Link, context: &Context<'_>, mode: Mode, 
     let states = Ensemble::draw(context.model, &setting, STATES, &mut context.draw(mode, "wide"))?;
     let mut ends = None;
     for state in &states.states {
-        match residual::test(link, state) {
-            Ok(Point::Fails(failure)) if failure.residual > GROSS && is_moderate(link, state) => {
+        let point = residual::test(link, state).map(|point| match point {
+            Point::Fails(failure) => match enclosed::decided(link, state, &states.projection) {
+                Decision::Agree => Point::Useless,
+                Decision::Differ(failure) => Point::Fails(failure),
+                Decision::Open if failure.residual > GROSS && is_moderate(link, state) => Point::Fails(failure),
+                Decision::Open => Point::Doubtful,
+            },
+            point => point,
+        });
+        match point {
+            Ok(Point::Fails(failure)) => {
                 let message = "the two sides agree where all numbers are of order one, but differ at this state";
                 return Ok(found(
                     (Code::SidesDiffer, Verdict::Refuted),

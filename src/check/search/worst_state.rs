@@ -155,8 +155,8 @@ fn along_the_edge(hypothesis: &Hypothesis, context: &Context<'_>, ensemble: &Ens
         Relation::Less | Relation::LessEqual => rhs.minus(lhs),
         _ => lhs.minus(rhs),
     };
-    let edge =
-        Hypothesis { lhs: difference, relation: Relation::Equal, rhs: number, free: Vec::new(), throughout: false };
+    let edge = Link { lhs: difference, relation: Relation::Equal, rhs: number, free: Vec::new() };
+    let edge = Hypothesis::of(edge, false);
     Some(context.hypotheses.iter().cloned().chain([edge]).collect())
 }
 

@@ -1,10 +1,11 @@
 //! Counterexamples: the values of a claim's symbols at a state at which it fails.
 
-use crate::formula::{Expr, Index, IndexId, Node};
+use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
 use crate::latex::typeset;
 use crate::scalar::RunningError;
 
 use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
 use crate::check::state::residual;
 use crate::check::state::residual::Failure;
 use crate::check::state::sampled_state::SampledState;
@@ -23,14 +24,65 @@ pub fn counterexample(link: &Link, state: &SampledState<'_, RunningError>, failu
 /// The largest number of values in a counterexample.
 const MOST_SHOWN: usize = 40;
 
+/// The names and values of what a quantity and its motion depend on: its symbols, those of the definitions in it, and
+/// the coordinates, velocities and parameters of the system, or the symbols of the laws.
+pub(crate) fn values_of_motion(quantity: &Expr, state: &SampledState<'_, RunningError>) -> Vec<(String, f64)> {
+    let model = state.model();
+    let mut formulas = vec![quantity.clone()];
+    let mut known: Vec<SymbolId> = Vec::new();
+    let mut next = 0;
+    while let Some(formula) = formulas.get(next).cloned() {
+        next += 1;
+        for (id, _) in formula.symbols() {
+            if let (Some(Meaning::Defined(formula)), false) = (model.meaning(id), known.contains(&id)) {
+                known.push(id);
+                formulas.push(formula.as_ref().clone());
+            }
+        }
+    }
+    let symbol = |id, dots| Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, quantity.span);
+    if model.system.is_some() {
+        formulas.extend(model.coordinates.iter().flat_map(|of| [symbol(of.symbol, 0), symbol(of.symbol, 1)]));
+        formulas.extend(model.parameters.iter().map(|at| symbol(model.constants[*at].symbol, 0)));
+    }
+    let laws = model.laws.iter().flat_map(|law| &law.hypotheses);
+    formulas.extend(laws.flat_map(|hypothesis| [hypothesis.lhs.clone(), hypothesis.rhs.clone()]));
+    values(&formulas.iter().collect::<Vec<_>>(), state)
+}
+
+/// The symbols in a formula, each with the numbers of overdots that its value depends on: a symbol under d/dt is needed
+/// with more dots.
+fn with_dots(expr: &Expr, order: u8, found: &mut Vec<Expr>) {
+    match &expr.node {
+        Node::TimeDerivative(more, inner) => match &inner.node {
+            Node::Symbol { id, indices, dots } => {
+                let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots + more };
+                with_dots(&Expr::new(node, inner.span), order, found);
+            }
+            _ => with_dots(inner, order + more, found),
+        },
+        Node::Symbol { id, indices, dots } => found.extend((*dots..=dots + order).map(|dots| {
+            let node = Node::Symbol { id: *id, indices: indices.clone(), dots };
+            Expr::new(node, expr.span)
+        })),
+        _ => expr.children().into_iter().for_each(|child| with_dots(child, order, found)),
+    }
+}
+
 /// The names and values of the symbols of some formulas at a state, with their dots. All members of a family are
 /// listed. Formulas without symbols give the coordinates.
 pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec<(String, f64)> {
     let model = state.model();
     let mut found: Vec<(String, f64)> = Vec::new();
     for formula in formulas {
-        formula.walk(&mut |expr| {
+        let mut symbols = Vec::new();
+        with_dots(formula, 0, &mut symbols);
+        symbols.iter().for_each(|expr| {
             let Node::Symbol { id, indices, dots } = &expr.node else { return };
+            // What does not vary has no rate to show.
+            if *dots > 0 && !model.symbols.entry(*id).varies {
+                return;
+            }
             let mut labels: Vec<(IndexId, u8)> = Vec::new();
             for index in indices {
                 match index {

@@ -16,8 +16,9 @@
 use approx::{AbsDiffEq, abs_diff_eq};
 
 use crate::formula::evaluate::{Environment, Unavailable};
+use crate::formula::shape::Shape;
 use crate::formula::{Expr, IndexId, Relation, Value};
-use crate::scalar::RunningError;
+use crate::scalar::{Number, RunningError};
 
 use crate::check::model::claim::Link;
 use crate::check::state::sampled_state::SampledState;
@@ -199,16 +200,10 @@ fn test_knowing(
             None => state.now(expr, indices),
         };
         let (lhs, rhs) = (side(&link.lhs, known_lhs, &indices)?, side(&link.rhs, known_rhs, &indices)?);
-        let label = |k: usize, shape| {
-            let letters =
-                indices.iter().map(|(id, value)| format!("{} = {value}", state.model().symbols.indices[id.0].letter));
-            let all: Vec<String> = letters.chain(Value::<f64>::entry_name(shape, k)).collect();
-            (!all.is_empty()).then(|| all.join(", "))
-        };
         let shape = if link.lhs.is_zero() { rhs.shape() } else { lhs.shape() };
         let (a, b) = pair(lhs, rhs);
         for (k, (a, b)) in a.into_iter().zip(b).enumerate() {
-            let found = compare(link.relation, a, b, || label(k, shape));
+            let found = compare(link.relation, a, b, || entry_label(state, &indices, shape, k));
             worst = worse(worst, found);
             if to_the_first && !matches!(worst, Point::Holds(_) | Point::Useless) {
                 return Ok(worst);
@@ -221,9 +216,20 @@ fn test_knowing(
     Ok(worst)
 }
 
+/// The name of an entry of a side for these values of the free indices: `i = 1, component 2`.
+pub(crate) fn entry_label<B: Number>(
+    state: &SampledState<'_, B>,
+    indices: &[(IndexId, u8)],
+    shape: Shape,
+    k: usize,
+) -> Option<String> {
+    let letters = indices.iter().map(|(id, value)| format!("{} = {value}", state.model().symbols.indices[id.0].letter));
+    let all: Vec<String> = letters.chain(Value::<f64>::entry_name(shape, k)).collect();
+    (!all.is_empty()).then(|| all.join(", "))
+}
+
 /// The entries of two sides. A literal 0 or 1 takes the shape of the other side.
-pub fn pair<B: crate::scalar::Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, Vec<B>) {
-    use crate::formula::shape::Shape;
+pub fn pair<B: Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, Vec<B>) {
     let (a_shape, b_shape) = (lhs.shape(), rhs.shape());
     let (a, b) = (lhs.entries(), rhs.entries());
     let spread = |literal: B, shape: Shape| -> Vec<B> {
@@ -288,10 +294,7 @@ fn worse(a: Point, b: Point) -> Point {
 }
 
 /// Advances the free indices to their next values; returns false after the last.
-pub fn advance<B: crate::scalar::Number>(
-    indices: &mut [(IndexId, u8)],
-    state: &SampledState<'_, B>,
-) -> Result<bool, Unavailable> {
+pub fn advance<B: Number>(indices: &mut [(IndexId, u8)], state: &SampledState<'_, B>) -> Result<bool, Unavailable> {
     for (id, value) in indices.iter_mut() {
         if *value < state.count(*id)? {
             *value += 1;

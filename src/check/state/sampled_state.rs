@@ -170,6 +170,11 @@ impl<'m, B: Number> SampledState<'m, B> {
         Some(((id, values), self.substitutes.are_meant()))
     }
 
+    /// Whether its symbols have the values that its base gives them: no overrides, and no substitutes.
+    pub(crate) fn is_as_drawn(&self) -> bool {
+        self.overrides.is_empty() && self.substitutes.is_empty() && self.substitutes.body.is_none()
+    }
+
     /// Whether there are no substitutes, and no equation of motion is being solved.
     pub(crate) fn is_alone(&self) -> bool {
         self.substitutes.is_empty() && !self.memo.is_following()

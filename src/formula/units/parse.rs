@@ -121,8 +121,12 @@ impl<'a> Parser<'a> {
                 Some(_) if divided.is_some() => {
                     let from = divided.unwrap_or(start);
                     self.at = self.text.len();
+                    let message = format!(
+                        "in “{}”, the / may divide by the next unit only, or by all units after it",
+                        self.text.trim()
+                    );
                     return Err(self
-                        .fault(from, "ambiguous: the units after the / may or may not all be divided by")
+                        .fault(from, message)
                         .code(Code::Ambiguous)
                         .help("use parentheses, J/(kg K), or negative exponents, J kg^-1 K^-1"));
                 }

@@ -25,13 +25,13 @@ use super::items::{differential, function_head, is_lone, is_numeric_item, starts
 use super::state::{Read, Reader};
 
 /// Letters that stand for functions more often than for factors before a parenthesis.
-const FUNCTIONS: [&str; 21] = [
-    "f", "F", "h", "G", "V", "W", "J", "Y", "O", "P", "U", "H", "D", "d", "\\Gamma", "\\Phi", "\\Psi", "\\psi",
-    "\\Theta", "\\delta", "\\Delta",
+const FUNCTIONS: [&str; 20] = [
+    "f", "F", "h", "V", "W", "J", "Y", "O", "P", "U", "H", "D", "d", "\\Gamma", "\\Phi", "\\Psi", "\\psi", "\\Theta",
+    "\\delta", "\\Delta",
 ];
 
 /// Letters that usually depend on a place, `u(x + h)`.
-const FIELDS: [&str; 8] = ["y", "u", "w", "\\phi", "\\varphi", "\\eta", "\\chi", "\\xi"];
+const FIELDS: [&str; 9] = ["y", "G", "u", "w", "\\phi", "\\varphi", "\\eta", "\\chi", "\\xi"];
 
 impl Reader<'_> {
     /// A symbol with its power. A parenthesis after it is a separate factor, unless it may be a function's argument.

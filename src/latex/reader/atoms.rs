@@ -77,11 +77,8 @@ impl Reader<'_> {
             Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
                 let base = self.item(nucleus)?;
                 if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
-                    return Err(Fault::ambiguous(
-                        span,
-                        "braces do not print, so this power may belong to the last factor only",
-                    )
-                    .help("use parentheses"));
+                    return Err(Fault::ambiguous(span, "braces do not print, so {a b}^2 may be (a b)^2 or a b^2")
+                        .help("use parentheses"));
                 }
                 self.raised(base, sup, span)
             }

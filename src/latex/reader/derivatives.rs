@@ -31,7 +31,7 @@ impl Reader<'_> {
         if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
             return Err(Fault::ambiguous(
                 operator.to(first.span),
-                "this derivative may act on the next factor or on all that follow",
+                "\\frac{d}{dt} x y may be \\frac{d}{dt}(x) y or \\frac{d}{dt}(x y)",
             )
             .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
         }

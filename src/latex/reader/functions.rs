@@ -1,6 +1,7 @@
 //! Functions such as `\sin`, and the end of an argument without parentheses.
 
 use crate::formula::symbols::Name;
+use crate::formula::text;
 use crate::formula::tree::{Expr, Function, Node};
 use crate::source::{Fault, Span};
 
@@ -52,9 +53,10 @@ impl Reader<'_> {
                 (self.item(first)?, true)
             }
             Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(..) | Layout::Group(_)) => {
+                let name = function.name();
                 return Err(Fault::ambiguous(
                     head.to(first.span),
-                    "a power after an argument may belong to the function or to the argument",
+                    format!("\\{name}(x)^2 may be (\\{name}(x))^2 or \\{name}(x^2)"),
                 )
                 .help(format!("write \\{}^2(…) for the power of the function", function.name())));
             }
@@ -92,12 +94,27 @@ impl Reader<'_> {
                 true => format!("put the argument in parentheses, \\{shown}(…)"),
                 false => format!("put the argument in parentheses, \\{shown}(…), or end it with a thin space \\,"),
             };
-            return Err(
-                Fault::ambiguous(span, format!("the argument of \\{shown} may end in more than one place")).help(help)
-            );
+            return Err(Fault::ambiguous(span, self.readings(function, &items[start..], run.end - start)).help(help));
         }
         *cursor = run.end;
         self.term(&items[start..run.end])
+    }
+
+    /// What an argument that may end after `end` items, or with one item more or less, can mean.
+    fn readings(&mut self, function: Function, items: &[Item], end: usize) -> String {
+        let name = function.name();
+        let is_factor = |item: &Item| is_number(item) || names::printed(item, self.branch).is_some();
+        let long = if items.get(end).is_some_and(is_factor) { end + 1 } else { end };
+        let mut said = |items: &[Item]| self.term(items).ok().map(|read| text::formula(&read, self.symbols));
+        let parts = items[..long]
+            .split_last()
+            .map(|(last, short)| (said(short), said(std::slice::from_ref(last)), said(&items[..long])));
+        match parts {
+            Some((Some(short), Some(last), Some(long))) => {
+                format!("the argument of \\{name} may end in two places: {name}({short})·{last} or {name}({long})")
+            }
+            _ => format!("\\{name} x y may be {name}(x)·y or {name}(x·y)"),
+        }
     }
 
     /// Numbers, then symbols up to the first angle or dotted symbol; or a single fraction or root.
@@ -123,9 +140,10 @@ impl Reader<'_> {
             if printed.sup.is_some() {
                 // After an angle the argument is over; before that, the power could be of the symbol or the function.
                 if run.end == start || run.symbols.is_empty() && run.numbers > 0 || !run.has_angle() {
+                    let name = function.name();
                     return Err(Fault::ambiguous(
                         head.to(item.span),
-                        "a power at the end of an argument may belong to the function or to the argument",
+                        format!("\\{name} x^2 may be (\\{name} x)^2 or \\{name}(x^2)"),
                     )
                     .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
                 }

@@ -45,8 +45,19 @@ impl Reader<'_> {
     /// An integral up to its differential; the cursor is after the integral sign.
     pub(super) fn integral(&mut self, sign: &Item, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let Layout::Scripts { sub: Some(below), sup: None, .. } = &sign.layout else {
-            return Err(Fault::unsupported(sign.span, "only integrals over a declared continuum are supported")
-                .help("write \\int_V … d^3r, with V under \"continua\" in the claims file"));
+            let in_one_variable = matches!(&sign.layout, Layout::Scripts { sup: Some(_), .. });
+            let (message, help) = match in_one_variable {
+                true => (
+                    "definite integrals in one variable are not supported yet",
+                    "state the value of the integral as its antiderivative at the two limits, or leave the equation out \
+                     with \"skip\" in the claims file",
+                ),
+                false => (
+                    "only integrals over a declared continuum are supported",
+                    "write \\int_V … d^3r, with V under \"continua\" in the claims file",
+                ),
+            };
+            return Err(Fault::unsupported(sign.span, message).help(help));
         };
         let region = self.region(contents(below), below.span)?;
         let entry = self.symbols.entry(region);

@@ -184,7 +184,7 @@ pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>
     }
     match sup.as_deref() {
         Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
-            Err(Fault::ambiguous(item.span, "a negative power of a function may be its inverse or its reciprocal")
+            Err(Fault::ambiguous(item.span, "\\sin^{-1} x may be \\arcsin x or 1/\\sin x")
                 .help("write \\arcsin or \\frac{1}{\\sin x}"))
         }
         sup => Ok(Some((function, sup))),

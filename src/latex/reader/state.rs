@@ -43,8 +43,10 @@ impl Reader<'_> {
 /// The fault for a command that has no meaning where it stands.
 pub(super) fn unknown_command(name: &str, span: Span) -> Fault {
     match name {
-        "\\log" => Fault::ambiguous(span, "\\log may be the natural or the decimal logarithm")
-            .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}"),
+        "\\log" => {
+            Fault::ambiguous(span, "\\log x may be the natural logarithm, \\ln x, or the decimal one, \\ln x/\\ln 10")
+                .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}")
+        }
         "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
         "\\partial" | "\\nabla" => Fault::unsupported(span, format!("{name} is not supported"))
             .help("leave the equation out with \"skip\" in the claims file"),

@@ -3,6 +3,7 @@
 use crate::formula::symbols::{Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Index, Node};
 use crate::source::{Fault, Span};
+use crate::suggest::declaration;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
@@ -26,9 +27,9 @@ impl Reader<'_> {
                 if name.base == "e" && is_figure(sup) {
                     return Err(Fault::ambiguous(
                         span,
-                        "e with a number as its exponent may be the exponential or a power of a symbol",
+                        "e^2 may be the exponential exp(2) or the square of a symbol e",
                     )
-                    .help("write \\exp(2) for the exponential, or declare e"));
+                    .help(format!("write \\exp(2) for the exponential, or {}", declaration("e", 0))));
                 }
                 if self.symbols.open && mentions_j(sup) {
                     return Err(Fault::ambiguous(sup.span, "j in an exponent of e may be √−1 or a symbol")
@@ -39,8 +40,8 @@ impl Reader<'_> {
                 return Ok(Expr::new(Node::Power(Box::new(euler), Box::new(exponent)), span));
             }
             if !declared && name.subscript.is_empty() {
-                return Err(Fault::ambiguous(span, "e may be Euler’s number or a symbol")
-                    .help("write \\exp(1) for the number, or declare e"));
+                return Err(Fault::ambiguous(span, "e may be Euler’s number, 2.718…, or a symbol")
+                    .help(format!("write \\exp(1) for the number, or {}", declaration("e", 0))));
             }
         }
         if let Some(special) = self.special(&printed, span)? {
@@ -82,16 +83,11 @@ impl Reader<'_> {
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
         }
-        let fault = Fault::undeclared(span, name);
-        if name.base == "i" && name.subscript.is_empty() {
-            return Err(
-                fault.help("complex numbers are not supported; if i is a quantity, declare it in the claims file")
-            );
-        }
-        Err(match self.symbols.nearest(name) {
-            Some(near) => fault.help(format!("did you mean {near}? If not, declare {name} in the claims file")),
-            None => fault.help(format!("declare {name} in the claims file")),
-        })
+        let add = declaration(&name.to_string(), dots);
+        Err(Fault::undeclared(span, name).help(match self.symbols.nearest(name) {
+            Some(near) => format!("did you mean {near}? If not, {add}"),
+            None => add,
+        }))
     }
 
     /// A name with dots that is declared with its dots, as `\dot{\vec v}` for the rate in turning axes, is that
@@ -150,7 +146,7 @@ impl Reader<'_> {
         let name = &printed.name;
         let next = items.get(*cursor).filter(|item| names::printed(item, self.branch).is_some());
         if matches!(name.base.as_str(), "d" | "\\mathrm{d}") && name.subscript.is_empty() && next.is_some() {
-            return Err(Fault::ambiguous(span, "d before a symbol may be a differential or a factor")
+            return Err(Fault::ambiguous(span, "d x may be a differential or the product of d and x")
                 .help("write \\frac{d}{dt} for a derivative, or use another letter for the factor"));
         }
         let factor = items
@@ -260,7 +256,7 @@ impl Reader<'_> {
         if command == "\\delta" && self.symbols.open {
             return Err(Fault::ambiguous(
                 first.span.to(second.span),
-                "\\delta before a symbol may be a variation or a factor",
+                "\\delta x may be a variation of x or the product of \\delta and x",
             ));
         }
         printed.name.base = format!("{command} {}", printed.name.base);

@@ -111,7 +111,7 @@ impl Reader<'_> {
                     if let Some(function) = open_function {
                         return Err(Fault::ambiguous(
                             function.to(item.span),
-                            "the slash may divide the function or its argument",
+                            "\\sin x/y may be (\\sin x)/y or \\sin(x/y)",
                         )
                         .help("put the argument in parentheses, or use \\frac"));
                     }
@@ -132,8 +132,11 @@ impl Reader<'_> {
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
-                return Err(Fault::ambiguous(factor.span, "braces do not print, so this sum may be read without them")
-                    .help("use parentheses"));
+                return Err(Fault::ambiguous(
+                    factor.span,
+                    "braces do not print, so {a + b} c may be (a + b) c or a + b c",
+                )
+                .help("use parentheses"));
             }
             if next == Joint::Beside && !runs.last().is_none_or(|(_, run)| run.is_empty()) {
                 self.run_together(items, start)?;
@@ -195,8 +198,9 @@ impl Reader<'_> {
         let item = &items[at];
         let span = before.span.to(item.span);
         if matches!(before.layout, Layout::Number(_)) && (is_numeric_item(item) || is_number(item)) {
-            return Err(Fault::ambiguous(span, "two numbers side by side may be a product or one number")
-                .help("write \\cdot between them"));
+            return Err(
+                Fault::ambiguous(span, "2 3 may be the product 2·3 or the number 23").help("write \\cdot between them")
+            );
         }
         let touches = !matches!(items[at - 1].layout, Layout::Space(_));
         if touches && is_number(item) && (names::printed(before, self.branch).is_some() || is_parenthesis(before)) {
@@ -205,8 +209,9 @@ impl Reader<'_> {
         }
         let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
         if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
-            return Err(Fault::ambiguous(span, "these bars can be paired in more than one way")
-                .help("use \\left| and \\right|"));
+            return Err(
+                Fault::ambiguous(span, "|a|b|c| may be |a|·b·|c| or |a·|b|·c|").help("use \\left| and \\right|")
+            );
         }
         Ok(())
     }

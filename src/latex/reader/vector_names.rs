@@ -17,6 +17,7 @@ use crate::formula::symbols::{Components, Kind, Name};
 use crate::formula::text;
 use crate::formula::tree::{Expr, Index, Node};
 use crate::source::{Fault, Span};
+use crate::suggest::declaration;
 
 use super::state::{Read, Reader};
 
@@ -35,7 +36,7 @@ impl Reader<'_> {
             (Some((norm, _)), Some((component, _))) => {
                 let (norm, component) = (text::formula(&norm, self.symbols), text::formula(&component, self.symbols));
                 Err(Fault::ambiguous(span, format!("{name} may be {norm} or {component}"))
-                    .help(format!("declare {name} in the claims file")))
+                    .help(declaration(&name.to_string(), 0)))
             }
             (norm, component) => Ok(norm.or(component)),
         }

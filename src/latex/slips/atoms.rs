@@ -14,7 +14,7 @@ use super::parts::is_big;
 const FUNCTIONS: [&[&str]; 3] = [&["\\sin", "\\cos", "\\tan"], &["\\cot", "\\tan"], &["\\sinh", "\\cosh", "\\tanh"]];
 
 impl Finder<'_> {
-    /// Slips in an item, and in what it is made of.
+    /// Slips in an item and in its parts.
     pub(super) fn item(&mut self, item: &Item) {
         if let Some(printed) = names::printed(item, None) {
             self.name(item, &printed);
@@ -50,7 +50,7 @@ impl Finder<'_> {
                         self.number(over, n, Some(m));
                         self.number(under, m, Some(n));
                     }
-                    // Nobody divides by 1.
+                    // Authors do not divide by 1.
                     (_, Some((m, under))) if self.pool.is_some() => {
                         self.argument(item, a);
                         self.number(under, m, Some("1"));
@@ -109,7 +109,7 @@ impl Finder<'_> {
         if self.pool.is_some() && digits.len() == 1 {
             others.extend(1..=9);
         }
-        // Of a number of two digits one may be another.
+        // One digit of a number of two digits may be wrong.
         if self.pool.is_some() && digits.len() == 2 {
             others.extend((1..=9).map(|tens| 10 * tens + n % 10).chain((0..=9).map(|ones| n - n % 10 + ones)));
         }
@@ -143,7 +143,7 @@ impl Finder<'_> {
         }
     }
 
-    /// A power: another one, and none.
+    /// Another power, and none.
     fn power(&mut self, sup: &Item) {
         let caret = self.text[..sup.span.start].rfind('^').unwrap_or(sup.span.start);
         self.edit(Slip::Exponent, Span::new(caret, sup.span.end), "");
@@ -167,7 +167,7 @@ impl Finder<'_> {
         } else if inner.iter().all(|item| !matches!(item.layout, Layout::Command(_) | Layout::Other('*'))) {
             match &sup.layout {
                 Layout::Group(items) => self.list(items),
-                // What is put beside it needs braces.
+                // A factor beside it needs braces.
                 _ => {
                     let bare = self.slice(sup.span).to_owned();
                     self.edit(Slip::Sign, sup.span, format!("{{-{bare}}}"));
@@ -269,15 +269,15 @@ impl Finder<'_> {
             let are_angles = entry.angle && entry.varies && other.angle && other.varies;
             same && (base.eq_ignore_ascii_case(&own) || are_angles || is_unit(entry) && is_unit(other))
         };
-        // Where a slip is undone, an accent may have been lost that made of it another kind of thing.
+        // In a correction, a lost accent may have changed the kind of the symbol.
         let corrected = |other: &Entry| {
             let same = letter(&other.name) == own && other.slots.len() == entry.slots.len();
             self.pool.is_some() && same && other.name.subscript == entry.name.subscript
         };
-        // Or it stands for another thing of its kind that the display is about.
+        // Or it stands for another symbol of its kind in the display.
         let present = |id: SymbolId, other: &Entry| {
             let known = self.pool.is_some_and(|pool| pool.names.contains(&id));
-            // What stands for an angle is no momentum and no length.
+            // An angle is not confused with a momentum or a length.
             let is_time = self.symbols.time.as_ref() == Some(&other.name);
             let fits = (other.slots.is_empty() || other.slots.len() == entry.slots.len())
                 && (other.angle || !entry.angle || is_time);
@@ -287,7 +287,7 @@ impl Finder<'_> {
             true => Some(Slip::Symbol),
             false => present(id, other).then_some(Slip::Name),
         };
-        // What is known by its square alone stands for a square.
+        // A name that is defined by its square stands for a square.
         let is_square = ["^2", "^{2}"].iter().any(|square| self.text[own_span(item).end..].starts_with(square));
         let others = self.symbols.iter().filter(|(_, other)| (!other.squared || is_square) && other.measure.is_none());
         others

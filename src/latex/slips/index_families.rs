@@ -42,7 +42,7 @@ impl Finder<'_> {
             choices.retain(|choice| are_distinct(choice));
             for letters in choices.iter().filter(|choice| !choice.is_empty() || entry.kind == Kind::Matrix) {
                 let wanted = is_wanted(letters);
-                // A whole vector beside one that is printed is a number that may well be right.
+                // A whole vector beside a printed one makes a scalar product, which often holds by accident.
                 if entry.kind == Kind::Vector && !wanted {
                     continue;
                 }
@@ -70,7 +70,7 @@ impl Finder<'_> {
         members.into_iter().map(|member| member.latex).collect()
     }
 
-    /// The statements of a list, which are side by side.
+    /// The statements of a list.
     fn pieces<'i>(&self, items: &'i [Item]) -> impl Iterator<Item = &'i [Item]> {
         let between = [",", ";", "\\quad", "\\qquad", "\\Rightarrow", "\\implies", "\\\\"];
         items.split(move |item| between.contains(&self.slice(item.span).trim()))

@@ -66,7 +66,7 @@ impl Finder<'_> {
             }
         }
         for item in items {
-            // What stands in a name is no formula.
+            // The parts of a name are no formulas.
             if !matches!(item.layout, Layout::Accent(..) | Layout::Style(..)) {
                 insides(item).into_iter().for_each(|inner| self.holes(inner, holes));
             }

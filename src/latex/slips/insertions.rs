@@ -24,12 +24,12 @@ impl Finder<'_> {
         }
         for factor in &pool.factors {
             let slip = if is_number(factor) { Slip::Number } else { Slip::Factor };
-            // Of two vectors it is said below which product is meant.
+            // The product of two vectors is chosen below.
             let text = self.text;
             let are_vectors = |text: &str| is_arrow(text) && is_arrow(factor);
             for at in before.iter().filter(|at| !are_vectors(&text[**at..])) {
                 self.edit(slip, Span::at(*at), format!("{factor} \\, "));
-                // `\rho(\vec r)`, what depends on a place, is one thing.
+                // A function of the position, `\rho(\vec r)`, stays together.
                 if self.text[*at..].starts_with('(') {
                     self.edit(slip, Span::at(*at), factor);
                 }
@@ -105,7 +105,7 @@ impl Finder<'_> {
 
     /// Inserts a sign between two factors, which makes two terms.
     pub(super) fn split(&mut self, factors: &[Factor<'_>]) {
-        // What acts on all that follows is no term by itself.
+        // An operator on all following factors is no term.
         let acts = |factor: &Factor<'_>| is_big(&factor.items[0]) || self.slice(factor.span()).contains("{dt");
         let apart = factors.iter().take_while(|factor| !acts(factor)).count();
         for factor in factors[..apart].iter().skip(1).filter(|factor| factor.operator.is_none()) {

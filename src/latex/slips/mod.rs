@@ -13,9 +13,9 @@
 //! A slip is made by typing and corrected by typing. So slips are found in what is typeset, with their bytes,
 //! without knowing what a formula means. The same edits serve mutation testing, which makes them, and repair, which
 //! undoes them, also in a display that cannot be read. Every kind of slip is undone by one of its own kind, or by
-//! inserting what was lost. What was lost is looked for in the display first, then in the other displays, in the
-//! sentences, and then computed. Members of families with the letters that stand alone come first: a letter is free
-//! on both sides or summed over, so a letter without a partner tells which letters the lost factor had.
+//! inserting what was lost. The lost text is sought in the display first, then in the other displays, in the
+//! sentences, and then computed. Members of families with unpaired letters come first: a letter is free on both sides or
+//! summed over, so an unpaired letter was also a letter of the lost factor.
 
 mod atoms;
 mod candidates;
@@ -60,7 +60,7 @@ pub fn corrections(text: &str, symbols: &Symbols, macros: &Macros, pool: &Pool) 
 }
 
 fn found(text: &str, symbols: &Symbols, macros: &Macros, pool: Option<&Pool>) -> Vec<Edit> {
-    // A display of which nothing is typeset at all has no terms, but its characters may be corrected.
+    // A display that cannot be typeset has no terms, but its characters may be corrected.
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
     let mut finder = Finder::new(text, symbols, pool);
     if pool.is_some() {

@@ -1,4 +1,4 @@
-//! Edits of parentheses: one lost, or closed too early or too late; and of powers on too much or too little.
+//! Edits of parentheses that are lost or close too early or too late, and of powers on the wrong factor.
 
 use crate::source::Span;
 
@@ -13,7 +13,7 @@ const FARTHEST: usize = 4;
 /// The most ways in which new parentheses are tried.
 const MOST: usize = 400;
 
-/// The parts of a parenthesis: what opens it, what is in it, what closes it with its scripts.
+/// The parts of a parenthesis: its opening, its contents, its closing with its scripts.
 struct Fence<'i> {
     whole: Span,
     inner: Span,
@@ -106,7 +106,7 @@ impl Finder<'_> {
         if self.pool.is_none() || terms.len() < 2 {
             return;
         }
-        // A function is not parted from its argument.
+        // A function and its argument stay together.
         let place = |factor: &Factor<'_>| match factor.items {
             [function, argument] if is_function(function) => argument.span,
             _ => factor.span(),

@@ -90,7 +90,7 @@ pub(super) fn is_times(item: &Item) -> bool {
     matches!(&item.layout, Layout::Command(name) if name == "\\times") || item.layout == Layout::Other('×')
 }
 
-/// What a command is, with scripts or without.
+/// The name of a command, with or without scripts.
 fn command(item: &Item) -> Option<&str> {
     match &item.layout {
         Layout::Command(name) => Some(name),
@@ -99,7 +99,7 @@ fn command(item: &Item) -> Option<&str> {
     }
 }
 
-/// Σ, ∫ and lim, which act on all that follows.
+/// Whether an item is Σ, ∫ or lim, which apply to all following factors.
 pub(super) fn is_big(item: &Item) -> bool {
     matches!(command(item), Some("\\sum" | "\\int" | "\\lim"))
 }
@@ -134,7 +134,7 @@ fn terms(items: &[Item]) -> Vec<Term<'_>> {
             continue;
         }
         let inner = trimmed(&items[start..at]);
-        // What comes from one macro has one place, and is one thing.
+        // The items of one macro call have one place and stay together.
         let real = sign.is_none_or(|sign: &Item| !inner.iter().any(|item| item.span == sign.span));
         if !inner.is_empty() && real {
             terms.push(Term { sign, items: inner });
@@ -208,7 +208,7 @@ impl Finder<'_> {
         matches!(item.layout, Layout::Environment(..)) || matches!(self.kind(item), Some(Kind::Matrix | Kind::Rotation))
     }
 
-    /// `R_{ab}`: a matrix by its entries. Of `R_{12}` nobody prints an inverse.
+    /// Whether a factor is a matrix by its entries, `R_{ab}`. A single entry, `R_{12}`, has no inverse in print.
     pub(super) fn is_entry(&self, factor: &Factor<'_>) -> bool {
         let Some(printed) = names::printed(&factor.items[0], None) else { return false };
         let found = self.symbols.find(&printed.name);

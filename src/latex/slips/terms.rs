@@ -24,7 +24,7 @@ impl Finder<'_> {
     pub(super) fn list(&mut self, items: &[Item]) {
         for terms in formulas(items) {
             for (at, term) in terms.iter().enumerate() {
-                // Of nothing neither the sign nor the factors matter.
+                // The sign and the factors of a zero do not matter.
                 if self.is_null(term) {
                     continue;
                 }
@@ -32,7 +32,7 @@ impl Finder<'_> {
                 if terms.len() > 1 {
                     self.drop_term(&terms, at);
                 }
-                // Of two terms that are one, an author writes twice the term: so none is corrected by a second one.
+                // An author writes 2a and not a + a, so no correction repeats a term.
                 if self.pool.is_none() {
                     self.double_term(term);
                 }
@@ -151,7 +151,7 @@ impl Finder<'_> {
             }
             let is_number = matches!(factor.items[0].layout, Layout::Number(_));
             match self.place_of_a_power(factor) {
-                // Of a factor that is missing beside its like, an author has lost the power.
+                // A factor that is missing beside the same factor is more likely a lost power.
                 Some(at) if self.pool.is_some() => self.edit(Slip::Exponent, Span::at(at), "^2"),
                 _ if is_number || is_big(&factor.items[0]) => {}
                 _ => {
@@ -257,7 +257,7 @@ impl Finder<'_> {
             (false, false) => Slip::Factor,
         };
         self.edit(slip, span, "");
-        // The function alone, which leaves its argument.
+        // The function is left out and its argument stays.
         if is_function(&factor.items[0]) {
             self.edit(Slip::Function, factor.items[0].span, "");
         }

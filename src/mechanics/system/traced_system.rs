@@ -230,7 +230,7 @@ impl System {
     /// The same with the mass matrix inverted in the given way.
     ///
     /// # Errors
-    /// When it cannot be, or `order` is beyond what a [`Series`] holds.
+    /// As [`System::motion`].
     pub fn motion_with<D: Number>(
         &self,
         solver: LinearSolver,

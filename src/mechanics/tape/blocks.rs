@@ -1,8 +1,8 @@
 //! A program over a block of states: one step for all of them, then the next.
 //!
-//! The processor's widest vectors are found out while running and used through `fearless_simd`, which keeps the unsafe
-//! code; where there are none the same code runs on plain numbers. A step writes a block that nobody reads, which then
-//! changes places with its register: so a register may be read and written in one step.
+//! The processor's widest vectors are detected at run time and used through `fearless_simd`, which contains the unsafe
+//! code. A processor without them runs the same code on plain numbers. A step writes to a spare block and then swaps it
+//! with its register, so a step may read and write one register.
 
 use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdMask, dispatch};
 
@@ -16,10 +16,10 @@ pub const LANES: usize = 256;
 /// One value for each state of a block.
 pub type Block = [f64; LANES];
 
-/// What a program works on.
+/// The memory of a running program: its registers, and a spare block.
 pub struct Registers {
     level: Level,
-    #[allow(clippy::vec_box)] // blocks change places, and are not copied for it
+    #[allow(clippy::vec_box)] // blocks are swapped by their pointers, not copied
     blocks: Vec<Box<Block>>,
     spare: Box<Block>,
     second_spare: Box<Block>,
@@ -66,8 +66,8 @@ impl<'a> Places<'a> {
 }
 
 impl Program {
-    /// Runs for a block of states. `inputs` has a block for each input (uniform ones are not looked at), `uniform` is
-    /// what [`Program::uniform`] gives.
+    /// Runs for a block of states. `inputs` has a block for each input; uniform inputs are ignored. `uniform` is the
+    /// result of [`Program::uniform`].
     pub fn run_block(&self, registers: &mut Registers, inputs: &[&Block], uniform: &[f64]) {
         dispatch!(registers.level, simd => run(simd, self, registers, inputs, uniform));
     }
@@ -85,7 +85,7 @@ impl Program {
 }
 
 impl Values<'_> {
-    /// Whether |a| > share·|b| for all states of a block; where one is NaN it is not.
+    /// Whether |a| > share·|b| for all states of a block. NaN fails the comparison.
     pub fn exceed(self, share: f64, other: Values, registers: &Registers) -> bool {
         dispatch!(registers.level, simd => exceed(simd, self, share, other))
     }
@@ -171,7 +171,7 @@ fn fill<S: Simd>(out: &mut Block, value: impl Fn(usize) -> S::f64s) {
     }
 }
 
-/// f(lane, a, b): a loop for each of the ways in which the operands can be given.
+/// Applies f(lane, a, b) to all lanes, with one loop for each kind of operands.
 #[inline(always)]
 fn of_two<S: Simd>(simd: S, a: Values, b: Values, out: &mut Block, f: impl Fn(usize, S::f64s, S::f64s) -> S::f64s) {
     let all = |value: f64| S::f64s::splat(simd, value);
@@ -205,7 +205,7 @@ fn two<S: Simd>(simd: S, a: Values, b: Values, out: &mut Block, f: impl Fn(S::f6
     of_two(simd, a, b, out, |_, a, b| f(a, b));
 }
 
-/// f(lane, a, b, c)
+/// Applies f(lane, a, b, c) to all lanes.
 #[inline(always)]
 fn of_three<S: Simd>(
     simd: S,
@@ -243,7 +243,7 @@ fn four<S: Simd>(
     }
 }
 
-/// What has no vector instructions.
+/// The operations that have no vector instructions.
 fn one_by_one(a: Values, b: Values, out: &mut Block, f: impl Fn(f64, f64) -> f64) {
     let at = |values: Values, lane: usize| match values {
         Values::Each(block) => block[lane],
@@ -261,7 +261,7 @@ pub(in crate::mechanics) mod tests {
     use crate::mechanics::tape::single::Single;
     use crate::scalar::{DualNum, Graph, Symbol};
 
-    /// Every kind of instructions that this machine has, and the code for machines that have none.
+    /// The vector instructions of this machine, and the code without any.
     pub fn levels() -> Vec<Level> {
         let mut levels = vec![Level::fallback(), Level::baseline(), Level::new()];
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -274,7 +274,7 @@ pub(in crate::mechanics) mod tests {
         levels
     }
 
-    /// Of x, y and the uniform p: every operation, every way to give its operands, whatever can be fused.
+    /// Every operation on x, y and the uniform p, with every kind of operands, and every pair that is fused.
     fn tape() -> Tape {
         let (graph, outputs) = Graph::record(|| {
             let [x, y, p] = [0, 1, 2].map(Symbol::input);
@@ -282,7 +282,7 @@ pub(in crate::mechanics) mod tests {
             let products =
                 [x * y + p, x * y - p, p - x * y, x * p + y, x * p - y, y - x * p, x * y + sine, x * 3.0 + 2.0];
             let quotients = [x / y, p / y, x / p, (x * y).recip() * cosine, y.recip()];
-            // A product that nothing else uses goes into what is made of it.
+            // A product that only one operation uses is fused with that operation.
             let own = |k: i32| x * (y + f64::from(k) / 16.0);
             let fused = [own(1) + p, own(2) - p, p - own(3), -(own(4) + p), own(5) * y.exp()];
             let of_four = [own(6) * x.cos() + p, own(7) * x.cos() - p, p - own(8) * x.cos()];

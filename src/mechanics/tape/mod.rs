@@ -1,7 +1,7 @@
-//! A straight-line program: what a traced function computes, without what its outputs do not need.
+//! A straight-line program: the operations of a traced function that its outputs need, in order.
 //!
-//! A tape is algebra: it runs over any number ([`Tape::evaluate`]), and no constant in it is rounded that was not
-//! rounded in what was traced. What is done for speed over `f64` alone is done to a copy, the [`program`].
+//! A tape runs over any kind of number ([`Tape::evaluate`]). Its constants are those of the traced function, with no
+//! further rounding. Optimisations for `f64` change a copy only, the [`program`].
 
 use crate::scalar::{Function, Graph, Number, Symbol};
 
@@ -37,7 +37,7 @@ pub enum Op {
 }
 
 impl Op {
-    /// The registers that it reads.
+    /// The registers that the operation reads.
     pub fn operands(self) -> impl Iterator<Item = u32> {
         let (a, b) = match self {
             Op::Constant(_) | Op::CosOfSinCos => (None, None),
@@ -78,7 +78,7 @@ pub struct Tape {
 }
 
 impl Tape {
-    /// The program that computes `outputs` in `graph`; what they do not need is left out.
+    /// The program that computes `outputs` in `graph`, without operations that they do not need.
     pub fn new(graph: &Graph, inputs: usize, outputs: &[Symbol]) -> Self {
         let (ops, outputs) = writer::write(graph, inputs, outputs);
         Tape { inputs, ops, outputs }
@@ -89,7 +89,7 @@ impl Tape {
         &self.ops
     }
 
-    /// How many outputs it has.
+    /// The number of outputs.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
     }

@@ -1,27 +1,26 @@
-//! A tape made ready for speed over `f64`.
+//! A tape optimised for `f64`.
 //!
-//! What depends on nothing but the inputs that are the same for all states, the *uniform* values, is computed once. The
-//! rest becomes *steps*: a product and the sum that it goes into are one, so are two products in a row, a reciprocal
-//! and the product that it goes into are a division, and a register is used again as soon as its value is no longer
-//! needed, so that the registers of many states fit into the cache. Results differ from those of the tape by rounding.
+//! *Uniform* values depend only on inputs that are the same for all states, and are computed once. The other operations
+//! become *steps*. A step may fuse a product with the sum that uses it, or two products, or a reciprocal with the product
+//! that uses it. A register is reused when its value is no longer needed, so that the registers of many states fit into
+//! the cache. Results differ from those of the tape by rounding.
 //!
 //! # Why there is a program beside the tape
 //!
-//! A tape is algebra: any number runs through it, and no constant is rounded that was not before. Many states over
-//! `f64` need something else: terms that depend on parameters only are computed once, a product and its sum are one
-//! step, and registers are reused so that 256 states stay in the cache. A `Program` is that, made from the tape
-//! when it is first needed. `fearless_simd` finds the vector instructions at run time and keeps the unsafe code.
-//! The mass matrix is inverted with diagonal pivots that no state changes first, and the rest is simplified after
-//! each: the top takes 11 steps, where elimination row by row took 26. A pivot is compared with its diagonal entry,
-//! because a difference of two large numbers has lost its digits. A pivot that is a product, λ₁ sin²θ, has all of
-//! them, and only must not vanish.
+//! A tape runs over any kind of number. For many states over `f64` speed matters: terms that depend on parameters only
+//! are computed once, products and sums are fused, and registers are reused, so that 256 states stay in the cache. A
+//! `Program` is made from the tape when it is first needed. `fearless_simd` detects the vector instructions at run time
+//! and contains the unsafe code. The mass matrix is inverted with diagonal pivots, uniform pivots first, and the rest is
+//! simplified after each of them: the top takes 11 steps, and elimination row by row took 26. A pivot is compared with
+//! its diagonal entry, because a small difference of two large numbers has lost digits. A pivot that is a product, such
+//! as λ₁ sin²θ, loses no digits, and only must not vanish.
 
 use std::collections::HashMap;
 
 use super::{Op, Tape};
 use crate::scalar::Function;
 
-/// What a step does with its operands: places in the order inputs, temporary registers, uniform values.
+/// The operation of a step. Operands are places, counted through inputs, temporary registers, uniform values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action<P = u32> {
     /// a + b
@@ -58,7 +57,7 @@ pub(super) enum Action<P = u32> {
 }
 
 impl<P: Copy> Action<P> {
-    /// The same with every operand, and the register of the cosine, put elsewhere.
+    /// The same operation with other places for the operands and for the cosine.
     pub fn map<Q>(self, place: impl Fn(P) -> Q) -> Action<Q> {
         match self {
             Action::Add(a, b) => Action::Add(place(a), place(b)),
@@ -104,7 +103,7 @@ impl<P: Copy> Action<P> {
     }
 }
 
-/// One step: what it does, and where its result goes.
+/// One step: its operation, and the register of its result.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step<P = u32> {
     pub action: Action<P>,
@@ -115,9 +114,9 @@ pub(super) struct Step<P = u32> {
 #[derive(Clone, Debug)]
 pub struct Program {
     pub(super) inputs: usize,
-    /// How many registers there are besides the inputs.
+    /// The number of temporary registers.
     pub(super) registers: usize,
-    /// From the inputs to the uniform values.
+    /// The tape that computes the uniform values from the inputs.
     uniform: Tape,
     pub(super) steps: Vec<Step>,
     /// The register of each output.
@@ -125,7 +124,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// The program of a tape, of whose inputs those with `uniform(input)` are the same for all states.
+    /// The program of a tape. `uniform(input)` says whether an input is the same for all states.
     pub fn new(tape: &Tape, uniform: impl Fn(usize) -> bool) -> Self {
         let mut writer = Writer::new(tape, uniform);
         for (&op, to) in tape.ops.iter().zip(tape.inputs as u32..) {
@@ -136,7 +135,7 @@ impl Program {
         writer.finish()
     }
 
-    /// The values that are the same for all states. Inputs that are not uniform are not looked at.
+    /// The uniform values. Inputs that are not uniform are ignored.
     pub fn uniform(&self, inputs: &[f64]) -> Vec<f64> {
         self.uniform.evaluate(inputs)
     }
@@ -146,25 +145,25 @@ impl Program {
         self.outputs[n] as usize >= self.inputs + self.registers
     }
 
-    /// How many steps a state takes.
+    /// The number of steps for each state.
     pub fn steps(&self) -> usize {
         self.steps.len()
     }
 }
 
-/// The first uniform value; before the temporary registers are counted, uniform values are told by their numbers.
+/// The place of the first uniform value while the number of temporary registers is still unknown.
 const UNIFORM: u32 = 1 << 31;
 
 struct Writer<'a> {
     tape: &'a Tape,
     is_uniform: Vec<bool>,
-    /// How often each register of the tape is read by what varies.
+    /// For each register of the tape, the number of varying operations that read it.
     uses: Vec<u32>,
-    /// Steps on the tape's registers, each result once.
+    /// The steps on the registers of the tape. Each register is written once.
     steps: Vec<Step>,
     /// The step that wrote a register.
     written: HashMap<u32, usize>,
-    /// The operations of the tape of uniform values: those of the tape, then what they need besides.
+    /// The operations of the tape of uniform values: those of the original tape, then added ones.
     uniform: Vec<Op>,
     /// The register in the tape of uniform values of each register of the tape.
     kept: HashMap<u32, u32>,
@@ -258,7 +257,7 @@ impl<'a> Writer<'a> {
             Op::Apply(function, a) => Action::Apply(function, a),
             Op::SinCos(a) => Action::SinCos(a, to + 1),
             Op::Atan2(a, b) => Action::Atan2(self.place(a), self.place(b)),
-            Op::Constant(_) | Op::CosOfSinCos => return, // uniform; came with its sine
+            Op::Constant(_) | Op::CosOfSinCos => return, // a constant is uniform; a cosine is written with its sine
         };
         self.written.insert(to, self.steps.len());
         self.steps.push(Step { action, to });
@@ -270,7 +269,7 @@ impl<'a> Writer<'a> {
         Some(self.steps[*step].action)
     }
 
-    /// The factors of a product that no other step reads, the first of them one that varies; its own step is void then.
+    /// The factors of a product that no other step reads, a varying factor first. Its own step becomes void.
     fn fused(&mut self, register: u32) -> Option<(u32, u32)> {
         let Action::Mul(a, b) = self.only_for_this(register)? else { return None };
         self.written.remove(&register);
@@ -298,7 +297,7 @@ impl<'a> Writer<'a> {
         Action::Sub(self.place(a), self.place(b))
     }
 
-    /// The sign goes into the step that made the number, if no other step reads that.
+    /// Moves a sign into the step that computed the number, if no other step reads the number.
     fn negation(&mut self, a: u32) -> Action {
         let action = match self.only_for_this(a) {
             Some(Action::Sub(x, y)) => Action::Sub(y, x),
@@ -334,7 +333,7 @@ impl<'a> Writer<'a> {
         register.is_some() && register == self.constants.get(&1_f64.to_bits()).copied()
     }
 
-    /// A product that goes into nothing but another product, alone or before a sum, is one with it.
+    /// Fuses a product with another product, or with a product and a sum, if nothing else reads it.
     fn join_products(&mut self) {
         for i in 0..self.steps.len() {
             let Step { action, to } = self.steps[i];
@@ -357,7 +356,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Leaves void steps out, and gives every result a register that is free.
+    /// Removes void steps, and assigns a free register to each result.
     fn finish(mut self) -> Program {
         self.join_products();
         let outputs: Vec<u32> = self.tape.outputs.clone().into_iter().map(|output| self.place(output)).collect();

@@ -1,5 +1,5 @@
-//! Reverse mode: the gradient of a tape's output by one sweep backwards, at a small multiple of the output's own cost,
-//! however many inputs there are.
+//! Reverse mode: the gradient of a tape's output in one backward pass. The cost is a small multiple of the cost of the
+//! output, for any number of inputs.
 
 use num_dual::{Dual, DualNum};
 use num_traits::One;
@@ -9,7 +9,7 @@ use crate::scalar::{Number, Symbol};
 
 /// The value of the tape's first output at `inputs`, and its derivative with respect to each input.
 ///
-/// Over [`Symbol`] alone: a derivative that vanishes is then the constant 0, and costs nothing where it is used.
+/// It runs over [`Symbol`] only: there a vanishing derivative is the constant 0, and costs nothing later.
 pub fn gradient(tape: &Tape, inputs: &[Symbol]) -> (Symbol, Vec<Symbol>) {
     let x = tape.registers(inputs);
     let mut adjoint = vec![Symbol::from(0.0); x.len()];
@@ -53,7 +53,7 @@ pub fn gradient(tape: &Tape, inputs: &[Symbol]) -> (Symbol, Vec<Symbol>) {
     (x[output], adjoint[..inputs.len()].to_vec())
 }
 
-/// The derivative of an elementary function, as num-dual has it.
+/// The derivative of an elementary function, with the conventions of num-dual.
 fn slope<D: Number>(x: D, f: impl Fn(Dual<D>) -> Dual<D>) -> D {
     f(Dual::new(x, D::one())).eps
 }

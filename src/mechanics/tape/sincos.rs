@@ -1,12 +1,12 @@
 //! Sine and cosine of many numbers at once, without branches.
 //!
-//! x = n π/2 + r with |r| ≤ π/4, after Cody and Waite: π/2 is taken off in three parts, the first two so short that n
-//! times them is exact. On what is left the Taylor series are exact to rounding. The lowest bits of n say which of ±sin
-//! r, ±cos r is meant. Both results are within two units in the last place of the true ones.
+//! x = n π/2 + r with |r| ≤ π/4, after Cody and Waite: n π/2 is subtracted in three parts, the first two so short that their
+//! products with n are exact. For the remainder r the Taylor series are exact to rounding. The lowest bits of n select
+//! ±sin r or ±cos r. Both results are within two units in the last place of the true ones.
 
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 
-/// Beyond this many radians n is too long for its product with the parts to be exact.
+/// The largest angle, in radians, for which the products of n with the parts are exact.
 pub(super) const LARGEST: f64 = 1e6;
 
 /// π/2 in three parts: 33 bits, the next 33, the next 53.
@@ -14,7 +14,7 @@ pub(super) const LARGEST: f64 = 1e6;
 const PARTS: [f64; 3] =
     [1.570_796_326_734_125_614_17, 6.077_100_506_303_965_976_60e-11, 2.022_266_248_795_950_631_54e-21];
 
-/// Added to a number below 2⁵¹, it leaves the nearest whole number in the lowest bits.
+/// The number that, added to a number below 2⁵¹, leaves the nearest whole number in the lowest bits.
 const ROUNDING: f64 = 1.5 * (1_u64 << 52) as f64;
 
 /// (−1)ᵏ/(2k + 1)! from k = 1: sin r = r + r³ (…).
@@ -38,7 +38,7 @@ const fn reciprocal_factorials(from: usize) -> [f64; 7] {
     series
 }
 
-// Functions, no closures: what uses vector instructions must be inlined into what may use them.
+// Functions and not closures, because code with vector instructions must be inlined into its caller.
 
 #[inline(always)]
 fn all<S: Simd>(simd: S, value: f64) -> S::f64s {
@@ -67,7 +67,7 @@ pub(super) fn sin_cos<S: Simd>(simd: S, x: S::f64s) -> (S::f64s, S::f64s) {
     }
     let square = r * r;
     let sine = (series(simd, square, SINE) * square).mul_add(r, r);
-    // 1 − r²/2 is rounded; what it lost is small enough to be put back
+    // 1 − r²/2 is rounded; the rounding error is added again
     let half = square * all(simd, 0.5);
     let most = all(simd, 1.0) - half;
     let lost = (all(simd, 1.0) - most) - half;
@@ -80,7 +80,7 @@ pub(super) fn sin_cos<S: Simd>(simd: S, x: S::f64s) -> (S::f64s, S::f64s) {
     (S::f64s::from_bits(of_sine), S::f64s::from_bits(of_cosine))
 }
 
-/// Sine and cosine of all of `x`; where one is too large, or no number, with the machine's library.
+/// Sine and cosine of all of `x`. If a number is too large or not finite, the standard library computes both.
 #[inline(always)]
 pub(super) fn sin_cos_of_all<S: Simd>(simd: S, x: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     let lanes = S::f64s::LEN;
@@ -105,7 +105,7 @@ mod tests {
     use crate::mechanics::tape::blocks::tests::levels;
     use fearless_simd::dispatch;
 
-    /// Everywhere, and as near to the zeros of both as numbers of the machine come.
+    /// Angles over the whole range, and those nearest to the zeros of sine and cosine.
     fn angles() -> Vec<f64> {
         let evenly = (0..40_000).map(|i| (f64::from(i) * 0.618_033_988_749_895).fract() * 2.0 - 1.0);
         let near_zeros = (-5000..5000).map(|n| f64::from(n * 127) * std::f64::consts::FRAC_PI_2);
@@ -116,7 +116,7 @@ mod tests {
         angles
     }
 
-    /// The largest error of both in units in the last place, against the library of the machine.
+    /// The largest error of both against the standard library, in units in the last place.
     fn worst(angles: &[f64], sines: &[f64], cosines: &[f64]) -> f64 {
         let units = |a: f64, b: f64| if a == b { 0.0 } else { (a - b).abs() / (b.abs() * f64::EPSILON) };
         let each = angles.iter().zip(sines).zip(cosines);

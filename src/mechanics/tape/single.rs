@@ -1,17 +1,17 @@
-//! A program over one state after another, without allocation: inputs, temporary registers and uniform values are
-//! entries of one list, which every step reads and writes.
+//! A program over one state at a time, without allocation. Inputs, temporary registers and uniform values are entries of
+//! one list.
 //!
-//! A step takes little more than a nanosecond, so everything around it counts. Places are bytes and the list has a
-//! length that the compiler knows, as long as 256 places are enough; and the requested outputs are contiguous.
+//! A step takes little more than a nanosecond, so bounds checks and copies would show. If 256 places are enough, a place
+//! is one byte and the length of the list is a constant. The requested outputs are contiguous.
 
 use std::ops::{IndexMut, Range};
 
 use super::program::{Action, Program, Step};
 
-/// How many places a byte can name.
+/// The number of places that a byte can address.
 const NARROW: usize = 1 << u8::BITS;
 
-/// A program with the list that it works on, for the same uniform inputs.
+/// A program with its list, for fixed uniform inputs.
 pub struct Single {
     machine: Machine,
     /// The indices of the outputs.
@@ -26,7 +26,7 @@ enum Machine {
 }
 
 impl Single {
-    /// For these uniform inputs; the first `together` outputs are contiguous.
+    /// The program for these uniform inputs. The first `together` outputs are contiguous.
     pub fn new(program: &Program, inputs: &[f64], together: usize) -> Self {
         let mut steps = program.steps.clone();
         let mut list = vec![f64::NAN; program.inputs + program.registers];
@@ -35,7 +35,7 @@ impl Single {
         list.extend(program.uniform(inputs));
         list.push(1.0);
         let one = list.len() as u32 - 1;
-        // an output that is an input, uniform, or another output as well, is copied
+        // an output that is also an input, a uniform value or another output is copied
         for i in 0..together {
             if !own.contains(&outputs[i]) || outputs[..i].contains(&outputs[i]) {
                 steps.push(Step { action: Action::Mul(outputs[i], one), to: list.len() as u32 });
@@ -43,7 +43,7 @@ impl Single {
                 list.push(f64::NAN);
             }
         }
-        // inputs, what is wanted together, everything else
+        // the order: inputs, contiguous outputs, all other places
         let mut order: Vec<u32> = (0..program.inputs as u32).chain(outputs[..together].iter().copied()).collect();
         let others: Vec<u32> = (program.inputs as u32..list.len() as u32).filter(|p| !order.contains(p)).collect();
         order.extend(others);
@@ -58,7 +58,7 @@ impl Single {
         }
     }
 
-    /// Runs for a time, coordinates and velocities, as many of these as of those, which are the first inputs.
+    /// Runs for a time, the coordinates and as many velocities, which are the first inputs.
     pub fn run(&mut self, time: f64, q: &[f64], v: &[f64]) {
         match &mut self.machine {
             Machine::Narrow { steps, list } => {
@@ -72,7 +72,7 @@ impl Single {
         }
     }
 
-    /// The outputs of the last run that are wanted together.
+    /// The contiguous outputs of the last run.
     pub fn first_outputs(&self) -> &[f64] {
         match &self.machine {
             Machine::Narrow { list, .. } => &list[self.first.clone()],
@@ -104,8 +104,8 @@ impl Machine {
     }
 }
 
-/// One by one, in one loop: two calls to copy are longer, and vectors of what was just written one by one have to wait
-/// for it.
+/// Copies numbers one by one. Two calls of `copy_from_slice` are slower, because vector loads wait for the single stores
+/// before them.
 #[inline(always)]
 fn enter<L: IndexMut<usize, Output = f64> + ?Sized>(list: &mut L, time: f64, q: &[f64], v: &[f64]) {
     list[0] = time;

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 use super::denominators::Size;
-use super::evaluation::{Evaluation, with_evaluation};
+use super::evaluation::{ConstantInField, Evaluation, with_evaluation};
 use super::modulus::Modulus;
 use super::number::{Kind, Modular};
 use super::residue::Residue;
@@ -27,14 +27,21 @@ impl<F: Modulus> Arithmetic for Modular<F> {
             let value_in_the_field = Residue::whole(value as i64);
             return Modular { kind: Kind::Integer(value as i32), ..Self::plain(value_in_the_field, size, 0) };
         }
-        with_evaluation(|evaluation| {
-            let known = evaluation.constant(value);
-            let kind = match known.angle {
-                Some(place) => Kind::Angle(place),
-                None => Self::of_ratio(known.ratio, evaluation),
-            };
-            Modular { kind, ..Self::plain(known.value, known.size, known.denominator) }
+        Self::of_constant(|evaluation| evaluation.constant(value))
+    }
+
+    fn decimal(digits: &str) -> Option<Self> {
+        Some(match Ratio::from_decimal(digits) {
+            Some(Ratio { numerator, denominator: 1 }) if numerator.abs() < 1_000_000_000 => {
+                Self::constant(numerator as f64)
+            }
+            Some(ratio) => Self::of_constant(|evaluation| evaluation.fraction(ratio)),
+            None => Self::refused("a number with too many digits"),
         })
+    }
+
+    fn pi() -> Self {
+        Self::of_constant(Evaluation::half_turn)
     }
 
     fn real(self) -> f64 {
@@ -125,6 +132,14 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         Self::refused("a power that is neither whole nor half")
     }
 
+    fn rational_power(self, n: Ratio) -> Self {
+        match i32::try_from(n.numerator) {
+            Ok(numerator) if n.denominator == 1 && numerator.abs() <= 1024 => self.power(numerator),
+            Ok(numerator) if n.denominator == 2 && numerator.abs() <= 1024 => self.root().power(numerator),
+            _ => Self::refused("a power that is neither whole nor half"),
+        }
+    }
+
     fn apply(self, function: Function) -> Self {
         match function {
             Function::Sqrt => self.root(),
@@ -182,6 +197,20 @@ impl<F: Modulus> Arithmetic for Modular<F> {
             return self.value == other.value;
         }
         self.used().value == other.used().value
+    }
+}
+
+impl<F: Modulus> Modular<F> {
+    /// A constant that the evaluation knows.
+    fn of_constant(find: impl FnOnce(&mut Evaluation<F>) -> ConstantInField<F>) -> Self {
+        with_evaluation(|evaluation| {
+            let known = find(evaluation);
+            let kind = match known.angle {
+                Some(place) => Kind::Angle(place),
+                None => Self::of_ratio(known.ratio, evaluation),
+            };
+            Modular { kind, ..Self::plain(known.value, known.size, known.denominator) }
+        })
     }
 }
 

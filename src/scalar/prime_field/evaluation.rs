@@ -19,7 +19,7 @@ use super::residue::Residue;
 use super::simple_numbers::SimpleNumbers;
 use super::square_roots::{RootFound, SquareRoots};
 use super::unit_circle::{Point, drawn_bits, turn_bits};
-use crate::scalar::rational::{ExactConstant, Ratio, exact_constant};
+use crate::scalar::rational::{Ratio, short_decimal};
 
 thread_local! {
     static EVALUATION: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
@@ -71,18 +71,6 @@ pub(super) struct ConstantInField<F> {
     pub angle: Option<u32>,
 }
 
-/// Whether a fraction is neither a decimal nor simple. It is then a rounded irrational number, such as √2, whose
-/// relations to other numbers are not known.
-fn is_rough(ratio: Ratio) -> bool {
-    let mut rest = ratio.denominator;
-    for prime in [2, 5] {
-        while rest.is_multiple_of(prime) {
-            rest /= prime;
-        }
-    }
-    rest > 100_000
-}
-
 /// A number with its logarithm: the number is `base` to the power `parts`.
 pub(super) struct Exponential<F: Modulus> {
     pub logarithm: Modular<F>,
@@ -103,7 +91,7 @@ pub(super) struct Evaluation<F: Modulus> {
     generator: Pcg64Mcg,
     points: FxHashMap<u128, Point<F>>,
     pub comparisons: Comparisons<F>,
-    constants: FxHashMap<u64, ConstantInField<F>>,
+    constants: FxHashMap<Ratio, ConstantInField<F>>,
     pub angles: Vec<Angle<F>>,
     pub ratios: Vec<Ratio>,
     pub roots: SquareRoots<F>,
@@ -113,6 +101,8 @@ pub(super) struct Evaluation<F: Modulus> {
     /// The exponentials and logarithms of this evaluation.
     pub exponentials: Vec<Exponential<F>>,
     pi: Residue<F>,
+    /// The place of π among the angles.
+    half_turn: Option<u32>,
 }
 
 impl<F: Modulus> Evaluation<F> {
@@ -130,6 +120,7 @@ impl<F: Modulus> Evaluation<F> {
             plain_angles: Vec::new(),
             exponentials: Vec::new(),
             pi: Residue::ONE,
+            half_turn: None,
         };
         evaluation.pi = evaluation.random_residue();
         evaluation
@@ -178,38 +169,43 @@ impl<F: Modulus> Evaluation<F> {
         self.angles.len() as u32 - 1
     }
 
-    /// The constant that an `f64` was written for.
+    /// The constant that an `f64` of a Lagrangian in Rust was written as: a short decimal. Any other `f64` may be a
+    /// rounded number, so nothing is concluded.
     pub fn constant(&mut self, x: f64) -> ConstantInField<F> {
-        if let Some(known) = self.constants.get(&x.to_bits()) {
+        if let Some(ratio) = short_decimal(x) {
+            return self.fraction(ratio);
+        }
+        // What is not finite stands for a number that is not there, and is not used.
+        if x.is_finite() {
+            self.fault("a constant of a function in Rust that is no short decimal");
+        }
+        let size = Size { degree: 0, norm: f64::INFINITY };
+        ConstantInField { value: Residue::ZERO, size, denominator: 0, ratio: None, angle: None }
+    }
+
+    /// A constant fraction.
+    pub fn fraction(&mut self, ratio: Ratio) -> ConstantInField<F> {
+        if let Some(known) = self.constants.get(&ratio) {
             return *known;
         }
-        let fraction = |evaluation: &mut Self, ratio: Ratio| {
-            let reciprocal = evaluation.comparisons.reciprocal(Residue::new(ratio.denominator.into()));
-            let value = Residue::whole(ratio.numerator).times(reciprocal);
-            let size = Size { degree: 0, norm: ratio.numerator.unsigned_abs() as f64 };
-            (value, size, evaluation.comparisons.denominators.whole(ratio.denominator))
-        };
-        let known = match exact_constant(x) {
-            None => {
-                // a number without an exact value: infinitely large, so that nothing is concluded
-                let size = Size { degree: 0, norm: f64::INFINITY };
-                ConstantInField { value: Residue::ZERO, size, denominator: 0, ratio: None, angle: None }
-            }
-            Some(ExactConstant::Ratio(ratio)) => {
-                self.comparisons.record.opaque |= is_rough(ratio);
-                let (value, size, denominator) = fraction(self, ratio);
-                ConstantInField { value, size, denominator, ratio: Some(ratio), angle: None }
-            }
-            Some(ExactConstant::MultipleOfPi(ratio)) => {
-                let (value, size, denominator) = fraction(self, ratio);
-                let half_turn = Angle { label: 1 << (turn_bits::<F>() - 1), of_pi: true, ..Angle::NONE };
-                let angle = self.angle(half_turn.scaled(ratio, value));
-                let size = size.times(Size { degree: 1, norm: 1.0 });
-                ConstantInField { value: value.times(self.pi), size, denominator, ratio: None, angle: Some(angle) }
-            }
-        };
-        self.constants.insert(x.to_bits(), known);
+        let reciprocal = self.comparisons.reciprocal(Residue::new(ratio.denominator.into()));
+        let value = Residue::whole(ratio.numerator).times(reciprocal);
+        let size = Size { degree: 0, norm: ratio.numerator.unsigned_abs() as f64 };
+        let denominator = self.comparisons.denominators.whole(ratio.denominator);
+        let known = ConstantInField { value, size, denominator, ratio: Some(ratio), angle: None };
+        self.constants.insert(ratio, known);
         known
+    }
+
+    /// The constant π: an independent number, which as an angle is half a turn.
+    pub fn half_turn(&mut self) -> ConstantInField<F> {
+        let angle = match self.half_turn {
+            Some(angle) => angle,
+            None => self.angle(Angle { label: 1 << (turn_bits::<F>() - 1), of_pi: true, ..Angle::NONE }),
+        };
+        self.half_turn = Some(angle);
+        let size = Size { degree: 1, norm: 1.0 };
+        ConstantInField { value: self.pi, size, denominator: 0, ratio: None, angle: Some(angle) }
     }
 
     /// Cosine and sine of an angle, and their degree.
@@ -286,15 +282,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_left_of_an_irrational_number_is_opaque() {
-        let opaque = |x: f64| {
+    fn a_rounded_number_is_not_guessed() {
+        let refused = |x: f64| {
             let mut evaluation = Evaluation::<FirstPrime>::new(1, 0, 1);
             evaluation.constant(x);
-            evaluation.comparisons.record.opaque
+            evaluation.comparisons.record.unsupported.is_some()
         };
         let (root, pi) = (std::f64::consts::SQRT_2, std::f64::consts::PI);
-        assert_eq!([root, 1.0 / root, 1.0 / pi, pi * pi].map(opaque), [true; 4]);
-        // must-fail cases: a part of π, a decimal, a fraction
-        assert_eq!([4.0 * pi / 3.0, 6.674e-11, 1.0 / 720.0].map(opaque), [false; 3]);
+        assert_eq!([root, 1.0 / root, pi, 4.0 * pi / 3.0, 1.0 / 3.0].map(refused), [true; 5]);
+        // must-fail cases: decimals
+        assert_eq!([0.5, 6.674e-11, 1e9, 340_262_731.0].map(refused), [false; 4]);
     }
 }

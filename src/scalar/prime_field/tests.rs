@@ -1,7 +1,5 @@
 //! Identities that defeat simplifiers hold over the field; near misses do not; and accidents are as rare as promised.
 
-use std::f64::consts::{FRAC_PI_2, PI};
-
 use super::modulus::tests::Small;
 use super::*;
 use crate::scalar::{DualNum, Number, Series};
@@ -83,8 +81,8 @@ differences! {
         let polynomial = coefficients.iter().zip(0..).map(|(k, n)| power(x, 2 * n) * *k).fold(D::zero(), |s, t| s + t);
         (a * 12.0).cos() - polynomial
     };
-    RightAngle: |a, b, c, d| (a + FRAC_PI_2).sin() - a.cos() + (a * 3.0 - PI).cos() + (a * 3.0).cos();
-    RightAngleTwin: |a, b, c, d| (a + FRAC_PI_2).sin() + a.cos();
+    RightAngle: |a, b, c, d| (a + D::pi() / 2.0).sin() - a.cos() + (a * 3.0 - D::pi()).cos() + (a * 3.0).cos();
+    RightAngleTwin: |a, b, c, d| (a + D::pi() / 2.0).sin() + a.cos();
     /// Vanishes at every multiple of a right angle.
     Special: |a, b, c, d| b * (a.sin() * a.cos() + 1.0) - b;
     Billionth: |a, b, c, d| a * b - b * a * 1.000000001;
@@ -132,7 +130,8 @@ fn identities_that_defeat_simplifiers_hold_and_near_misses_do_not() {
 differences! {
     Arc: |a, b, c, d| a.atan() - a.atan();
     Order: |a, b, c, d| if a < b { a } else { b };
-    Third: |a, b, c, d| D::from(PI / 3.0).cos() - 0.5;
+    RoundedPi: |a, b, c, d| a * std::f64::consts::PI - a * D::pi();
+    Third: |a, b, c, d| (D::pi() / 3.0).cos() - 0.5;
     Magnitude: |a, b, c, d| a.abs() - a;
     Huge: |a, b, c, d| {
         let (one, same) = (a * 1e15 * 1e15 * 1e15, a * 1e15 * 1e15 * 1e15);
@@ -148,6 +147,7 @@ fn what_a_field_cannot_decide_is_said() {
         (decide::<FirstPrime>(&Order, 1), "an absolute value, or which of two numbers is larger"),
         (decide::<FirstPrime>(&Magnitude, 1), "an absolute value, or which of two numbers is larger"),
         (decide::<FirstPrime>(&Huge, 1), "coefficients too large"),
+        (decide::<FirstPrime>(&RoundedPi, 1), "a constant of a function in Rust that is no short decimal"),
     ] {
         assert_eq!(refused, Err(why));
     }

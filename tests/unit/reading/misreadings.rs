@@ -213,12 +213,18 @@ fn products_of_letters_with_a_cross_or_indices_may_be_more() {
         (r"\epsilon_{abc} q_c", r"\epsilon_{abc}"),
         (r"\underline v \cdot \underline v", r"\underline v"),
     ]);
-    read_openly(&[(r"3 \times 10^{8}", "3·10^8"), (r"2 \times b", "2·b"), ("m_i v_i", "m_i·v_i"), ("P_{ij} q", "P_{ij}·q")]);
+    read_openly(&[
+        (r"3 \times 10^{8}", "3·10^8"),
+        (r"2 \times b", "2·b"),
+        ("m_i v_i", "m_i·v_i"),
+        ("P_{ij} q", "P_{ij}·q"),
+    ]);
 }
 
 #[test]
 fn the_argument_of_a_function_may_go_on_after_a_dot() {
-    for latex in [r"\sin 2\cdot\theta", r"\sin 2 \times b", r"\cos\omega\cdot t", r"\ln 2 b", r"\sin n\pi", r"\cos b 2"] {
+    for latex in [r"\sin 2\cdot\theta", r"\sin 2 \times b", r"\cos\omega\cdot t", r"\ln 2 b", r"\sin n\pi", r"\cos b 2"]
+    {
         assert!(openly(latex).is_err(), "{latex}");
     }
     read_openly(&[

@@ -1,0 +1,41 @@
+//! Lines for the claims file that would make an equation checkable.
+
+use crate::source::Span;
+use crate::suggest::in_json;
+
+use crate::check::document::checker::Checker;
+use crate::check::model::claim::Link;
+use crate::check::model::free_symbols;
+use crate::check::model::meaning::Meaning;
+use crate::check::sample::sampler::contains;
+
+impl Checker<'_> {
+    /// The message that ≈ needs a limit or a small quantity, with the line that names one.
+    pub(crate) fn needs_limit_or_small(&self, link: &Link, place: Span) -> String {
+        let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], self.model);
+        let plain = || drawn.iter().filter(|symbol| self.model.symbols.entry(**symbol).slots.is_empty());
+        let varies = |symbol: &&_| !matches!(self.model.meaning(**symbol), Some(Meaning::Constant(_)));
+        // What cannot be 0 is less likely to be meant.
+        let may_vanish = |symbol: &&_| contains(&self.model.range(**symbol), 0.0);
+        let symbol = plain().find(varies).or_else(|| plain().find(may_vanish)).or_else(|| plain().next());
+        let name = symbol.map_or_else(|| "…".to_owned(), |symbol| self.model.name(*symbol));
+        let small = self.entry(place, &format!("\"small\": {}", in_json(&name)));
+        let limit = format!("\"limit\": {}", in_json(&format!("{name}\\to\\infty")));
+        format!(
+            "≈ does not say when the two sides are nearly equal; write {small} in the claims file, or {limit} for a limit"
+        )
+    }
+
+    /// A key with its value as a line to add to the claims file for the equation at a place.
+    fn entry(&self, place: Span, line: &str) -> String {
+        let display = self.notes.equations.iter().position(|display| display.body.contains(place));
+        let id = display.and_then(|at| self.notes.equations[at].id().filter(|_| self.assigned[at].is_none()));
+        match id {
+            Some(id) if self.claims.equations.is_empty() => {
+                format!("\"equations\": {{ {}: {{ {line} }} }}", in_json(id))
+            }
+            Some(id) => format!("{}: {{ {line} }} under \"equations\"", in_json(id)),
+            None => format!("{line} in the entry of the equation"),
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! A claim at a sampled state, decided with as many digits as it needs.
+//!
+//! Doubles screen. What they cannot decide, and what they accept or refute by a small margin, is evaluated again at the
+//! same state over [`Enclosure`]s of rising precision. The sides differ if their difference excludes 0, and agree if it
+//! contains 0 and is below 10⁻⁶⁰ of the size of their terms. A state that solves hypotheses is refined to the same
+//! precision first.
+//!
+//! What rests on a quadrature, on eigenvectors, or on a double in a Lagrangian that is no short decimal, is known to the digits of a
+//! double and no further. It stays open here, and what the doubles say of it stands.
+
+use nalgebra::DVector;
+use num_dual::DualStruct;
+
+use crate::formula::{IndexId, Relation};
+use crate::scalar::enclosure::{Enclosure, evaluate_to};
+use crate::scalar::{Primal, RunningError};
+
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::model::meaning::{Meaning, ParticleQuantity, Quantity};
+use crate::check::model::state_cache::Row;
+use crate::check::sample::projection::Projection;
+use crate::check::state::residual;
+use crate::check::state::residual::{DIFFERENCE, Failure, Point};
+use crate::check::state::sampled_state::SampledState;
+
+/// The precisions that are tried in turn, in bits.
+const PRECISIONS: [usize; 3] = [320, 640, 1280];
+
+/// The number of results that one evaluation may take.
+const STEPS: usize = 60_000;
+
+/// Sides whose difference is below this power of 2 of their terms agree: 6·10⁻⁶¹.
+const AGREEMENT: f64 = -200.0;
+
+/// A state that solves hypotheses is a solution to this power of 2, relative to its numbers.
+const SOLVED: f64 = -256.0;
+
+/// The smallest difference that counts at a state that solves hypotheses, as a power of 2 of the terms.
+const CLEAR_AT_SOLUTION: f64 = -120.0;
+
+/// The largest number of steps in which a state is refined; each gains about ten digits.
+const REFINEMENTS: usize = 16;
+
+/// A difference above this power of 2 that contains 0 is not known better at a higher precision.
+const HOPELESS: f64 = -90.0;
+
+/// Failures by less than this, relative to the terms, are evaluated again.
+const MARGIN: f64 = 1e-6;
+
+/// As [`MARGIN`], at states that solve hypotheses.
+const MARGIN_AT_SOLUTION: f64 = 1e-3;
+
+/// Values beyond this, or below its inverse, may have lost digits to overflow or underflow.
+const EXTREME: f64 = 1e150;
+
+/// What is known of the two sides of an equality at a state.
+#[derive(Debug)]
+pub(crate) enum Decision {
+    /// They agree.
+    Agree,
+    /// They differ.
+    Differ(Failure),
+    /// Neither is certain.
+    Open,
+}
+
+/// Replaces what doubles say of an equality at a state by what is certain, where doubles may err.
+pub(crate) fn settled(
+    point: Point,
+    link: &Link,
+    state: &SampledState<'_, RunningError>,
+    projection: &Projection<'_>,
+) -> Point {
+    let is_open = match &point {
+        Point::Doubtful => true,
+        Point::Fails(failure) => {
+            let margin = if projection.equalities().next().is_some() { MARGIN_AT_SOLUTION } else { MARGIN };
+            let is_extreme = |x: f64| !(EXTREME.recip()..EXTREME).contains(&x.abs());
+            failure.residual < margin || is_extreme(failure.lhs) || is_extreme(failure.rhs)
+        }
+        _ => false,
+    };
+    if !is_open {
+        return point;
+    }
+    match decided(link, state, projection) {
+        Decision::Agree => Point::Holds(AGREEMENT.exp2()),
+        Decision::Differ(failure) => Point::Fails(failure),
+        Decision::Open => point,
+    }
+}
+
+/// Whether a difference is too small for doubles to show it.
+pub(crate) fn is_beyond_doubles(failure: &Failure) -> bool {
+    failure.residual < DIFFERENCE
+}
+
+/// Decides an equality at a state.
+pub(crate) fn decided(link: &Link, state: &SampledState<'_, RunningError>, projection: &Projection<'_>) -> Decision {
+    let is_equality = matches!(link.relation, Relation::Equal | Relation::Identical);
+    if !is_equality || !state.is_as_drawn() || is_found_in_doubles(state.model()) {
+        return Decision::Open;
+    }
+    let base: Vec<f64> = state.base.numbers().iter().map(|x| x.value).collect();
+    for bits in PRECISIONS {
+        let found = evaluate_to(bits, STEPS, || at_precision(link, state, projection, &base));
+        match found {
+            Some(Ok(decision)) => return decision,
+            Some(Err(width)) if width < HOPELESS => {}
+            _ => return Decision::Open,
+        }
+    }
+    Decision::Open
+}
+
+/// Whether a model has values that a double's digits end: a quadrature, eigenvectors, a Legendre transform by Newton's
+/// method.
+fn is_found_in_doubles(model: &Model) -> bool {
+    let is_in_doubles = |meaning: &Meaning| match meaning {
+        Meaning::Particles(quantity, ..) => *quantity != ParticleQuantity::InertiaTensor,
+        Meaning::System(quantity) => *quantity == Quantity::EffectivePotential,
+        _ => false,
+    };
+    !model.continua.is_empty() || model.meanings.iter().flatten().any(is_in_doubles)
+}
+
+/// The decision at one precision, or how wide the difference is at most, as a power of 2 of the terms; `None` where a
+/// side has no value.
+fn at_precision(
+    link: &Link,
+    measured: &SampledState<'_, RunningError>,
+    projection: &Projection<'_>,
+    base: &[f64],
+) -> Option<Result<Decision, f64>> {
+    let numbers = refined(base, projection)?;
+    let state = projection.state(&numbers, projection.mode.order + 1).ok()?;
+    let is_solved = !projection.record.plan.is_empty();
+    let mut widest = f64::NEG_INFINITY;
+    let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
+    loop {
+        let (lhs, rhs) = (state.instant(&link.lhs, &indices).ok()?, state.instant(&link.rhs, &indices).ok()?);
+        let shape = if link.lhs.is_zero() { rhs.shape() } else { lhs.shape() };
+        let scales = terms(link, measured, &indices);
+        let (a, b) = residual::pair(lhs, rhs);
+        for (k, (Primal(a), Primal(b))) in a.into_iter().zip(b).enumerate() {
+            let difference = a - b;
+            if !difference.is_known() {
+                return None;
+            }
+            let scale = a.log2().max(b.log2()).max(scales.get(k).copied().unwrap_or(f64::NEG_INFINITY));
+            let size = difference.log2() - scale;
+            if size.is_nan() || size == f64::NEG_INFINITY || size < AGREEMENT {
+                continue;
+            }
+            if difference.excludes_zero() && (!is_solved || size > CLEAR_AT_SOLUTION) {
+                let (lhs, rhs) = (a.re(), b.re());
+                let entry = residual::entry_label(&state, &indices, shape, k);
+                return Some(Ok(Decision::Differ(Failure { lhs, rhs, residual: size.min(0.0).exp2(), entry })));
+            }
+            widest = widest.max(size);
+        }
+        if !residual::advance(&mut indices, &state).ok()? {
+            break;
+        }
+    }
+    Some(if widest == f64::NEG_INFINITY { Ok(Decision::Agree) } else { Err(widest) })
+}
+
+/// The base-2 logarithm of the size of the terms of both sides, entry by entry, as doubles know it.
+fn terms(link: &Link, measured: &SampledState<'_, RunningError>, indices: &[(IndexId, u8)]) -> Vec<f64> {
+    let side = |side| measured.now(side, indices).ok();
+    let Some((lhs, rhs)) = side(&link.lhs).zip(side(&link.rhs)) else { return Vec::new() };
+    let (a, b): (Vec<RunningError>, _) = residual::pair::<RunningError>(lhs, rhs);
+    let size = |(a, b): (&RunningError, &RunningError)| (a.magnitude + b.magnitude).log2();
+    let sizes = a.iter().zip(&b).map(size);
+    sizes.map(|size| if size.is_finite() { size } else { f64::NEG_INFINITY }).collect()
+}
+
+/// The numbers of a state, exactly. Where hypotheses are solved they are the middle of a solution to many digits, found
+/// from the doubles by Newton's method with a fixed Jacobian; `None` if that does not converge.
+fn refined(base: &[f64], projection: &Projection<'_>) -> Option<Vec<Enclosure>> {
+    let mut numbers: Vec<Enclosure> = base.iter().map(|x| Enclosure::exact(*x)).collect();
+    let plan = &projection.record.plan;
+    if plan.is_empty() {
+        return projection.equalities().next().is_none().then_some(numbers);
+    }
+    let (jacobian, _) = projection.linearised(base, plan).ok()??;
+    let solver = jacobian.lu();
+    let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
+    for _ in 0..REFINEMENTS {
+        let state = projection.state(&numbers, projection.terms).ok()?;
+        let values = projection.values(&state, &rows)?;
+        if values.iter().any(|value| !value.is_known()) {
+            return None;
+        }
+        let step = solver.solve(&DVector::from_iterator(values.len(), values.iter().map(DualStruct::re)))?;
+        let mut is_solved = true;
+        for ((_, slot), step) in plan.iter().zip(step.iter()) {
+            let moved = (numbers[*slot] - Enclosure::exact(*step)).middle();
+            is_solved &= step.abs().log2() < SOLVED + moved.log2().max(0.0);
+            numbers[*slot] = moved;
+        }
+        if is_solved {
+            return Some(numbers);
+        }
+    }
+    None
+}

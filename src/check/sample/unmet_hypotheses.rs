@@ -1,0 +1,62 @@
+//! The hypotheses that no state obeys, in words, with the places at which they are stated.
+
+use crate::formula::text;
+
+use crate::check::model::claim::Hypothesis;
+use crate::check::sample::projection::Projection;
+
+/// The largest number of hypotheses that are named as failing, and as possibly contradicted.
+const NAMED: usize = 3;
+
+/// Why no state was found that obeys the hypotheses of a projection, and what to do about it: clauses of a message that
+/// begin with what is not obeyed. That no state was found is no proof that there is none.
+pub(crate) fn explanation(projection: &Projection<'_>) -> String {
+    let mut unmet: Vec<(usize, usize)> = projection.record.unmet.iter().map(|(at, count)| (*at, *count)).collect();
+    unmet.sort_by_key(|(at, count)| (std::cmp::Reverse(*count), *at));
+    unmet.truncate(NAMED);
+    unmet.sort_unstable();
+    let hypotheses = &projection.hypotheses;
+    let is_unmet = |at: &usize| unmet.iter().any(|(known, _)| known == at);
+    let named = |at: usize| shown(&hypotheses[at], projection);
+    let failing: Vec<String> = unmet.iter().map(|(at, _)| named(*at)).collect();
+    let others: Vec<usize> = (0..hypotheses.len()).filter(|at| !is_unmet(at)).collect();
+    let others = match others.len() {
+        0 => String::new(),
+        1..=NAMED => format!(" or {}", listed(&others.iter().map(|at| named(*at)).collect::<Vec<_>>(), "or")),
+        count => format!(" or one of {count} other hypotheses"),
+    };
+    let (what, they, contradict, them) = match failing.len() {
+        0 => ("the hypotheses".to_owned(), "they", "contradict each other or", "them"),
+        1 => (failing.concat(), "it", "contradicts", "it"),
+        _ => (format!("{} together", listed(&failing, "and")), "they", "contradict each other or", "them"),
+    };
+    // Without a name for what fails, nothing is known to be contradicted.
+    let others = if failing.is_empty() { String::new() } else { others };
+    match projection.record.is_stuck() {
+        true => format!(
+            "{what}: {they} {contradict} the declared ranges{others}, or the solver failed; check {them}, or write {them} \
+             solved for a symbol (x = …)"
+        ),
+        false => format!(
+            "{what}: {they} {contradict} the declared ranges{others}, or the ranges are too wide; check {them}, or narrow \
+             the ranges"
+        ),
+    }
+}
+
+/// A hypothesis in words, with its place.
+fn shown(hypothesis: &Hypothesis, projection: &Projection<'_>) -> String {
+    let symbols = &projection.model.symbols;
+    let (lhs, rhs) = (text::formula(&hypothesis.lhs, symbols), text::formula(&hypothesis.rhs, symbols));
+    let stated = hypothesis.stated.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
+    let always = if hypothesis.throughout { " at all times" } else { "" };
+    format!("“{lhs} {} {rhs}”{always}{stated}", hypothesis.relation.glyph())
+}
+
+/// Phrases joined by commas and a last word.
+fn listed(phrases: &[String], last: &str) -> String {
+    match phrases {
+        [others @ .., end] if !others.is_empty() => format!("{} {last} {end}", others.join(", ")),
+        phrases => phrases.concat(),
+    }
+}
