@@ -404,9 +404,10 @@ fn an_ambiguous_formula_is_told_once_with_both_readings() {
         ("\\sin 2 a b = c", ["sin(2·a)·b", "sin(2·a·b)"]),
         ("\\sin^{-1} x = a", ["\\arcsin x", "1/\\sin x"]),
         ("a 2 3 = c", ["2·3", "23"]),
-        ("\\frac{d}{dt} x a = c", ["\\frac{d}{dt}(x) y", "\\frac{d}{dt}(x y)"]),
+        ("\\frac{d}{dt} y z = c", ["\\frac{d}{dt}(x) y", "\\frac{d}{dt}(x y)"]),
     ] {
-        let run = check("ambiguous", &format!("$$ {latex} \\tag{{1}} $$\n"), &numbers(json!({})));
+        let claims = numbers(json!({ "varies with time": { "y, z": "any" } }));
+        let run = check("ambiguous", &format!("$$ {latex} \\tag{{1}} $$\n"), &claims);
         says(&run, &["error[ambiguous]: (1) could not be read: ", readings[0], readings[1]]);
         is_silent(&run, &["ambiguous:", "is unreadable"]);
     }
