@@ -11,6 +11,7 @@ use std::fmt;
 use crate::suggest;
 
 use super::ids::{Index, IndexId};
+use super::tree::{Expr, Node};
 
 pub use super::ids::SymbolId;
 
@@ -83,6 +84,8 @@ pub struct Entry {
     pub angle: bool,
     /// Whether it varies with time or is the time itself.
     pub varies: bool,
+    /// Whether it is defined by a formula in which nothing varies.
+    pub steady: bool,
     /// The argument that may follow in parentheses without a change of meaning: the `\vec{r}` of `\rho(\vec r)`.
     pub argument: Option<Name>,
     /// Whether it is defined by its square, `\omega_{eff}^2 = …`, and stands for the square.
@@ -182,6 +185,19 @@ impl Symbols {
         self.add_family(name, kind, slots)
     }
 
+    /// Records that a formula defines a symbol, or its square. A defined symbol may have a dot, so it counts as varying.
+    pub fn mark_defined(&mut self, id: SymbolId, formula: &Expr, squared: bool) {
+        let mut steady = true;
+        formula.walk(&mut |expr| {
+            if let Node::Symbol { id, .. } = &expr.node {
+                let entry = self.entry(*id);
+                steady &= !entry.varies || entry.steady;
+            }
+        });
+        let entry = self.entry_mut(id);
+        (entry.varies, entry.steady, entry.squared) = (true, steady, squared);
+    }
+
     /// Adds a symbol with these index slots; `None` if the name exists.
     pub fn add_family(&mut self, name: Name, kind: Kind, slots: Vec<(usize, IndexId)>) -> Option<SymbolId> {
         if self.exact.contains_key(&name) {
@@ -197,6 +213,7 @@ impl Symbols {
             varies: false,
             argument: None,
             squared: false,
+            steady: false,
             members: Vec::new(),
             measure: None,
             density: None,

@@ -63,8 +63,7 @@ impl New {
     /// Adds it; `None` where the name is taken.
     pub(super) fn add(self, symbols: &mut Symbols) -> Option<(SymbolId, Expr)> {
         let id = symbols.add_family(self.name, self.kind, self.slots)?;
-        let entry = symbols.entry_mut(id);
-        (entry.varies, entry.squared) = (true, self.squared);
+        symbols.mark_defined(id, &self.formula, self.squared);
         Some((id, self.formula))
     }
 }

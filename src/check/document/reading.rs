@@ -324,8 +324,7 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
         ))
         .help("write one Σ for each index that is summed over"));
     }
-    symbols.entry_mut(id).varies = true;
-    symbols.entry_mut(id).squared = square.is_some();
+    symbols.mark_defined(id, &formula, square.is_some());
     model.symbols = symbols;
     model.define(id, formula);
     Ok(())

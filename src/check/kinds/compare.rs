@@ -2,8 +2,8 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::symbols::Name;
-use crate::formula::{Relation, SymbolId, Symbols, text};
+use crate::formula::symbols::{Kind, Name};
+use crate::formula::{Expr, Node, Relation, SymbolId, Symbols, text};
 use crate::latex::{Macros, read_display, read_formula};
 use crate::notes::claims::Range;
 use crate::source::{Fault, Span};
@@ -44,28 +44,27 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
             return Err((which, fault));
         }
     }
+    // A letter with a range is declared: `i` with one is no √−1.
+    for (name, _) in ranges {
+        symbols.add(name.clone(), Kind::Scalar);
+    }
     let lhs = read_formula(a, &mut symbols, &macros).map_err(|fault| (0, fault))?;
     let rhs = read_formula(b, &mut symbols, &macros).map_err(|fault| (1, fault))?;
     let mut model = Model::empty(symbols, macros);
     for (name, _) in ranges {
-        if model.symbols.find(name).is_none() {
+        let occurs = model.symbols.find(name).is_some_and(|(id, _)| [&lhs, &rhs].iter().any(|side| has(side, id)));
+        if !occurs {
             let fault = Fault::new(Span::default(), format!("{name} occurs in neither formula"));
             return Err((2, fault.code(Code::Input)));
         }
     }
-    let (mut assumed, mut unit) = (Vec::new(), None);
+    let mut assumed = Vec::new();
     let letters: Vec<(SymbolId, Name)> = model.symbols.iter().map(|(id, entry)| (id, entry.name.clone())).collect();
     for (symbol, name) in letters {
         let given = ranges.iter().find(|(known, _)| *known == name).map(|(_, range)| range.clone());
         let shown = text::plain(&name.to_string());
-        // Who means the imaginary unit should see that i is a letter like any other here.
-        let is_unit = name == Name::plain("i") || name == Name::plain("\\mathrm{i}");
-        if is_unit && given.is_none() {
-            unit = Some(shown.clone());
-        }
         assumed.push(match &given {
             Some(Range::Interval { low, high, .. }) => format!("{shown} is between {low} and {high}"),
-            _ if is_unit => format!("{shown} is a real number (complex numbers are not supported)"),
             _ => format!("{shown} is a real number"),
         });
         model.mean(symbol, Meaning::Varying(model.varying.len()));
@@ -98,11 +97,14 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
             finding.points, finding.tried
         );
     }
-    if let (Some(unit), false) = (unit, finding.verdict.passes()) {
-        let message = format!("; {unit} was taken for a real number, because complex numbers are not supported");
-        finding.message.push_str(&message);
-    }
     Ok(Comparison { finding, readings, assumed })
+}
+
+/// Whether a symbol occurs in a formula.
+fn has(formula: &Expr, symbol: SymbolId) -> bool {
+    let mut found = false;
+    formula.walk(&mut |expr| found |= matches!(expr.node, Node::Symbol { id, .. } if id == symbol));
+    found
 }
 
 /// The fault of a text that is an equation and not a formula: its two sides should be compared with each other.

@@ -5,7 +5,8 @@
 //! | contents | reading |
 //! | --- | --- |
 //! | the time after a symbol that varies, or the declared argument | the symbol itself |
-//! | a lone name, a number, a list | rejected: `f(x)`, `x(0)`, `H(q, p)` |
+//! | a lone name or a number, with a power, after a declared constant | a product, `m (r)^2` |
+//! | else a lone name, a number, a list | rejected: `f(x)`, `x(0)`, `H(q, p)` |
 //! | the time in a sum, after a symbol that varies or is not declared | rejected: `x(t + T)` |
 //! | a sum | a product, `m(a + b)` |
 //! | one term | a product after a declared name |
@@ -73,9 +74,14 @@ impl Reader<'_> {
     fn is_a_product(&self, id: SymbolId, span: Span, next: &Item) -> Read<()> {
         let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
         let entry = self.symbols.entry(id);
-        self.is_no_value(&entry.name.to_string(), span, next)?;
-        let span = span.to(fence.span);
         let name = &entry.name;
+        let is_powered = !matches!(next.layout, Layout::Fence(..));
+        // What does not vary is no function of anything: `m (r_\perp)^2`.
+        let is_factor = is_powered && !self.symbols.open && (!entry.varies || entry.steady) && !is_function(entry);
+        if !is_factor {
+            self.is_no_value(&name.to_string(), span, next)?;
+        }
+        let span = span.to(fence.span);
         let ambiguous = || {
             Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product"))
                 .help("for a product, put a thin space \\, before the parenthesis"))
@@ -87,7 +93,6 @@ impl Reader<'_> {
             return Ok(());
         }
         let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item));
-        let is_powered = !matches!(next.layout, Layout::Fence(..));
         let is_plain_product = is_sum || is_powered || inside.iter().any(|item| has_rate(item));
         match is_function(entry) || self.is_at_a_place(name, &inside) || !is_plain_product {
             true => ambiguous(),
