@@ -292,6 +292,11 @@ codes! {
     ///
     /// For example, a root that is only used squared. This is a pass. Use the name once where its sign matters.
     DefinitionUpToSign = "definition-up-to-sign",
+    /// The display defines the Lagrangian, or a name that the Lagrangian contains.
+    ///
+    /// For example, `L = T - V` with `"means": { "L": "Lagrangian" }` and no `system`. This is a pass: the equations of
+    /// motion follow from the Lagrangian as it is printed, and the other displays are checked with them.
+    LagrangianDefined = "lagrangian-defined",
     /// An equation that is referred to does not contain what it should contain.
     ///
     /// For example, a sentence refers to (4.58) for a force, and (4.58) contains none. Correct the number.

@@ -16,3 +16,14 @@ pub enum Index {
     /// A fixed value.
     Fixed(u8),
 }
+
+/// A symbol, or one of its rates, that a formula depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// The symbol.
+    pub id: SymbolId,
+    /// Its indices, which are numbers.
+    pub indices: Vec<Index>,
+    /// The number of its dots.
+    pub dots: u8,
+}

@@ -7,6 +7,7 @@
 //! | [`shape`] | the type check: scalar, vector or matrix, and the free indices; makes implied sums explicit |
 //! | [`environment`], [`mod@evaluate`] | the value of a formula over any [`crate::scalar::Number`] |
 //! | [`assignment`] | an environment with values given by hand |
+//! | [`derivative`] | the derivative of a formula as a formula |
 //! | [`text`] | the formula in readable Unicode |
 //! | [`units`] | dimensional analysis: the term whose unit does not fit |
 //!
@@ -15,6 +16,8 @@
 
 #[cfg(feature = "notes")]
 pub mod assignment;
+#[cfg(feature = "notes")]
+pub mod derivative;
 #[cfg(feature = "notes")]
 pub mod environment;
 #[cfg(feature = "notes")]

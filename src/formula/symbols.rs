@@ -7,10 +7,11 @@
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
+use std::sync::Arc;
 
 use crate::suggest;
 
-use super::ids::{Index, IndexId};
+use super::ids::{Index, IndexId, Variable};
 use super::tree::{Expr, Node};
 
 pub use super::ids::SymbolId;
@@ -84,8 +85,18 @@ pub struct Entry {
     pub angle: bool,
     /// Whether it varies with time or is the time itself.
     pub varies: bool,
+    /// The arguments of a function, by which its formula is written; empty for anything else.
+    pub arguments: Vec<Variable>,
+    /// The derivatives of a function by its arguments, where they are symbols of their own.
+    pub derivatives: Vec<SymbolId>,
+    /// The formula that defines it, or its square.
+    pub definition: Option<Arc<Expr>>,
     /// Whether it is defined by a formula in which nothing varies.
     pub steady: bool,
+    /// Whether its value follows from the coordinates and velocities by no formula that is known here.
+    pub derived: bool,
+    /// Whether it is a momentum, which a derivative of a Hamiltonian takes for a variable of its own.
+    pub momentum: bool,
     /// The argument that may follow in parentheses without a change of meaning: the `\vec{r}` of `\rho(\vec r)`.
     pub argument: Option<Name>,
     /// Whether it is defined by its square, `\omega_{eff}^2 = …`, and stands for the square.
@@ -196,6 +207,7 @@ impl Symbols {
         });
         let entry = self.entry_mut(id);
         (entry.varies, entry.steady, entry.squared) = (true, steady, squared);
+        entry.definition = Some(Arc::new(formula.clone()));
     }
 
     /// Adds a symbol with these index slots; `None` if the name exists.
@@ -213,7 +225,12 @@ impl Symbols {
             varies: false,
             argument: None,
             squared: false,
+            arguments: Vec::new(),
+            derivatives: Vec::new(),
+            definition: None,
             steady: false,
+            derived: false,
+            momentum: false,
             members: Vec::new(),
             measure: None,
             density: None,

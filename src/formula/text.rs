@@ -168,6 +168,9 @@ pub fn number(value: f64, digits: usize) -> String {
 
 /// A LaTeX name as Unicode: Greek letters as letters, accents as combining marks.
 pub fn plain(latex: &str) -> String {
+    if let Some((above, below)) = derivative(latex) {
+        return format!("∂{}/∂{}", plain(above), plain(below));
+    }
     let mut text = String::new();
     let mut rest = latex;
     while let Some(at) = rest.find('\\') {
@@ -198,6 +201,14 @@ pub fn plain(latex: &str) -> String {
     }
     text.push_str(rest);
     subscripts(&text)
+}
+
+/// What stands above and below in the name of a derivative, `\frac{\partial L}{\partial \dot q}`.
+fn derivative(latex: &str) -> Option<(&str, &str)> {
+    let above = latex.strip_prefix("\\frac{\\partial ")?;
+    let close = matching(above)?;
+    let below = above[close + 1..].strip_prefix("{\\partial ")?.strip_suffix('}')?;
+    Some((&above[..close], below)).filter(|(above, below)| !above.contains("\\partial") && !below.contains("\\partial"))
 }
 
 /// A name in which a subscript has a number as its own subscript: `p_{θ_{1}}` becomes p_θ₁.

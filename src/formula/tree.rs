@@ -6,7 +6,7 @@
 
 use crate::source::Span;
 
-pub use super::ids::{Index, IndexId};
+pub use super::ids::{Index, IndexId, Variable};
 
 use super::ids::SymbolId;
 
@@ -408,6 +408,23 @@ impl Expr {
         visit(self);
         for child in self.children() {
             child.walk(visit);
+        }
+    }
+
+    /// Puts this formula, and all inside it, at one place.
+    pub fn move_to(&mut self, span: Span) {
+        self.span = span;
+        if let Node::Sum(terms) = &mut self.node {
+            terms.iter_mut().for_each(|term| term.sign_span = None);
+        }
+        self.children_mut().into_iter().for_each(|child| child.move_to(span));
+    }
+
+    /// Replaces each part of which `other` is some formula.
+    pub fn substitute(&mut self, other: &impl Fn(&Node) -> Option<Expr>) {
+        match other(&self.node) {
+            Some(formula) => *self = formula,
+            None => self.children_mut().into_iter().for_each(|child| child.substitute(other)),
         }
     }
 

@@ -6,7 +6,7 @@
 
 use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
-use crate::formula::tree::{Expr, Index, IndexId, Node, Sign, Term};
+use crate::formula::tree::{Expr, Index, IndexId, Node, Sign, Term, Variable};
 use crate::source::{Fault, Span};
 use crate::suggest::declaration;
 
@@ -34,6 +34,8 @@ pub(super) enum Unknown {
     Name(Name, Span),
     /// A name alone, squared.
     Square(Name, Span),
+    /// A name with known names in parentheses, `V(r)`: a function of them.
+    Function(Name, Span, Vec<Variable>),
     /// A sum of names, each for one term.
     Terms(Vec<(Name, Span)>),
 }
@@ -55,6 +57,7 @@ pub(super) struct New {
     kind: Kind,
     slots: Vec<(usize, IndexId)>,
     squared: bool,
+    arguments: Vec<Variable>,
     /// What defines it.
     pub formula: Expr,
 }
@@ -64,6 +67,7 @@ impl New {
     pub(super) fn add(self, symbols: &mut Symbols) -> Option<(SymbolId, Expr)> {
         let id = symbols.add_family(self.name, self.kind, self.slots)?;
         symbols.mark_defined(id, &self.formula, self.squared);
+        symbols.entry_mut(id).arguments = self.arguments;
         Some((id, self.formula))
     }
 }
@@ -110,6 +114,11 @@ impl Unknown {
             [only, argument] if place == Place::First && is_time(argument, time.as_ref()) => {
                 name(only, false).map(|(name, span)| Unknown::Name(name, span.to(argument.span)))
             }
+            [only, arguments] if place == Place::First => {
+                let (name, span) = name(only, false)?;
+                let arguments = (arguments.span, Reader::new(symbols, branch).known_arguments(arguments)?);
+                Some(Unknown::Function(name, span.to(arguments.0), arguments.1))
+            }
             [first, rest @ ..] if place == Place::AfterIdentical && rest.len() % 2 == 0 => {
                 let mut terms = vec![name(first, false)?];
                 for pair in rest.chunks(2) {
@@ -128,7 +137,7 @@ impl Unknown {
     /// The fault if nothing defines the name.
     pub(super) fn undeclared(&self, symbols: &Symbols) -> Fault {
         let (name, span) = match self {
-            Unknown::Name(name, span) | Unknown::Square(name, span) => (name, *span),
+            Unknown::Name(name, span) | Unknown::Square(name, span) | Unknown::Function(name, span, _) => (name, *span),
             Unknown::Terms(terms) => (&terms[0].0, terms[0].1),
         };
         undeclared(name, span, symbols)
@@ -148,6 +157,11 @@ impl Unknown {
         match self {
             Unknown::Name(name, span) => {
                 let (expr, found, new) = one(name, *span, source, SymbolId(next), symbols)?;
+                Ok((expr, found, vec![new]))
+            }
+            Unknown::Function(name, span, arguments) => {
+                let (expr, found, mut new) = one(name, *span, source, SymbolId(next), symbols)?;
+                new.arguments = arguments.clone();
                 Ok((expr, found, vec![new]))
             }
             Unknown::Square(name, span) => {
@@ -265,7 +279,7 @@ fn one(
     };
     let indices = letters.into_iter().map(Index::Letter).collect();
     let member = Expr::new(Node::Symbol { id, indices, dots: 0 }, span);
-    Ok((member, Type { shape, free }, New { name, kind, slots, squared: false, formula }))
+    Ok((member, Type { shape, free }, New { name, kind, slots, squared: false, arguments: Vec::new(), formula }))
 }
 
 /// The advice for a name that stands for a matrix of another size than 3×3.

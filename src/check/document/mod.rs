@@ -5,6 +5,7 @@
 
 pub(crate) mod checker;
 pub(crate) mod names;
+pub(crate) mod printed_lagrangian;
 pub(crate) mod reading;
 pub(crate) mod reread;
 pub(crate) mod setup;

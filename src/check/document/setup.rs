@@ -12,7 +12,7 @@ use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::repeated;
-use crate::check::document::{reading, units};
+use crate::check::document::{printed_lagrangian, reading, units};
 use crate::check::model::Model;
 use crate::check::sample::context::Options;
 use crate::check::verdict::progress::Progress;
@@ -65,6 +65,7 @@ pub(crate) fn with_checker<T>(
     let mut model = Model::new(claims, macros, run.registry)?;
     let assigned = assign(claims, notes)?;
     let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
+    printed_lagrangian::make(claims, &mut model)?;
     let (source, options) = (&*notes.source, run.options);
     let plain = Checker {
         claims,

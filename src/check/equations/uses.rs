@@ -1,7 +1,7 @@
 //! The uses of a defined name: equations and sentences that contain it, and equations that hold by a law that contains it.
 
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, Statement, text};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::DefinedSymbol;
 use crate::notes::claims::Claim;
 use crate::{Error, Result};
@@ -9,6 +9,7 @@ use crate::{Error, Result};
 use crate::check::document::checker::Checker;
 use crate::check::document::names;
 use crate::check::document::names::shown;
+use crate::check::document::printed_lagrangian;
 use crate::check::equations::definition_tests::Use;
 use crate::check::kinds::definitions;
 use crate::check::kinds::definitions::User;
@@ -32,6 +33,9 @@ impl Checker<'_> {
     /// The finding on a statement that introduces a symbol.
     pub(crate) fn definition(&self, introduced: &DefinedSymbol, context: &Context<'_>) -> Result<Finding> {
         let symbol = introduced.symbol;
+        if printed_lagrangian::is_part(self.model, symbol) {
+            return Ok(self.part_of_the_lagrangian(symbol, context));
+        }
         let (uses, restated) = self.uses(introduced)?;
         if uses.is_empty() && !restated.is_empty() {
             let name = text::plain(&self.model.name(symbol));
@@ -45,6 +49,19 @@ impl Checker<'_> {
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
         let by_law: Vec<User<'_>> = by_law.iter().map(|used| used.by(context)).collect();
         definitions::check(symbol, &introduced.formula, (&mut users, &by_law), context)
+    }
+
+    /// The finding on a definition from which the motion follows, since the Lagrangian is made of it.
+    fn part_of_the_lagrangian(&self, symbol: SymbolId, context: &Context<'_>) -> Finding {
+        let (name, model) = (text::plain(&self.model.name(symbol)), self.model);
+        let lagrangian = model.printed_lagrangian.as_ref().map(|printed| text::plain(&printed.lagrangian.to_string()));
+        let lagrangian = lagrangian.unwrap_or_default();
+        let what = match name == lagrangian {
+            true => "the Lagrangian".to_owned(),
+            false => format!("a part of the Lagrangian {lagrangian}"),
+        };
+        let message = format!("defines {name}, {what}; it is not checked, and the equations of motion follow from it");
+        context.finding(Code::LagrangianDefined, Verdict::Definition, message)
     }
 
     /// Adds to the finding on "is constant" that a factor in a newly defined name is not tested, where nothing else uses it.

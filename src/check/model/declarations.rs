@@ -65,9 +65,7 @@ impl Builder<'_> {
         for declaration in &self.claims.declarations {
             match declaration.role {
                 Role::Index => {}
-                Role::Function => {
-                    return Err(self.error(&declaration.name, "functions are not supported yet"));
-                }
+                Role::Function => {}
                 _ => self.variable(declaration)?,
             }
         }
@@ -77,6 +75,10 @@ impl Builder<'_> {
         {
             self.model.symbols.entry_mut(id).varies = true;
             self.model.mean(id, Meaning::Time);
+        }
+        // Their arguments are declared by now.
+        for declaration in self.claims.declarations.iter().filter(|declaration| declaration.role == Role::Function) {
+            self.any_function(declaration)?;
         }
         Ok(())
     }

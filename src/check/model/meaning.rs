@@ -117,6 +117,8 @@ pub enum Quantity {
     /// Σ p q̇ − L: the value of the Hamiltonian and, where L does not depend on time, the energy.
     Energy,
     Momentum(usize),
+    /// The generalized force ∂L/∂q of a coordinate.
+    Force(usize),
     /// The energy with the cyclic momenta fixed and the other coordinates at rest.
     EffectivePotential,
     /// The matrix whose rows are the body axes; its entries, for a name with two indices.

@@ -15,6 +15,7 @@ use crate::formula::{Expr, SymbolId, Symbols};
 use crate::latex::Macros;
 use crate::mechanics::System;
 use crate::notes::claims::Range;
+use crate::source::Span;
 
 use crate::check::model::claim::{Law, Unread};
 use crate::check::model::meaning::{Continuum, Frame, Meaning, Rigid, Variable};
@@ -26,6 +27,7 @@ pub(crate) mod claim;
 pub(crate) mod claims_error;
 pub(crate) mod declarations;
 pub(crate) mod free_symbols;
+pub(crate) mod functions;
 pub(crate) mod meaning;
 pub(crate) mod order;
 pub(crate) mod particles;
@@ -33,6 +35,17 @@ pub(crate) mod sampling;
 pub(crate) mod sizes;
 pub(crate) mod state_cache;
 pub(crate) mod system;
+
+/// The Lagrangian that the notes define, from which the motion follows.
+#[derive(Clone, Debug)]
+pub struct PrintedLagrangian {
+    /// Its name.
+    pub lagrangian: Name,
+    /// The name of the potential energy U, where L = T − U.
+    pub potential: Option<Name>,
+    /// The place in the claims file.
+    pub place: Span,
+}
 
 /// The symbols of a document and what they mean.
 #[derive(Clone)]
@@ -43,6 +56,8 @@ pub struct Model {
     pub meanings: Vec<Option<Meaning>>,
     /// The traced system, if the claims name one.
     pub system: Option<Arc<System>>,
+    /// The names of the Lagrangian that the notes print, if the claims file says so.
+    pub printed_lagrangian: Option<PrintedLagrangian>,
     /// The coordinates of the system in its order; without a system, the declared ones.
     pub coordinates: Vec<Variable>,
     /// All constants, with the parameters of the system among them.
@@ -80,6 +95,7 @@ impl Model {
             symbols,
             meanings: Vec::new(),
             system: None,
+            printed_lagrangian: None,
             coordinates: Vec::new(),
             constants: Vec::new(),
             parameters: Vec::new(),
@@ -145,6 +161,13 @@ impl Model {
     pub fn define(&mut self, id: SymbolId, formula: Expr) {
         self.mean(id, Meaning::Defined(Box::new(formula)));
         self.tie_components();
+    }
+
+    /// Gives a symbol that a formula defines another formula.
+    pub fn redefine(&mut self, id: SymbolId, formula: Expr) {
+        let squared = self.symbols.entry(id).squared;
+        self.symbols.mark_defined(id, &formula, squared);
+        self.define(id, formula);
     }
 
     /// Records in the table of names along which axes the components of vectors are taken. Returns false while axes are

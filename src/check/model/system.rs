@@ -2,9 +2,9 @@
 
 use crate::check::model::builder::{Builder, plain};
 use crate::check::model::meaning::{Frame, FrameQuantity, MEANINGS, Meaning, Quantity};
-use crate::check::model::particles;
+use crate::check::model::{PrintedLagrangian, particles};
 use crate::formula::{Kind, text};
-use crate::latex::names;
+use crate::latex::{derivative_name, names};
 use crate::mechanics::rotations::Axis;
 use crate::notes::claims::Spanned;
 use crate::suggest::in_json;
@@ -90,6 +90,9 @@ impl Builder<'_> {
             if self.of_frame_or_particles(latex, meaning)? {
                 continue;
             }
+            if self.is_printed() && self.printed(latex, meaning)? {
+                continue;
+            }
             let quantity = self.quantity(meaning)?;
             let name = self.name(latex)?;
             let slots = name.subscript.iter().filter(|token| self.model.symbols.index(token).is_some()).count();
@@ -108,7 +111,56 @@ impl Builder<'_> {
                 _ => return Err(self.error(latex, format!("{name} has an index, but the {} has none", meaning.value))),
             };
             let id = self.add(latex, kind, Meaning::System(quantity))?;
-            self.model.symbols.entry_mut(id).varies = true;
+            let entry = self.model.symbols.entry_mut(id);
+            (entry.varies, entry.derived) = (true, true);
+            entry.momentum = matches!(quantity, Quantity::Momentum(_));
+            if quantity == Quantity::Lagrangian {
+                self.derivatives_of_the_lagrangian(latex)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the notes themselves define the Lagrangian.
+    fn is_printed(&self) -> bool {
+        self.claims.system.is_none() && self.claims.means.iter().any(|(_, meaning)| meaning.value == "Lagrangian")
+    }
+
+    /// Notes the names of a Lagrangian that the notes define, and of its parts; returns true for these, which displays
+    /// introduce.
+    fn printed(&mut self, latex: &Spanned<String>, meaning: &Spanned<String>) -> Result<bool> {
+        let name = self.name(latex)?;
+        match meaning.value.as_str() {
+            "Lagrangian" => {
+                let potential = self.claims.means.iter().find(|(_, meaning)| meaning.value == "potential energy");
+                let potential = potential.map(|(latex, _)| self.name(latex)).transpose()?;
+                let place = latex.span;
+                self.model.printed_lagrangian = Some(PrintedLagrangian { lagrangian: name, potential, place });
+                self.derivatives_of_the_lagrangian(latex)?;
+                Ok(true)
+            }
+            "kinetic energy" | "potential energy" => Ok(true),
+            "rotation matrix" | "angular velocity" | "body axes" | "space axes" => Err(self
+                .error(meaning, format!("a Lagrangian that the notes define has no {}", meaning.value))
+                .help("name a system of a rigid body under \"system\"")),
+            _ => Ok(false),
+        }
+    }
+
+    /// Adds ∂L/∂q and ∂L/∂q̇ of each coordinate, as names that the reader gives to them.
+    fn derivatives_of_the_lagrangian(&mut self, latex: &Spanned<String>) -> Result<()> {
+        let above = self.name(latex)?.to_string();
+        for place in 0..self.model.coordinates.len() {
+            let coordinate = self.model.symbols.entry(self.model.coordinates[place].symbol).name.clone();
+            for (dots, quantity) in [(0, Quantity::Force(place)), (1, Quantity::Momentum(place))] {
+                let Some(below) = names::with_dots(&coordinate, dots) else { continue };
+                let name = derivative_name(&above, &below.to_string());
+                if let Some(id) = self.model.symbols.add(name, Kind::Scalar) {
+                    let entry = self.model.symbols.entry_mut(id);
+                    (entry.varies, entry.derived) = (true, true);
+                    self.model.mean(id, Meaning::System(quantity));
+                }
+            }
         }
         Ok(())
     }
@@ -132,9 +184,12 @@ impl Builder<'_> {
     }
 
     fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {
-        let Some(system) = &self.model.system else {
-            return Err(self.error(meaning, "this meaning needs a system").help("name one under \"system\""));
-        };
+        if self.model.system.is_none() && !self.is_printed() {
+            return Err(self.error(meaning, "this meaning needs a system").help(
+                "name one under \"system\", or say which name in the notes is the Lagrangian: \"means\": { \"L\": \
+                 \"Lagrangian\" }",
+            ));
+        }
         if let Some(coordinate) = meaning.value.strip_prefix("momentum of ") {
             let place =
                 self.model.coordinates.iter().position(|v| plain(&self.model.name(v.symbol)) == plain(coordinate));
@@ -151,6 +206,7 @@ impl Builder<'_> {
                 None => error.help(format!("the meanings are {}, momentum of q", words.join(", "))),
             }
         })?;
+        let Some(system) = &self.model.system else { return Ok(quantity) };
         let lacks = match quantity {
             Quantity::KineticEnergy | Quantity::PotentialEnergy if !system.has_potential() => Some("potential energy"),
             Quantity::RotationMatrix | Quantity::AngularVelocity | Quantity::BodyAxes | Quantity::SpaceAxes
@@ -168,7 +224,7 @@ impl Builder<'_> {
 
     /// Adds `p_q` as the momentum of each coordinate q, unless it is declared.
     pub(crate) fn momenta(&mut self) {
-        if self.model.system.is_none() {
+        if self.model.system.is_none() && !self.is_printed() {
             return;
         }
         for place in 0..self.model.coordinates.len() {
@@ -176,7 +232,8 @@ impl Builder<'_> {
             let Some((name, 0)) = names::parse(&format!("p_{{{coordinate}}}")) else { continue };
             let shown = name.to_string();
             if let Some(id) = self.model.symbols.add(name, Kind::Scalar) {
-                self.model.symbols.entry_mut(id).varies = true;
+                let entry = self.model.symbols.entry_mut(id);
+                (entry.varies, entry.derived, entry.momentum) = (true, true, true);
                 self.model.mean(id, Meaning::System(Quantity::Momentum(place)));
                 let (shown, coordinate) = (text::plain(&shown), text::plain(&coordinate));
                 self.model.inferred.push(format!("{shown} is the momentum of {coordinate}"));

@@ -150,6 +150,7 @@ fn one_of<D: Number>(all: &Quantities<D>, quantity: Quantity, indices: &[u8]) ->
         Quantity::PotentialEnergy => Value::Scalar(all.potential?),
         Quantity::Energy => Value::Scalar(all.energy),
         Quantity::Momentum(i) => Value::Scalar(*all.momenta.get(i)?),
+        Quantity::Force(i) => Value::Scalar(*all.forces.get(i)?),
         Quantity::RotationMatrix => match indices {
             [] => matrix(all.orientation.as_ref()?),
             _ => Value::Scalar(all.orientation.as_ref()?[(place(0)?, place(1)?)]),

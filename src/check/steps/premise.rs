@@ -19,21 +19,19 @@ use std::sync::Arc;
 
 use crate::Result;
 use crate::formula::{Expr, Kind, Relation, SymbolId, Value};
-use crate::mechanics::{LinearSolver, System};
+use crate::mechanics::System;
 use crate::notes::claims::Range;
 use crate::scalar::Symbol;
 
 use crate::check::document::checker::Checker;
+use crate::check::document::printed_lagrangian::symbolic_state;
 use crate::check::hypotheses::explicit::rules;
 use crate::check::model::claim::{Hypothesis, Law, is_equality};
 use crate::check::model::meaning::{Meaning, Quantity, Variable};
 use crate::check::model::order::{derivatives, order};
-use crate::check::model::sampling::Mode;
 use crate::check::model::{Model, free_symbols};
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::setting::FEWEST;
-use crate::check::state::numbers::{Layout, slots};
-use crate::check::state::sampled_state::SampledState;
 
 /// The relative distance below which two values count as equal.
 const ONE_VALUE: f64 = 1e-9;
@@ -114,24 +112,7 @@ impl Checker<'_> {
         (places, parameters): (&[usize], &[Symbol]),
         energies: &Energies,
     ) -> Option<(Symbol, Option<Symbol>)> {
-        let model = self.model;
-        let mode = Mode { on_shell: false, order: 1 };
-        let number = |(at, slot): (usize, &crate::check::state::numbers::Slot)| {
-            let coordinate = model.coordinates.iter().position(|c| Some(c.symbol) == slot.symbol);
-            let constant = places.iter().position(|place| Some(model.constants[*place].symbol) == slot.symbol);
-            match (coordinate, constant, slot.order) {
-                (Some(i), _, 0) => q[i],
-                (Some(i), _, 1) => v[i],
-                (_, Some(i), 0) => parameters[i],
-                _ if at == 0 => time,
-                // A Lagrangian contains nothing else that is sampled.
-                _ => Symbol::from(f64::NAN),
-            }
-        };
-        let base: Vec<Symbol> = slots(model, mode).iter().enumerate().map(number).collect();
-        let layout = Layout::of(model, mode);
-        let state =
-            SampledState::by(LinearSolver::CramersRule, 2, model, mode, (&layout, &base), &Arc::from([])).ok()?;
+        let state = symbolic_state(self.model, time, (q, v), (places, parameters))?;
         let value = |formula: &Expr| match state.now(formula, &[]) {
             Ok(Value::Scalar(value)) => Some(value),
             _ => None,

@@ -10,6 +10,7 @@ use crate::latex::{DefinedSymbol, Reading, read_display};
 use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
+use crate::check::document::printed_lagrangian;
 use crate::check::document::reading::for_each;
 use crate::check::document::reread::defined;
 use crate::check::model::Model;
@@ -34,6 +35,9 @@ impl Checker<'_> {
         }
         let mut readings = self.readings.to_vec();
         readings[at] = reading;
+        if !formulas.is_empty() {
+            self.derive_again(&model, at, &mut readings);
+        }
         // The units were inferred from the text before the edit, so they are not checked.
         let units = || None;
         if self.is_law(at) {
@@ -42,6 +46,21 @@ impl Checker<'_> {
             (model.laws, model.unread_laws) = (laws, lost_laws);
         }
         Some(judge(&Checker { model: &model, readings: &readings, options, units: units(), ..*self }))
+    }
+
+    /// Reads displays with a derivative by a symbol again: their readings contain derivatives of the definitions as they
+    /// were before.
+    fn derive_again(&self, model: &Model, edited: usize, readings: &mut [Reading]) {
+        let none = Claim::default();
+        for (at, display) in self.notes.equations.iter().enumerate() {
+            let has_any = display.text.contains("\\partial") || display.text.contains("\\frac{d");
+            if at == edited || !has_any || !readings[at].introduced.is_empty() {
+                continue;
+            }
+            let claim = self.assigned[at].unwrap_or(&none);
+            let derived = Checker { model, units: None, ..*self };
+            readings[at] = derived.as_printed(&display.text, claim, &model.macros);
+        }
     }
 
     /// The definitions that a text gives to the names that a display introduces, one formula for each; `None`, if it does not
@@ -104,7 +123,10 @@ impl Checker<'_> {
             if model.depends_on(formula, &[new.symbol]) {
                 return None;
             }
-            model.define(new.symbol, formula.clone());
+            model.redefine(new.symbol, formula.clone());
+        }
+        if introduced().any(|(new, _)| printed_lagrangian::is_part(&model, new.symbol)) {
+            printed_lagrangian::retrace(&mut model).ok()?;
         }
         let mut reading: Reading = self.as_printed(text, claim, &self.model.macros);
         for (new, formula) in introduced() {

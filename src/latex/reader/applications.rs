@@ -17,7 +17,7 @@
 
 use crate::formula::SymbolId;
 use crate::formula::symbols::{Entry, Name};
-use crate::formula::tree::Expr;
+use crate::formula::tree::{Expr, Sign};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
@@ -178,6 +178,15 @@ fn parenthesis(item: &Item) -> Option<(&Item, Vec<&Item>)> {
         return None;
     };
     Some((fence, inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect()))
+}
+
+/// Whether an item is a parenthesis with a list of names in it: the arguments of a function.
+pub(super) fn are_names(item: &Item, branch: Option<Sign>) -> bool {
+    let Some((_, inside)) = parenthesis(item) else { return false };
+    let is_name = |item: &Item| names::printed(item, branch).is_some_and(|printed| printed.sup.is_none());
+    let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
+    !inside.is_empty()
+        && inside.iter().enumerate().all(|(at, item)| if at % 2 == 0 { is_name(item) } else { is_comma(item) })
 }
 
 /// Whether a name usually stands for a function.

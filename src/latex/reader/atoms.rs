@@ -39,6 +39,9 @@ impl Reader<'_> {
             Layout::Group(items) => self.sum(items, span),
             Layout::Fence(delimiter, items) => self.fence(*delimiter, items, span),
             Layout::Fraction(numerator, denominator) => {
+                if let Some(operator) = self.operator(numerator, denominator, span)? {
+                    return self.apply(&operator, &[], &mut 0);
+                }
                 if starts_differential(numerator) || starts_differential(denominator) {
                     return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
                 }

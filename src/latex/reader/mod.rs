@@ -10,7 +10,9 @@
 //! | `words` | letters that spell a function or a word |
 //! | `vector_names` | the norm, the unit vector and the components of a declared vector |
 //! | `functions` | `\sin` and the like, and where an argument ends |
+//! | `declared_functions` | `V(r)`, `V'(r)`: functions that are declared or that a display defines |
 //! | `derivatives` | `\frac{d}{dt}`, `dx/dt`; overdots such as `\dot x` are in `latex::overdots` |
+//! | `partial_derivatives` | `\frac{\partial L}{\partial \dot q}` and other derivatives by a symbol |
 //! | `sums` | `\sum` |
 //! | `integrals` | `\int` over a declared continuum, and `\lim` |
 //! | `state` | the reader itself: symbol table, branch of ±, open sums |
@@ -47,10 +49,12 @@
 
 mod applications;
 mod atoms;
+mod declared_functions;
 mod derivatives;
 mod functions;
 mod integrals;
 mod items;
+mod partial_derivatives;
 mod state;
 mod sums;
 mod superscripts;
@@ -66,6 +70,7 @@ use crate::source::{Fault, Span};
 
 use super::layout::{Layout, typeset_items};
 use super::macros::Macros;
+pub use partial_derivatives::derivative_name;
 pub(super) use state::Reader;
 
 /// Reads one formula, without relations, and checks its type.

@@ -51,6 +51,9 @@ impl Reader<'_> {
             };
         }
         let dots = printed.dots;
+        if let Some(function) = self.declared_function(&printed) {
+            return self.function_value(function, &printed, span, items, cursor);
+        }
         if let Some((id, indices)) = self.symbols.find_or_assemble(name) {
             if self.symbols.entry(id).squared {
                 return self.introduced_by_square(id, indices, printed, span, items, cursor);

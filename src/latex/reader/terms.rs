@@ -357,6 +357,18 @@ impl Reader<'_> {
             let span = item.span.to(inner.span);
             return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), span), true));
         }
+        if let Layout::Fraction(numerator, denominator) = &item.layout
+            && let Some(operator) = self.operator(numerator, denominator, item.span)?
+        {
+            *cursor += 1;
+            return Ok((self.apply(&operator, items, cursor)?, true));
+        }
+        if let Some(operator) = self.operator_on_one_line(items, cursor)? {
+            return Ok((self.apply(&operator, items, cursor)?, true));
+        }
+        if let Some(derivative) = self.subscripted(items, cursor)? {
+            return Ok((derivative, true));
+        }
         if let Some(compound) = self.compound(items, cursor)? {
             return Ok((compound, true));
         }

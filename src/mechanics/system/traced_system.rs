@@ -58,6 +58,27 @@ impl System {
         Ok(System::of_traced(l.name(), names(&l.coordinates()), names(&l.parameters()), named(l.name(), trace(l))?))
     }
 
+    /// Traces a Lagrangian that is given as a function of symbols. `lagrangian` returns L and, where L = T − U, also U,
+    /// as functions of t, q, q̇ and the parameters. The names are spelled as in LaTeX.
+    ///
+    /// # Errors
+    /// When it branches on a value.
+    pub fn of_lagrangian(
+        name: &str,
+        coordinates: Vec<String>,
+        parameters: Vec<String>,
+        lagrangian: impl FnOnce(Symbol, &[Symbol], &[Symbol], &[Symbol]) -> (Symbol, Option<Symbol>),
+    ) -> Result<System> {
+        let layout = Layout { coordinates: coordinates.len(), parameters: parameters.len() };
+        let traced = traced(layout, || {
+            let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
+            let (q, v) = (&inputs[layout.q(0)..layout.v(0)], &inputs[layout.v(0)..layout.v(layout.coordinates)]);
+            let (lagrangian, potential) = lagrangian(inputs[0], q, v, &inputs[layout.v(layout.coordinates)..]);
+            Recorded { lagrangian, potential, turning: None }
+        });
+        Ok(System::of_traced(name, coordinates, parameters, named(name, traced)?))
+    }
+
     /// A system with the coordinates and the orientation of this one, another Lagrangian, and further parameters after
     /// its own. `lagrangian` returns L and, where L = T − U, also U, as functions of t, q, q̇ and all parameters.
     ///

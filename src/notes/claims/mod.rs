@@ -244,7 +244,7 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Vec<Declaration>
         for (key, value) in fields.pairs(section)? {
             let range = match role {
                 Role::Index => range::index(&value)?,
-                Role::Function => fields::word(&value, &key.value, &[("any", ())])?.map(|()| Range::Any),
+                Role::Function => range::function(&value)?,
                 Role::VariesWithTime => range::motion(&value)?,
                 Role::Coordinate | Role::Constant => range::range(&value)?,
             };

@@ -47,6 +47,8 @@ pub enum Range {
         /// The fixed point of the rotation, in LaTeX; the origin by default.
         about: Option<String>,
     },
+    /// `of r`, `of x, y`: any smooth function of these names, in LaTeX. For functions only.
+    Of(Vec<String>),
     /// `fixed direction`: a vector of which only the length varies. Under `varies with time` only.
     FixedDirection,
 }
@@ -112,6 +114,19 @@ pub(super) fn motion(written: &Spanned<String>) -> Result<Spanned<Range>, Fault>
     }
     let range = Range::Rigid { turning_with: rate.to_owned(), about: about.map(str::to_owned) };
     Ok(Spanned::new(range, written.span))
+}
+
+/// Reads the arguments of a function.
+pub(super) fn function(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
+    let names = written.value.trim().strip_prefix("of ").unwrap_or_default();
+    let names: Vec<String> = names.split(',').map(|name| name.trim().to_owned()).collect();
+    match names.iter().any(String::is_empty) {
+        true => {
+            Err(Fault::claims(written.span, format!("\"{}\" does not say of what it is a function", written.value))
+                .help("write \"of r\", or \"of x, y\" with up to three names"))
+        }
+        false => Ok(Spanned::new(Range::Of(names), written.span)),
+    }
 }
 
 /// Reads the range of an index.

@@ -1,0 +1,181 @@
+//! The system of a Lagrangian that the notes print: `"means": { "L": "Lagrangian" }` without a `"system"`.
+//!
+//! The display that defines L is evaluated once over symbols, as a Lagrangian in Rust is, through all names that other
+//! displays define. The result is traced like any other system, so everything that follows from a Lagrangian in Rust
+//! follows from this one. The display itself is what is taken for granted.
+
+use std::sync::Arc;
+
+use crate::formula::{Expr, SymbolId, Value, text};
+use crate::mechanics::{LinearSolver, System};
+use crate::notes::claims::Claims;
+use crate::scalar::Symbol;
+use crate::{Error, Result};
+
+use crate::check::model::Model;
+use crate::check::model::meaning::Meaning;
+use crate::check::model::order::derivatives;
+use crate::check::model::sampling::Mode;
+use crate::check::state::numbers::{Layout, Slot, slots};
+use crate::check::state::sampled_state::SampledState;
+
+/// Gives a model the system of the Lagrangian that the notes print, if the claims file says that they print one.
+///
+/// # Errors
+/// At the name in the claims file, where no display defines it, or where its formula is not a Lagrangian.
+pub(crate) fn make(claims: &Claims, model: &mut Model) -> Result<()> {
+    let Some(printed) = model.printed_lagrangian.clone() else { return Ok(()) };
+    let error = |message: String| Error::at(&claims.source, printed.place, message);
+    let shown = text::plain(&printed.lagrangian.to_string());
+    let found = model.symbols.find(&printed.lagrangian).map(|(id, _)| id);
+    let Some((symbol, Some(Meaning::Defined(_)))) = found.map(|id| (id, model.meaning(id))) else {
+        return Err(error(format!("no display that can be read defines {shown}, the Lagrangian")).help(format!(
+            "write a display {shown} = …, with all its symbols declared; or name a system under \"system\""
+        )));
+    };
+    if model.coordinates.is_empty() {
+        return Err(error(format!("{shown} has no coordinates"))
+            .help("declare them under \"coordinates\", as in \"coordinates\": { \"\\\\theta\": \"angle\" }"));
+    }
+    let (name, meaning) = (|id: SymbolId| text::plain(&model.name(id)), |id: SymbolId| model.meaning(id));
+    let feeds = leaves(model, symbol);
+    if let Some(free) = feeds.iter().find(|id| matches!(meaning(**id), Some(Meaning::Varying(_)))) {
+        let (free, latex) = (name(*free), model.name(*free));
+        return Err(error(format!("{shown} contains {free}, which varies freely")).help(format!(
+            "declare {free} under \"coordinates\", or as a \"function\" of the time: \"{latex}\": \"of t\""
+        )));
+    }
+    if let Some(other) = feeds.iter().find(|id| matches!(meaning(**id), Some(Meaning::System(_)))) {
+        return Err(error(format!("{shown} contains {}, which follows from {shown}", name(*other)))
+            .help("write the Lagrangian in coordinates and velocities"));
+    }
+    let formula = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, printed.place);
+    if derivatives(&formula, model) > 1 {
+        return Err(error(format!("{shown} contains accelerations, which is not supported"))
+            .help("subtract a total time derivative, so that only velocities are left"));
+    }
+    trace(model, symbol).map_err(|refused| {
+        let help = refused.advice().map(str::to_owned);
+        let error = error(format!("no motion follows from {shown}: {}", refused.message()));
+        match help {
+            Some(help) => error.help(help),
+            None => error,
+        }
+    })?;
+    let coordinates: Vec<String> = model.coordinates.iter().map(|c| text::plain(&model.name(c.symbol))).collect();
+    model.inferred.push(format!(
+        "the system is the Lagrangian {shown} that the notes define, in the coordinates {}",
+        coordinates.join(", ")
+    ));
+    Ok(())
+}
+
+/// Traces the Lagrangian again, with the definitions as they are now. Nothing happens where the notes print none.
+///
+/// # Errors
+/// When its formula is no number made of coordinates, velocities, constants and the time.
+pub(crate) fn retrace(model: &mut Model) -> Result<()> {
+    let Some(printed) = &model.printed_lagrangian else { return Ok(()) };
+    match model.symbols.find(&printed.lagrangian) {
+        Some((symbol, _)) => trace(model, symbol),
+        None => Ok(()),
+    }
+}
+
+/// Whether the Lagrangian that the notes print is this symbol, or is defined by it.
+pub(crate) fn is_part(model: &Model, symbol: SymbolId) -> bool {
+    let printed = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
+    printed.is_some_and(|(lagrangian, _)| lagrangian == symbol || chain(model, lagrangian).contains(&symbol))
+}
+
+fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
+    let coordinates: Vec<String> = model.coordinates.iter().map(|c| model.name(c.symbol)).collect();
+    let places: Vec<usize> = (0..model.constants.len()).filter(|at| model.constants[*at].numbers == 1).collect();
+    let parameters: Vec<String> = places.iter().map(|at| model.name(model.constants[*at].symbol)).collect();
+    let potential = model.printed_lagrangian.as_ref().and_then(|printed| printed.potential.as_ref());
+    let potential = potential.and_then(|name| model.symbols.find(name)).map(|(id, _)| id);
+    let node = |id: SymbolId| {
+        let node = crate::formula::Node::Symbol { id, indices: Vec::new(), dots: 0 };
+        Expr::new(node, crate::source::Span::default())
+    };
+    let formulas: Vec<Expr> = std::iter::once(symbol).chain(potential).map(node).collect();
+    let mut bare = model.clone();
+    bare.system = None;
+    let mut readable = true;
+    let system = System::of_lagrangian("the notes", coordinates, parameters, |time, q, v, parameters| {
+        let values = symbolic(&bare, time, (q, v), (&places, parameters), &formulas);
+        readable = values.is_some();
+        let values = values.unwrap_or_else(|| vec![Symbol::from(f64::NAN)]);
+        (values[0], values.get(1).copied())
+    })?;
+    if !readable {
+        return Err(Error::new("its formula has no value as a number made of coordinates and velocities")
+            .help("write it with the declared coordinates, their dots, constants and the time"));
+    }
+    (model.system, model.parameters) = (Some(Arc::new(system)), places);
+    Ok(())
+}
+
+/// Symbols that define a symbol, through other definitions too, down to those that no formula defines.
+fn chain(model: &Model, symbol: SymbolId) -> Vec<SymbolId> {
+    let (mut found, mut at) = (vec![symbol], 0);
+    while let Some(next) = found.get(at).copied() {
+        at += 1;
+        if let Some(Meaning::Defined(formula)) = model.meaning(next) {
+            for (id, _) in formula.symbols() {
+                if !found.contains(&id) {
+                    found.push(id);
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The symbols that a symbol consists of, which no formula defines.
+fn leaves(model: &Model, symbol: SymbolId) -> Vec<SymbolId> {
+    let is_leaf = |id: &SymbolId| !matches!(model.meaning(*id), Some(Meaning::Defined(_)));
+    chain(model, symbol).into_iter().filter(is_leaf).collect()
+}
+
+/// Formulas as symbolic values; `None`, if one of them is not a number made of time, coordinates, velocities and
+/// constants. `places` are those of the parameters among the constants of the model.
+pub(crate) fn symbolic(
+    model: &Model,
+    time: Symbol,
+    (q, v): (&[Symbol], &[Symbol]),
+    (places, parameters): (&[usize], &[Symbol]),
+    formulas: &[Expr],
+) -> Option<Vec<Symbol>> {
+    let state = symbolic_state(model, time, (q, v), (places, parameters))?;
+    let value = |formula: &Expr| match state.now(formula, &[]) {
+        Ok(Value::Scalar(value)) => Some(value),
+        _ => None,
+    };
+    formulas.iter().map(value).collect()
+}
+
+/// The state whose coordinates, velocities and constants are symbols; all else that is sampled is no number there.
+pub(crate) fn symbolic_state<'m>(
+    model: &'m Model,
+    time: Symbol,
+    (q, v): (&[Symbol], &[Symbol]),
+    (places, parameters): (&[usize], &[Symbol]),
+) -> Option<SampledState<'m, Symbol>> {
+    let mode = Mode { on_shell: false, order: 1 };
+    let number = |(at, slot): (usize, &Slot)| {
+        let coordinate = model.coordinates.iter().position(|c| Some(c.symbol) == slot.symbol);
+        let constant = places.iter().position(|place| Some(model.constants[*place].symbol) == slot.symbol);
+        match (coordinate, constant, slot.order) {
+            (Some(i), _, 0) => q[i],
+            (Some(i), _, 1) => v[i],
+            (_, Some(i), 0) => parameters[i],
+            _ if at == 0 => time,
+            // A Lagrangian contains nothing else that is sampled.
+            _ => Symbol::from(f64::NAN),
+        }
+    };
+    let base: Vec<Symbol> = slots(model, mode).iter().enumerate().map(number).collect();
+    let layout = Arc::new(Layout::of(model, mode));
+    SampledState::by(LinearSolver::CramersRule, 2, model, mode, (&layout, &base), &Arc::from([])).ok()
+}

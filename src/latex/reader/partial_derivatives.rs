@@ -1,0 +1,331 @@
+//! Derivatives by a symbol: `\frac{\partial L}{\partial \dot q}`, `\frac{\partial}{\partial x}(…)`, `\partial_x f`, and
+//! `\frac{df}{dx}` where f depends on nothing else.
+//!
+//! The derivative is formed at once, from the formulas that define the names. So what is read has no ∂ in it. A name
+//! that a system determines, such as L beside a `system`, has its derivatives as symbols of their own, which the
+//! model adds under the name that is printed here. Without any declarations, the derivative of a lone letter is such a
+//! symbol too.
+
+use crate::formula::derivative::{self, NoDerivative, Scope};
+use crate::formula::symbols::{Kind, Name, SymbolId};
+use crate::formula::tree::{Expr, Node, Variable};
+use crate::source::{Fault, Missing, Span};
+
+use super::super::layout::{Item, Layout};
+use super::super::lexer::Space;
+use super::super::names;
+use super::items::{Joint, contents, differential, joint, whole_number};
+use super::state::{Read, Reader};
+
+/// Whether a derivative is written with ∂, or with d.
+#[derive(Clone, Copy, PartialEq)]
+enum Mark {
+    Partial,
+    Total,
+}
+
+/// A fraction that is a derivative: its mark, its order, what stands in the numerator, and the variables.
+pub(super) struct Operator<'i> {
+    mark: Mark,
+    operand: &'i [Item],
+    by: Vec<(&'i Item, Variable)>,
+    span: Span,
+}
+
+impl Operator<'_> {
+    /// Whether its operand follows it.
+    pub(super) fn needs_an_operand(&self) -> bool {
+        self.operand.is_empty()
+    }
+}
+
+impl Reader<'_> {
+    /// The derivative that a fraction is, unless it is one by the time; `None` for a fraction of formulas.
+    pub(super) fn operator<'i>(
+        &mut self,
+        numerator: &'i Item,
+        denominator: &'i Item,
+        span: Span,
+    ) -> Read<Option<Operator<'i>>> {
+        self.operator_of((contents(numerator), contents(denominator)), span)
+    }
+
+    /// `\partial L/\partial q` typed on one line; the cursor moves behind it.
+    pub(super) fn operator_on_one_line<'i>(
+        &mut self,
+        items: &'i [Item],
+        cursor: &mut usize,
+    ) -> Read<Option<Operator<'i>>> {
+        let Some((upper, lower)) = on_one_line(&items[*cursor..]) else { return Ok(None) };
+        let span = upper[0].span.to(lower[lower.len() - 1].span);
+        *cursor += upper.len() + 1 + lower.len();
+        self.operator_of((upper, lower), span)
+    }
+
+    fn operator_of<'i>(&mut self, (upper, lower): (&'i [Item], &'i [Item]), span: Span) -> Read<Option<Operator<'i>>> {
+        let Some((mark, order)) = upper.first().and_then(mark) else { return Ok(None) };
+        let Some((below, _)) = lower.first().and_then(self::mark) else { return Ok(None) };
+        if below != mark || mark == Mark::Total && self.symbols.find(&Name::plain("d")).is_some() {
+            return Ok(None);
+        }
+        let by = self.variables(lower, mark, span)?;
+        let of_all: u32 = by.iter().map(|(_, times)| *times).sum();
+        if of_all != order {
+            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders"));
+        }
+        if order > 4 {
+            return Err(Fault::unsupported(span, "partial derivatives above the fourth order are not supported"));
+        }
+        let by = by.into_iter().flat_map(|((item, by), times)| vec![(item, by); times as usize]).collect();
+        Ok(Some(Operator { mark, operand: &upper[1..], by, span }))
+    }
+
+    /// The variables in a denominator, each with its order: `\partial x\,\partial y`, `\partial x^2`.
+    fn variables<'i>(
+        &mut self,
+        lower: &'i [Item],
+        wanted: Mark,
+        whole: Span,
+    ) -> Read<Vec<((&'i Item, Variable), u32)>> {
+        let mut found = Vec::new();
+        let mut items = lower.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        while let Some(first) = items.next() {
+            let variable = items.next().filter(|_| mark(first) == Some((wanted, 1)));
+            let variable = variable.ok_or_else(|| Fault::new(whole, "∂ or d must stand before each variable here"))?;
+            let by = self.variable(variable)?;
+            let power = names::printed(variable, self.branch).and_then(|printed| printed.sup);
+            let times = match power {
+                None => 1,
+                Some(power) => whole_number(power)
+                    .ok_or_else(|| Fault::new(power.span, "the order of a derivative must be a whole number"))?,
+            };
+            found.push(((variable, by), times));
+        }
+        Ok(found)
+    }
+
+    /// The symbol by which a derivative is taken, with its dots.
+    fn variable(&mut self, item: &Item) -> Read<Variable> {
+        let Some(printed) = names::printed(item, self.branch) else {
+            return Err(Fault::unsupported(
+                item.span,
+                "a derivative is supported by a symbol or one of its rates only",
+            ));
+        };
+        if let Some((id, indices)) = self.symbols.find_or_assemble(&printed.name) {
+            let entry = self.symbols.entry(id);
+            if entry.kind != Kind::Scalar || entry.squared {
+                return Err(Fault::unsupported(item.span, "a derivative by a vector or a matrix is not supported")
+                    .help("write it for each component"));
+            }
+            return Ok(Variable { id, indices, dots: printed.dots });
+        }
+        if self.symbols.open
+            && let Some(id) = self.symbols.add(printed.name.clone(), Kind::Scalar)
+        {
+            return Ok(Variable { id, indices: Vec::new(), dots: printed.dots });
+        }
+        Err(Fault::undeclared(item.span, &printed.name))
+    }
+
+    /// The formula of a derivative; `items` from `cursor` on follow it.
+    pub(super) fn apply(&mut self, operator: &Operator<'_>, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        let (operand, span) = match operator.needs_an_operand() {
+            true => {
+                let operand = self.operand_of_partial(operator.span, items, cursor)?;
+                (operand.clone(), operator.span.to(operand.span))
+            }
+            false => {
+                if let Some(next) = items.get(*cursor) {
+                    self.is_no_value("this derivative", operator.span, next)?;
+                }
+                (self.differentiated_name(operator.operand, operator.span)?, operator.span)
+            }
+        };
+        self.derived_by(&operator.by, operator.mark, operand, span)
+    }
+
+    /// `\partial_x f`, at the ∂.
+    pub(super) fn subscripted(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let item = &items[*cursor];
+        let Layout::Scripts { nucleus, sub: Some(sub), sup: None, primes: 0 } = &item.layout else { return Ok(None) };
+        if mark(nucleus) != Some((Mark::Partial, 1)) {
+            return Ok(None);
+        }
+        let by = (&**sub, self.variable(sub)?);
+        *cursor += 1;
+        let operand = self.operand_of_partial(item.span, items, cursor)?;
+        let span = item.span.to(operand.span);
+        self.derived_by(&[by], Mark::Partial, operand, span).map(Some)
+    }
+
+    /// What stands in the numerator: one formula, or a name with the names that it depends on, `L(q, \dot q, t)`.
+    fn differentiated_name(&mut self, items: &[Item], whole: Span) -> Read<Expr> {
+        let significant: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        if let [name, arguments] = significant.as_slice()
+            && names::printed(name, self.branch).is_some()
+            && super::applications::are_names(arguments, self.branch)
+        {
+            return self.item(name);
+        }
+        self.sum(items, whole)
+    }
+
+    /// The operand of `\frac{\partial}{\partial x}`: a parenthesis, or one factor that ends the term.
+    fn operand_of_partial(&mut self, operator: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
+            *cursor += 1;
+        }
+        let rest = items.get(*cursor..).unwrap_or_default();
+        let Some(first) = rest.first() else {
+            return Err(Fault::unsupported(operator, "a derivative without an operand is not supported")
+                .help("write what it acts on"));
+        };
+        if matches!(first.layout, Layout::Fence(..)) {
+            *cursor += 1;
+            return self.item(first);
+        }
+        let significant = rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count();
+        if significant > 1 || joint(first) == Some(Joint::Slash) {
+            return Err(Fault::ambiguous(
+                operator.to(first.span),
+                "\\frac{\\partial}{\\partial x} f g may be \\frac{\\partial}{\\partial x}(f) g or \
+                 \\frac{\\partial}{\\partial x}(f g)",
+            )
+            .help("put what it acts on in parentheses"));
+        }
+        *cursor = items.len();
+        self.sum(rest, operator)
+    }
+
+    fn derived_by(&mut self, by: &[(&Item, Variable)], mark: Mark, operand: Expr, span: Span) -> Read<Expr> {
+        if let Some(symbol) = self.named_derivative(&operand, by, span) {
+            return Ok(symbol);
+        }
+        let mut formula = operand;
+        // The variable that stands last acts first.
+        for (item, by) in by.iter().rev() {
+            formula = self.derivative_by(&formula, (item, by), mark, span)?;
+        }
+        formula.span = span;
+        Ok(formula)
+    }
+
+    /// The symbol for the derivative of a name that no formula defines.
+    fn named_derivative(&mut self, operand: &Expr, by: &[(&Item, Variable)], span: Span) -> Option<Expr> {
+        let id = operand.as_plain_symbol()?;
+        let entry = self.symbols.entry(id);
+        let (above, is_open) = (entry.name.to_string(), self.symbols.open && entry.definition.is_none());
+        let is_itself = by.iter().any(|(_, by)| by.id == id);
+        let [(_, variable)] = by else { return None };
+        let below = names::with_dots(&self.symbols.entry(variable.id).name, variable.dots)?;
+        let name = derivative_name(&above, &below.to_string());
+        let symbol = |id: SymbolId| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span);
+        match self.symbols.find(&name) {
+            Some((id, _)) => Some(symbol(id)),
+            None if is_open && !is_itself => self.symbols.add(name, Kind::Scalar).map(symbol),
+            None => None,
+        }
+    }
+
+    fn derivative_by(&self, formula: &Expr, (item, by): (&Item, &Variable), mark: Mark, span: Span) -> Read<Expr> {
+        let refused = |reason: NoDerivative| self.refused(&reason, span);
+        let fixed = self.momenta(formula);
+        let scope = Scope { symbols: self.symbols, fixed: &fixed };
+        let others = derivative::variables(formula, scope).map_err(refused)?;
+        let velocity = others.iter().find(|other| other.dots > 0 && !fixed.contains(&other.id));
+        if let (Some(velocity), Some(momentum)) = (velocity, others.iter().find(|other| fixed.contains(&other.id))) {
+            let name = |id: SymbolId| self.symbols.entry(id).name.to_string();
+            return Err(Fault::ambiguous(
+                span,
+                format!(
+                    "the derivative may be taken with the momentum {} or with the rate of {} held fixed",
+                    name(momentum.id),
+                    name(velocity.id)
+                ),
+            )
+            .help("write the formula in coordinates and velocities, or in coordinates and momenta"));
+        }
+        let is_by = |other: &Variable| other == by;
+        match mark {
+            Mark::Total if others.iter().any(|other| !is_by(other)) => Err(Fault::ambiguous(
+                span,
+                "this derivative with d may be partial or total, because the formula contains more than one variable",
+            )
+            .help("write \\partial for the partial derivative")),
+            // A free function of which nothing says what it depends on.
+            _ if formula.as_plain_symbol().is_some() && others.len() == 1 && !others.iter().any(is_by) => {
+                Err(self.refused(&NoDerivative::Unknown(others[0].id), span))
+            }
+            _ if self.symbols.open && !others.iter().any(is_by) && !others.is_empty() => {
+                Err(Fault::ambiguous(item.span, "a letter may depend on this variable or not")
+                    .help("say in a claims file what the letters are"))
+            }
+            _ => derivative::partial(formula, by, scope, span).map_err(refused),
+        }
+    }
+
+    fn refused(&self, reason: &NoDerivative, span: Span) -> Fault {
+        match reason {
+            NoDerivative::Unknown(id) => {
+                let name = self.symbols.entry(*id).name.to_string();
+                let message = format!("nothing says how {name} depends on this variable");
+                let mut fault = Fault::unsupported(span, message)
+                    .help(format!("write the formula of {name} in a display or under \"define\" in the claims file"));
+                fault.missing = Some(Missing::Name(name));
+                fault
+            }
+            NoDerivative::Operation(what) => {
+                Fault::unsupported(span, format!("the derivative of {what} is not supported"))
+            }
+        }
+    }
+
+    /// The momenta in a formula: they are variables of their own, whatever formula defines them.
+    fn momenta(&self, formula: &Expr) -> Vec<SymbolId> {
+        let (mut found, mut waiting) = (Vec::new(), vec![formula.clone()]);
+        let mut seen = Vec::new();
+        while let Some(next) = waiting.pop() {
+            for (id, _) in next.symbols() {
+                let entry = self.symbols.entry(id);
+                let is_momentum = entry.momentum || matches!(entry.name.base.as_str(), "p" | "P");
+                match &entry.definition {
+                    _ if seen.contains(&id) => {}
+                    _ if is_momentum => found.push(id),
+                    Some(definition) => waiting.push(definition.as_ref().clone()),
+                    None => {}
+                }
+                seen.push(id);
+            }
+        }
+        found
+    }
+}
+
+/// The name of the symbol that stands for a derivative.
+pub fn derivative_name(above: &str, below: &str) -> Name {
+    Name::plain(format!("\\frac{{\\partial {above}}}{{\\partial {below}}}"))
+}
+
+/// Whether an item is ∂ or d, with its order.
+fn mark(item: &Item) -> Option<(Mark, u32)> {
+    let is_partial = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\partial");
+    match &item.layout {
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } if is_partial(nucleus) => {
+            Some((Mark::Partial, whole_number(sup)?))
+        }
+        _ if is_partial(item) => Some((Mark::Partial, 1)),
+        _ => differential(item).map(|order| (Mark::Total, order)),
+    }
+}
+
+/// The items before and after the slash of `\partial L/\partial q` typed on one line.
+fn on_one_line(items: &[Item]) -> Option<(&[Item], &[Item])> {
+    let slash = items.iter().position(|item| joint(item) == Some(Joint::Slash))?;
+    let (above, below) = (&items[..slash], items.get(slash + 1..slash + 3)?);
+    let is_partial = |item: &Item| mark(item).is_some_and(|(mark, _)| mark == Mark::Partial);
+    let is_name = |item: &Item| names::printed(item, None).is_some();
+    let fits = matches!((above, below), ([first, name], [d, by])
+        if is_partial(first) && is_name(name) && is_partial(d) && is_name(by));
+    fits.then_some((above, below))
+}
