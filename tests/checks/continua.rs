@@ -100,7 +100,7 @@ fn parts_of_a_body_are_weighed() {
     let masses = |value: &str| {
         let two = solid(json!([{ "ball": "R" }, { "box": "R, R, R", "at": r"3 R \hat x" }]));
         let (volume, moment) = (r"\frac43 \pi + 1", "3");
-        assert_eq!(of(&two, &mean("1"), "1"), Verified);
+        assert_eq!(of(&two, &mean(r"\cdot 1"), "1"), Verified);
         of(&two, &mean(r"\vec r"), &value.replace("M", volume).replace("S", moment))
     };
     assert_eq!(masses(r"\frac{S}{M} R \hat x"), Verified);

@@ -8,7 +8,7 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
 use super::items::{contents, is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
@@ -54,7 +54,7 @@ impl Reader<'_> {
                 return Err(mark(sup.span));
             }
             [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†'), .. }] => return Err(mark(sup.span)),
-            [Item { layout: Layout::Fence(..), .. }] => return Err(mark(sup.span)),
+            [Item { layout: Layout::Fence(delimiter, _), .. }] if !is_bar(*delimiter) => return Err(mark(sup.span)),
             [Item { layout: Layout::Text(_), .. }] => return Err(label(sup.span)),
             [Item { layout: Layout::Style(style, inner), .. }]
                 if style == "\\mathrm" && contents(inner).len() > 1 && !self.is_declared(marks[0]) =>
@@ -110,6 +110,11 @@ fn is_unlikely_index(subscript: &[String], base: &Expr, letters: &[String], sup:
         )),
         false => Ok(()),
     }
+}
+
+/// Whether a delimiter is that of an absolute value.
+fn is_bar(delimiter: Delimiter) -> bool {
+    matches!(delimiter, Delimiter::Bar | Delimiter::PlainBar | Delimiter::DoubleBar)
 }
 
 fn mark(span: Span) -> Fault {

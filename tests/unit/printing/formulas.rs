@@ -112,7 +112,7 @@ fn scalars(leaf: BoxedStrategy<Expr>) -> BoxedStrategy<Expr> {
             3 => vec(inner.clone(), 2..4).prop_map(product),
             2 => two.clone().prop_map(|(a, b)| node(Node::Quotient(boxed(a), boxed(b)))),
             2 => two.prop_map(|(a, b)| node(Node::Power(boxed(a), boxed(b)))),
-            1 => inner.clone().prop_filter("e² is refused", |a| a.as_digits().is_none())
+            1 => inner.clone().prop_filter("e with a number above is refused", |a| !a.symbols().is_empty())
                 .prop_map(|a| node(Node::Power(boxed(node(Node::Euler)), boxed(a)))),
             1 => (2..5u32, inner.clone()).prop_map(|(n, a)| node(Node::Root(n, boxed(a)))),
             2 => (select(functions), inner.clone()).prop_map(|(f, a)| node(Node::Call(f, boxed(a)))),

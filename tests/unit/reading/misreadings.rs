@@ -79,7 +79,7 @@ fn an_application_is_no_product() {
         (r"\lambda(\dot q b)", "λ·(q\u{307}·b)"),
         ("m(l b)^2", "m·(l·b)^2"),
         ("2(0.5)", "2·0.5"),
-        (r"q \, (0)", "q·0"),
+        (r"q \, (0) b", "q·0·b"),
         (r"A(\cos\omega t + b)", "A·(cos(ω·t) + b)"),
         (r"\frac{dq}{dt}(a + b)", "d/dt(q)·(a + b)"),
     ]);
