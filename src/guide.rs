@@ -15,6 +15,7 @@ pub mod claims {}
 ///
 /// [claims-document]: claims#the-document
 /// [claims-continua]: claims#continua
+/// [claims-functions]: claims#functions
 /// [claims-families]: claims#families
 /// [claims-equation]: claims#an-equation
 #[cfg_attr(doc, doc = include_str!("../docs/notation.md"))]

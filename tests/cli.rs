@@ -21,6 +21,8 @@ mod formulas;
 mod messages;
 #[path = "cli/mutate.rs"]
 mod mutate;
+#[path = "cli/printed_lagrangian.rs"]
+mod printed_lagrangian;
 #[path = "cli/reprint.rs"]
 mod reprint;
 #[path = "cli/steps.rs"]

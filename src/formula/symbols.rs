@@ -95,6 +95,8 @@ pub struct Entry {
     pub steady: bool,
     /// Whether its value follows from the coordinates and velocities by no formula that is known here.
     pub derived: bool,
+    /// Whether it is a coefficient of an arbitrary function, which no author writes.
+    pub hidden: bool,
     /// Whether it is a momentum, which a derivative of a Hamiltonian takes for a variable of its own.
     pub momentum: bool,
     /// The argument that may follow in parentheses without a change of meaning: the `\vec{r}` of `\rho(\vec r)`.
@@ -231,6 +233,7 @@ impl Symbols {
             steady: false,
             derived: false,
             momentum: false,
+            hidden: false,
             members: Vec::new(),
             measure: None,
             density: None,
@@ -391,7 +394,8 @@ impl Symbols {
 
     /// The declared name nearest to `name`, for "did you mean".
     pub fn nearest(&self, name: &Name) -> Option<String> {
-        let names: Vec<String> = self.entries.iter().map(|entry| entry.name.to_string()).collect();
+        let names: Vec<String> =
+            self.entries.iter().filter(|entry| !entry.hidden).map(|entry| entry.name.to_string()).collect();
         suggest::nearest(&name.to_string(), names.iter().map(String::as_str)).map(str::to_owned)
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! They stand here and not in `src`, because they are long; they are compiled into the library's own test binary.
 
+mod derivative;
 mod derive;
 mod notes;
 mod printing;

@@ -1,7 +1,7 @@
 //! What is printed reads back as the same formula, and reading is total: any text gives a formula or a fault.
 
 #[path = "printing/formulas.rs"]
-mod formulas;
+pub(super) mod formulas;
 
 use onshell::formula::{Expr, Node, Symbols, shape};
 use onshell::latex::{Macros, read_display, read_formula, typeset};

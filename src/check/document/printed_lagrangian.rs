@@ -7,11 +7,15 @@
 use std::sync::Arc;
 
 use crate::formula::{Expr, SymbolId, Value, text};
+use crate::latex::Reading;
 use crate::mechanics::{LinearSolver, System};
+use crate::notes::Notes;
 use crate::notes::claims::Claims;
 use crate::scalar::Symbol;
+use crate::source::Fault;
 use crate::{Error, Result};
 
+use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
 use crate::check::model::order::derivatives;
@@ -23,12 +27,20 @@ use crate::check::state::sampled_state::SampledState;
 ///
 /// # Errors
 /// At the name in the claims file, where no display defines it, or where its formula is not a Lagrangian.
-pub(crate) fn make(claims: &Claims, model: &mut Model) -> Result<()> {
+pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], model: &mut Model) -> Result<()> {
     let Some(printed) = model.printed_lagrangian.clone() else { return Ok(()) };
     let error = |message: String| Error::at(&claims.source, printed.place, message);
     let shown = text::plain(&printed.lagrangian.to_string());
     let found = model.symbols.find(&printed.lagrangian).map(|(id, _)| id);
     let Some((symbol, Some(Meaning::Defined(_)))) = found.map(|id| (id, model.meaning(id))) else {
+        let latex = printed.lagrangian.to_string();
+        let begins = |at: &usize| notes.equations[*at].text.trim_start().starts_with(&latex);
+        let fault = |at: usize| faults(&readings[at]).next().map(|fault| (at, fault.clone()));
+        if let Some((at, fault)) = (0..readings.len()).filter(begins).find_map(fault) {
+            let fault = fault.shifted(notes.equations[at].body.start);
+            let message = format!("the Lagrangian {shown} could not be read: {}", fault.message);
+            return Err(Error::fault(&notes.source, Fault { message, ..fault }));
+        }
         return Err(error(format!("no display that can be read defines {shown}, the Lagrangian")).help(format!(
             "write a display {shown} = …, with all its symbols declared; or name a system under \"system\""
         )));

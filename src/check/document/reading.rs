@@ -10,9 +10,11 @@
 //! make the author sort the notes. So what cannot be read for lack of a name is read again when more names are
 //! known, until nothing changes. A name that the claims file defines is never taken by an earlier display.
 
+use std::sync::Arc;
+
 use crate::formula::shape::{Shape, bind};
 use crate::formula::symbols::Name;
-use crate::formula::{IndexId, Kind, Symbols};
+use crate::formula::{Expr, IndexId, Kind, Statement, SymbolId, Symbols};
 use crate::latex::{Reading, name_search, names, read_display, read_formula};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
@@ -20,7 +22,9 @@ use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
 use crate::check::document::unreadable::{UnreadableDisplays, faults};
+use crate::check::model::claim::is_equality;
 use crate::check::model::claims_error::formula_error;
+use crate::check::model::meaning::{Meaning, Quantity};
 use crate::check::model::{Model, particles};
 
 /// Reads the displays, in their order, and the definitions of the claims file, which are added to the model.
@@ -266,11 +270,39 @@ fn read(text: &str, claim: Option<&Claim>, model: &Model) -> (Symbols, Reading) 
     (symbols, reading)
 }
 
+/// Notes the formula by which the Hamiltonian or an energy is differentiated: the last member without velocities, as
+/// H(q, p) is meant, or else, for what the system determines, the last one.
+fn note_formula(statement: &Statement, model: &mut Model) {
+    let [first, others @ ..] = statement.members.as_slice() else { return };
+    let Some(id) = first.as_plain_symbol() else { return };
+    let energies = [Quantity::Energy, Quantity::KineticEnergy, Quantity::PotentialEnergy, Quantity::EffectivePotential];
+    let is_energy = matches!(model.meaning(id), Some(Meaning::System(quantity)) if energies.contains(quantity));
+    let is_defined = matches!(model.meaning(id), Some(Meaning::Defined(_)));
+    let is_known = is_energy && model.symbols.entry(id).definition.is_some();
+    if is_known || !(is_energy || is_defined) || !statement.relations.iter().all(|relation| is_equality(relation.0)) {
+        return;
+    }
+    let is_momentum = |symbol: &SymbolId| model.symbols.entry(*symbol).momentum;
+    let has_momentum = |member: &&Expr| member.symbols().iter().any(|(symbol, _)| is_momentum(symbol));
+    let has_velocity = |member: &&Expr| member.symbols().iter().any(|(_, dots)| *dots > 0);
+    let contains_it = |member: &&Expr| member.symbols().iter().any(|(other, _)| *other == id);
+    let candidates = || others.iter().filter(|member| !contains_it(member));
+    let in_momenta = candidates().filter(has_momentum).rfind(|member| !has_velocity(member));
+    let any = || candidates().next_back().filter(|_| is_energy);
+    let found = in_momenta.or_else(|| candidates().rfind(|member| is_energy && !has_velocity(member))).or_else(any);
+    if let Some(formula) = found {
+        model.symbols.entry_mut(id).definition = Some(Arc::new(formula.clone()));
+    }
+}
+
 /// Adds the names that a reading introduces to the model, and returns the reading.
 fn accept((symbols, reading): (Symbols, Reading), model: &mut Model) -> Reading {
     model.symbols = symbols;
     for introduced in &reading.introduced {
         model.define(introduced.symbol, introduced.formula.clone());
+    }
+    for statement in reading.statements.iter().flatten() {
+        note_formula(statement, model);
     }
     reading
 }

@@ -65,7 +65,7 @@ pub(crate) fn with_checker<T>(
     let mut model = Model::new(claims, macros, run.registry)?;
     let assigned = assign(claims, notes)?;
     let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
-    printed_lagrangian::make(claims, &mut model)?;
+    printed_lagrangian::make((claims, notes), &readings, &mut model)?;
     let (source, options) = (&*notes.source, run.options);
     let plain = Checker {
         claims,

@@ -1,15 +1,45 @@
 //! Lines for the claims file that would make an equation checkable.
 
+use crate::Result;
+use crate::formula::{Expr, Node, text};
 use crate::source::Span;
 use crate::suggest::in_json;
 
 use crate::check::document::checker::Checker;
+use crate::check::kinds::small;
 use crate::check::model::claim::Link;
 use crate::check::model::free_symbols;
 use crate::check::model::meaning::Meaning;
+use crate::check::sample::context::Context;
 use crate::check::sample::sampler::contains;
+use crate::check::verdict::finding::Finding;
 
 impl Checker<'_> {
+    /// The finding on ≈ where nothing says what is small, if it holds to first order when one coordinate is, or all are.
+    pub(crate) fn inferred_small(&self, link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+        let model = self.model;
+        let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], model);
+        let coordinates: Vec<Expr> = model
+            .coordinates
+            .iter()
+            .filter(|coordinate| drawn.contains(&coordinate.symbol))
+            .map(|coordinate| {
+                let node = Node::Symbol { id: coordinate.symbol, indices: Vec::new(), dots: 0 };
+                Expr::new(node, link.lhs.span)
+            })
+            .collect();
+        let alone = coordinates.chunks(1);
+        for small in alone.chain((coordinates.len() > 1).then_some(coordinates.as_slice())) {
+            let found = small::check(link, small, 1, context)?;
+            if found.verdict.passes() {
+                let names: Vec<String> = small.iter().map(|name| text::formula(name, &model.symbols)).collect();
+                let message = format!("{}; taken to be small: {}", found.message, names.join(", "));
+                return Ok(Some(Finding { message, ..found }));
+            }
+        }
+        Ok(None)
+    }
+
     /// The message that ≈ needs a limit or a small quantity, with the line that names one.
     pub(crate) fn needs_limit_or_small(&self, link: &Link, place: Span) -> String {
         let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], self.model);

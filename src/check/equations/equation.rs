@@ -293,17 +293,14 @@ impl Checker<'_> {
                     let (variable, towards) = self.limit(limit)?;
                     limit::check(&link, variable, towards, &context)?
                 }
-                (Relation::Approximately, None) => {
-                    let span = place.shifted(context.span.start - from.start);
-                    Finding {
-                        span,
-                        ..context.finding(
-                            Code::NeedsLimitOrSmall,
-                            Verdict::Unreadable,
-                            self.needs_limit_or_small(&link, span),
-                        )
+                (Relation::Approximately, None) => match self.inferred_small(&link, &context)? {
+                    Some(found) => found,
+                    None => {
+                        let span = place.shifted(context.span.start - from.start);
+                        let message = self.needs_limit_or_small(&link, span);
+                        Finding { span, ..context.finding(Code::NeedsLimitOrSmall, Verdict::Unreadable, message) }
                     }
-                }
+                },
                 (Relation::Proportional, _) => context.finding(
                     Code::NotSupported,
                     Verdict::Unreadable,

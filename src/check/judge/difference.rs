@@ -266,6 +266,9 @@ fn is_short(formula: &Expr, model: &Model) -> bool {
         if let Node::Number(digits) = &part.node {
             simple &= digits.len() <= MOST_DIGITS && digits.bytes().all(|byte| byte.is_ascii_digit());
         }
+        if let Node::Symbol { id, .. } = &part.node {
+            simple &= !model.symbols.entry(*id).hidden;
+        }
     });
     simple && text::formula(formula, &model.symbols).chars().count() <= LONGEST
 }

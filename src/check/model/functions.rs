@@ -54,6 +54,7 @@ impl Builder<'_> {
             let coefficient = self.model.symbols.add(own, Kind::Scalar).ok_or_else(|| {
                 self.error(latex, format!("{name} is declared twice")).help("remove one of the two declarations")
             })?;
+            self.model.symbols.entry_mut(coefficient).hidden = true;
             self.model.mean(coefficient, Meaning::Constant(self.model.constants.len()));
             self.model.constants.push(Drawn::number(coefficient, Range::Any));
             terms.push((coefficient, powers));

@@ -79,8 +79,9 @@ pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec
         with_dots(formula, 0, &mut symbols);
         symbols.iter().for_each(|expr| {
             let Node::Symbol { id, indices, dots } = &expr.node else { return };
-            // What does not vary has no rate to show.
-            if *dots > 0 && !model.symbols.entry(*id).varies {
+            // What does not vary has no rate to show; of a function its value is shown, and no coefficient.
+            let entry = model.symbols.entry(*id);
+            if entry.hidden || *dots > 0 && !entry.varies {
                 return;
             }
             let mut labels: Vec<(IndexId, u8)> = Vec::new();

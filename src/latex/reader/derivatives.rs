@@ -27,7 +27,7 @@ impl Reader<'_> {
         if significant().filter(|item| is_operator(item)).count() > 5 {
             return Err(Fault::unsupported(operator, "derivatives above the fifth order are not supported"));
         }
-        let one = significant().count() == 1;
+        let one = significant().count() == 1 || self.is_a_function_with_its_arguments(significant());
         if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
             return Err(Fault::ambiguous(
                 operator.to(first.span),
@@ -37,6 +37,14 @@ impl Reader<'_> {
         }
         *cursor = items.len();
         self.sum(rest, operator)
+    }
+
+    /// Whether these are a declared function and its arguments, and nothing else: `V(r)`.
+    fn is_a_function_with_its_arguments<'i>(&self, mut items: impl Iterator<Item = &'i Item>) -> bool {
+        let (Some(name), Some(arguments), None) = (items.next(), items.next(), items.next()) else { return false };
+        let is_function =
+            names::printed(name, self.branch).is_some_and(|printed| self.declared_function(&printed).is_some());
+        is_function && matches!(arguments.layout, Layout::Fence(..))
     }
 
     /// Whether a derivative before these factors must act on their product: a constant first factor is not

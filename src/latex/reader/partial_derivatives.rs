@@ -8,7 +8,7 @@
 
 use crate::formula::derivative::{self, NoDerivative, Scope};
 use crate::formula::symbols::{Kind, Name, SymbolId};
-use crate::formula::tree::{Expr, Node, Variable};
+use crate::formula::tree::{Expr, Node, Sign, Term, Variable};
 use crate::source::{Fault, Missing, Span};
 
 use super::super::layout::{Item, Layout};
@@ -208,7 +208,9 @@ impl Reader<'_> {
             formula = self.derivative_by(&formula, (item, by), mark, span)?;
         }
         formula.span = span;
-        Ok(formula)
+        // As a sum of one term it differs from its own text, because to carry out a derivative is a step.
+        let term = Term { sign: Sign::Plus, sign_span: None, expr: formula };
+        Ok(Expr::new(Node::Sum(vec![term]), span))
     }
 
     /// The symbol for the derivative of a name that no formula defines.

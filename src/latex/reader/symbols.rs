@@ -139,6 +139,7 @@ impl Reader<'_> {
     pub(in super::super) fn is_known(&mut self, printed: &Printed<'_>, span: Span) -> bool {
         let name = &printed.name;
         self.symbols.find_or_assemble(name).is_some()
+            || self.declared_function(printed).is_some()
             || self.special(printed, span).is_ok_and(|special| special.is_some())
             || !matches!(self.derived(name, span), Ok(None))
             || name.subscript.is_empty() && self.symbols.find_whole(&name.base).is_some()

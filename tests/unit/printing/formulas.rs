@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 /// Numbers; the first are in both tables.
-const SCALARS: [&str; 10] =
+pub const SCALARS: [&str; 10] =
     ["x", "m", "M", r"\theta", r"\lambda_1", "p_\\psi", r"\omega_0", "x'", r"T_{\mathrm{rot}}", r"\Omega_{+}"];
 
 /// Those that are known to be angles.
