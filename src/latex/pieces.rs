@@ -144,11 +144,11 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>) {
 fn continues(row: &Row<'_>, before: Option<&Piece<'_>>) -> bool {
     let Some(before) = before else { return false };
     let last = before.links.last();
-    let open = last.is_some_and(|link| match link.items.iter().rev().find(|item| is_significant(item)) {
+    let open = last.is_some_and(|link| match link.items.iter().rev().find(is_significant) {
         Some(item) => is_operator(item),
         None => link.relation.is_some(),
     });
-    let first = row.items.iter().find(|item| is_significant(item)).copied();
+    let first = row.items.iter().find(is_significant).copied();
     let has_relation = row.items.iter().any(|item| relation(item).is_some());
     let adds = first.is_some_and(|item| {
         item.layout != Layout::Other('-') && is_operator(item) || is_sign(item) && (!has_relation || row.is_indented)
@@ -158,7 +158,7 @@ fn continues(row: &Row<'_>, before: Option<&Piece<'_>>) -> bool {
 
 /// The fault of a row that may continue the row before in more than one way, or be an equation of its own.
 fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>]) -> Option<Fault> {
-    let first = row.items.iter().find(|item| is_significant(item)).copied()?;
+    let first = row.items.iter().find(is_significant).copied()?;
     let has_relation = row.items.iter().any(|item| relation(item).is_some());
     let starts_with_relation = relation(first).is_some();
     if first.layout == Layout::Other('-') && has_relation && !row.is_indented && !row.is_aligned {

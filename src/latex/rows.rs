@@ -65,8 +65,7 @@ fn side_by_side<'a>(cells: &[Vec<&'a Item>]) -> Vec<&'a Item> {
     let mut items: Vec<&'a Item> = Vec::new();
     for (at, cell) in cells.iter().enumerate() {
         let joins = |item: Option<&&Item>| item.is_some_and(|item| relation(item).is_some() || is_operator(item));
-        let goes_on = joins(items.iter().rev().find(|item| is_significant(item)))
-            || joins(cell.iter().find(|item| is_significant(item)));
+        let goes_on = joins(items.iter().rev().find(is_significant)) || joins(cell.iter().find(is_significant));
         if at > 0 && at % 2 == 0 && !is_blank(cell) && !goes_on {
             items.push(&COLUMN);
         }

@@ -24,7 +24,7 @@ fn over_duals(expr: &Expr, symbols: &Symbols, by: &Variable) -> Option<Dual64> {
         }
     }
     match evaluate(expr, &state, &[]) {
-        Ok(Value::Scalar(value)) => Some(value),
+        Ok(Value::Scalar(value)) => Some(value.value()),
         _ => None,
     }
 }
