@@ -297,6 +297,16 @@ codes! {
     /// For example, `L = T - V` with `"means": { "L": "Lagrangian" }` and no `system`. This is a pass: the equations of
     /// motion follow from the Lagrangian as it is printed, and the other displays are checked with them.
     LagrangianDefined = "lagrangian-defined",
+    /// A display gives a name a formula, in notes without a claims file.
+    ///
+    /// For example, `E = T + U`. Nothing is checked: the name means this from here on. Write a claims file to have the
+    /// definition tested by the displays that use the name.
+    Introduced = "introduced",
+    /// A display does not follow from the others, and is taken for granted, in notes without a claims file.
+    ///
+    /// For example, `F = m a` where F, m and a are known before: a law, a condition or a value. It would be called wrong if
+    /// one likely slip lay between it and an equation that is certified. A claims file can say what must be checked.
+    Assumed = "assumed",
     /// An equation that is referred to does not contain what it should contain.
     ///
     /// For example, a sentence refers to (4.58) for a force, and (4.58) contains none. Correct the number.

@@ -27,6 +27,8 @@ mod printed_lagrangian;
 mod reprint;
 #[path = "cli/steps.rs"]
 mod steps;
+#[path = "cli/unaided.rs"]
+mod unaided;
 #[path = "cli/widths.rs"]
 mod widths;
 #[path = "cli/writing.rs"]

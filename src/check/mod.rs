@@ -21,7 +21,8 @@
 //! | `repair` | single edits with which a wrong equation passes, and their ranking |
 //! | `steps` | derivations: false steps that follow from a false step before them |
 //! | `mutation` | mutation testing of a document |
-//! | `reprint`, `run`, `unclaimed` | a second print of the same equations; the check of one document; notes without claims |
+//! | `reprint`, `run` | a second print of the same equations; the check of one document |
+//! | `unaided` | notes without a claims file: claims inferred, findings weighed |
 
 pub(crate) mod certificate;
 pub(crate) mod document;
@@ -42,7 +43,7 @@ pub(crate) mod state;
 pub(crate) mod steps;
 pub(crate) mod trial;
 #[cfg(feature = "cli")]
-pub(crate) mod unclaimed;
+pub(crate) mod unaided;
 pub(crate) mod vacuity;
 pub(crate) mod verdict;
 
@@ -57,7 +58,7 @@ pub use run::check_document;
 pub(crate) use run::check_in;
 pub use sample::context::Options;
 #[cfg(feature = "cli")]
-pub(crate) use unclaimed::unclaimed;
+pub(crate) use unaided::unaided;
 pub use verdict::Verdict;
 pub use verdict::finding::{Counterexample, Finding, Fit, Formula, Fraction, Inherited, Misfit};
 #[cfg(feature = "cli")]

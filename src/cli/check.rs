@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use crate::check::document::setup;
-use crate::check::{Document, Options, Report, Run, check_in, check_reprint, reprint, unclaimed};
+use crate::check::{Document, Options, Report, Run, Verdict, check_in, check_reprint, reprint, unaided};
 use crate::report::{self, wrap};
 use crate::systems::Registry;
 use crate::{Error, Result};
@@ -17,6 +17,8 @@ use super::outcome::{Format, Outcome, Screen, shown};
 use super::progress::ProgressLine;
 
 /// Checks the equations of notes against their claims
+///
+/// Notes without a claims file are checked too: what follows, what is introduced, and what is wrong by a likely slip.
 ///
 /// Exits with 0 if every equation is as expected, 1 if one is not, 2 if something could not be checked.
 #[derive(clap::Args)]
@@ -45,6 +47,9 @@ pub struct Arguments {
     /// List every equation, how it was read, and what was inferred
     #[arg(short, long)]
     verbose: bool,
+    /// Exit with 2 where something was not decided or not read, and where notes have no claims file
+    #[arg(long)]
+    strict: bool,
     /// Make the suggested edits that are clear, after asking, and check again
     #[arg(long)]
     fix: bool,
@@ -77,7 +82,11 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     }
     let mut known = HashSet::new();
     told.retain(|line: &String| known.insert(line.clone()));
-    let code = if errors.is_empty() { result.exit_code() } else { 2 };
+    let code = match errors.is_empty() {
+        true if arguments.strict => strict_exit_code(&result),
+        true => result.exit_code(),
+        false => 2,
+    };
     let output = match arguments.format {
         Format::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
         Format::Text => report::text::report(&result, arguments.verbose, screen.out),
@@ -85,6 +94,17 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     };
     let told: String = told.iter().map(|line| wrap("", line, 2, screen.err.width) + "\n").collect();
     Outcome { output, messages: told + &shown(&errors, screen), code }
+}
+
+/// The exit code with `--strict`.
+fn strict_exit_code(report: &Report) -> u8 {
+    let is_open = |verdict: Verdict| matches!(verdict, Verdict::Undecided | Verdict::Unreadable | Verdict::Assumed);
+    let undecided = report.items().any(|item| is_open(item.finding.verdict) && item.because.is_none());
+    let unaided = report.documents.iter().any(|document| document.claims.is_none());
+    match report.exit_code() {
+        0 if undecided || unaided => 2,
+        code => code,
+    }
 }
 
 /// The report on the documents that are named, and the errors of those that could not be checked.
@@ -168,7 +188,7 @@ impl Loaded {
         match self {
             Loaded::Own(claims, notes) => setup::items(claims, notes, only),
             Loaded::Reprint(sets, print) => reprint::items(sets, print, only),
-            Loaded::Unclaimed(_) => 0,
+            Loaded::Unclaimed(notes) => notes.equations.len(),
         }
     }
 
@@ -176,7 +196,7 @@ impl Loaded {
         match &self {
             Loaded::Own(claims, notes) => check_in(run, claims, notes),
             Loaded::Reprint(sets, print) => check_reprint(run, sets, print),
-            Loaded::Unclaimed(notes) => Ok(unclaimed(notes)),
+            Loaded::Unclaimed(notes) => unaided(run, notes),
         }
     }
 }

@@ -3,10 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::reason;
-use crate::latex::names;
 use crate::notes::{Claims, Notes, claims_beside, json};
-use crate::suggest::in_json;
-use crate::{Error, Formula, Result};
+use crate::{Error, Result};
 
 /// The files of a document.
 pub(super) enum Job {
@@ -38,37 +36,15 @@ pub(super) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     if let Err(error) = path.metadata() {
         return Err(Error::new(format!("cannot read {}: {}", path.display(), reason(&error))));
     }
+    if claims.is_empty() && !claims_beside(path).exists() {
+        return Ok(vec![Job::Notes(path.to_owned())]);
+    }
     let claims = if claims.is_empty() { vec![claims_beside(path)] } else { claims.to_vec() };
     if let Some(absent) = claims.iter().find(|claims| !claims.exists()) {
-        return Err(Error::new(format!("{} has no claims file", path.display())).help(format!(
-            "write {}; for example: {}",
-            absent.display(),
-            smallest(path)
-        )));
+        return Err(Error::new(format!("there is no claims file {}", absent.display()))
+            .help("correct its name, or leave out --claims: then the notes are checked without a claims file"));
     }
     Ok(vec![Job::Pair { notes: path.to_owned(), claims }])
-}
-
-/// The smallest claims file for notes: it declares the letters of the displays that can be read without one.
-fn smallest(path: &Path) -> String {
-    let name = path.file_name().map_or_else(|| shown(path), |name| name.to_string_lossy().into_owned());
-    let (mut constants, mut varying): (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
-    let displays = Notes::read(path, &shown(path)).map(|notes| notes.equations).unwrap_or_default();
-    let formulas = displays.iter().filter_map(|display| Formula::read_all(&display.text).ok()).flatten();
-    for (name, dots) in formulas.flat_map(|formula| formula.letters()).filter_map(|letter| names::parse(&letter)) {
-        let list = if dots > 0 { &mut varying } else { &mut constants };
-        let name = name.to_string();
-        if name != "t" && !list.contains(&name) {
-            list.push(name);
-        }
-    }
-    constants.retain(|name| !varying.contains(name));
-    let declared = |role: &str, names: &[String]| match names {
-        [] => String::new(),
-        names => format!(", \"{role}\": {{ {}: \"any\" }}", in_json(&names.join(","))),
-    };
-    let (constants, varying) = (declared("constants", &constants), declared("varies with time", &varying));
-    format!("{{ \"notes\": {}{constants}{varying} }}", in_json(&name))
 }
 
 /// The documents of a folder and of those in it, in the order of their names.

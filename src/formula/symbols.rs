@@ -113,6 +113,13 @@ pub struct Entry {
     pub components: Option<Components>,
 }
 
+impl Entry {
+    /// Whether no author writes the symbol as one: a coefficient of an arbitrary function, or a derivative.
+    pub fn is_composed(&self) -> bool {
+        self.hidden || self.name.base.starts_with("\\frac")
+    }
+}
+
 /// The axes of a vector's components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Components {
@@ -395,7 +402,7 @@ impl Symbols {
     /// The declared name nearest to `name`, for "did you mean".
     pub fn nearest(&self, name: &Name) -> Option<String> {
         let names: Vec<String> =
-            self.entries.iter().filter(|entry| !entry.hidden).map(|entry| entry.name.to_string()).collect();
+            self.entries.iter().filter(|entry| !entry.is_composed()).map(|entry| entry.name.to_string()).collect();
         suggest::nearest(&name.to_string(), names.iter().map(String::as_str)).map(str::to_owned)
     }
 }

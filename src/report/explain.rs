@@ -213,6 +213,16 @@ For example, the claims file declares equation (1) as Newton's second law:
 
 Check by eye that a law is printed correctly."#
         }
+        Verdict::Assumed => {
+            r"The display does not follow from the others, and it is taken for granted.
+
+This verdict is given in notes without a claims file. A law, a condition or a value cannot follow from anything.
+The display would be called wrong if one likely slip lay between it and an equation that is certified.
+
+For example, in `F = m a`, all three letters are known from other displays.
+
+Check by eye that it is printed correctly, or write a claims file that says what must be checked."
+        }
         Verdict::Unclaimed => {
             r"The equation has a number, and nothing says what it means.
 

@@ -95,12 +95,14 @@ fn counted(document: &Document, style: Style) -> String {
         let count = self::count(count, verdict) + &expectation.replace(' ', "\u{a0}");
         told.push(style.paint(&count, colour(verdict, ok)));
     }
+    if document.claims.is_none() && !told.is_empty() {
+        told = unaided_counts(&items(document).collect::<Vec<_>>());
+    }
     if told.is_empty() {
         told.push("nothing to check".to_owned());
     }
     let unnumbered = unnumbered(document).map(|line| format!("; {line}")).unwrap_or_default();
-    let without = if document.claims.is_none() { "; there is no claims file for it" } else { "" };
-    let line = format!("{}{unnumbered}{without}", told.join(", "));
+    let line = format!("{}{unnumbered}", told.join(", "));
     let mut text = wrap(&format!("{}: ", document.path), &line, INDENT, style.width) + "\n";
     let width = number_width(document);
     for item in items(document).filter(|item| !item.ok && item.finding.follows_from.is_some()) {
@@ -144,6 +146,25 @@ fn count(count: usize, verdict: Verdict) -> String {
         _ => "",
     };
     format!("{count}\u{a0}{verdict}{plural}")
+}
+
+/// What became of the displays of notes without a claims file.
+fn unaided_counts(items: &[&Equation]) -> Vec<String> {
+    let of = |wanted: fn(Verdict) -> bool, one: &str, many: &str| {
+        let count = items.iter().filter(|item| wanted(item.finding.verdict)).count();
+        (count > 0).then(|| format!("{count}\u{a0}{}", if count == 1 { one } else { many }))
+    };
+    [
+        of(Verdict::holds, "follows", "follow"),
+        of(|verdict| matches!(verdict, Verdict::Definition | Verdict::Law), "introduced", "introduced"),
+        of(|verdict| verdict == Verdict::Assumed, "taken for granted", "taken for granted"),
+        of(|verdict| verdict == Verdict::Refuted, "wrong", "wrong"),
+        of(|verdict| verdict == Verdict::Undecided, "not decided", "not decided"),
+        of(|verdict| matches!(verdict, Verdict::Unreadable | Verdict::Unclaimed), "not read", "not read"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// The displays that were not checked.
@@ -227,6 +248,13 @@ fn details(item: &Equation, style: Style) -> String {
 }
 
 fn summary(report: &Report) -> String {
+    if !report.documents.is_empty() && report.documents.iter().all(|document| document.claims.is_none()) {
+        let counts = unaided_counts(&report.items().collect::<Vec<_>>());
+        let displays = report.items().count();
+        let plural = if displays == 1 { "" } else { "s" };
+        let counts = if counts.is_empty() { "nothing was checked".to_owned() } else { counts.join(", ") };
+        return format!("{displays} display{plural}, without a claims file: {counts}");
+    }
     let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
     let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();
     let counts = report.counts();

@@ -352,24 +352,6 @@ fn the_last_lines_count_the_codes_and_explain_the_worst() {
 }
 
 #[test]
-fn without_a_claims_file_the_smallest_one_is_shown_and_works() {
-    let desk = Desk::new("messages-smallest");
-    let notes = "$$ p = m v + \\dot q \\tag{1} $$\n\n$$ a/bc = a \\tag{2} $$\n\n$$ (x + \\lambda_1)^2 = x^2 + \\lambda_1^2 \\tag{3} $$\n";
-    desk.write("alone.md", notes);
-    let run = desk.onshell(&["check", "alone.md"]);
-    assert_eq!(run.code, 2);
-    let (_, json) = run.err.split_once("alone.json; for example: ").unwrap_or_else(|| panic!("{}", run.err));
-    let json = json.lines().next().unwrap_or_default();
-    let claims: Value = serde_json::from_str(json).unwrap_or_else(|error| panic!("{error} in {json}"));
-    assert_eq!(claims["constants"], json!({ "p,m,v,x,\\lambda_1": "any" }));
-    assert_eq!(claims["varies with time"], json!({ "q": "any" }));
-    desk.write("alone.json", json);
-    let run = desk.onshell(&["check", "alone.md", "--only", "3"]);
-    says(&run, &["(3) is refuted"]);
-    is_silent(&run, &["not declared", "claims-file"]);
-}
-
-#[test]
 fn a_file_that_is_missing_is_said_to_be_missing() {
     let desk = Desk::new("messages-missing");
     for path in ["absent.md", "absent.json", "absent.tex"] {

@@ -304,7 +304,7 @@ fn turned(expr: &Expr) -> Option<Expr> {
 
 /// The symbols that are numbers, each with its entry.
 fn numbers(symbols: &Symbols) -> impl Iterator<Item = (SymbolId, &Entry)> {
-    symbols.iter().filter(|(_, entry)| {
+    symbols.iter().filter(|(_, entry)| !entry.is_composed()).filter(|(_, entry)| {
         entry.kind == Kind::Scalar && entry.slots.is_empty() && !entry.squared && entry.measure.is_none()
     })
 }

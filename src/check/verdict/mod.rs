@@ -19,6 +19,8 @@ pub enum Verdict {
     Definition,
     /// A law: a hypothesis that the claims file declares, not checked.
     Law,
+    /// A relation that is taken for granted, in notes without a claims file.
+    Assumed,
     /// Fails at a state, which is given.
     Refuted,
     /// The two sides agree where both are defined, but one is defined where the other is not.
@@ -33,11 +35,12 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict, from the best to the worst. The worst of several parts counts.
-    pub const ALL: [Verdict; 9] = [
+    pub const ALL: [Verdict; 10] = [
         Verdict::Certified,
         Verdict::Verified,
         Verdict::Definition,
         Verdict::Law,
+        Verdict::Assumed,
         Verdict::Unclaimed,
         Verdict::Undecided,
         Verdict::Domain,
@@ -47,7 +50,7 @@ impl Verdict {
 
     /// Whether this verdict is a pass, if no other verdict is expected.
     pub fn passes(self) -> bool {
-        matches!(self, Verdict::Certified | Verdict::Verified | Verdict::Definition | Verdict::Law)
+        matches!(self, Verdict::Certified | Verdict::Verified | Verdict::Definition | Verdict::Law | Verdict::Assumed)
     }
 
     /// Whether the claim was tested and holds.
@@ -67,6 +70,7 @@ impl Verdict {
             Verdict::Verified => "verified",
             Verdict::Definition => "definition",
             Verdict::Law => "law",
+            Verdict::Assumed => "assumed",
             Verdict::Refuted => "refuted",
             Verdict::Domain => "domain",
             Verdict::Undecided => "undecided",

@@ -21,4 +21,4 @@ mod text;
 pub use item::{Delimiter, Item, Layout};
 pub use parser::layout;
 #[cfg(feature = "notes")]
-pub(super) use text::typeset_items;
+pub(crate) use text::typeset_items;

@@ -13,7 +13,7 @@ use super::parser::layout;
 ///
 /// # Errors
 /// A text that is too long, or a macro that lacks an argument or never stops expanding.
-pub(in crate::latex) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fault> {
+pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fault> {
     const LONGEST: usize = 1 << 18;
     if text.len() > LONGEST {
         return Err(Fault::new(Span::new(0, LONGEST), format!("this formula has more than {LONGEST} bytes"))

@@ -154,6 +154,10 @@ impl Reader<'_> {
             let (only, None) = (names.next()?, names.next()) else { return None };
             let printed = names::printed(only, self.branch).filter(|printed| printed.sup.is_none())?;
             let (id, indices) = self.symbols.find_or_assemble(&printed.name)?;
+            // After a name that nothing defines yet, a constant in parentheses is a place as often as an argument.
+            if !self.symbols.entry(id).varies {
+                return None;
+            }
             found.push(Variable { id, indices, dots: printed.dots });
         }
         Some(found)

@@ -7,7 +7,7 @@ const TOP: &str = r##"{ "notes": "heavy-top.md", "system": { "name": "heavy_top"
   "coordinates": { "\\theta": "(0, \\pi)", "\\phi, \\psi": "angle" },
   "varies with time": { "u": "any" },
   "constants": { "M, g, R, \\lambda_1": "> 0", "n": "integer 2..5", "q": "< 0" },
-  "functions": { "V(r, t)": "any" }, "indices": { "i, j": "1..n", "a": "1..3" },
+  "functions": { "V": "of r, t" }, "indices": { "i, j": "1..n", "a": "1..3" },
   "rotations": { "\\mathbf R_z(\\alpha)": "of the axes" }, "components": { "\\vec r": "x, y, z" },
   "means": { "L": "Lagrangian", "T, U": "kinetic energy" },
   "define": { "\\Omega": "\\dot\\phi" }, "macros": { "\\PD": "x" },
@@ -42,7 +42,7 @@ fn everything() {
             (Role::Coordinate, "\\psi", "\\\\psi")
         ]
     );
-    assert!(names.contains(&(Role::Constant, "g", "g")) && names.contains(&(Role::Function, "V(r, t)", "V(r, t)")));
+    assert!(names.contains(&(Role::Constant, "g", "g")) && names.contains(&(Role::Function, "V", "V")));
     assert_eq!(claims.means.len(), 3);
     assert_eq!(claims.rotations[0].1.value, Turning::Axes);
     assert_eq!(claims.conditions[1].1.len(), 2);
@@ -126,7 +126,7 @@ fn a_symbol_declared_twice() {
     for (rest, second) in [
         ("\"constants\": { \"M\": \"> 0\", \"g, M\": \"> 0\" }", "M"),
         ("\"coordinates\": { \"p_{\\\\psi}\": \"any\" }, \"constants\": { \"p_ \\\\psi\": \"any\" }", "p_ \\\\psi"),
-        ("\"functions\": { \"V(r)\": \"any\" }, \"constants\": { \"V\": \"> 0\" }", "V(r)"),
+        ("\"functions\": { \"V\": \"of r\" }, \"constants\": { \"V\": \"> 0\" }", "V"),
         ("\"constants\": { \"T\": \"> 0\" }, \"means\": { \"T\": \"kinetic energy\" }", "T"),
     ] {
         let (error, at) = refused(&with(rest));

@@ -1,0 +1,179 @@
+//! What a finding means where no claims file says what the symbols are: whether the display follows, introduces a name,
+//! is taken for granted, or is wrong.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::{Expr, Node, Sign, Statement, SymbolId, Symbols, text};
+use crate::latex::{Macros, read_display};
+use crate::notes::{Claims, Display, Notes};
+
+use crate::check::document::setup::{Run, with_checker};
+use crate::check::model::Model;
+use crate::check::model::claim::is_equality;
+use crate::check::model::meaning::Meaning;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::repair::Repair;
+use crate::check::verdict::report::Equation;
+
+/// The most symbols that stand on one side only of what one slip separates from an identity.
+const MOST_ON_ONE_SIDE: usize = 2;
+
+/// The fewest symbols, each as often as it stands there, of a correction that is no triviality.
+const FEWEST_SYMBOLS: usize = 4;
+
+/// The displays that may be one slip away from what follows.
+///
+/// # Errors
+/// For claims that do not fit the notes.
+pub(super) fn candidates(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Vec<String>> {
+    with_checker(run, claims, notes, |checker| {
+        let may_be = |statement: &Statement| may_be_a_slip(statement, checker.model);
+        let found = notes
+            .equations
+            .iter()
+            .zip(checker.readings)
+            .filter(|(_, reading)| reading.statements.iter().flatten().any(may_be));
+        Ok(found.filter_map(|(display, _)| display.id().map(str::to_owned)).collect())
+    })
+}
+
+fn may_be_a_slip(statement: &Statement, model: &Model) -> bool {
+    let members = &statement.members;
+    if let ([first, _], Some(id)) = (members.as_slice(), members.first().and_then(Expr::as_plain_symbol)) {
+        // Another formula for a name that has one is a law, a case or a new meaning; for a derived quantity it is a claim.
+        let is_derived = matches!(model.meaning(id), Some(Meaning::System(_)));
+        if !is_derived && first.as_plain_symbol().is_some() {
+            return false;
+        }
+    }
+    let pairs = members.windows(2).zip(&statement.relations);
+    pairs.filter(|(_, relation)| is_equality(relation.0)).any(|(pair, _)| {
+        let (left, right) = (leaves(&pair[0], model), leaves(&pair[1], model));
+        let alone =
+            left.iter().filter(|id| !right.contains(id)).count() + right.iter().filter(|id| !left.contains(id)).count();
+        model.system.is_some() || alone <= MOST_ON_ONE_SIDE
+    })
+}
+
+/// The symbols of a formula that no formula defines.
+fn leaves(formula: &Expr, model: &Model) -> Vec<SymbolId> {
+    let (mut found, mut at) = (formula.symbols().into_iter().map(|(id, _)| id).collect::<Vec<_>>(), 0);
+    while let Some(next) = found.get(at).copied() {
+        at += 1;
+        if let Some(Meaning::Defined(inner)) = model.meaning(next) {
+            for (id, _) in inner.symbols() {
+                if !found.contains(&id) {
+                    found.push(id);
+                }
+            }
+        }
+    }
+    found.retain(|id| !matches!(model.meaning(*id), Some(Meaning::Defined(_))));
+    found.dedup();
+    found
+}
+
+/// The equation as it counts in notes without a claims file.
+pub(super) fn weigh(mut equation: Equation, display: &Display, notes: &Notes) -> Equation {
+    let is_wrong = equation.finding.verdict == Verdict::Refuted
+        && equation.repairs.iter().any(|repair| is_likely(repair, display, notes));
+    if is_wrong {
+        equation.repairs.retain(|repair| is_likely(repair, display, notes));
+    } else {
+        equation.repairs.clear();
+    }
+    equation.finding = as_it_counts(equation.finding, is_wrong);
+    for part in &mut equation.parts {
+        part.finding = as_it_counts(part.finding.clone(), is_wrong);
+        part.ok = part.finding.verdict != Verdict::Refuted;
+    }
+    equation.ok = equation.finding.verdict != Verdict::Refuted;
+    equation.elsewhere.clear();
+    equation
+}
+
+fn as_it_counts(finding: Finding, is_wrong: bool) -> Finding {
+    let is_untested =
+        matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign);
+    match finding.verdict {
+        Verdict::Refuted if !is_wrong => Finding::new(
+            Code::Assumed,
+            Verdict::Assumed,
+            finding.span,
+            "this does not follow from the other displays, and no likely slip explains that; it is taken for granted",
+        ),
+        Verdict::Domain => Finding { verdict: Verdict::Undecided, ..finding },
+        Verdict::Undecided if is_untested => {
+            let message = match finding.message.split_once([';', ',']) {
+                Some((what, _)) => what.to_owned(),
+                None => finding.message.clone(),
+            };
+            Finding::new(Code::Introduced, Verdict::Definition, finding.span, message)
+        }
+        Verdict::Unreadable if finding.code == Code::NeedsLimitOrSmall => {
+            let message = "≈ does not say when the two sides are nearly equal, so this was not decided";
+            Finding::new(finding.code, Verdict::Undecided, finding.span, message)
+        }
+        _ => finding,
+    }
+}
+
+/// Whether a correction makes it likely that a slip was made: it is certified, in this display, and no triviality.
+fn is_likely(repair: &Repair, display: &Display, notes: &Notes) -> bool {
+    let holds = matches!(repair.verdict, Verdict::Certified | Verdict::Verified);
+    if !holds || repair.idle || repair.shared.is_some() || !display.body.contains(repair.span) {
+        return false;
+    }
+    let mut corrected = display.text.clone();
+    let start = repair.span.start - display.body.start;
+    let end = repair.span.end - display.body.start;
+    if corrected.get(start..end).is_none() {
+        return false;
+    }
+    corrected.replace_range(start..end, &repair.replacement);
+    let mut macros = Macros::default();
+    crate::check::document::setup::define_macros(notes, &mut macros);
+    let mut symbols = Symbols::open();
+    let reading = read_display(&corrected, &mut symbols, &macros);
+    let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
+    if statements.len() < reading.statements.len() {
+        // Functions and derivatives are read with declarations only. What is certified about them is no triviality.
+        return repair.verdict == Verdict::Certified;
+    }
+    let is_content = |statement: &&Statement| {
+        let count: usize = statement.members.iter().map(occurrences).sum();
+        let mut sides = statement.members.iter().map(|member| canonical(member, &symbols));
+        let first = sides.next();
+        count >= FEWEST_SYMBOLS && sides.any(|side| Some(side) != first)
+    };
+    statements.iter().all(is_content)
+}
+
+/// The number of symbols in a formula, each as often as it stands there.
+fn occurrences(formula: &Expr) -> usize {
+    let mut count = 0;
+    formula.walk(&mut |part| count += usize::from(matches!(part.node, Node::Symbol { .. })));
+    count
+}
+
+/// A formula in which the order of terms and factors does not count.
+fn canonical(expr: &Expr, symbols: &Symbols) -> String {
+    match &expr.node {
+        Node::Sum(terms) => {
+            let sign = |sign: Sign| if sign == Sign::Plus { '+' } else { '-' };
+            let mut terms: Vec<String> =
+                terms.iter().map(|term| format!("{}{}", sign(term.sign), canonical(&term.expr, symbols))).collect();
+            terms.sort();
+            format!("({})", terms.concat())
+        }
+        Node::Product(factors) => {
+            let mut factors: Vec<String> = factors.iter().map(|factor| canonical(factor, symbols)).collect();
+            factors.sort();
+            factors.join("·")
+        }
+        Node::Quotient(a, b) => format!("({})/({})", canonical(a, symbols), canonical(b, symbols)),
+        Node::Power(a, b) => format!("({})^({})", canonical(a, symbols), canonical(b, symbols)),
+        _ => text::formula(expr, symbols),
+    }
+}

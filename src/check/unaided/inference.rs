@@ -1,0 +1,161 @@
+//! The claims file that is inferred for notes: what varies, what is constant, what is an angle or positive, which
+//! functions there are, and which name is the Lagrangian.
+//!
+//! Every guess comes from how a name stands in the displays. A name that a display defines is not declared. What is
+//! still missing after that is declared as a number and the displays are read again.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use serde_json::{Map, Value, json};
+
+use crate::Result;
+use crate::formula::symbols::Name;
+use crate::latex::{Macros, names};
+use crate::notes::{Claims, Notes, claims_beside};
+use crate::source::{Missing, Source};
+
+use crate::check::document::setup::{Run, define_macros, with_checker};
+use crate::check::document::unreadable::faults;
+use crate::check::unaided::names::{Usage, names_of};
+
+/// How often the displays are read again with the names that were missing.
+const ROUNDS: usize = 4;
+
+/// The claims that are inferred for notes.
+///
+/// # Errors
+/// When not even a claims file without declarations fits the notes.
+pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
+    let mut macros = Macros::default();
+    define_macros(notes, &mut macros);
+    let usages = names_of(&notes.equations, &macros);
+    let lagrangian = lagrangian(notes, &usages);
+    for printed in [lagrangian, None] {
+        let mut guess = Guess::of(&usages, printed);
+        let mut best = None;
+        for _ in 0..ROUNDS {
+            let claims = guess.claims(notes)?;
+            let Ok(missing) = with_checker(run, &claims, notes, |checker| Ok(missing(checker.readings))) else { break };
+            best = Some(claims);
+            if !guess.add(&missing) {
+                break;
+            }
+        }
+        if let Some(best) = best {
+            return Ok(best);
+        }
+    }
+    Guess::default().claims(notes)
+}
+
+/// The names that readings lack.
+fn missing(readings: &[crate::latex::Reading]) -> Vec<String> {
+    let of = |fault: &crate::source::Fault| match &fault.missing {
+        Some(Missing::Name(name)) => Some(name.clone()),
+        _ => None,
+    };
+    readings.iter().flat_map(|reading| faults(reading).filter_map(of).collect::<Vec<_>>()).collect()
+}
+
+/// The name of the Lagrangian, if a display defines one and the notes speak of it or differentiate it.
+fn lagrangian<'u>(notes: &Notes, usages: &'u [Usage]) -> Option<&'u Name> {
+    let text = &notes.source.text;
+    let is_spoken_of = text.contains("agrangian") || text.contains("Euler--Lagrange") || text.contains("\\partial L");
+    let is_it = |usage: &&Usage| {
+        ["L", "\\mathcal{L}"].contains(&usage.name.base.as_str()) && usage.name.subscript.is_empty() && defined(usage)
+    };
+    let moves = usages.iter().any(|usage| usage.moves);
+    usages.iter().find(is_it).filter(|_| is_spoken_of && moves).map(|usage| &usage.name)
+}
+
+/// Whether a display defines a name, before any other display uses it.
+fn defined(usage: &Usage) -> bool {
+    usage.introduced == Some(usage.first)
+}
+
+/// The declarations of a claims file.
+#[derive(Clone, Debug, Default)]
+struct Guess {
+    keys: Map<String, Value>,
+}
+
+impl Guess {
+    fn of(usages: &[Usage], lagrangian: Option<&Name>) -> Guess {
+        let mut guess = Guess::default();
+        let is_function = |usage: &Usage| usage.arguments.as_ref().is_some_and(|of| *of != [Name::plain("t")]);
+        for usage in usages.iter().filter(|usage| !is_reserved(&usage.name) && !defined(usage)) {
+            let name = usage.name.to_string();
+            let plain = Name { primes: 0, ..usage.name.clone() };
+            // A prime on a function is its derivative.
+            if usage.name.primes > 0 && usages.iter().any(|other| other.name == plain && other.arguments.is_some()) {
+                continue;
+            }
+            let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| name.starts_with(mark));
+            let is_argument = usages.iter().any(|other| {
+                other.introduced.is_some() && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name))
+            });
+            let moves = usage.moves || usage.arguments.as_ref().is_some_and(|of| *of == [Name::plain("t")]);
+            let range = match (is_vector, usage.angle, usage.positive) {
+                (true, ..) => "any",
+                (_, true, _) => "angle",
+                (_, _, true) => "> 0",
+                _ => "any",
+            };
+            match &usage.arguments {
+                Some(of) if is_function(usage) && !is_vector && of.len() <= 3 && !of.contains(&usage.name) => {
+                    let of: Vec<String> = of.iter().map(ToString::to_string).collect();
+                    guess.declare("functions", &name, &format!("of {}", of.join(", ")));
+                }
+                _ if moves && lagrangian.is_some() && !is_vector => guess.declare("coordinates", &name, range),
+                _ if moves || is_argument => guess.declare("varies with time", &name, range),
+                _ => guess.declare("constants", &name, range),
+            }
+        }
+        if let Some(lagrangian) = lagrangian {
+            guess.keys.insert("means".to_owned(), json!({ lagrangian.to_string(): "Lagrangian" }));
+        }
+        guess
+    }
+
+    fn declare(&mut self, role: &str, name: &str, range: &str) {
+        let group = self.keys.entry(role).or_insert_with(|| json!({}));
+        if let Value::Object(group) = group {
+            group.insert(name.to_owned(), json!(range));
+        }
+    }
+
+    /// Declares names as constants; returns whether one of them is new.
+    fn add(&mut self, missing: &[String]) -> bool {
+        let mut is_new = false;
+        for name in missing {
+            let Some((parsed, _)) = names::parse(name) else { continue };
+            let name = parsed.to_string();
+            let is_known = self.keys.values().any(|group| group.get(&name).is_some());
+            if !is_known && !is_reserved(&parsed) && !name.starts_with("\\hat") {
+                self.declare("constants", &name, "any");
+                is_new = true;
+            }
+        }
+        is_new
+    }
+
+    fn claims(&self, notes: &Notes) -> Result<Claims> {
+        let path = Path::new(&notes.source.path);
+        let beside = claims_beside(path);
+        let mut keys = self.keys.clone();
+        let own =
+            path.file_name().map_or_else(|| notes.source.path.clone(), |name| name.to_string_lossy().into_owned());
+        keys.insert("notes".to_owned(), json!(own));
+        let text = format!("{:#}\n", Value::Object(keys));
+        Claims::parse(Arc::new(Source::new(format!("{} (inferred)", beside.display()), text)), &beside)
+    }
+}
+
+/// Whether a name is known without a declaration, or cannot be declared.
+fn is_reserved(name: &Name) -> bool {
+    let alone = name.subscript.is_empty() && name.primes == 0;
+    alone && ["t", "e", "d", "i", "\\pi", "\\mathrm{d}", "\\mathrm{e}", "\\mathrm{i}"].contains(&name.base.as_str())
+        || name.base.starts_with("\\hat{")
+        || name.base.starts_with("\\mathrm{") && alone
+}

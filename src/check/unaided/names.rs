@@ -1,0 +1,216 @@
+//! The names in the displays of a document, and how they stand there: with dots, under a root, in a sine.
+
+use crate::formula::symbols::Name;
+use crate::latex::layout::{Delimiter, Item, Layout, typeset_items};
+use crate::latex::{Macros, names};
+use crate::notes::Display;
+
+/// How a name stands in the displays of a document.
+#[derive(Clone, Debug)]
+pub(super) struct Usage {
+    /// The name.
+    pub name: Name,
+    /// Whether it stands somewhere with a dot, or after d in d/dt.
+    pub moves: bool,
+    /// Whether it stands under a root, in a denominator or in a logarithm.
+    pub positive: bool,
+    /// Whether it stands alone in a sine or a cosine.
+    pub angle: bool,
+    /// The first display with it.
+    pub first: usize,
+    /// The first display of which it is the whole left side.
+    pub introduced: Option<usize>,
+    /// The names in parentheses directly after it.
+    pub arguments: Option<Vec<Name>>,
+}
+
+/// Where an item stands.
+#[derive(Clone, Copy, Default)]
+struct Place {
+    positive: bool,
+    angle: bool,
+    moves: bool,
+}
+
+/// All names of some displays, in the order of their first occurrence.
+pub(super) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
+    let mut found = Vec::new();
+    for (at, display) in displays.iter().enumerate() {
+        let Ok(items) = typeset_items(&display.text, macros) else { continue };
+        let mut left = true;
+        for (row, item) in items.iter().enumerate() {
+            // The left side of a statement: a name alone, perhaps with arguments or a square, before the relation.
+            if left {
+                note_left(&items[row..], at, &mut found);
+            }
+            left = matches!(&item.layout, Layout::Row | Layout::Align | Layout::Other(',' | ';'))
+                || matches!(&item.layout, Layout::Space(_)) && (left || row > 0 && starts(&items[row - 1]))
+                || matches!(&item.layout, Layout::Command(name) if name == "\\quad" || name == "\\qquad");
+        }
+        walk(&items, Place::default(), at, &mut found);
+    }
+    found
+}
+
+fn starts(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Row | Layout::Align | Layout::Other(',' | ';'))
+}
+
+fn is_space(item: &Item) -> bool {
+    matches!(item.layout, Layout::Space(_) | Layout::Align)
+}
+
+fn is_relation(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other('=') => true,
+        Layout::Command(name) => matches!(name.as_str(), "\\equiv" | "\\coloneqq"),
+        _ => false,
+    }
+}
+
+/// Notes a name that is the whole left side here.
+fn note_left(items: &[Item], at: usize, found: &mut Vec<Usage>) {
+    let mut items = items.iter().filter(|item| !is_space(item));
+    let Some(first) = items.next() else { return };
+    let Some(printed) = names::printed(first, None).filter(|printed| printed.dots == 0) else { return };
+    let next = items.next();
+    let after = match next {
+        Some(Item { layout: Layout::Fence(Delimiter::Round, _), .. }) => items.next(),
+        other => other,
+    };
+    if after.is_some_and(is_relation) {
+        let usage = entry(found, &printed.name, at);
+        usage.introduced = usage.introduced.or(Some(at)).filter(|_| usage.first == at || usage.introduced.is_some());
+    }
+}
+
+fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage {
+    let place = found.iter().position(|usage| usage.name == *name).unwrap_or_else(|| {
+        found.push(Usage {
+            name: name.clone(),
+            moves: false,
+            positive: false,
+            angle: false,
+            first: at,
+            introduced: None,
+            arguments: None,
+        });
+        found.len() - 1
+    });
+    &mut found[place]
+}
+
+fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
+    let mut after_function = false;
+    for (index, item) in items.iter().enumerate() {
+        let here = Place { angle: after_function, ..place };
+        if !is_space(item) {
+            after_function = false;
+        }
+        if is_trigonometric(item) {
+            after_function = true;
+            continue;
+        }
+        if let Some(printed) = names::printed(item, None) {
+            let follows = items.get(index + 1);
+            let usage = entry(found, &printed.name, at);
+            usage.moves |= printed.dots > 0 || place.moves;
+            usage.positive |= place.positive;
+            usage.angle |= here.angle;
+            if let Some(arguments) = follows.and_then(names_in_parentheses) {
+                usage.arguments.get_or_insert(arguments);
+            }
+            if let Some(sup) = printed.sup {
+                walk(std::slice::from_ref(sup), Place::default(), at, found);
+            }
+            continue;
+        }
+        match &item.layout {
+            Layout::Group(inner) => walk(inner, here, at, found),
+            Layout::Fence(_, inner) => {
+                let alone = inner.iter().filter(|item| !is_space(item)).count() == 1;
+                walk(inner, Place { angle: here.angle && alone, ..place }, at, found);
+            }
+            Layout::Scripts { nucleus, sup, .. } => {
+                walk(std::slice::from_ref(nucleus), here, at, found);
+                if let Some(sup) = sup {
+                    walk(std::slice::from_ref(sup), Place::default(), at, found);
+                }
+            }
+            Layout::Fraction(above, below) => {
+                let moves = is_by_time(below);
+                let differentiated = is_differential(above);
+                let above_place = Place { moves: moves && differentiated, ..place };
+                walk(&contents(above)[usize::from(differentiated)..], above_place, at, found);
+                match is_differential(below) {
+                    true => walk(&contents(below)[1..], Place::default(), at, found),
+                    false => walk(contents(below), Place { positive: true, ..place }, at, found),
+                }
+            }
+            Layout::Root(_, inner) => walk(contents(inner), Place { positive: true, ..place }, at, found),
+            Layout::Accent(_, inner) | Layout::Style(_, inner) => {
+                walk(std::slice::from_ref(inner), here, at, found);
+            }
+            Layout::Environment(_, rows) => {
+                rows.iter().flatten().for_each(|cell| walk(cell, place, at, found));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn contents(item: &Item) -> &[Item] {
+    match &item.layout {
+        Layout::Group(items) => items,
+        _ => std::slice::from_ref(item),
+    }
+}
+
+/// Whether a numerator or denominator begins with d or ∂.
+fn is_differential(item: &Item) -> bool {
+    let is_d = |item: &Item| match &item.layout {
+        Layout::Letter('d') => true,
+        Layout::Command(name) => name == "\\partial",
+        Layout::Style(style, inner) => {
+            style == "\\mathrm" && matches!(contents(inner), [Item { layout: Layout::Letter('d'), .. }])
+        }
+        _ => false,
+    };
+    match contents(item) {
+        [first, ..] => match &first.layout {
+            Layout::Scripts { nucleus, .. } => is_d(nucleus),
+            _ => is_d(first) && (contents(item).len() > 1 || matches!(&first.layout, Layout::Command(_))),
+        },
+        [] => false,
+    }
+}
+
+fn is_by_time(below: &Item) -> bool {
+    let time = |item: &Item| names::printed(item, None).is_some_and(|printed| printed.name == Name::plain("t"));
+    is_differential(below) && contents(below).get(1).is_some_and(time)
+}
+
+fn is_trigonometric(item: &Item) -> bool {
+    let is_one = |item: &Item| matches!(&item.layout, Layout::Command(name) if ["\\sin", "\\cos", "\\tan", "\\cot", "\\sec", "\\csc"].contains(&name.as_str()));
+    match &item.layout {
+        Layout::Scripts { nucleus, .. } => is_one(nucleus),
+        _ => is_one(item),
+    }
+}
+
+/// The names in a parenthesis that holds a list of names and nothing else.
+fn names_in_parentheses(item: &Item) -> Option<Vec<Name>> {
+    let fence = match &item.layout {
+        Layout::Scripts { nucleus, .. } => nucleus,
+        _ => item,
+    };
+    let Layout::Fence(Delimiter::Round, inside) = &fence.layout else { return None };
+    inside
+        .split(|item| matches!(item.layout, Layout::Other(',')))
+        .map(|argument| {
+            let mut significant = argument.iter().filter(|item| !is_space(item));
+            let (only, None) = (significant.next()?, significant.next()) else { return None };
+            names::printed(only, None).filter(|printed| printed.sup.is_none()).map(|printed| printed.name)
+        })
+        .collect()
+}

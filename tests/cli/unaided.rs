@@ -1,0 +1,197 @@
+//! Notes without a claims file: nothing true is called wrong, and slips are, with the edit that corrects them.
+
+use serde_json::Value;
+
+use crate::support::Desk;
+
+/// The equations of the report on notes without a claims file, and the exit code.
+fn report(name: &str, file: &str, notes: &str) -> (Vec<Value>, i32) {
+    let desk = Desk::new(&format!("unaided-{name}"));
+    desk.write(file, notes);
+    let run = desk.onshell(&["check", file, "--format", "json"]);
+    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
+    assert_eq!(report["documents"][0]["claims"], Value::Null);
+    (report["documents"][0]["equations"].as_array().expect("a list").clone(), run.code)
+}
+
+fn page(displays: &[&str]) -> String {
+    displays.iter().map(|latex| format!("$$ {latex} $$\n\n")).collect()
+}
+
+/// True of nature, of a system, or by definition, as physicists print it; none of it can be called wrong.
+const TRUE: [&[&str]; 10] = [
+    &[
+        r"F = m a",
+        r"E = \frac12 m v^2 + m g h",
+        r"v^2 = v_0^2 + 2 a (x - x_0)",
+        r"x = x_0 + v_0 t + \frac12 a t^2",
+        r"p = m v",
+        r"E_k = \frac{p^2}{2m}",
+        r"m g h = \frac12 m v^2",
+        r"v = \sqrt{2 g h}",
+    ],
+    &[
+        r"P V = n R T",
+        r"P V^\gamma = C",
+        r"U = \frac32 n R T",
+        r"C_p - C_V = n R",
+        r"\frac{P_1 V_1}{T_1} = \frac{P_2 V_2}{T_2}",
+    ],
+    &[
+        r"m \ddot x = -k x",
+        r"\omega^2 = \frac{k}{m}",
+        r"x = A \cos(\omega t + \phi)",
+        r"\dot x = -A\omega \sin(\omega t + \phi)",
+        r"\ddot x + 2\gamma\dot x + \omega_0^2 x = 0",
+        r"x_1 + x_2 = x_3",
+    ],
+    &[
+        r"m_1 v_1 + m_2 v_2 = m_1 u_1 + m_2 u_2",
+        r"m_1 v_1 = v_2 m_1",
+        r"m_1 v_1 = m_1 v_2",
+        r"m_1 v_1 + m_2 v_2 = m_2 v_2 + m_1 v_3",
+        r"\frac12 m v_1^2 + m g h_1 = \frac12 m v_2^2 + m g h_2",
+    ],
+    &[
+        r"n_1 \sin\theta_1 = n_2 \sin\theta_2",
+        r"\frac1f = \frac1a + \frac1b",
+        r"\cos^2\theta + \sin^2\theta = 1",
+        r"\sin(\alpha+\beta) = \sin\alpha\cos\beta + \cos\alpha\sin\beta",
+        r"\tan\theta = \frac{v_y}{v_x}",
+        r"\lambda f = c",
+    ],
+    &[
+        r"\frac{v^2}{r} = \frac{G M}{r^2}",
+        r"T^2 = \frac{4\pi^2 a^3}{G M}",
+        r"r = \frac{p}{1 + \epsilon\cos\phi}",
+        r"\epsilon^2 = 1 - \frac{b^2}{a^2}",
+        r"l = m r^2 \dot\phi",
+        r"E = \frac12 m \dot r^2 + \frac{l^2}{2 m r^2} - \frac{G M m}{r}",
+    ],
+    &[
+        r"\vec F = q(\vec E + \vec v \times \vec B)",
+        r"\vec a\times(\vec b\times\vec c) = \vec b(\vec a\cdot\vec c) - \vec c(\vec a\cdot\vec b)",
+        r"\vec L = \vec r \times \vec p",
+        r"\vec p = m \vec v",
+        r"\frac{d\vec p}{dt} = \vec F",
+    ],
+    &[
+        r"E^2 = p^2 c^2 + m^2 c^4",
+        r"\gamma = \frac{1}{\sqrt{1 - \beta^2}}",
+        r"\beta = \frac{v}{c}",
+        r"t' = \gamma (t_0 - \beta x)",
+        r"E = \gamma m c^2",
+    ],
+    &[
+        r"I = \frac{V}{R}",
+        r"V = I R",
+        r"\frac{1}{R} = \frac{1}{R_1} + \frac{1}{R_2}",
+        r"R = \frac{R_1 R_2}{R_1 + R_2}",
+        r"\tau = R C",
+        r"L \ddot q + R \dot q + \frac{q}{C} = 0",
+    ],
+    &[
+        r"x + y = 1",
+        r"y = x^2",
+        r"x^2 + y^2 = r^2",
+        r"(x - x_0)^2 + (y - y_0)^2 = R^2",
+        r"a = b",
+        r"a^2 = b^2 + c^2 - 2 b c \cos\alpha",
+        r"ds^2 = dx^2 + dy^2",
+        r"A_{12} = A_{21}",
+    ],
+];
+
+#[test]
+fn nothing_true_is_called_wrong() {
+    for (at, displays) in TRUE.iter().enumerate() {
+        let (equations, code) = report(&format!("true-{at}"), "notes.md", &page(displays));
+        assert_eq!(equations.len(), displays.len());
+        for (latex, equation) in displays.iter().zip(&equations) {
+            assert_ne!(equation["verdict"], "refuted", "{latex}: {}", equation["message"]);
+        }
+        assert_eq!(code, 0);
+    }
+}
+
+#[test]
+fn a_slip_in_what_follows_is_called_wrong_and_corrected() {
+    for (at, (displays, wrong, verdict)) in [
+        (&[r"(a+b)^2 = a^2 + b^2"][..], 0, "refuted"),
+        (&[r"v^2 - u^2 = (v - u)(v - u)"], 0, "refuted"),
+        (&[r"\sin(a+b) = \sin a\cos b - \cos a\sin b"], 0, "refuted"),
+        (&[r"x = l\sin\theta", r"\dot x = l\dot\theta\sin\theta"], 1, "refuted"),
+        (&[r"x = l\sin\theta", r"y = -l\cos\theta", r"\dot x^2 + \dot y^2 = l\dot\theta^2"], 2, "refuted"),
+        (&[r"y = (x + a)^2 = x^2 + a x + a^2"], 0, "refuted"),
+        (&[r"\frac{1}{a} - \frac{1}{b} = \frac{a - b}{a b}"], 0, "refuted"),
+        // The same without the slip.
+        (&[r"(a+b)^2 = a^2 + 2 a b + b^2"], 0, "certified"),
+        (&[r"x = l\sin\theta", r"\dot x = l\dot\theta\cos\theta"], 1, "certified"),
+        (&[r"y = (x + a)^2 = x^2 + 2 a x + a^2"], 0, "certified"),
+        (&[r"\frac{1}{a} - \frac{1}{b} = \frac{b - a}{a b}"], 0, "certified"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let (equations, code) = report(&format!("slip-{at}"), "notes.md", &page(displays));
+        let found = &equations[wrong];
+        assert_eq!(found["verdict"], verdict, "{displays:?}: {}", found["message"]);
+        assert_eq!(code, i32::from(verdict == "refuted"), "{displays:?}");
+        let repairs = found["repairs"].as_array().map_or(0, Vec::len);
+        assert_eq!(repairs > 0, verdict == "refuted", "{displays:?}");
+    }
+}
+
+const LECTURE: &str = r"
+# The pendulum
+
+\begin{align}
+x &= l \sin\theta, \\
+y &= -l\cos\theta .
+\end{align}
+
+$$ T = \frac12 m (\dot x^2 + \dot y^2) = \frac12 m l^2 \dot\theta^2 $$
+
+$$ L = T - m g y = \frac12 m l^2\dot\theta^2 + m g l \cos\theta $$
+
+The Euler-Lagrange equation of this Lagrangian is
+
+$$ \frac{d}{dt}\frac{\partial L}{\partial\dot\theta} - \frac{\partial L}{\partial\theta} = m l^2\ddot\theta + m g l \sin\theta = 0 $$
+
+$$ \ddot\theta = -\frac{g}{l}\sin\theta $$
+";
+
+#[test]
+fn a_lecture_follows_from_the_lagrangian_that_it_prints() {
+    for file in ["notes.md", "notes.tex"] {
+        let (equations, code) = report("lecture", file, LECTURE);
+        let verdicts: Vec<&str> = equations.iter().filter_map(|equation| equation["verdict"].as_str()).collect();
+        let certified = "certified";
+        assert_eq!(verdicts, ["definition", certified, certified, certified, certified], "{file}");
+        assert_eq!(code, 0);
+        let (equations, code) = report("lecture-slip", file, &LECTURE.replace("-\\frac{g}{l}", "\\frac{g}{l}"));
+        assert_eq!((equations[4]["verdict"].as_str(), code), (Some("refuted"), 1));
+        assert_eq!(equations[4]["id"], "L17");
+    }
+}
+
+#[test]
+fn with_strict_a_claims_file_is_asked_for() {
+    let desk = Desk::new("unaided-strict");
+    desk.write("notes.md", "$$ (a+b)^2 = a^2 + 2ab + b^2 $$\n");
+    assert_eq!(desk.onshell(&["check", "notes.md"]).code, 0);
+    assert_eq!(desk.onshell(&["check", "notes.md", "--strict"]).code, 2);
+    desk.write("wrong.md", "$$ (a+b)^2 = a^2 + b^2 $$\n");
+    assert_eq!(desk.onshell(&["check", "wrong.md", "--strict"]).code, 1);
+}
+
+#[test]
+fn every_display_is_counted_and_what_is_not_read_is_said() {
+    let notes =
+        "$$ (a+b)^2 = a^2 + 2ab + b^2 $$\n\n$$ \\nabla f = 0 $$\n\n$$ F = m a \\tag{7} $$\n\n$$ c = 2 b \\tag{7} $$\n";
+    let desk = Desk::new("unaided-counted");
+    desk.write("notes.md", notes);
+    let run = desk.onshell(&["check", "notes.md"]);
+    let said = run.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("4 displays, without a claims file: 1 follows, 2 introduced, 1 not read"), "{}", run.out);
+}
