@@ -106,7 +106,7 @@ impl Reader<'_> {
         let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
         let span = span.to(fence.span);
         let is_comma = |item: &&Item| matches!(item.layout, Layout::Other(',' | ';'));
-        let is_list = inside.iter().any(|item| is_comma(item));
+        let is_list = inside.iter().any(&is_comma);
         if inside.iter().all(|item| self.lone_name(item).is_some() || is_comma(item)) && (inside.len() == 1 || is_list)
         {
             let arguments: Vec<String> = inside
