@@ -361,10 +361,10 @@ codes! {
     FollowsFromMistake = "follows-from-mistake",
     /// The claims file leaves this display out with `skip`.
     Skipped = "skipped",
-    /// The notes have no claims file, so their equations were not checked.
+    /// The claims file that `--claims` names is not there.
     ///
-    /// Write a JSON file with the name of the notes beside them, `top.json` for `top.md`. It names the notes and declares
-    /// the symbols: `{ "notes": "top.md", "constants": { "m, g": "> 0" } }`.
+    /// For example, `onshell check notes.md --claims clams.json`. Correct the name, or leave out `--claims`: then the notes are
+    /// checked without a claims file.
     NoClaimsFile = "no-claims-file",
 }
 

@@ -139,6 +139,8 @@ pub mod mechanics;
 #[cfg(feature = "notes")]
 pub mod notes;
 #[cfg(feature = "cli")]
+mod page;
+#[cfg(feature = "cli")]
 pub mod report;
 pub mod scalar;
 mod source;

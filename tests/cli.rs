@@ -23,6 +23,8 @@ mod messages;
 mod mutate;
 #[path = "cli/printed_lagrangian.rs"]
 mod printed_lagrangian;
+#[path = "cli/report.rs"]
+mod report;
 #[path = "cli/reprint.rs"]
 mod reprint;
 #[path = "cli/steps.rs"]
@@ -142,14 +144,15 @@ fn a_document_is_named_by_its_claims_its_notes_or_its_folder() {
 }
 
 #[test]
-fn notes_without_claims_are_no_pass() {
+fn notes_without_claims_are_checked_and_no_pass_with_strict() {
     let desk = Desk::new("no-claims");
     desk.write("alone.md", "$$ a = b \\tag{1} $$\n");
     for path in ["alone.md", "."] {
-        assert_eq!(desk.onshell(&["check", path]).code, 2, "{path}");
+        assert_eq!(desk.onshell(&["check", path]).code, 0, "{path}");
+        assert_eq!(desk.onshell(&["check", path, "--strict"]).code, 2, "{path}");
     }
     let run = desk.onshell(&["check", ".", "--format", "json"]);
-    assert_eq!(run.json()["documents"][0]["equations"][0]["verdict"], "unclaimed");
+    assert_eq!(run.json()["documents"][0]["equations"][0]["verdict"], "definition");
 }
 
 #[test]
@@ -167,7 +170,7 @@ fn help_is_no_failure_and_a_wrong_flag_is() {
     let desk = Desk::new("flags");
     let help = desk.onshell(&["--help"]);
     assert_eq!(help.code, 0);
-    for command in ["check", "derive", "equal", "eval", "explain", "mutate", "read"] {
+    for command in ["check", "derive", "equal", "eval", "explain", "mutate", "read", "report"] {
         assert!(help.out.contains(command), "{}", help.out);
         assert_eq!(desk.onshell(&[command, "--frobnicate"]).code, 2);
     }

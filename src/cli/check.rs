@@ -107,6 +107,23 @@ fn strict_exit_code(report: &Report) -> u8 {
     }
 }
 
+/// The report on these paths with the usual options.
+pub(super) fn documents(paths: &[PathBuf], claims: &[PathBuf], registry: &Registry) -> (Report, Vec<Error>) {
+    let arguments = Arguments {
+        paths: paths.to_vec(),
+        claims: claims.to_vec(),
+        only: None,
+        seed: 1,
+        points: 24,
+        format: Format::Text,
+        verbose: false,
+        strict: false,
+        fix: false,
+        yes: false,
+    };
+    checked(&arguments, registry)
+}
+
 /// The report on the documents that are named, and the errors of those that could not be checked.
 fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
     let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };

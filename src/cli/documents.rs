@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::code::Code;
 use crate::error::reason;
 use crate::notes::{Claims, Notes, claims_beside, json};
 use crate::{Error, Result};
@@ -42,6 +43,7 @@ pub(super) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     let claims = if claims.is_empty() { vec![claims_beside(path)] } else { claims.to_vec() };
     if let Some(absent) = claims.iter().find(|claims| !claims.exists()) {
         return Err(Error::new(format!("there is no claims file {}", absent.display()))
+            .with_code(Code::NoClaimsFile)
             .help("correct its name, or leave out --claims: then the notes are checked without a claims file"));
     }
     Ok(vec![Job::Pair { notes: path.to_owned(), claims }])

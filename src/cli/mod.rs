@@ -19,6 +19,7 @@ mod outcome;
 mod progress;
 mod read;
 mod replace_file;
+mod report;
 mod terminal;
 
 use std::process::ExitCode;
@@ -51,6 +52,7 @@ enum Command {
     Explain(explain::Arguments),
     Mutate(mutate::Arguments),
     Read(read::Arguments),
+    Report(report::Arguments),
 }
 
 /// Runs the command that the program was started with, with the systems of a registry.
@@ -68,6 +70,7 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Explain(arguments)) => explain::run(&arguments, screen),
         Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
+        Ok(Command::Report(arguments)) => report::run(&arguments, registry, screen),
         // Help and the version are no failure.
         Err(help) if !help.use_stderr() => Outcome::done(help.render().to_string()),
         Err(error) => Outcome { messages: error.render().to_string(), code: 2, ..Outcome::default() },

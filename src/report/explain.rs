@@ -224,13 +224,13 @@ For example, in `F = m a`, all three letters are known from other displays.
 Check by eye that it is printed correctly, or write a claims file that says what must be checked."
         }
         Verdict::Unclaimed => {
-            r"The equation has a number, and nothing says what it means.
+            r#"The equation has a number, and the claims file leaves it out with `skip`.
 
-Either no claims file belongs to the notes, or the claims file leaves the equation out with `skip`.
+For example, the claims file skips an integral that is not read:
 
-For example, `notes.md` has a display with `\tag{1}`, and there is no `notes.json` beside it.
+    { "equations": { "10": { "skip": "an integral" } } }
 
-Write a claims file that declares the symbols, or give its path with `--claims`."
+Remove `skip` to have it checked."#
         }
         Verdict::Undecided => {
             r"The equation could not be decided.

@@ -305,7 +305,7 @@ fn notes_without_claims_have_no_claims_in_the_report() {
     let report = desk.onshell(&["check", ".", "--format", "json"]).json();
     assert_eq!(kept(&report, |path| desk.read(path)), Ok(()));
     assert_eq!(report["documents"][0].get("claims"), None);
-    assert_eq!(report["documents"][0]["equations"][0]["code"], "no-claims-file");
+    assert_eq!(report["documents"][0]["equations"][0]["code"], "same-formula");
 }
 
 #[test]

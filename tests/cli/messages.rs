@@ -98,7 +98,7 @@ fn laws_that_cannot_be_met_are_named_with_their_places() {
     let claims = |laws: Value| json!({ "notes": "notes.md", "constants": { "m, k": "> 0" }, "varies with time": { "x": "any" }, "laws": laws });
     let desk = desk("laws", notes, &claims(json!({ "spring": "1", "constraint": "2" })));
     let run = desk.onshell(&["check", "notes.md"]);
-    let at = place(&desk, "notes.md", "x^2").replace('(', "").replace(')', "");
+    let at = place(&desk, "notes.md", "x^2").replace(['(', ')'], "");
     says(&run, &["error[laws-too-strong]", &format!("“x^2 = −k” at all times (constraint, {at})")]);
     let run = check("laws-twin", notes, &claims(json!({ "spring": "1" })));
     is_silent(&run, &["laws-too-strong"]);

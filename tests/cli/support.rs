@@ -64,7 +64,9 @@ impl Desk {
 
     /// Writes a file.
     pub fn write(&self, name: &str, text: impl AsRef<[u8]>) {
-        std::fs::write(self.0.join(name), text).expect("the file can be written");
+        let path = self.0.join(name);
+        std::fs::create_dir_all(path.parent().expect("a file is in a folder")).expect("the folder can be made");
+        std::fs::write(path, text).expect("the file can be written");
     }
 
     /// The text of a file.

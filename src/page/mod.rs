@@ -1,0 +1,134 @@
+//! The report as pages to read in a browser: the author's text, every equation typeset with its verdict beside it, and
+//! the evidence behind it.
+//!
+//! A page is plain HTML with MathML. It needs no script and loads nothing but its own style sheet. This folder decides
+//! nothing; it shows what [`crate::check`] found. [`pages`] gives the texts, and `cli` writes them. It may know `check`,
+//! `notes`, `report`, `formula` and level 0.
+
+mod document;
+mod index;
+mod prose;
+mod style;
+mod typeset;
+
+use std::path::Path;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use crate::check::{Document, Report, Verdict};
+
+/// A file of the report.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// The name of the file.
+    pub name: String,
+    /// What is in it.
+    pub text: String,
+}
+
+/// The pages of a report: an index and a page for each document, or one page with all.
+pub fn pages(report: &Report, single: bool) -> Vec<Page> {
+    let names = names(report);
+    let page = |name: &str, title: &str, body: &Markup| Page {
+        name: name.to_owned(),
+        text: framed(title, body, single).into_string(),
+    };
+    let link = |at: usize| if single { format!("#{}", anchor(&names[at])) } else { names[at].clone() };
+    let index = index::index(report, &link, single);
+    if single {
+        let body = html! {
+            (index)
+            @for (document, name) in report.documents.iter().zip(&names) {
+                section id=(anchor(name)) { (document::document(document, &prefix(name))) }
+            }
+        };
+        return vec![page("index.html", "onshell report", &body)];
+    }
+    let mut all = vec![page("index.html", "onshell report", &index)];
+    for (document, name) in report.documents.iter().zip(&names) {
+        let body = html! {
+            nav { a href="index.html" { "All documents" } }
+            (document::document(document, ""))
+        };
+        all.push(page(name, &document.path, &body));
+    }
+    all.push(Page { name: "style.css".to_owned(), text: style::STYLE.to_owned() });
+    all
+}
+
+fn framed(title: &str, body: &Markup, single: bool) -> Markup {
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { (title) }
+                @if single { style { (PreEscaped(style::STYLE)) } } @else { link rel="stylesheet" href="style.css"; }
+            }
+            body {
+                a class="skip" href="#main" { "Skip to the text" }
+                main id="main" { (body) }
+            }
+        }
+    }
+}
+
+/// A file name for each document, each once.
+fn names(report: &Report) -> Vec<String> {
+    let mut names: Vec<String> = vec!["index.html".to_owned()];
+    for document in &report.documents {
+        let stem = Path::new(&document.path).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
+        let stem: String = stem.unwrap_or_default().chars().map(plain).collect();
+        let numbered = (2..).map(|n| format!("{stem}-{n}.html"));
+        let all = std::iter::once(format!("{stem}.html")).chain(numbered);
+        let name = all.into_iter().find(|name| !names.contains(name));
+        names.extend(name);
+    }
+    names.remove(0);
+    names
+}
+
+/// The anchor of a document in a page with all of them.
+fn anchor(name: &str) -> String {
+    format!("document-{}", name.trim_end_matches(".html"))
+}
+
+/// What stands before the anchors of a document's equations in a page with all documents.
+fn prefix(name: &str) -> String {
+    format!("{}-", name.trim_end_matches(".html"))
+}
+
+/// The anchor of an equation.
+fn equation_anchor(prefix: &str, id: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || matches!(c, '-' | '_' | '.') { c } else { '-' };
+    format!("{prefix}eq-{}", id.chars().map(plain).collect::<String>())
+}
+
+/// The mark and the word of a verdict, so that colour is never alone.
+fn badge(verdict: Verdict, ok: bool) -> Markup {
+    let mark = match (ok, verdict) {
+        (true, Verdict::Refuted) => "!",
+        (true, _) => "✓",
+        (false, _) => "✗",
+    };
+    let class = match (ok, verdict.passes()) {
+        (true, true) => "badge good",
+        (true, false) => "badge known",
+        (false, _) => "badge bad",
+    };
+    let word = if ok && !verdict.passes() && verdict == Verdict::Refuted { " as expected" } else { "" };
+    html! { span class=(class) { span aria-hidden="true" { (mark) " " } (verdict.word()) (word) } }
+}
+
+/// The documents and their counts, in words: `16 certified, 2 refuted`.
+fn counts(document: &Document) -> String {
+    let of = |verdict: &Verdict| {
+        let items = document.equations.iter().chain(&document.sentences);
+        let count = items.filter(|item| item.finding.verdict == *verdict).count();
+        (count > 0).then(|| format!("{count} {verdict}"))
+    };
+    Verdict::ALL.iter().filter_map(of).collect::<Vec<_>>().join(", ")
+}

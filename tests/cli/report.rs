@@ -1,0 +1,132 @@
+//! The pages of `onshell report`: every equation of the report has its place, its MathML and its verdict in words; a page
+//! loads nothing and runs nothing; text of the author cannot become markup.
+
+use serde_json::Value;
+
+use crate::support::Desk;
+
+/// The pages that a command writes into `pages`, with their names.
+fn pages(desk: &Desk, names: &[&str]) -> Vec<(String, String)> {
+    names.iter().map(|name| ((*name).to_owned(), desk.read(&format!("pages/{name}")))).collect()
+}
+
+/// The opening tags of a page that are never closed, or closed in another order. HTML5 and MathML elements without
+/// content are left out.
+fn unbalanced(page: &str) -> Vec<String> {
+    const VOID: [&str; 9] = ["meta", "link", "br", "hr", "img", "input", "!DOCTYPE", "mspace", "wbr"];
+    let (mut open, mut wrong): (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
+    let mut rest = page;
+    while let Some(at) = rest.find('<') {
+        rest = &rest[at + 1..];
+        let Some(end) = rest.find('>') else { return vec!["a tag without an end".to_owned()] };
+        let tag = &rest[..end];
+        rest = &rest[end + 1..];
+        let name = tag.trim_start_matches('/').split([' ', '/']).next().unwrap_or_default().to_owned();
+        if tag.starts_with('/') {
+            match open.pop() {
+                Some(before) if before == name => {}
+                before => wrong.push(format!("</{name}> after {before:?}")),
+            }
+        } else if !tag.ends_with('/') && !VOID.contains(&name.as_str()) {
+            open.push(name.clone());
+        }
+        if name == "style" && !tag.starts_with('/') {
+            rest = rest.split_once("</style>").map_or("", |(_, rest)| rest);
+            open.pop();
+        }
+    }
+    wrong.extend(open);
+    wrong
+}
+
+#[test]
+fn tags_that_are_not_closed_are_found() {
+    assert_eq!(unbalanced("<p>a <b>c</b></p><br>"), Vec::<String>::new());
+    assert!(!unbalanced("<p>a <b>c</p></b>").is_empty());
+    assert!(!unbalanced("<p>").is_empty());
+}
+
+#[test]
+fn every_equation_of_the_derivations_is_on_its_page_with_its_verdict() {
+    let desk = Desk::with_the_derivations("report-derivations");
+    let run = desk.onshell(&["report", "derivations", "--out", "pages"]);
+    assert_eq!((run.code, run.out.trim()), (0, "pages/index.html"), "{}", run.err);
+    let report = desk.onshell(&["check", "derivations", "--format", "json"]);
+    let report: Value = serde_json::from_str(&report.out).expect("JSON");
+    let index = desk.read("pages/index.html");
+    for document in report["documents"].as_array().expect("a list") {
+        let path = document["path"].as_str().expect("a path");
+        let name = path.trim_start_matches("derivations/").replace(".md", ".html");
+        assert!(index.contains(&format!("href=\"{name}\"")), "{name}");
+        let page = desk.read(&format!("pages/{name}"));
+        assert!(page.len() < 1_000_000 && !page.contains("<script") && !page.contains("src="), "{name}");
+        assert_eq!(unbalanced(&page), Vec::<String>::new(), "{name}");
+        assert!(!page.contains("class=\"untypeset\""), "{name}");
+        for equation in document["equations"].as_array().expect("a list") {
+            let id = equation["id"].as_str().expect("an id");
+            let place = page.find(&format!("id=\"eq-{id}\"")).unwrap_or_else(|| panic!("{id} is not in {name}"));
+            let section = page[place..].split("</section>").next().unwrap_or_default();
+            assert!(section.contains("<math"), "{id}");
+            assert!(section.contains(equation["verdict"].as_str().expect("a word")), "{id}");
+        }
+        for link in page.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+            let known = ["index.html", "style.css", "#main"].contains(&link);
+            assert!(known || page.contains(&format!("id=\"{}\"", link.trim_start_matches('#'))), "{link}");
+        }
+    }
+    for link in index.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+        if let Some((page, anchor)) = link.split_once('#').filter(|(page, _)| !page.is_empty()) {
+            assert!(desk.read(&format!("pages/{page}")).contains(&format!("id=\"{anchor}\"")), "{link}");
+        }
+    }
+}
+
+#[test]
+fn a_wrong_equation_is_shown_with_its_correction_and_the_exit_code_is_that_of_check() {
+    let desk = Desk::new("report-wrong");
+    desk.write("notes.md", "# A title\n\nFor $a > 0$ it is wrong:\n\n$$ (a+b)^2 = a^2 + b^2 $$\n");
+    let run = desk.onshell(&["report", "notes.md", "--out", "pages"]);
+    assert_eq!(run.code, 1, "{}", run.err);
+    let page = desk.read("pages/notes.html");
+    for words in
+        ["<h1>A title</h1>", "id=\"eq-L5\"", "refuted", "A state at which it fails", "With this edit", "<mark>"]
+    {
+        assert!(page.contains(words), "no {words} in {page}");
+    }
+    let single = desk.onshell(&["report", "notes.md", "--out", "one", "--single"]);
+    assert_eq!(single.code, 1);
+    let whole = desk.read("one/index.html");
+    assert!(whole.contains("<style>") && whole.contains("eq-L5") && !whole.contains("style.css"));
+}
+
+#[test]
+fn text_of_the_author_is_no_markup() {
+    let desk = Desk::new("report-hostile");
+    let hostile = "<script>alert(1)</script>\n\n& < > \" <img src=x onerror=y>\n\n[a](javascript:b) ![c](http://d)\n\n";
+    desk.write("bad & name.md", format!("{hostile}$$ a < b \\text{{<b>x</b>}} $$\n\n$$ \\foo{{< \\tag{{<i>}} $$\n"));
+    desk.write("bad name.tex", format!("{hostile}\\[ a = a \\]\n"));
+    let run = desk.onshell(&["report", "bad & name.md", "bad name.tex", "--out", "pages"]);
+    assert!(run.code <= 2, "{}", run.err);
+    for (name, page) in pages(&desk, &["index.html", "bad---name.html", "bad-name.html"]) {
+        assert_eq!(unbalanced(&page), Vec::<String>::new(), "{name}: {page}");
+        for forbidden in ["<script", "<img", "<b>x", "<i>", "href=\"javascript", "src=\"http"] {
+            assert!(!page.contains(forbidden), "{forbidden} in {name}");
+        }
+    }
+}
+
+#[test]
+fn documents_of_the_same_name_have_pages_of_their_own_and_lost_pages_are_an_error() {
+    let desk = Desk::new("report-names");
+    for folder in ["a", "b"] {
+        desk.write(&format!("{folder}/notes.md"), "$$ (a+b)^2 = a^2 + 2ab + b^2 $$\n");
+    }
+    desk.write("a/index.md", "$$ c = c + 0 $$\n");
+    assert_eq!(desk.onshell(&["report", "a", "b", "--out", "pages"]).code, 0);
+    let names = ["notes.html", "notes-2.html", "index-2.html"];
+    assert!(pages(&desk, &names).iter().all(|(_, page)| page.contains("<math")));
+    desk.write("taken", "a file, and no folder");
+    let run = desk.onshell(&["report", "a", "--out", "taken"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("cannot write"), "{}", run.err);
+}
