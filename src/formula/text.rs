@@ -149,6 +149,7 @@ impl Writer<'_> {
     }
 }
 
+#[cfg(feature = "notes")]
 /// A number with so many significant digits. What is not finite is said in words.
 pub fn number(value: f64, digits: usize) -> String {
     let magnitude = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };

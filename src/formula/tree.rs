@@ -6,7 +6,9 @@
 
 use crate::source::Span;
 
-pub use super::ids::{Index, IndexId, Variable};
+#[cfg(feature = "notes")]
+pub use super::ids::Variable;
+pub use super::ids::{Index, IndexId};
 
 use super::ids::SymbolId;
 

@@ -6,7 +6,7 @@
 //! - [`Series`]: a truncated Taylor series in time;
 //! - [`Primal`]: the value of a series without its derivatives;
 //! - [`RunningError`]: a value with a running bound on its rounding error;
-//! - [`Enclosure`](enclosure::Enclosure): a value of any precision between bounds;
+//! - [`Enclosure`]: a value of any precision between bounds;
 //! - [`Symbol`]: a node of an expression graph, for tracing a function ([`Graph::record`]);
 //! - [`Modular`]: an element of a prime field, for polynomial identity testing ([`prime_field`]).
 //!
