@@ -74,6 +74,10 @@ const TRUE: [&[&str]; 10] = [
         r"\vec L = \vec r \times \vec p",
         r"\vec p = m \vec v",
         r"\frac{d\vec p}{dt} = \vec F",
+        r"\frac{d\vec v}{dt} = \dot{\vec v} + \vec\omega \times \vec v",
+        r"\vec v = \vec v_0 + \vec\omega \times \vec r",
+        r"\vec a_1 + \vec b_1 = \vec b_1 + \vec a_2",
+        r"m_1 \dot x_1 + m_2 \dot x_2 = m_1 u_1 + m_2 \dot x_2",
     ],
     &[
         r"E^2 = p^2 c^2 + m^2 c^4",

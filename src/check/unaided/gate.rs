@@ -4,7 +4,7 @@
 use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, Sign, Statement, SymbolId, Symbols, text};
-use crate::latex::{Macros, read_display};
+use crate::latex::read_display;
 use crate::notes::{Claims, Display, Notes};
 
 use crate::check::document::setup::{Run, with_checker};
@@ -42,8 +42,7 @@ fn may_be_a_slip(statement: &Statement, model: &Model) -> bool {
     let members = &statement.members;
     if let ([first, _], Some(id)) = (members.as_slice(), members.first().and_then(Expr::as_plain_symbol)) {
         // Another formula for a name that has one is a law, a case or a new meaning; for a derived quantity it is a claim.
-        let is_derived = matches!(model.meaning(id), Some(Meaning::System(_)));
-        if !is_derived && first.as_plain_symbol().is_some() {
+        if !is_derived(first, model) && model.meaning(id).is_some() {
             return false;
         }
     }
@@ -54,6 +53,11 @@ fn may_be_a_slip(statement: &Statement, model: &Model) -> bool {
             left.iter().filter(|id| !right.contains(id)).count() + right.iter().filter(|id| !left.contains(id)).count();
         model.system.is_some() || alone <= MOST_ON_ONE_SIDE
     })
+}
+
+/// Whether a formula is the name of a quantity that the Lagrangian determines.
+fn is_derived(formula: &Expr, model: &Model) -> bool {
+    formula.as_plain_symbol().is_some_and(|id| matches!(model.meaning(id), Some(Meaning::System(_))))
 }
 
 /// The symbols of a formula that no formula defines.
@@ -75,11 +79,11 @@ fn leaves(formula: &Expr, model: &Model) -> Vec<SymbolId> {
 }
 
 /// The equation as it counts in notes without a claims file.
-pub(super) fn weigh(mut equation: Equation, display: &Display, notes: &Notes) -> Equation {
+pub(super) fn weigh(mut equation: Equation, display: &Display, model: &Model) -> Equation {
     let is_wrong = equation.finding.verdict == Verdict::Refuted
-        && equation.repairs.iter().any(|repair| is_likely(repair, display, notes));
+        && equation.repairs.iter().any(|repair| is_likely(repair, display, model));
     if is_wrong {
-        equation.repairs.retain(|repair| is_likely(repair, display, notes));
+        equation.repairs.retain(|repair| is_likely(repair, display, model));
     } else {
         equation.repairs.clear();
     }
@@ -120,7 +124,7 @@ fn as_it_counts(finding: Finding, is_wrong: bool) -> Finding {
 }
 
 /// Whether a correction makes it likely that a slip was made: it is certified, in this display, and no triviality.
-fn is_likely(repair: &Repair, display: &Display, notes: &Notes) -> bool {
+fn is_likely(repair: &Repair, display: &Display, model: &Model) -> bool {
     let holds = matches!(repair.verdict, Verdict::Certified | Verdict::Verified);
     if !holds || repair.idle || repair.shared.is_some() || !display.body.contains(repair.span) {
         return false;
@@ -131,23 +135,50 @@ fn is_likely(repair: &Repair, display: &Display, notes: &Notes) -> bool {
     if corrected.get(start..end).is_none() {
         return false;
     }
+    let left_out = &corrected[start..end];
+    // Authors lose terms; they do not add terms that do not belong.
+    if repair.replacement.trim().is_empty() && left_out.contains(|c: char| c.is_ascii_alphabetic()) {
+        return false;
+    }
     corrected.replace_range(start..end, &repair.replacement);
-    let mut macros = Macros::default();
-    crate::check::document::setup::define_macros(notes, &mut macros);
-    let mut symbols = Symbols::open();
-    let reading = read_display(&corrected, &mut symbols, &macros);
+    let mut symbols = model.symbols.clone();
+    let reading = read_display(&corrected, &mut symbols, &model.macros);
     let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
     if statements.len() < reading.statements.len() {
-        // Functions and derivatives are read with declarations only. What is certified about them is no triviality.
-        return repair.verdict == Verdict::Certified;
+        return false;
     }
-    let is_content = |statement: &&Statement| {
-        let count: usize = statement.members.iter().map(occurrences).sum();
-        let mut sides = statement.members.iter().map(|member| canonical(member, &symbols));
-        let first = sides.next();
-        count >= FEWEST_SYMBOLS && sides.any(|side| Some(side) != first)
+    // A name beside its formula is a definition, and says nothing of its own.
+    let is_claim = |pair: &&[Expr]| pair.iter().all(|side| side.as_plain_symbol().is_none() || is_derived(side, model));
+    let pairs = statements.iter().flat_map(|statement| statement.members.windows(2));
+    let mut claims = pairs.filter(is_claim).peekable();
+    claims.peek().is_some() && claims.all(|pair| is_content(&pair[0], &pair[1], &symbols))
+}
+
+/// Whether an equality says more than that something is equal to itself: what is left of it without the terms that both
+/// sides have is no triviality.
+fn is_content(left: &Expr, right: &Expr, symbols: &Symbols) -> bool {
+    let (mut left, mut right) = (terms(left, symbols), terms(right, symbols));
+    left.retain(|(term, _)| match right.iter().position(|(other, _)| other == term) {
+        Some(at) => {
+            right.remove(at);
+            false
+        }
+        None => true,
+    });
+    let count: usize = left.iter().chain(&right).map(|(_, count)| count).sum();
+    count >= FEWEST_SYMBOLS
+}
+
+/// The terms of a formula, with their signs, and the number of symbols in each.
+fn terms(formula: &Expr, symbols: &Symbols) -> Vec<(String, usize)> {
+    let one = |sign: Sign, term: &Expr| {
+        let sign = if sign == Sign::Plus { '+' } else { '-' };
+        (format!("{sign}{}", canonical(term, symbols)), occurrences(term))
     };
-    statements.iter().all(is_content)
+    match &formula.node {
+        Node::Sum(terms) => terms.iter().map(|term| one(term.sign, &term.expr)).collect(),
+        _ => vec![one(Sign::Plus, formula)],
+    }
 }
 
 /// The number of symbols in a formula, each as often as it stands there.
@@ -171,6 +202,19 @@ fn canonical(expr: &Expr, symbols: &Symbols) -> String {
             let mut factors: Vec<String> = factors.iter().map(|factor| canonical(factor, symbols)).collect();
             factors.sort();
             factors.join("·")
+        }
+        // d/dt of x is ẋ.
+        Node::TimeDerivative(order, inner) => match &inner.node {
+            Node::Symbol { id, indices, dots } => {
+                let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots + order };
+                text::formula(&Expr::new(node, expr.span), symbols)
+            }
+            _ => text::formula(expr, symbols),
+        },
+        Node::Dot(a, b) | Node::Cross(a, b) => {
+            let mut both = [canonical(a, symbols), canonical(b, symbols)];
+            both.sort();
+            format!("[{}]", both.join(" "))
         }
         Node::Quotient(a, b) => format!("({})/({})", canonical(a, symbols), canonical(b, symbols)),
         Node::Power(a, b) => format!("({})^({})", canonical(a, symbols), canonical(b, symbols)),

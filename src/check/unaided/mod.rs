@@ -18,7 +18,8 @@ mod inference;
 mod names;
 
 use crate::Result;
-use crate::check::document::setup::Run;
+use crate::check::document::setup::{Run, with_checker};
+use crate::check::model::Model;
 use crate::check::run::check_in;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
@@ -45,18 +46,21 @@ pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
                 *equation = found;
             }
         }
-        *equation = weighed(equation.clone(), &notes);
     }
+    let equations = std::mem::take(&mut document.equations);
+    document.equations = with_checker(run, &claims, &notes, |checker| {
+        Ok(equations.into_iter().map(|equation| weighed(equation, &notes, checker.model)).collect())
+    })?;
     document.claims = None;
     document.unnumbered = 0;
     Ok(document)
 }
 
-fn weighed(equation: Equation, notes: &Notes) -> Equation {
+fn weighed(equation: Equation, notes: &Notes, model: &Model) -> Equation {
     let Some(display) = notes.equations.iter().find(|display| display.id() == Some(&equation.id)) else {
         return equation;
     };
-    gate::weigh(equation, display, notes)
+    gate::weigh(equation, display, model)
 }
 
 /// The notes, in which each display without a number has the name `L` and its line, and no number is there twice.
