@@ -106,6 +106,59 @@ const TRUE: [&[&str]; 10] = [
     ],
 ];
 
+/// Laws, conditions and other motions beside a Lagrangian, and what follows from it.
+const BESIDE_A_LAGRANGIAN: [(&str, &[&str]); 2] = [
+    (
+        "The Lagrangian of an oscillator is",
+        &[
+            r"L = \frac12 m \dot x^2 - \frac12 k x^2",
+            r"\ddot x = -\omega^2 x",
+            r"m \ddot x + k x = 0",
+            r"\omega_0 = \sqrt{\frac{k}{m}}",
+            r"\ddot x = -\omega_0^2 x",
+            r"x = A \cos(\omega t + \phi)",
+            r"\dot x = v",
+            r"E = \frac12 m \dot x^2 + \frac12 k x^2",
+            r"\dot E = 0",
+            r"m \dot x = p_0",
+            r"m \ddot x = F",
+            r"m \ddot x + \gamma \dot x + k x = 0",
+            r"m \ddot x + k x = F_0 \cos(\Omega t)",
+            r"x^2 + \frac{\dot x^2}{\omega_0^2} = A^2",
+        ],
+    ),
+    (
+        "The Lagrangian of a planet:",
+        &[
+            r"L = \frac12 m (\dot r^2 + r^2 \dot\phi^2) + \frac{G M m}{r}",
+            r"\ell = m r^2 \dot\phi",
+            r"\dot\ell = 0",
+            r"m \ddot r = m r \dot\phi^2 - \frac{G M m}{r^2}",
+            r"m \ddot r = \frac{\ell^2}{m r^3} - \frac{G M m}{r^2}",
+            r"r \dot\phi^2 = \frac{G M}{r^2}",
+            r"\dot r = 0",
+            r"\dot A = \frac12 r^2 \dot\phi",
+            r"r = \frac{p}{1 + \epsilon \cos\phi}",
+            r"m \ddot r = -\frac{dU}{dr}",
+            r"\ddot r = r\dot\phi^2",
+        ],
+    ),
+];
+
+#[test]
+fn what_does_not_follow_from_a_lagrangian_is_no_slip_and_what_follows_does() {
+    for (at, (words, displays)) in BESIDE_A_LAGRANGIAN.iter().enumerate() {
+        let notes = format!("{words}\n\n{}", page(displays));
+        let (equations, code) = report(&format!("beside-{at}"), "notes.md", &notes);
+        for (latex, equation) in displays.iter().zip(&equations) {
+            assert_ne!(equation["verdict"], "refuted", "{latex}: {}", equation["message"]);
+        }
+        assert_eq!(code, 0);
+        let certified = equations.iter().filter(|equation| equation["verdict"] == "certified").count();
+        assert!(certified >= 3, "{certified} of {}", equations.len());
+    }
+}
+
 #[test]
 fn nothing_true_is_called_wrong() {
     for (at, displays) in TRUE.iter().enumerate() {

@@ -78,12 +78,26 @@ fn leaves(formula: &Expr, model: &Model) -> Vec<SymbolId> {
     found
 }
 
-/// The equation as it counts in notes without a claims file.
-pub(super) fn weigh(mut equation: Equation, display: &Display, model: &Model) -> Equation {
+/// The symbols in a text, each as often as it stands there.
+fn symbols_of(text: &str, model: &Model) -> Vec<SymbolId> {
+    let reading = read_display(text, &mut model.symbols.clone(), &model.macros);
+    let mut found = Vec::new();
+    for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
+        member.walk(&mut |part| {
+            if let Node::Symbol { id, .. } = &part.node {
+                found.push(*id);
+            }
+        });
+    }
+    found
+}
+
+/// The equation as it counts in notes without a claims file. `elsewhere` are the symbols of the other displays.
+pub(super) fn weigh(mut equation: Equation, display: &Display, (model, elsewhere): (&Model, &[SymbolId])) -> Equation {
     let is_wrong = equation.finding.verdict == Verdict::Refuted
-        && equation.repairs.iter().any(|repair| is_likely(repair, display, model));
+        && equation.repairs.iter().any(|repair| is_likely(repair, display, (model, elsewhere)));
     if is_wrong {
-        equation.repairs.retain(|repair| is_likely(repair, display, model));
+        equation.repairs.retain(|repair| is_likely(repair, display, (model, elsewhere)));
     } else {
         equation.repairs.clear();
     }
@@ -124,7 +138,7 @@ fn as_it_counts(finding: Finding, is_wrong: bool) -> Finding {
 }
 
 /// Whether a correction makes it likely that a slip was made: it is certified, in this display, and no triviality.
-fn is_likely(repair: &Repair, display: &Display, model: &Model) -> bool {
+fn is_likely(repair: &Repair, display: &Display, (model, elsewhere): (&Model, &[SymbolId])) -> bool {
     let holds = matches!(repair.verdict, Verdict::Certified | Verdict::Verified);
     if !holds || repair.idle || repair.shared.is_some() || !display.body.contains(repair.span) {
         return false;
@@ -145,6 +159,20 @@ fn is_likely(repair: &Repair, display: &Display, model: &Model) -> bool {
     let reading = read_display(&corrected, &mut symbols, &model.macros);
     let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
     if statements.len() < reading.statements.len() {
+        return false;
+    }
+    let (before, after) = (symbols_of(&display.text, model), symbols_of(&corrected, model));
+    // A correction loses no more than one symbol: what has more of them was meant.
+    if after.len() + 1 < before.len() {
+        return false;
+    }
+    // A name that stands nowhere else is new, and no slip for another one.
+    if before.iter().any(|id| !after.contains(id) && !elsewhere.contains(id)) {
+        return false;
+    }
+    // Of a motion, what lacks a term is a special case as often as a slip: a circular orbit, a length of 1.
+    let moves = |id: &SymbolId| model.coordinates.iter().any(|coordinate| coordinate.symbol == *id);
+    if model.system.is_some() && before.iter().any(moves) && after.len() > before.len() {
         return false;
     }
     // A name beside its formula is a definition, and says nothing of its own.

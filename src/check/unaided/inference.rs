@@ -11,12 +11,16 @@ use serde_json::{Map, Value, json};
 
 use crate::Result;
 use crate::formula::symbols::Name;
+use crate::formula::{Expr, Node};
 use crate::latex::{Macros, names};
 use crate::notes::{Claims, Notes, claims_beside};
-use crate::source::{Missing, Source};
+use crate::source::{Missing, Source, Span};
 
+use crate::check::document::checker::Checker;
 use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
+use crate::check::model::Model;
+use crate::check::model::meaning::Variable;
 use crate::check::unaided::names::{Usage, names_of};
 
 /// How often the displays are read again with the names that were missing.
@@ -36,9 +40,11 @@ pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
         let mut best = None;
         for _ in 0..ROUNDS {
             let claims = guess.claims(notes)?;
-            let Ok(missing) = with_checker(run, &claims, notes, |checker| Ok(missing(checker.readings))) else { break };
+            let look = |checker: Checker<'_>| Ok((missing(checker.readings), foreign(checker.model)));
+            let Ok((missing, foreign)) = with_checker(run, &claims, notes, look) else { break };
             best = Some(claims);
-            if !guess.add(&missing) {
+            let is_new = guess.add(&missing);
+            if !guess.release(&foreign) && !is_new {
                 break;
             }
         }
@@ -47,6 +53,15 @@ pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
         }
     }
     Guess::default().claims(notes)
+}
+
+/// The coordinates that the Lagrangian of the notes does not contain.
+fn foreign(model: &Model) -> Vec<String> {
+    let printed = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
+    let Some((id, _)) = printed else { return Vec::new() };
+    let lagrangian = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+    let is_foreign = |coordinate: &&Variable| !model.depends_on(&lagrangian, &[coordinate.symbol]);
+    model.coordinates.iter().filter(is_foreign).map(|coordinate| model.name(coordinate.symbol)).collect()
 }
 
 /// The names that readings lack.
@@ -138,6 +153,20 @@ impl Guess {
             }
         }
         is_new
+    }
+
+    /// Lets coordinates vary freely; returns whether there is one.
+    fn release(&mut self, coordinates: &[String]) -> bool {
+        let mut is_one = false;
+        for name in coordinates {
+            let range =
+                self.keys.get_mut("coordinates").and_then(Value::as_object_mut).and_then(|group| group.remove(name));
+            if let Some(range) = range {
+                self.declare("varies with time", name, range.as_str().unwrap_or("any"));
+                is_one = true;
+            }
+        }
+        is_one
     }
 
     fn claims(&self, notes: &Notes) -> Result<Claims> {

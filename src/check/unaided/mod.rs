@@ -19,11 +19,11 @@ mod names;
 
 use crate::Result;
 use crate::check::document::setup::{Run, with_checker};
-use crate::check::model::Model;
 use crate::check::run::check_in;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::{Document, Equation};
+use crate::formula::{Expr, SymbolId};
 use crate::notes::{Notes, Numbered};
 
 /// Checks notes without a claims file.
@@ -49,18 +49,19 @@ pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
     }
     let equations = std::mem::take(&mut document.equations);
     document.equations = with_checker(run, &claims, &notes, |checker| {
-        Ok(equations.into_iter().map(|equation| weighed(equation, &notes, checker.model)).collect())
+        let weighed = |equation: Equation| {
+            let at = notes.equations.iter().position(|display| display.id() == Some(&equation.id));
+            let Some(at) = at else { return equation };
+            let others = checker.readings.iter().enumerate().filter(|(other, _)| *other != at);
+            let members = others.flat_map(|(_, reading)| reading.statements.iter().flatten()).flat_map(|s| &s.members);
+            let elsewhere: Vec<SymbolId> = members.flat_map(Expr::symbols).map(|(id, _)| id).collect();
+            gate::weigh(equation, &notes.equations[at], (checker.model, &elsewhere))
+        };
+        Ok(equations.into_iter().map(weighed).collect())
     })?;
     document.claims = None;
     document.unnumbered = 0;
     Ok(document)
-}
-
-fn weighed(equation: Equation, notes: &Notes, model: &Model) -> Equation {
-    let Some(display) = notes.equations.iter().find(|display| display.id() == Some(&equation.id)) else {
-        return equation;
-    };
-    gate::weigh(equation, display, model)
 }
 
 /// The notes, in which each display without a number has the name `L` and its line, and no number is there twice.
