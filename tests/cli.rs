@@ -17,6 +17,8 @@ mod derive;
 mod explain;
 #[path = "cli/formulas.rs"]
 mod formulas;
+#[path = "cli/mark.rs"]
+mod mark;
 #[path = "cli/messages.rs"]
 mod messages;
 #[path = "cli/mutate.rs"]

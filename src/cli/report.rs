@@ -1,6 +1,6 @@
 //! `onshell report`: the verdicts as pages to read in a browser.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::error::reason;
 use crate::page;
@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     let (report, mut errors) = check::documents(&arguments.paths, &arguments.claims, registry);
     let pages = page::pages(&report, arguments.single);
     let code = if errors.is_empty() { report.exit_code() } else { 2 };
-    let written = if report.documents.is_empty() { Ok(()) } else { write(arguments, &pages) };
+    let written = if report.documents.is_empty() { Ok(()) } else { write(&arguments.out, &pages) };
     if let Err(error) = written {
         errors.push(error);
         return Outcome { output: String::new(), messages: shown(&errors, screen), code: 2 };
@@ -48,16 +48,18 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     Outcome { output, messages: shown(&errors, screen), code }
 }
 
+/// Writes pages into a folder, which is made if it is not there.
+///
 /// # Errors
 /// When the folder or a file cannot be written.
-fn write(arguments: &Arguments, pages: &[page::Page]) -> Result<()> {
-    let failed = |path: &std::path::Path, error: &std::io::Error| {
+pub(super) fn write(folder: &Path, pages: &[page::Page]) -> Result<()> {
+    let failed = |path: &Path, error: &std::io::Error| {
         Error::new(format!("cannot write {}: {}", path.display(), reason(error)))
             .help("name a folder under --out that can be written")
     };
-    std::fs::create_dir_all(&arguments.out).map_err(|error| failed(&arguments.out, &error))?;
+    std::fs::create_dir_all(folder).map_err(|error| failed(folder, &error))?;
     for page in pages {
-        let path = arguments.out.join(&page.name);
+        let path = folder.join(&page.name);
         std::fs::write(&path, &page.text).map_err(|error| failed(&path, &error))?;
     }
     Ok(())

@@ -8,8 +8,11 @@
 mod document;
 mod index;
 mod prose;
+mod student;
 mod style;
 mod typeset;
+
+pub use student::class_pages;
 
 use std::path::Path;
 
