@@ -25,11 +25,9 @@ use super::outcome::{Outcome, Screen, shown};
 /// Exits with 0 if every line is right and no result is missing, 1 if a line is wrong or a result is missing, 2 if something
 /// was not read or not decided, or could not be marked.
 #[derive(clap::Args)]
-#[command(
-    after_help = "Examples:\n  onshell mark class/*.md --claims problem.json\n  \
+#[command(after_help = "Examples:\n  onshell mark class/*.md --claims problem.json\n  \
                   onshell mark class --claims problem.json --format csv > marks.csv\n  \
-                  onshell mark anna.md --claims problem.json --hints 2"
-)]
+                  onshell mark anna.md --claims problem.json --hints 2")]
 pub struct Arguments {
     /// Hand-ins (.md, .tex, .txt), or folders of these
     #[arg(required = true)]
@@ -149,7 +147,9 @@ fn hand_ins(path: &Path, own: &Path) -> Result<Vec<PathBuf>> {
     });
     files.sort();
     match files.is_empty() {
-        true => Err(Error::new(format!("there is no hand-in in {}", path.display())).help("hand-ins are .md, .tex or .txt")),
+        true => {
+            Err(Error::new(format!("there is no hand-in in {}", path.display())).help("hand-ins are .md, .tex or .txt"))
+        }
         false => Ok(files),
     }
 }

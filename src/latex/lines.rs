@@ -77,7 +77,10 @@ mod tests {
         assert_eq!(texts(r"a &= b \\ &= c \\ &= d = e"), ["a &= b", r"b \\ &= c", r"c \\ &= d = e"]);
         assert_eq!(texts(r"a = b, \quad c = d"), ["a = b", "c = d"]);
         assert_eq!(texts(r"a = b \implies c = d"), ["a = b", "c = d"]);
-        assert_eq!(texts(r"\begin{aligned} a &= b + c \\ &\quad + d \\ e &= f \end{aligned}"), [r"a &= b + c \\ &\quad + d", "e &= f"]);
+        assert_eq!(
+            texts(r"\begin{aligned} a &= b + c \\ &\quad + d \\ e &= f \end{aligned}"),
+            [r"a &= b + c \\ &\quad + d", "e &= f"]
+        );
         assert_eq!(texts(r"a = b \text{ so } c = d"), ["a = b", "c = d"]);
     }
 }

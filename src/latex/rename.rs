@@ -28,7 +28,8 @@ impl Renamed {
     pub fn original(&self, span: Span) -> Span {
         let at = |offset: usize, is_end: bool| {
             let mut pieces = self.places.iter().enumerate();
-            let within = |(_, (start, _)): &(usize, &(usize, Span))| if is_end { *start < offset } else { *start <= offset };
+            let within =
+                |(_, (start, _)): &(usize, &(usize, Span))| if is_end { *start < offset } else { *start <= offset };
             let Some((n, (start, from))) = pieces.rfind(within) else { return 0 };
             let length = self.places.get(n + 1).map_or(self.text.len(), |(next, _)| *next) - start;
             match (length == from.end - from.start, is_end) {

@@ -13,7 +13,18 @@ use super::wrap::wrap;
 
 /// The columns of a table.
 pub const COLUMNS: [&str; 13] = [
-    "student", "file", "line", "id", "statement", "mark", "credit", "verdict", "follows_from", "hint", "result", "points",
+    "student",
+    "file",
+    "line",
+    "id",
+    "statement",
+    "mark",
+    "credit",
+    "verdict",
+    "follows_from",
+    "hint",
+    "result",
+    "points",
     "because",
 ];
 
@@ -136,10 +147,11 @@ pub fn csv(class: &[Marked], hints: Hints) -> String {
     let mut out = COLUMNS.join(",") + "\r\n";
     for row in rows(class, hints) {
         // A spreadsheet would take such a text for a formula of its own.
-        let safe = row.iter().map(|text| match text.starts_with(['=', '+', '@']) || text.starts_with('-') && text.len() > 1 {
-            true => quoted(&format!(" {text}")),
-            false => quoted(text),
-        });
+        let safe =
+            row.iter().map(|text| match text.starts_with(['=', '+', '@']) || text.starts_with('-') && text.len() > 1 {
+                true => quoted(&format!(" {text}")),
+                false => quoted(text),
+            });
         out += &(safe.collect::<Vec<_>>().join(",") + "\r\n");
     }
     out
@@ -207,7 +219,8 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
             }
             if let (Some(at), Some(credit)) = (line.result, line.credit) {
                 let result = &marked.results[at];
-                let how = if result.reached == Reached::Yes { String::new() } else { format!(", {}", result.reached.word()) };
+                let how =
+                    if result.reached == Reached::Yes { String::new() } else { format!(", {}", result.reached.word()) };
                 notes.push(format!("result {}{how}: {} of {}", called(result), number(credit), number(result.points)));
             }
             if line.mark == Mark::Wrong && hints.0 > 0 {
@@ -227,13 +240,20 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
         out.push('\n');
     }
     let width = class.iter().map(|marked| marked.student.chars().count()).max().unwrap_or(0).max("student".len());
-    out += &format!("{:width$}  {:>7}  {:>5}  {:>5}  {:>7}  {:>7}\n", "student", "points", "right", "wrong", "carried", "missing");
+    out += &format!(
+        "{:width$}  {:>7}  {:>5}  {:>5}  {:>7}  {:>7}\n",
+        "student", "points", "right", "wrong", "carried", "missing"
+    );
     for marked in class {
         let missing = marked.results.iter().filter(|result| result.reached == Reached::No).count();
         let points = format!("{}/{}", number(marked.got()), number(marked.points()));
-        let (right, wrong, carried) = (marked.count(Mark::Right), marked.count(Mark::Wrong), marked.count(Mark::Carried));
+        let (right, wrong, carried) =
+            (marked.count(Mark::Right), marked.count(Mark::Wrong), marked.count(Mark::Carried));
         let open = if marked.is_open() { "  (look: something was not read)" } else { "" };
-        out += &format!("{:width$}  {points:>7}  {right:>5}  {wrong:>5}  {carried:>7}  {missing:>7}{open}\n", marked.student);
+        out += &format!(
+            "{:width$}  {points:>7}  {right:>5}  {wrong:>5}  {carried:>7}  {missing:>7}{open}\n",
+            marked.student
+        );
     }
     out
 }

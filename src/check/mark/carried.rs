@@ -30,7 +30,11 @@ pub(super) struct Before<'b> {
 ///
 /// # Errors
 /// As for a check of the line.
-pub(super) fn origin(checker: &Checker<'_>, (at, own): (usize, &Reading), before: &Before<'_>) -> Result<Option<usize>> {
+pub(super) fn origin(
+    checker: &Checker<'_>,
+    (at, own): (usize, &Reading),
+    before: &Before<'_>,
+) -> Result<Option<usize>> {
     let pieces = checker.wrong_pieces(at, true)?;
     let pieces: Vec<&Reading> = pieces.iter().collect();
     for from in before.wrong.iter().rev().take(LOOKED_BACK) {
@@ -53,9 +57,7 @@ pub(super) fn origin(checker: &Checker<'_>, (at, own): (usize, &Reading), before
 fn redefines(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading)) -> bool {
     let Some((place, text)) = definition_in_place(checker, from) else { return false };
     let options = Options { explain: false, ..checker.options };
-    let holds = |edited: &Checker<'_>| {
-        matches!(status(edited, at, own, &Claim::default()), Status::Holds(..))
-    };
+    let holds = |edited: &Checker<'_>| matches!(status(edited, at, own, &Claim::default()), Status::Holds(..));
     checker.with_edited_text(options, place, &text, holds).unwrap_or(false)
 }
 
@@ -88,7 +90,8 @@ fn shares_a_misreading(checker: &Checker<'_>, from: usize, (at, own): (usize, &R
     shared.sort_unstable();
     shared.dedup();
     shared.retain(|id| others.contains(id) && matches!(checker.model.meaning(*id), Some(Meaning::Constant(_))));
-    let holds = |at: usize, reading: &Reading| matches!(status(checker, at, reading, &Claim::default()), Status::Holds(..));
+    let holds =
+        |at: usize, reading: &Reading| matches!(status(checker, at, reading, &Claim::default()), Status::Holds(..));
     shared.into_iter().any(|id| {
         misreadings(checker, id).iter().any(|value| {
             let read = |reading: &Reading| substituted(reading, id, value);

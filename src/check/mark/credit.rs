@@ -49,7 +49,9 @@ pub(super) fn given(problem: &Problem, judged: Judged) -> (Vec<Line>, Vec<Result
     }
     // Without a rubric, a later result shows that the ones before it were passed.
     if !problem.names_results {
-        let last = results.iter().rposition(|result| matches!(result.reached, Reached::Yes | Reached::WithSlip | Reached::Wrong));
+        let last = results
+            .iter()
+            .rposition(|result| matches!(result.reached, Reached::Yes | Reached::WithSlip | Reached::Wrong));
         for result in results.iter_mut().take(last.unwrap_or(0)).filter(|result| result.reached == Reached::No) {
             (result.reached, result.got) = (Reached::Passed, result.points);
         }

@@ -63,15 +63,13 @@ impl Judged {
 /// When the problem cannot be applied to the hand-in.
 pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<Judged> {
     world.checked(run, |checker| {
-        let quiet = Checker {
-            options: Options { explain: false, ..checker.options },
-            units: checker.units.clone(),
-            ..checker
-        };
+        let quiet =
+            Checker { options: Options { explain: false, ..checker.options }, units: checker.units.clone(), ..checker };
         let mut judge = Judge {
             world,
             wanted: results::names(&checker, world.problem),
             quiet: &quiet,
+            details,
             premises: checker.readings.to_vec(),
             conditions: Vec::new(),
             lines: Vec::new(),
@@ -91,7 +89,7 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
                 }
             }
         }
-        let found = results::found(&quiet, world, &mut lines, (&premises, &corrected))?;
+        let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
         Ok(Judged { lines, found })
     })
 }
@@ -100,6 +98,8 @@ struct Judge<'j, 'c> {
     world: &'j World<'j>,
     wanted: Vec<SymbolId>,
     quiet: &'j Checker<'c>,
+    /// Whether a false line is compared with those before it; without that, numbers alone decide what holds.
+    details: bool,
     /// The readings, in which a row of a chain says what it says of the first member.
     premises: Vec<Reading>,
     /// The conditions that were stated, as LaTeX, with the names of their lines.
@@ -198,7 +198,11 @@ impl Judge<'_, '_> {
         let sound = displays(&|line| line.mark == Mark::Right);
         let before = Before { all: &all, wrong: &wrong, sound: &sound };
         let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
-        let from = if wrong.is_empty() { None } else { origin(&checker, (display, reading), &before).unwrap_or(None) };
+        let from = if wrong.is_empty() || !self.details {
+            None
+        } else {
+            origin(&checker, (display, reading), &before).unwrap_or(None)
+        };
         match from {
             Some(from) => {
                 let from = from - self.world.first;
@@ -219,7 +223,11 @@ impl Judge<'_, '_> {
     /// What a reading is in the problem, by itself, under the hypotheses of the problem's equations, or under conditions
     /// that were stated; and what it needs.
     fn status(&self, display: usize, reading: &Reading) -> (Status, String) {
-        let own = status(self.quiet, display, reading, &Claim::default());
+        let own = match !self.details && stated(reading).is_none() {
+            true if slip::fits(self.quiet, reading) => Status::Holds(Verdict::Verified),
+            true => Status::False(Box::new(Finding::new(Code::SidesDiffer, Verdict::Refuted, Span::default(), ""))),
+            false => status(self.quiet, display, reading, &Claim::default()),
+        };
         if !matches!(own, Status::False(_) | Status::Open(..)) {
             return (own, String::new());
         }
@@ -255,20 +263,8 @@ fn carried(lines: &[Line], from: usize) -> String {
 
 /// What a reading of a display is.
 pub(super) fn status(checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Status {
-    if let Some(Err(fault)) = reading.statements.iter().find(|statement| statement.is_err()) {
-        return Status::Unread(fault.message.clone());
-    }
-    let is_definition = |statement: usize| {
-        let read = reading.statements[statement].as_ref();
-        let defines = reading.introduced.iter().any(|new| new.statement == statement);
-        defines && read.is_ok_and(|read| read.members.len() == 2 && read.constant.is_none())
-    };
-    if !reading.statements.is_empty() && (0..reading.statements.len()).all(is_definition) {
-        return Status::Given(Verdict::Definition, "introduces a name");
-    }
-    let no_relation = |statement: &Statement| statement.relations.is_empty() && statement.constant.is_none();
-    if reading.statements.iter().flatten().all(no_relation) {
-        return Status::Given(Verdict::Unclaimed, "a formula, which states nothing");
+    if let Some(known) = stated(reading) {
+        return known;
     }
     let place = &checker.notes.equations[display];
     let parts = match checker.parts((display, place.body.start), reading, claim, &shown(place)) {
@@ -293,12 +289,31 @@ pub(super) fn status(checker: &Checker<'_>, display: usize, reading: &Reading, c
     best
 }
 
+/// What a reading is that claims nothing: a fault, a definition or a formula alone.
+fn stated(reading: &Reading) -> Option<Status> {
+    if let Some(Err(fault)) = reading.statements.iter().find(|statement| statement.is_err()) {
+        return Some(Status::Unread(fault.message.clone()));
+    }
+    let is_definition = |statement: usize| {
+        let read = reading.statements[statement].as_ref();
+        let defines = reading.introduced.iter().any(|new| new.statement == statement);
+        defines && read.is_ok_and(|read| read.members.len() == 2 && read.constant.is_none())
+    };
+    if !reading.statements.is_empty() && (0..reading.statements.len()).all(is_definition) {
+        return Some(Status::Given(Verdict::Definition, "introduces a name"));
+    }
+    let no_relation = |statement: &Statement| statement.relations.is_empty() && statement.constant.is_none();
+    let is_bare = reading.statements.iter().flatten().all(no_relation);
+    is_bare.then_some(Status::Given(Verdict::Unclaimed, "a formula, which states nothing"))
+}
+
 fn of_finding(finding: Finding) -> Status {
     use Code::{
-        Definition, DefinitionNotTested, DefinitionUnused, DefinitionUpToSign, FollowsFromHypotheses, ForcedValue, MutantPasses,
-        RestatesHypothesis, SameFormula, SideAlwaysZero, TrueByDefinition, UnitMismatch,
+        Definition, DefinitionNotTested, DefinitionUnused, DefinitionUpToSign, FollowsFromHypotheses, ForcedValue,
+        MutantPasses, RestatesHypothesis, SameFormula, SideAlwaysZero, TrueByDefinition, UnitMismatch,
     };
-    let is_named = |code: Code| matches!(code, Definition | DefinitionNotTested | DefinitionUnused | DefinitionUpToSign);
+    let is_named =
+        |code: Code| matches!(code, Definition | DefinitionNotTested | DefinitionUnused | DefinitionUpToSign);
     match (finding.verdict, finding.code) {
         (_, code) if is_named(code) => Status::Given(Verdict::Definition, "introduces a name"),
         (Verdict::Law, _) => Status::Given(Verdict::Law, "a law that the problem gives"),
@@ -307,7 +322,12 @@ fn of_finding(finding: Finding) -> Status {
         (Verdict::Unreadable, _) => Status::Unread(finding.message),
         (
             Verdict::Undecided,
-            SameFormula | RestatesHypothesis | FollowsFromHypotheses | TrueByDefinition | MutantPasses | SideAlwaysZero
+            SameFormula
+            | RestatesHypothesis
+            | FollowsFromHypotheses
+            | TrueByDefinition
+            | MutantPasses
+            | SideAlwaysZero
             | ForcedValue,
         )
         | (Verdict::Domain, _) => Status::Holds(Verdict::Verified),

@@ -38,46 +38,47 @@ pub(super) fn best(run: &Run<'_>, problem: &Problem, notes: &Notes) -> Result<(J
     define_macros(notes, &mut macros);
     let lines = written(notes, &macros);
     let used = usages(notes, &lines, &macros);
-    let known = problem::alone(run, problem, |checker| Ok(Known::of(checker.model)))?;
+    let known = &problem.names;
     let declared = declared(problem, &used);
     let tried = |table: &HashMap<Name, Name>, run: &Run<'_>, details: bool| {
         let world = World::new(run, problem, (notes, &lines), &known.with_momenta(table))?;
         judge(run, &world, details)
     };
-    let own = tried(&declared, run, true)?;
     let shown = |table: &HashMap<Name, Name>| {
         let mut pairs: Vec<(String, String)> = table.iter().map(|(a, b)| (a.to_string(), b.to_string())).collect();
         pairs.sort();
         pairs
     };
-    let is_sound = own.lines.iter().all(|line| matches!(line.mark, Mark::Right | Mark::Given));
-    let is_whole = own.found.iter().all(|found| found.as_ref().is_some_and(|found| found.is_right));
-    let ways = if is_sound && is_whole { Vec::new() } else { ways(&used, &known, &declared) };
-    if ways.is_empty() {
-        return Ok((own, shown(&declared)));
-    }
     let quick = Run { options: Options { points: POINTS, explain: false, ..run.options }, ..*run };
-    let mut best: Option<(i64, HashMap<Name, Name>)> = None;
-    for way in ways {
-        let Ok(judged) = tried(&way, &quick, false) else { continue };
-        let score = judged.score();
-        if best.as_ref().is_none_or(|(known, _)| score > *known) {
-            best = Some((score, way));
+    let mut best = declared.clone();
+    let ways = ways(&used, known, &declared);
+    if !ways.is_empty() {
+        let own = tried(&declared, &quick, false)?;
+        let mut score = own.score();
+        let mut is_whole = is_whole(&own);
+        for way in ways {
+            if is_whole {
+                break;
+            }
+            let Ok(judged) = tried(&way, &quick, false) else { continue };
+            if judged.score() > score {
+                is_whole = self::is_whole(&judged);
+                (score, best) = (judged.score(), way);
+            }
         }
     }
-    if let Some((score, way)) = best
-        && score > own.score()
-    {
-        let judged = tried(&way, run, true)?;
-        if judged.score() > own.score() {
-            return Ok((judged, shown(&way)));
-        }
-    }
-    Ok((own, shown(&declared)))
+    Ok((tried(&best, run, true)?, shown(&best)))
+}
+
+/// Whether every line holds, and every result is reached.
+fn is_whole(judged: &Judged) -> bool {
+    judged.lines.iter().all(|line| matches!(line.mark, Mark::Right | Mark::Given))
+        && judged.found.iter().all(|found| found.as_ref().is_some_and(|found| found.is_right))
 }
 
 /// The names of the problem.
-struct Known {
+#[derive(Clone, Debug)]
+pub(super) struct Names {
     symbols: Symbols,
     names: Vec<(Name, Role)>,
 }
@@ -93,8 +94,9 @@ enum Role {
     Determined,
 }
 
-impl Known {
-    fn of(model: &Model) -> Known {
+impl Names {
+    /// The names of a model.
+    pub fn of(model: &Model) -> Names {
         let mut names = Vec::new();
         for (id, entry) in model.symbols.iter() {
             if entry.kind != Kind::Scalar || !entry.slots.is_empty() || entry.momentum {
@@ -108,7 +110,7 @@ impl Known {
             };
             names.push((entry.name.clone(), role));
         }
-        Known { symbols: model.symbols.clone(), names }
+        Names { symbols: model.symbols.clone(), names }
     }
 
     /// A table with the momenta of renamed coordinates.
@@ -157,7 +159,7 @@ fn declared(problem: &Problem, used: &[Usage]) -> HashMap<Name, Name> {
 }
 
 /// The ways to take the names that only the hand-in has for names that only the problem has, the most likely first.
-fn ways(used: &[Usage], known: &Known, declared: &HashMap<Name, Name>) -> Vec<HashMap<Name, Name>> {
+fn ways(used: &[Usage], known: &Names, declared: &HashMap<Name, Name>) -> Vec<HashMap<Name, Name>> {
     let is_used = |name: &Name| used.iter().any(|usage| usage.name == *name);
     let is_taken = |name: &Name| declared.values().any(|other| other == name);
     let free: Vec<&(Name, Role)> = known.names.iter().filter(|(name, _)| !is_used(name) && !is_taken(name)).collect();
@@ -165,10 +167,16 @@ fn ways(used: &[Usage], known: &Known, declared: &HashMap<Name, Name>) -> Vec<Ha
         let name = &usage.name;
         // `d` is a name where it is the whole left side.
         let is_free = name.base == "d" && usage.introduced.is_some();
-        let reserved = !is_free && ["t", "e", "d", "i", "\\pi", "\\mathrm{d}"].contains(&name.base.as_str()) && name.subscript.is_empty();
+        let reserved = !is_free
+            && ["t", "e", "d", "i", "\\pi", "\\mathrm{d}"].contains(&name.base.as_str())
+            && name.subscript.is_empty();
         let is_momentum = name.base == "p" && !name.subscript.is_empty();
-        known.symbols.find(name).is_none() && !reserved && !is_momentum && !declared.contains_key(name)
-            && name.primes == 0 && !name.base.starts_with(['(', '['])
+        known.symbols.find(name).is_none()
+            && !reserved
+            && !is_momentum
+            && !declared.contains_key(name)
+            && name.primes == 0
+            && !name.base.starts_with(['(', '['])
     };
     let own: Vec<&Usage> = used.iter().filter(is_own).collect();
     let mut found = vec![HashMap::new()];

@@ -15,6 +15,7 @@ use crate::check::run::check_in;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 
+use super::letters::Names;
 use super::marked::Marked;
 use super::{credit, letters};
 
@@ -46,6 +47,8 @@ pub struct Problem {
     pub(super) wanted: Vec<Wanted>,
     /// The hypotheses under which the equations of the problem hold, each set once.
     pub(super) contexts: Vec<Claim>,
+    /// Its names.
+    pub(super) names: Names,
 }
 
 impl Problem {
@@ -97,8 +100,9 @@ impl Problem {
                 contexts.push(context);
             }
         }
+        let names = with_checker(run, &claims, notes, |checker| Ok(Names::of(checker.model)))?;
         let names_results = !rubric.results.is_empty();
-        Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts })
+        Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts, names })
     }
 
     /// Marks a hand-in, known as `path`.
@@ -107,8 +111,14 @@ impl Problem {
         let student = path.file_stem().map_or_else(|| shown_as.clone(), |stem| stem.to_string_lossy().into_owned());
         let source = Arc::new(Source::new(shown_as, text.trim_start_matches('\u{feff}')));
         let kind = Kind::of(path).unwrap_or(Kind::Markdown);
-        let mut marked =
-            Marked { student, source: source.clone(), letters: Vec::new(), lines: Vec::new(), results: Vec::new(), fault: None };
+        let mut marked = Marked {
+            student,
+            source: source.clone(),
+            letters: Vec::new(),
+            lines: Vec::new(),
+            results: Vec::new(),
+            fault: None,
+        };
         let found = Notes::parse(source, kind).and_then(|notes| letters::best(run, self, &notes));
         match found {
             Ok((judged, letters)) => {
@@ -163,7 +173,11 @@ fn verdicts(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Vec<Verdict
     let of = |display: &Display| {
         let found = document.equations.iter().find(|equation| Some(equation.id.as_str()) == display.id());
         found.map_or(Verdict::Unclaimed, |equation| {
-            if equation.ok && !equation.finding.verdict.passes() { Verdict::Unclaimed } else { equation.finding.verdict }
+            if equation.ok && !equation.finding.verdict.passes() {
+                Verdict::Unclaimed
+            } else {
+                equation.finding.verdict
+            }
         })
     };
     Ok(notes.equations.iter().map(of).collect())
@@ -191,16 +205,4 @@ fn unnamed(notes: &Notes, verdicts: &[Verdict]) -> Vec<Wanted> {
 /// The names that a rubric declares for those of the problem.
 pub(super) fn declared_letters(rubric: &Rubric) -> impl Iterator<Item = (&Spanned<String>, &Spanned<String>)> {
     rubric.letters.iter().flat_map(|(own, others)| others.iter().map(move |other| (own, other)))
-}
-
-/// Makes the checker of a problem alone, and passes it to `work`.
-///
-/// # Errors
-/// As [`with_checker`].
-pub(super) fn alone<T>(
-    run: &Run<'_>,
-    problem: &Problem,
-    work: impl FnOnce(crate::check::document::checker::Checker<'_>) -> Result<T>,
-) -> Result<T> {
-    with_checker(run, &problem.claims, &problem.notes, work)
 }

@@ -43,7 +43,8 @@ pub(super) struct Found {
 
 /// The names that the wanted results give a formula for.
 pub(super) fn names(checker: &Checker<'_>, problem: &Problem) -> Vec<SymbolId> {
-    let statements = problem.wanted.iter().flat_map(|wanted| checker.readings[wanted.display].statements.iter().flatten());
+    let statements =
+        problem.wanted.iter().flat_map(|wanted| checker.readings[wanted.display].statements.iter().flatten());
     statements.filter_map(|statement| statement.members.first()?.as_plain_symbol()).collect()
 }
 
@@ -55,7 +56,7 @@ pub(super) fn found(
     checker: &Checker<'_>,
     world: &World<'_>,
     lines: &mut [Line],
-    (premises, corrected): (&[Reading], &[Option<String>]),
+    (premises, corrected): (&[Reading], Option<&[Option<String>]>),
 ) -> Result<Vec<Option<Found>>> {
     let mut all = Vec::new();
     for wanted in &world.problem.wanted {
@@ -83,13 +84,17 @@ pub(super) fn found(
             all.push(Some(Found { line, is_right: true, lost: None }));
             continue;
         }
+        let Some(corrected) = corrected else {
+            all.push(None);
+            continue;
+        };
         let mut with_slip = None;
         for at in (0..lines.len()).rev().filter(|at| matches!(lines[*at].mark, Mark::Wrong | Mark::Carried)) {
             let is_corrected = corrected[at].as_ref().is_some_and(|text| {
                 let reading = checker.as_printed(text, &Claim::default(), &checker.model.macros);
-                let whole = world.written[at].continues.and_then(|start| {
-                    composed(&checker.readings[world.first + start], &reading)
-                });
+                let whole = world.written[at]
+                    .continues
+                    .and_then(|start| composed(&checker.readings[world.first + start], &reading));
                 let whole = whole.as_ref().and_then(|whole| goal.reached(checker, world, whole));
                 whole.or_else(|| goal.reached(checker, world, &reading)).is_some()
             });
@@ -141,7 +146,8 @@ impl Goal {
                 free(&mut model, id);
             }
             links.push(checker.link(first, Relation::Equal, last).ok()?);
-            symbols.extend(statement.members.iter().flat_map(Expr::symbols));
+            // What stands between them is a way to the result.
+            symbols.extend([first, last].into_iter().flat_map(Expr::symbols));
         }
         let none = Claim::default();
         let hypotheses = checker.hypotheses(checker.assigned[wanted.display].unwrap_or(&none)).ok()?;
@@ -153,10 +159,12 @@ impl Goal {
     /// The number of names of the student's own in a reading that says what is wanted; `None`, if it does not say it.
     fn reached(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<usize> {
         let all = links(checker, reading);
-        let all: Vec<(usize, &Link)> = all.iter().filter_map(|link| Some((self.own_names(checker, world, link)?, link))).collect();
+        let all: Vec<(usize, &Link)> =
+            all.iter().filter_map(|link| Some((self.own_names(checker, world, link)?, link))).collect();
         let mut most = 0;
         for wanted in &self.links {
-            let fewest = all.iter().filter(|(_, link)| self.says(checker, link, wanted)).map(|(names, _)| *names).min()?;
+            let fewest =
+                all.iter().filter(|(_, link)| self.says(checker, link, wanted)).map(|(names, _)| *names).min()?;
             most = most.max(fewest);
         }
         Some(most)
@@ -276,7 +284,9 @@ impl Goal {
         let ensemble = context.ensemble(context.mode(false, &[is, wanted]), false, STATES).ok()?;
         let mut ratios = Vec::new();
         for state in &ensemble.states {
-            let (Some(is), Some(wanted)) = (difference::value(is, state), difference::value(wanted, state)) else { continue };
+            let (Some(is), Some(wanted)) = (difference::value(is, state), difference::value(wanted, state)) else {
+                continue;
+            };
             ratios.push(is.value / wanted.value);
         }
         let first = *ratios.first().filter(|first| first.is_finite() && ratios.len() >= FEWEST)?;

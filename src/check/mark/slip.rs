@@ -66,7 +66,8 @@ pub(super) fn found(
         new.get(inside.range())?;
         new.replace_range(inside.range(), &repair.replacement);
         let span = world.original(at, repair.span)?;
-        let slip = Slipped { lost: lost(repair.slip), span, replacement: Some(world.in_own_letters(&repair.replacement)) };
+        let slip =
+            Slipped { lost: lost(repair.slip), span, replacement: Some(world.in_own_letters(&repair.replacement)) };
         Some(Corrected { slip, text: new })
     });
     let corrected = corrected.into_iter().next().or_else(|| edited(checker, world, at));
@@ -81,7 +82,13 @@ fn fitted(finding: &Finding, world: &World<'_>, at: usize) -> Option<Slipped> {
     match (fit.terms.as_slice(), fit.missing.is_empty()) {
         ([only], true) => {
             let value = only.coefficient.value();
-            let lost = if value == -1.0 { Lost::Sign } else if value == 0.0 { Lost::Term } else { Lost::Factor };
+            let lost = if value == -1.0 {
+                Lost::Sign
+            } else if value == 0.0 {
+                Lost::Term
+            } else {
+                Lost::Factor
+            };
             Some(Slipped { lost, span: world.original(at, only.span)?, replacement: None })
         }
         ([], false) => Some(Slipped { lost: Lost::Term, span: world.original(at, finding.span)?, replacement: None }),
@@ -116,7 +123,7 @@ fn is_trivial(reading: &Reading) -> bool {
 }
 
 /// Whether the equalities of a reading hold at a few states.
-fn fits(checker: &Checker<'_>, reading: &Reading) -> bool {
+pub(super) fn fits(checker: &Checker<'_>, reading: &Reading) -> bool {
     let context = Context {
         model: checker.model,
         options: checker.options,

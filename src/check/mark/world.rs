@@ -6,13 +6,13 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use crate::Result;
 use crate::formula::symbols::Name;
 use crate::latex::rename::{Renamed, renamed};
 use crate::latex::{Macros, names};
 use crate::notes::claims::{Claims, Declaration, Range, Role, Spanned};
 use crate::notes::{Display, MacroDefinition, Notes, Numbered};
 use crate::source::{Missing, Source, Span};
-use crate::Result;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::{Run, define_macros, with_checker};
@@ -91,7 +91,11 @@ impl<'p> World<'p> {
             body: display.body.shifted(offset),
             parts: display.parts.iter().map(|part| part.shifted(offset)).collect(),
             number: display.number.clone().map(|n| Numbered { span: n.span.shifted(offset), ..n }),
-            labels: display.labels.iter().map(|l| Numbered { id: l.id.clone(), span: l.span.shifted(offset) }).collect(),
+            labels: display
+                .labels
+                .iter()
+                .map(|l| Numbered { id: l.id.clone(), span: l.span.shifted(offset) })
+                .collect(),
             ..display.clone()
         };
         let mut together = problem.notes.clone();

@@ -30,8 +30,20 @@ pub(super) struct Written {
 
 /// Words before a display that make it a condition.
 const SUPPOSED: [&str; 14] = [
-    "assum", "suppose", "let ", "given", "initial", "where ", "at rest", "condition", "choose", "set ", "when ", "if ",
-    "for small", "limit",
+    "assum",
+    "suppose",
+    "let ",
+    "given",
+    "initial",
+    "where ",
+    "at rest",
+    "condition",
+    "choose",
+    "set ",
+    "when ",
+    "if ",
+    "for small",
+    "limit",
 ];
 
 /// All lines of a hand-in, in their order.
@@ -53,7 +65,8 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
             None => lines(&read, macros).into_iter().filter(|line| line.is_statement).collect(),
         };
         let whole = || vec![lines::Line { span: Span::new(0, read.len()), from: None, is_statement: true }];
-        let is_cut = |line: &lines::Line| balanced(&read[line.from.map_or(line.span, |from| from.to(line.span)).range()]);
+        let is_cut =
+            |line: &lines::Line| balanced(&read[line.from.map_or(line.span, |from| from.to(line.span)).range()]);
         let statements = match display {
             Some(_) if statements.is_empty() || !statements.iter().all(is_cut) => whole(),
             _ => statements,
@@ -67,7 +80,8 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
             }
             let (line, _) = notes.source.line_column(span.start);
             let before = found.iter().filter(|other| other.line == line).count();
-            let letter = (b'a'..=b'z').nth(before).map_or_else(|| format!(".{before}"), |letter| char::from(letter).to_string());
+            let letter =
+                (b'a'..=b'z').nth(before).map_or_else(|| format!(".{before}"), |letter| char::from(letter).to_string());
             found.push(Written {
                 line,
                 name: if before == 0 { format!("line {line}") } else { format!("line {line}{letter}") },
