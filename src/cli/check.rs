@@ -7,8 +7,8 @@ use rayon::prelude::*;
 
 use crate::check::document::setup;
 use crate::check::{Document, Options, Report, Run, Verdict, check_in, check_reprint, reprint, unaided};
-use crate::report::{self, wrap};
 use crate::notes::Notes;
+use crate::report::{self, wrap};
 use crate::systems::Registry;
 use crate::{Error, Result};
 

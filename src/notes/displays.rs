@@ -268,9 +268,11 @@ impl Work<'_> {
         let line = self.source.get(at..tex_scanner::line_end(self.source.as_bytes(), at))?.trim_end();
         let braced = line.strip_prefix("{#").and_then(|rest| rest.strip_suffix('}'));
         let braced = braced.map(|inside| inside.split_whitespace().next().unwrap_or_default());
-        let bare = || line.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).filter(|id| !tex_scanner::is_number(id));
+        let bare =
+            || line.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).filter(|id| !tex_scanner::is_number(id));
         let id = braced.or_else(bare)?;
-        let is_word = !id.is_empty() && id.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b':' | b'.'));
+        let is_word =
+            !id.is_empty() && id.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b':' | b'.'));
         let is_label = is_word && (braced.is_some() || id.bytes().any(|b| matches!(b, b'-' | b'_' | b':')));
         is_label.then(|| (Numbered { id: id.to_owned(), span: Span::new(at, at + line.len()) }, at + line.len()))
     }

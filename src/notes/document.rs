@@ -82,12 +82,20 @@ impl Notes {
         displays::blank(&mut clean, macros.iter().map(|definition| &definition.span));
         let mut prose = clean.clone();
         displays::blank(&mut prose, scan.raws.iter().map(|raw| &raw.span).chain(&scan.inline));
-        let equations = displays::assemble(&source, clean, scan.raws, scan.names)
-            .map_err(|fault| Error::fault(&source, fault))?;
+        let equations =
+            displays::assemble(&source, clean, scan.raws, scan.names).map_err(|fault| Error::fault(&source, fault))?;
         let numbers = || equations.iter().filter_map(|display| display.number.as_ref());
         displays::blank(&mut prose, numbers().map(|number| &number.span));
         let references = references::all(&prose, &source, numbers().map(|number| number.id.as_str()));
-        Ok(Notes { source, equations, macros, references, inline: scan.inline, markers: scan.markers, absent: Vec::new() })
+        Ok(Notes {
+            source,
+            equations,
+            macros,
+            references,
+            inline: scan.inline,
+            markers: scan.markers,
+            absent: Vec::new(),
+        })
     }
 
     /// The references to numbers that no display carries. The prose may mean another document.

@@ -33,7 +33,10 @@ pub(super) fn scan(text: &str) -> Result<ScannedText, Fault> {
 /// The position after the verbatim text or the definition that begins at `at`.
 pub(super) fn verbatim_end(text: &str, at: usize) -> Option<usize> {
     if let Some((name, inside)) = tex_scanner::begin(text, at) {
-        return VERBATIM.contains(&name).then(|| tex_scanner::find(text, inside, &format!("\\end{{{name}}}"))).flatten();
+        return VERBATIM
+            .contains(&name)
+            .then(|| tex_scanner::find(text, inside, &format!("\\end{{{name}}}")))
+            .flatten();
     }
     macros::definition(text, at).map(|definition| definition.span.end)
 }

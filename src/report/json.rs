@@ -95,7 +95,10 @@ fn equation(document: &Document, equation: &Equation) -> Value {
         fields.insert("because".to_owned(), json!(because));
     }
     if !equation.ok {
-        fields.insert("repairs".to_owned(), equation.repairs.iter().filter_map(|repair| self::repair(source, repair)).collect());
+        fields.insert(
+            "repairs".to_owned(),
+            equation.repairs.iter().filter_map(|repair| self::repair(source, repair)).collect(),
+        );
         fields.insert("elsewhere".to_owned(), json!(equation.elsewhere));
     }
     if !equation.parts.is_empty() {

@@ -16,8 +16,8 @@ pub(crate) enum Encoding {
 
 /// The characters of the bytes 0x80 to 0x9f in Windows-1252; NUL where there is none.
 const HIGH: [char; 32] = [
-    '€', '\0', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\0', 'Ž', '\0', '\0', '‘', '’', '“', '”', '•', '–',
-    '—', '˜', '™', 'š', '›', 'œ', '\0', 'ž', 'Ÿ',
+    '€', '\0', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\0', 'Ž', '\0', '\0', '‘', '’', '“', '”', '•',
+    '–', '—', '˜', '™', 'š', '›', 'œ', '\0', 'ž', 'Ÿ',
 ];
 
 impl Encoding {
@@ -52,8 +52,12 @@ impl Encoding {
         match self {
             Encoding::Utf8 => Some(text.as_bytes().to_vec()),
             Encoding::Windows1252 => text.chars().map(byte).collect(),
-            Encoding::Utf16Little => Some([0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect()),
-            Encoding::Utf16Big => Some([0xfe, 0xff].into_iter().chain(text.encode_utf16().flat_map(u16::to_be_bytes)).collect()),
+            Encoding::Utf16Little => {
+                Some([0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect())
+            }
+            Encoding::Utf16Big => {
+                Some([0xfe, 0xff].into_iter().chain(text.encode_utf16().flat_map(u16::to_be_bytes)).collect())
+            }
         }
     }
 

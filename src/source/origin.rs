@@ -75,9 +75,11 @@ impl Origin {
             touched.extend(self.pieces.iter().find(|piece| piece.start == span.start));
         }
         let (Some(first), Some(last)) = (touched.first(), touched.last()) else { return Err(ELSEWHERE) };
-        let joined = touched.windows(2).all(|pair| pair[0].file == pair[1].file && pair[0].place.end == pair[1].place.start);
+        let joined =
+            touched.windows(2).all(|pair| pair[0].file == pair[1].file && pair[0].place.end == pair[1].place.start);
         let is_part = |piece: &&Piece| {
-            !piece.is_copy && !(piece.is_whole && span.start <= piece.start && piece.end <= span.end)
+            !piece.is_copy
+                && !(piece.is_whole && span.start <= piece.start && piece.end <= span.end)
                 && !(piece.is_whole && span.start == span.end && (span.start == piece.end || span.start == piece.start))
         };
         if !joined || touched.iter().any(is_part) {
@@ -125,7 +127,8 @@ impl Builder {
     /// A copy of a range of a file.
     pub(crate) fn copy_of(&mut self, file: usize, place: Span) {
         let text = self.files[file].slice(place).to_owned();
-        if let Some(last) = self.pieces.last_mut().filter(|p| p.is_copy && p.file == file && p.place.end == place.start) {
+        if let Some(last) = self.pieces.last_mut().filter(|p| p.is_copy && p.file == file && p.place.end == place.start)
+        {
             last.place.end = place.end;
             last.end += text.len();
             self.text.push_str(&text);

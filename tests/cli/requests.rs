@@ -5,7 +5,8 @@ use serde_json::Value;
 use crate::support::Desk;
 
 /// A slip behind characters of several bytes, of which one is two UTF-16 units.
-const NOTES: &str = "# Ü\n\né 𝔸 $$ \\alpha^2 + (a + b)^3 = \\alpha^2 + a^3 + 3 a^2 b + 3 a b^2 - b^3 $$\n\n$$ a + a = 2 a $$\n";
+const NOTES: &str =
+    "# Ü\n\né 𝔸 $$ \\alpha^2 + (a + b)^3 = \\alpha^2 + a^3 + 3 a^2 b + 3 a b^2 - b^3 $$\n\n$$ a + a = 2 a $$\n";
 
 fn desk(name: &str) -> Desk {
     let desk = Desk::new(name);

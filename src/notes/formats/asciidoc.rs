@@ -21,11 +21,13 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
     let lines = blocks::lines(text, Span::new(0, text.len()));
     let words = |at: usize| lines.get(at).map(|line| text[line.range()].trim());
     // Without this attribute, `stem` is AsciiMath.
-    let stem_is_latex = (0..lines.len()).any(|at| words(at).is_some_and(|line| line.replace(' ', "") == ":stem:latexmath"));
+    let stem_is_latex =
+        (0..lines.len()).any(|at| words(at).is_some_and(|line| line.replace(' ', "") == ":stem:latexmath"));
     let mut label = None;
     let mut at = 0;
     while let Some(line) = words(at) {
-        let close = |at: usize, mark: &str| (at..lines.len()).find(|other| words(*other) == Some(mark)).unwrap_or(lines.len());
+        let close =
+            |at: usize, mark: &str| (at..lines.len()).find(|other| words(*other) == Some(mark)).unwrap_or(lines.len());
         if let Some(name) = line.strip_prefix("[[").and_then(|rest| rest.strip_suffix("]]")) {
             label = Some(name);
         }
@@ -37,7 +39,9 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
             let end = close(open + 1, "++++");
             let id = attributes.split(['%', '.', ',']).next().and_then(|word| word.split_once('#')).map(|(_, id)| id);
             let body: Vec<Span> = lines[open + 1..end].iter().map(|line| trimmed(text, *line)).collect();
-            let is_latex = style == "latexmath" || (style == "stem" && stem_is_latex) || body.iter().any(|line| text[line.range()].contains('\\'));
+            let is_latex = style == "latexmath"
+                || (style == "stem" && stem_is_latex)
+                || body.iter().any(|line| text[line.range()].contains('\\'));
             let copy = if is_latex { Builder::copy } else { asciimath };
             blocks::display(&mut view, lines[at], &body, id.or(label.take()), copy);
             label = None;
@@ -70,7 +74,11 @@ fn prose(view: &mut Builder, text: &str, line: Span, stem_is_latex: bool) {
     loop {
         let rest = &text[from..line.end];
         let macros = ["latexmath:[", "stem:["].into_iter().take(if stem_is_latex { 2 } else { 1 });
-        let Some((open, start)) = macros.filter_map(|name| rest.find(name).map(|at| (from + at, from + at + name.len()))).min() else { break };
+        let Some((open, start)) =
+            macros.filter_map(|name| rest.find(name).map(|at| (from + at, from + at + name.len()))).min()
+        else {
+            break;
+        };
         let Some(close) = text[start..line.end].find(']').map(|at| start + at) else { break };
         view.prose(Span::new(from, open));
         view.written(Span::new(open, start), "$");

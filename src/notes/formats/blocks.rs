@@ -26,7 +26,13 @@ pub(super) fn indent(text: &str, line: Span) -> usize {
 }
 
 /// A display: its lines between `$$`, and its label. It begins at the first byte of `open`.
-pub(super) fn display(view: &mut Builder, open: Span, body: &[Span], label: Option<&str>, copy: fn(&mut Builder, Span)) {
+pub(super) fn display(
+    view: &mut Builder,
+    open: Span,
+    body: &[Span],
+    label: Option<&str>,
+    copy: fn(&mut Builder, Span),
+) {
     let end = body.last().map_or(open.end, |line| line.end);
     view.written(open, "\n$$");
     if let Some(label) = label {

@@ -19,7 +19,8 @@ pub(super) const C: Format = Format {
     is_code: true,
     view: comments,
 };
-pub(super) const PYTHON: Format = Format { extensions: &["py", "pyi"], kind: Kind::Markdown, is_code: true, view: strings };
+pub(super) const PYTHON: Format =
+    Format { extensions: &["py", "pyi"], kind: Kind::Markdown, is_code: true, view: strings };
 pub(super) const JULIA: Format = Format { extensions: &["jl"], kind: Kind::Markdown, is_code: true, view: strings };
 
 /// `///`, `//!`, `/** … */` and `/*! … */`.
@@ -33,7 +34,10 @@ fn comments(file: &Arc<Source>, _: &Path) -> Result<View> {
         let own = words.trim_start();
         let mut start = line.end - own.len();
         let mut end = line.end;
-        if is_open || own.starts_with("/**") && !own.starts_with("/***") && !own.starts_with("/**/") || own.starts_with("/*!") {
+        if is_open
+            || own.starts_with("/**") && !own.starts_with("/***") && !own.starts_with("/**/")
+            || own.starts_with("/*!")
+        {
             if !is_open {
                 start += 3;
                 is_open = true;
@@ -133,11 +137,10 @@ fn document(view: &mut Builder, text: &str, lines: Vec<Span>, copy: fn(&mut Buil
     // The first line of a string stands behind its quotes.
     let common = lines.iter().skip(1).filter(depth).map(|line| indent(text, *line)).min();
     let common = common.unwrap_or(0);
-    let dedented: Vec<Span> = lines
-        .iter()
-        .map(|line| Span::new(line.start + common.min(indent(text, *line)), line.end))
-        .collect();
-    let is_restructured = lines.iter().any(|line| text[line.range()].contains(".. math::") || text[line.range()].contains(":math:`"));
+    let dedented: Vec<Span> =
+        lines.iter().map(|line| Span::new(line.start + common.min(indent(text, *line)), line.end)).collect();
+    let is_restructured =
+        lines.iter().any(|line| text[line.range()].contains(".. math::") || text[line.range()].contains(":math:`"));
     if is_restructured {
         restructured::write(view, text, &dedented, copy);
     } else {

@@ -41,8 +41,18 @@ pub(super) struct View {
 }
 
 /// Every format.
-pub const ALL: &[Format] =
-    &[MARKDOWN, tex_project::FORMAT, notebook::FORMAT, restructured::FORMAT, asciidoc::FORMAT, org::FORMAT, comments::RUST, comments::C, comments::PYTHON, comments::JULIA];
+pub const ALL: &[Format] = &[
+    MARKDOWN,
+    tex_project::FORMAT,
+    notebook::FORMAT,
+    restructured::FORMAT,
+    asciidoc::FORMAT,
+    org::FORMAT,
+    comments::RUST,
+    comments::C,
+    comments::PYTHON,
+    comments::JULIA,
+];
 
 const MARKDOWN: Format = Format {
     extensions: &["md", "markdown", "qmd", "rmd", "txt"],

@@ -30,11 +30,12 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
     };
     let place = |raw: &RawValue| raw.get().as_ptr() as usize - file.text.as_ptr() as usize;
     let notebook: Object<'_> = serde_json::from_str(text).map_err(|error| failed(&error))?;
-    let cells = notebook.get("cells").ok_or_else(|| {
-        Error::fault(file, Fault::notes(Span::at(0), "this is not a notebook: it has no `cells`"))
+    let cells = notebook
+        .get("cells")
+        .ok_or_else(|| Error::fault(file, Fault::notes(Span::at(0), "this is not a notebook: it has no `cells`")))?;
+    let cells: Vec<Object<'_>> = serde_json::from_str(cells.get()).map_err(|error| {
+        Error::fault(file, Fault::notes(Span::at(place(cells)), format!("the cells cannot be read: {error}")))
     })?;
-    let cells: Vec<Object<'_>> = serde_json::from_str(cells.get())
-        .map_err(|error| Error::fault(file, Fault::notes(Span::at(place(cells)), format!("the cells cannot be read: {error}"))))?;
     let mut view = Builder::new(file.clone());
     for cell in cells.iter().filter(|cell| cell.get("cell_type").is_some_and(|kind| kind.get() == "\"markdown\"")) {
         let Some(source) = cell.get("source") else { continue };
@@ -43,7 +44,10 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
             string(&mut view, raw, place(source));
         } else {
             let lines: Vec<&RawValue> = serde_json::from_str(raw).map_err(|error| failed(&error))?;
-            lines.iter().filter(|line| line.get().starts_with('"')).for_each(|line| string(&mut view, line.get(), place(line)));
+            lines
+                .iter()
+                .filter(|line| line.get().starts_with('"'))
+                .for_each(|line| string(&mut view, line.get(), place(line)));
         }
         view.written(Span::at(place(source) + raw.len()), "\n\n");
     }

@@ -24,7 +24,9 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
             if lower.starts_with(end) {
                 until = None;
             }
-        } else if let Some(block) = ["src", "example", "comment", "export html"].iter().find(|b| lower.starts_with(&format!("#+begin_{b}"))) {
+        } else if let Some(block) =
+            ["src", "example", "comment", "export html"].iter().find(|b| lower.starts_with(&format!("#+begin_{b}")))
+        {
             until = Some(format!("#+end_{}", block.split(' ').next().unwrap_or(block)));
         } else if lower.starts_with("#+latex_header:") || lower.starts_with("#+latex:") {
             let colon = words.find(':').map_or(0, |at| at + 1);

@@ -43,7 +43,9 @@ pub(super) fn write(view: &mut Builder, text: &str, lines: &[Span], copy: fn(&mu
             let words = &text[line.range()];
             match words.strip_prefix(":label:").or_else(|| words.strip_prefix(":name:")) {
                 Some(name) => label = Some(name.trim()),
-                None if words.starts_with(":nowrap:") || words.starts_with(":no-wrap:") || words.starts_with(":class:") => {}
+                None if words.starts_with(":nowrap:")
+                    || words.starts_with(":no-wrap:")
+                    || words.starts_with(":class:") => {}
                 None if words.is_empty() => groups.push(Vec::new()),
                 None => groups.last_mut().into_iter().for_each(|group| group.push(line)),
             }
@@ -52,7 +54,8 @@ pub(super) fn write(view: &mut Builder, text: &str, lines: &[Span], copy: fn(&mu
         let mut joined: Vec<Vec<Span>> = Vec::new();
         for group in groups.into_iter().filter(|group| !group.is_empty()) {
             let is_open = joined.last().is_some_and(|last| {
-                let count = |mark: &str| last.iter().map(|line| text[line.range()].matches(mark).count()).sum::<usize>();
+                let count =
+                    |mark: &str| last.iter().map(|line| text[line.range()].matches(mark).count()).sum::<usize>();
                 count("\\begin{") > count("\\end{")
             });
             match joined.last_mut().filter(|_| is_open) {

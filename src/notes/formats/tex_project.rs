@@ -12,7 +12,8 @@ use crate::notes::{file, macros, tex, tex_scanner};
 use crate::source::{Builder, Fault, Source, Span};
 use crate::{Error, Result};
 
-pub(super) const FORMAT: Format = Format { extensions: &["tex", "latex", "ltx"], kind: Kind::Tex, is_code: false, view };
+pub(super) const FORMAT: Format =
+    Format { extensions: &["tex", "latex", "ltx"], kind: Kind::Tex, is_code: false, view };
 
 /// The most files inside one another.
 const DEEPEST: usize = 16;
@@ -60,7 +61,9 @@ impl Project {
         }
         let (mut at, mut end) = (0, text.len());
         // A part that is also a document of its own.
-        if number > 0 && let Some(begin) = tex_scanner::find(text, 0, "\\begin{document}") {
+        if number > 0
+            && let Some(begin) = tex_scanner::find(text, 0, "\\begin{document}")
+        {
             at = begin + "\\begin{document}".len();
             end = tex_scanner::find(text, at, "\\end{document}").unwrap_or(end);
         }
@@ -203,7 +206,9 @@ fn named(text: &str, at: usize, word: usize) -> Option<Named> {
         after = tex_scanner::find(text, after, "]")? + 1;
     }
     if command == "input" && bytes.get(after).is_some_and(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'_')) {
-        let length = text[after..].find(|c: char| c.is_whitespace() || matches!(c, '\\' | '}' | '%')).unwrap_or(text.len() - after);
+        let length = text[after..]
+            .find(|c: char| c.is_whitespace() || matches!(c, '\\' | '}' | '%'))
+            .unwrap_or(text.len() - after);
         return Some(Named { what, file: text[after..after + length].to_owned(), end: after + length });
     }
     let (first, end) = group(after)?;

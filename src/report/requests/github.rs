@@ -17,7 +17,12 @@ pub fn report(report: &Report, errors: &[Error]) -> String {
         });
         let help = problem.help.map(|help| format!("\n{help}")).unwrap_or_default();
         let message = format!("{}{help}", problem.message);
-        text += &format!("::error {}title={}::{}\n", place.unwrap_or_default(), property(problem.code.word()), data(&message));
+        text += &format!(
+            "::error {}title={}::{}\n",
+            place.unwrap_or_default(),
+            property(problem.code.word()),
+            data(&message)
+        );
     }
     text
 }

@@ -28,13 +28,19 @@ pub fn report(report: &Report, errors: &[Error]) -> String {
             let problem = problem::problem(document, item);
             let place = problem.place.map(|place| (escaped(&place.file.path), place.line_column().0));
             let (file, line) = place.unwrap_or((path.clone(), item.line));
-            let case = format!("    <testcase classname=\"{path}\" name=\"({})\" file=\"{file}\" line=\"{line}\"", escaped(&item.id));
+            let case = format!(
+                "    <testcase classname=\"{path}\" name=\"({})\" file=\"{file}\" line=\"{line}\"",
+                escaped(&item.id)
+            );
             if item.ok {
                 put(format!("{case}/>"));
                 continue;
             }
             let message = escaped(&problem.message);
-            put(format!("{case}>\n      <failure type=\"{}\" message=\"{message}\">{file}:{line}: {message}</failure>\n    </testcase>", problem.code));
+            put(format!(
+                "{case}>\n      <failure type=\"{}\" message=\"{message}\">{file}:{line}: {message}</failure>\n    </testcase>",
+                problem.code
+            ));
         }
         put("  </testsuite>".to_owned());
     }
@@ -42,7 +48,10 @@ pub fn report(report: &Report, errors: &[Error]) -> String {
         put(format!("  <testsuite name=\"onshell\" tests=\"{0}\" failures=\"0\" errors=\"{0}\">", errors.len()));
         for error in errors {
             let (message, whole) = (escaped(error.message()), escaped(&error.to_string()));
-            put(format!("    <testcase classname=\"onshell\" name=\"{message}\">\n      <error type=\"{}\" message=\"{message}\">{whole}</error>\n    </testcase>", error.code()));
+            put(format!(
+                "    <testcase classname=\"onshell\" name=\"{message}\">\n      <error type=\"{}\" message=\"{message}\">{whole}</error>\n    </testcase>",
+                error.code()
+            ));
         }
         put("  </testsuite>".to_owned());
     }

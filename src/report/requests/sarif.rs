@@ -77,8 +77,10 @@ fn result(problem: &Problem<'_>, codes: &[Code]) -> Value {
 fn artifact(place: &Place<'_>) -> Value {
     let path = place.file.path.replace('\\', "/");
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
-    let uri: String =
-        path.bytes().map(|byte| if plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") }).collect();
+    let uri: String = path
+        .bytes()
+        .map(|byte| if plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") })
+        .collect();
     let uri = if path.starts_with('/') { format!("file://{uri}") } else { uri };
     json!({ "uri": uri })
 }
