@@ -4,11 +4,12 @@
 //! wrong at a span. A fault does not know its file; [`crate::Error`] adds that.
 
 #[cfg(feature = "notes")]
+mod builder;
+#[cfg(feature = "notes")]
 mod encoding;
 #[cfg(feature = "notes")]
 mod origin;
-#[cfg(feature = "notes")]
-mod place;
+mod text;
 
 use std::fmt;
 use std::ops::Range;
@@ -17,13 +18,12 @@ use crate::code::Code;
 use crate::suggest;
 
 #[cfg(feature = "notes")]
+pub(crate) use builder::Builder;
+#[cfg(feature = "notes")]
 pub(crate) use encoding::Encoding;
+pub use text::Source;
 #[cfg(feature = "notes")]
-pub(crate) use origin::Builder;
-#[cfg(feature = "notes")]
-use place::Provenance;
-#[cfg(feature = "notes")]
-pub use place::{FileEdit, Place};
+pub use text::{FileEdit, Place};
 
 /// A half-open range of bytes in a text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -155,79 +155,5 @@ impl Fault {
     pub fn shifted(mut self, offset: usize) -> Self {
         self.span = self.span.shifted(offset);
         self
-    }
-}
-
-/// A text and its path.
-///
-/// The text may be a view: what a document says as Markdown or TeX, put together from one file or several. Then an
-/// origin says where each byte of it stands. All places in a source are bytes of its text.
-#[derive(Debug)]
-pub struct Source {
-    /// The path as the user gave it, for messages.
-    pub path: String,
-    /// The whole text.
-    pub text: String,
-    #[cfg(feature = "notes")]
-    made: Provenance,
-}
-
-impl PartialEq for Source {
-    fn eq(&self, other: &Source) -> bool {
-        self.path == other.path && self.text == other.text
-    }
-}
-
-impl Eq for Source {}
-
-impl Source {
-    /// A text known as `path`.
-    pub fn new(path: impl Into<String>, text: impl Into<String>) -> Self {
-        Source {
-            path: path.into(),
-            text: text.into(),
-            #[cfg(feature = "notes")]
-            made: Provenance::default(),
-        }
-    }
-
-    /// The line and the column of a byte in its file, both counted from 1. A column is a character, not a byte.
-    pub fn line_column(&self, offset: usize) -> (usize, usize) {
-        #[cfg(feature = "notes")]
-        let place = self.place(Span::at(offset)).line_column();
-        #[cfg(not(feature = "notes"))]
-        let place = self.own_line_column(offset);
-        place
-    }
-
-    /// The path of the file in which a byte stands.
-    pub fn path_at(&self, offset: usize) -> &str {
-        #[cfg(feature = "notes")]
-        let path = &self.place(Span::at(offset)).file.path;
-        #[cfg(not(feature = "notes"))]
-        let path = (offset, &self.path).1;
-        path
-    }
-
-    fn own_line_column(&self, offset: usize) -> (usize, usize) {
-        let mut offset = offset.min(self.text.len());
-        while !self.text.is_char_boundary(offset) {
-            offset -= 1;
-        }
-        let before = &self.text[..offset];
-        let line = before.bytes().filter(|&b| b == b'\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |i| i + 1);
-        (line, before[start..].chars().count() + 1)
-    }
-
-    /// The text at `span`; empty if the span does not lie within the text.
-    pub fn slice(&self, span: Span) -> &str {
-        self.text.get(span.range()).unwrap_or("")
-    }
-}
-
-impl fmt::Display for Source {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.path)
     }
 }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 pub use super::display::{Display, Numbered};
 use super::file::read_text;
 use super::formats::{self, Format};
+pub use super::kind::Kind;
 pub use super::macros::MacroDefinition;
 use super::references::{self, Reference};
 use super::{displays, macros, markdown, tex};
@@ -31,22 +32,6 @@ pub struct Notes {
     markers: Vec<Span>,
     /// Files that the document names and that are not there.
     pub absent: Vec<Error>,
-}
-
-/// How the text of a document is written. Each format of files is read as one of these.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Markdown, or plain text with `$$…$$`.
-    Markdown,
-    /// TeX.
-    Tex,
-}
-
-impl Kind {
-    /// How a document is read, by the extension of its file.
-    pub fn of(path: &Path) -> Option<Kind> {
-        Format::of(path).map(|format| format.kind)
-    }
 }
 
 impl Notes {

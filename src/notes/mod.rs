@@ -18,6 +18,7 @@ pub(crate) mod document;
 mod file;
 pub mod formats;
 pub(crate) mod json;
+mod kind;
 mod macros;
 mod markdown;
 pub(crate) mod normalize;

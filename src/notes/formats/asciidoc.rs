@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::blocks::{self, trimmed};
 use super::{Format, View, alone};
 use crate::Result;
-use crate::notes::document::Kind;
+use crate::notes::kind::Kind;
 use crate::source::{Builder, Source, Span};
 
 pub(super) const FORMAT: Format =

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::blocks::{self, indent};
 use super::{Format, View, alone, restructured};
 use crate::Result;
-use crate::notes::document::Kind;
+use crate::notes::kind::Kind;
 use crate::source::{Builder, Source, Span};
 
 pub(super) const RUST: Format = Format { extensions: &["rs"], kind: Kind::Markdown, is_code: true, view: comments };

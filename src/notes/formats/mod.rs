@@ -15,7 +15,7 @@ mod tex_project;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::document::Kind;
+use super::kind::Kind;
 use crate::source::Source;
 use crate::{Error, Result};
 
@@ -76,4 +76,11 @@ fn as_it_is(file: &Arc<Source>, _: &Path) -> Result<View> {
 /// A view of one file alone.
 fn alone(source: Source) -> Result<View> {
     Ok(View { source: Arc::new(source), absent: Vec::new() })
+}
+
+impl Kind {
+    /// How a document is read, by the extension of its file.
+    pub fn of(path: &Path) -> Option<Kind> {
+        Format::of(path).map(|format| format.kind)
+    }
 }

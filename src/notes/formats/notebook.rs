@@ -8,7 +8,7 @@ use serde_json::value::RawValue;
 
 use super::{Format, View, alone};
 use crate::code::Code;
-use crate::notes::document::Kind;
+use crate::notes::kind::Kind;
 use crate::source::{Builder, Fault, Source, Span};
 use crate::{Error, Result};
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::{Format, View};
-use crate::notes::document::Kind;
+use crate::notes::kind::Kind;
 use crate::notes::{file, macros, tex, tex_scanner};
 use crate::source::{Builder, Fault, Source, Span};
 use crate::{Error, Result};
