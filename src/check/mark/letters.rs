@@ -35,7 +35,7 @@ const POINTS: usize = 8;
 /// When the problem cannot be applied to the hand-in.
 pub(super) fn best(run: &Run<'_>, problem: &Problem, notes: &Notes) -> Result<(Judged, Vec<(String, String)>)> {
     let mut macros = Macros::default();
-    define_macros(notes, &mut macros);
+    define_macros(&notes.macros, &mut macros);
     let lines = written(notes, &macros);
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;

@@ -11,7 +11,7 @@ use crate::formula::symbols::Name;
 use crate::latex::rename::{Renamed, renamed};
 use crate::latex::{Macros, names};
 use crate::notes::claims::{Claims, Declaration, Range, Role, Spanned};
-use crate::notes::{Display, MacroDefinition, Notes, Numbered};
+use crate::notes::{Display, Form, MacroDefinition, Notes, Numbered};
 use crate::source::{Missing, Source, Span};
 
 use crate::check::document::checker::Checker;
@@ -62,7 +62,7 @@ impl<'p> World<'p> {
         table: &HashMap<Name, Name>,
     ) -> Result<World<'p>> {
         let mut macros = Macros::default();
-        define_macros(notes, &mut macros);
+        define_macros(&notes.macros, &mut macros);
         FOREIGN.iter().for_each(|(name, body)| macros.define(name, 0, body));
         let mut text = String::new();
         let mut lines = Vec::new();
@@ -104,7 +104,7 @@ impl<'p> World<'p> {
         let foreign = FOREIGN.iter().map(|(name, body)| MacroDefinition {
             name: (*name).to_owned(),
             arguments: 0,
-            default: None,
+            form: Form::Plain,
             body: (*body).to_owned(),
             span: Span::default(),
         });
