@@ -6,6 +6,7 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `passage` | headings, sentences and lines |
 //! | `writer` | notes and their claims, written side by side |
 //! | `start` | from the parts of the system to L |
 //! | `motion` | from L to the equations of motion, the energy and H |
@@ -18,6 +19,7 @@
 
 pub mod json;
 mod motion;
+mod passage;
 mod precession;
 mod sample;
 mod start;
@@ -35,30 +37,10 @@ use crate::source::Source;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
+use passage::NOTES;
+pub use passage::{Line, Passage};
 pub use sample::Sample;
 use writer::Writer;
-
-/// A line of a lecture: an equation with its number.
-#[derive(Clone, Debug)]
-pub struct Line {
-    /// The number that is printed.
-    pub number: String,
-    /// The numbers of the lines that it is compared with; none for a line that is taken for granted.
-    pub from: Vec<String>,
-    /// The value of the right side at the sampled state; several for a line with several statements.
-    pub values: Vec<f64>,
-}
-
-/// A passage of a lecture, in order.
-#[derive(Clone, Debug)]
-pub enum Passage {
-    /// A heading.
-    Heading(String),
-    /// A sentence, with formulas between dollar signs.
-    Sentence(String),
-    /// A line.
-    Line(Line),
-}
 
 /// A checked lecture.
 #[derive(Clone, Debug)]
@@ -111,9 +93,6 @@ impl Lecture {
         u8::from(self.document.equations.iter().any(|equation| !equation.ok))
     }
 }
-
-/// The name of the notes of a lecture.
-const NOTES: &str = "lecture.md";
 
 fn checked(notes: &str, claims: &str, seed: u64) -> Result<Document> {
     let claims = Claims::parse(Arc::new(Source::new("lecture.json", claims)), Path::new("lecture.json"))?;

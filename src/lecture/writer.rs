@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
+use super::passage::{Line, NOTES, Passage};
 use super::sample::Sample;
-use super::{Line, NOTES, Passage};
 use crate::Result;
 use crate::derive::Derivation;
 use crate::formula::{Expr, Node};
