@@ -142,6 +142,8 @@ pub mod mechanics;
 pub mod notes;
 #[cfg(feature = "cli")]
 mod page;
+#[cfg(feature = "notes")]
+mod parallel;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scalar;
