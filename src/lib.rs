@@ -135,6 +135,8 @@ mod formula;
 mod formulas;
 pub mod guide;
 mod latex;
+#[cfg(feature = "cli")]
+mod lecture;
 pub mod mechanics;
 #[cfg(feature = "notes")]
 pub mod notes;
