@@ -14,6 +14,7 @@ mod equal;
 mod eval;
 mod explain;
 mod fix;
+mod mark;
 mod mutate;
 mod outcome;
 mod progress;
@@ -26,6 +27,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
 use outcome::Outcome;
@@ -50,6 +52,7 @@ enum Command {
     Equal(equal::Arguments),
     Eval(eval::Arguments),
     Explain(explain::Arguments),
+    Mark(mark::Arguments),
     Mutate(mutate::Arguments),
     Read(read::Arguments),
     Report(report::Arguments),
@@ -62,18 +65,19 @@ pub fn run(registry: &Registry) -> ExitCode {
     let screen = terminal::screen();
     let command = Arguments::command().term_width(screen.out.width);
     let parsed = command.try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
-    let outcome = match parsed.map(|arguments| arguments.command) {
+    let outcome = on_deep_stacks(|| match parsed.map(|arguments| arguments.command) {
         Ok(Command::Check(arguments)) => check::run(&arguments, registry, screen),
         Ok(Command::Derive(arguments)) => derive::run(&arguments, registry, screen),
         Ok(Command::Equal(arguments)) => equal::run(&arguments, screen),
         Ok(Command::Eval(arguments)) => eval::run(&arguments, screen),
         Ok(Command::Explain(arguments)) => explain::run(&arguments, screen),
+        Ok(Command::Mark(arguments)) => mark::run(&arguments, registry, screen),
         Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
         Ok(Command::Report(arguments)) => report::run(&arguments, registry, screen),
         // Help and the version are no failure.
         Err(help) if !help.use_stderr() => Outcome::done(help.render().to_string()),
         Err(error) => Outcome { messages: error.render().to_string(), code: 2, ..Outcome::default() },
-    };
+    });
     outcome.write(std::io::stdout(), std::io::stderr())
 }

@@ -10,6 +10,8 @@
 //! | [`names`] | which name a typeset item is |
 //! | [`reader`] | layout to a formula; the rules of reading are in its documentation |
 //! | `rows`, `pieces` | the rows of a display, and its parts that are statements |
+//! | `rename` | a text with other names |
+//! | `lines` | the lines of a display, as a reader counts them |
 //! | [`statements`], [`definitions`] | a whole display; the names that it defines |
 //! | [`mod@typeset`] | a formula back to LaTeX that reads as the same formula |
 //! | [`slips`] | small edits of a display: mutations, and candidate corrections |
@@ -20,6 +22,8 @@
 pub mod definitions;
 pub mod layout;
 pub mod lexer;
+#[cfg(feature = "cli")]
+pub mod lines;
 #[cfg(feature = "notes")]
 pub mod macros;
 #[cfg(feature = "notes")]
@@ -31,6 +35,8 @@ mod overdots;
 mod pieces;
 #[cfg(feature = "notes")]
 pub mod reader;
+#[cfg(feature = "cli")]
+pub mod rename;
 #[cfg(feature = "notes")]
 mod rows;
 #[cfg(feature = "notes")]
