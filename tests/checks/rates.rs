@@ -24,8 +24,11 @@ fn a_coefficient_that_is_off_by_little_is_off() {
         (3, r"\sin x \approx x - \frac{x^3}{6}", r"\sin x \approx x - \frac{x^3}{6.00001}"),
         (2, r"\cos x \approx 1 - \frac{x^2}{2}", r"\cos x \approx 1 - \frac{x^2}{2.00000000000000000001}"),
         (2, r"e^x \approx 1 + x + 0.5 x^2", r"e^x \approx 1 + x + 0.5000000001 x^2"),
-        (2, r"\sqrt{a + x} \approx \sqrt a + \frac{x}{2\sqrt a} - \frac{x^2}{8 a \sqrt a}",
-            r"\sqrt{a + x} \approx \sqrt a + \frac{x}{2\sqrt a} - \frac{x^2}{8.0000001 a \sqrt a}"),
+        (
+            2,
+            r"\sqrt{a + x} \approx \sqrt a + \frac{x}{2\sqrt a} - \frac{x^2}{8 a \sqrt a}",
+            r"\sqrt{a + x} \approx \sqrt a + \frac{x}{2\sqrt a} - \frac{x^2}{8.0000001 a \sqrt a}",
+        ),
         (1, r"\frac{1}{1 + x} \approx 1 - x", r"\frac{1}{1 + x} \approx 1 - 1.00000000000001 x"),
     ] {
         assert_eq!(to_order(right, order), Verified, "{right}");

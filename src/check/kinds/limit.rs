@@ -120,7 +120,9 @@ fn check_in(
         let steps = Steps { context, mode, base, rules: &ensemble.rules, variable, towards };
         let approach = steps.approach(link, FARTHEST);
         let approach = match approach {
-            Ok(approach) if used.len() < EXACT || matches!(approach, Approach::Fails(..)) => Ok(steps.exactly(link, &ensemble.projection, approach)),
+            Ok(approach) if used.len() < EXACT || matches!(approach, Approach::Fails(..)) => {
+                Ok(steps.exactly(link, &ensemble.projection, approach))
+            }
             approach => approach,
         };
         match approach {
