@@ -336,7 +336,7 @@ mod tests {
     proptest! {
         #[test]
         fn the_value_at_a_point_is_within_the_bounds(
-            a in -8.0..8.0, b in -8.0..8.0, wa in 0.0..5.0, wb in 0.0..5.0, s in 0.0..1.0, t in 0.0..1.0,
+            a in -8.0..8.0_f64, b in -8.0..8.0_f64, wa in 0.0..5.0_f64, wb in 0.0..5.0_f64, s in 0.0..1.0_f64, t in 0.0..1.0_f64,
         ) {
             let (x, y) = (Interval::new(a, a + wa), Interval::new(b, b + wb));
             let (p, q) = ((a + s * wa).clamp(x.low, x.high), (b + t * wb).clamp(y.low, y.high));
