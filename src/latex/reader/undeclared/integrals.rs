@@ -87,11 +87,18 @@ impl Reader<'_> {
     /// The number of items of a term that begins with integrals and whose integrand is a sum without parentheses:
     /// `\int a + b\,dx`.
     pub(in super::super) fn integral_length(&self, items: &[Item]) -> Option<usize> {
-        let at = items.iter().position(is_integral)?;
+        if !self.symbols.infers() {
+            return None;
+        }
+        let is_sign = |item: &Item| match &item.layout {
+            Layout::Other(c) => matches!(c, '+' | '-'),
+            Layout::Command(name) => name == "\\pm" || name == "\\mp",
+            _ => false,
+        };
+        let first = items.iter().position(is_sign)?;
+        let at = items[..first].iter().position(is_integral)?;
         let end = own_differential(&items[at + 1..])? + at + 1;
-        let sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
-        let first = items.iter().position(sign)?;
-        (self.symbols.infers() && at < first && first < end).then_some(end + 1)
+        (first < end).then_some(end + 1)
     }
 }
 
