@@ -11,6 +11,8 @@
 //! | `inference` | what a display without declarations shows about its letters |
 //! | [`reader`] | layout to a formula; the rules of reading are in its documentation |
 //! | `rows`, `pieces` | the rows of a display, and its parts that are statements |
+//! | `rename` | a text with other names |
+//! | `lines` | the lines of a display, as a reader counts them |
 //! | [`statements`], [`definitions`] | a whole display; the names that it defines |
 //! | [`mod@typeset`] | a formula back to LaTeX that reads as the same formula |
 //! | [`slips`] | small edits of a display: mutations, and candidate corrections |
@@ -23,6 +25,8 @@ pub mod definitions;
 mod inference;
 pub mod layout;
 pub mod lexer;
+#[cfg(feature = "cli")]
+pub mod lines;
 #[cfg(feature = "notes")]
 pub mod macros;
 #[cfg(feature = "notes")]
@@ -34,6 +38,8 @@ mod overdots;
 mod pieces;
 #[cfg(feature = "notes")]
 pub mod reader;
+#[cfg(feature = "cli")]
+pub mod rename;
 #[cfg(feature = "notes")]
 mod rows;
 #[cfg(feature = "notes")]
