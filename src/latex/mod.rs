@@ -8,6 +8,7 @@
 //! | [`layout`] | tokens to groups, fences, fractions, scripts, rows; cannot fail |
 //! | `overdots` | `\dot x` and its kin: the order of a time derivative |
 //! | [`names`] | which name a typeset item is |
+//! | `inference` | what a display without declarations shows about its letters |
 //! | [`reader`] | layout to a formula; the rules of reading are in its documentation |
 //! | `rows`, `pieces` | the rows of a display, and its parts that are statements |
 //! | `rename` | a text with other names |
@@ -20,6 +21,8 @@
 
 #[cfg(feature = "notes")]
 pub mod definitions;
+#[cfg(feature = "notes")]
+mod inference;
 pub mod layout;
 pub mod lexer;
 #[cfg(feature = "cli")]
