@@ -16,6 +16,7 @@ mod explain;
 mod fix;
 mod mutate;
 mod outcome;
+mod plot;
 mod progress;
 mod read;
 mod replace_file;
@@ -52,6 +53,7 @@ enum Command {
     Eval(eval::Arguments),
     Explain(explain::Arguments),
     Mutate(mutate::Arguments),
+    Plot(plot::Arguments),
     Read(read::Arguments),
     Report(report::Arguments),
 }
@@ -70,6 +72,7 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Eval(arguments)) => eval::run(&arguments, screen),
         Ok(Command::Explain(arguments)) => explain::run(&arguments, screen),
         Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
+        Ok(Command::Plot(arguments)) => plot::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
         Ok(Command::Report(arguments)) => report::run(&arguments, registry, screen),
         // Help and the version are no failure.
