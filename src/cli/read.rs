@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::Error;
-use crate::formula::{Symbols, text};
+use crate::formula::{Kind, Symbols, text};
 use crate::latex::{Macros, read_display};
 use crate::report::{self, wrap};
 use crate::source::Source;
@@ -35,15 +35,37 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
             Err(fault) => errors.push(Error::fault(&source, fault)),
         }
     }
-    let assumed: Vec<String> = match errors.is_empty() {
-        true => symbols.iter().map(|(_, entry)| text::plain(&entry.name.to_string())).collect(),
+    let known: Vec<(String, Kind)> = match errors.is_empty() {
+        true => symbols.iter().map(|(_, entry)| (text::plain(&entry.name.to_string()), entry.kind)).collect(),
         false => Vec::new(),
     };
+    let of_kind = |kinds: &dyn Fn(Kind) -> bool| -> Vec<String> {
+        known.iter().filter(|(_, kind)| kinds(*kind)).map(|(name, _)| name.clone()).collect()
+    };
+    let assumed = of_kind(&|kind| kind == Kind::Scalar);
+    let vectors = of_kind(&|kind| kind == Kind::Vector);
+    let complex = of_kind(&|kind| kind == Kind::Complex);
+    let matrices: Vec<String> = known
+        .iter()
+        .filter(|(_, kind)| matches!(kind, Kind::Matrix(..)))
+        .map(|(name, kind)| match kind {
+            Kind::Matrix(rows @ 1.., columns) => format!("{name} ({rows}×{columns})"),
+            _ => name.clone(),
+        })
+        .collect();
     let output = match arguments.format {
         Format::Text => {
             let mut lines: Vec<String> = statements.iter().map(|line| wrap("", line, 4, screen.out.width)).collect();
-            if !assumed.is_empty() {
-                lines.push(wrap("  assumed to be real numbers: ", &assumed.join(", "), 4, screen.out.width));
+            for (what, names) in [
+                ("real numbers", &assumed),
+                ("complex numbers", &complex),
+                ("vectors", &vectors),
+                ("matrices", &matrices),
+            ] {
+                if !names.is_empty() {
+                    let label = format!("  assumed to be {what}: ");
+                    lines.push(wrap(&label, &names.join(", "), 4, screen.out.width));
+                }
             }
             lines.iter().map(|line| format!("{line}\n")).collect()
         }
@@ -52,6 +74,9 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
                 "schema": 1,
                 "statements": statements,
                 "assumed": assumed,
+                "complex": complex,
+                "vectors": vectors,
+                "matrices": matrices,
                 "errors": errors.iter().map(report::json::error).collect::<Vec<_>>(),
             });
             format!("{output:#}\n")

@@ -17,8 +17,10 @@
 
 use crate::source::{Fault, Span};
 
+use super::complex::Complex;
+use super::matrices;
 use super::symbols::{Kind, Symbols};
-use super::tree::{Expr, Index, IndexId, Node};
+use super::tree::{Branch, ComplexPart, Expr, Index, IndexId, Node, Sign};
 
 /// The shape of a formula's value, for each value of its free indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,13 +29,22 @@ pub enum Shape {
     Scalar,
     /// A vector in three dimensions.
     Vector,
-    /// A matrix: its number of rows and of columns.
+    /// A matrix: its number of rows and of columns; a square matrix of an unknown size has 0 of both.
     Matrix(usize, usize),
+    /// A complex number.
+    Complex,
 }
 
 impl Shape {
+    /// Whether it is a real or a complex number.
+    pub fn is_number(self) -> bool {
+        matches!(self, Shape::Scalar | Shape::Complex)
+    }
+
     fn noun(self) -> String {
         match self {
+            Shape::Complex => "a complex number".to_owned(),
+            Shape::Matrix(0, 0) => "a matrix".to_owned(),
             Shape::Scalar => "a scalar".to_owned(),
             Shape::Vector => "a vector".to_owned(),
             Shape::Matrix(rows, columns) => format!("a {rows}×{columns} matrix"),
@@ -83,7 +94,7 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
         }
     }
     let span = a.0.span.to(b.0.span);
-    if a.1.shape != b.1.shape {
+    if matrices::sum(a.1.shape, b.1.shape).is_none() {
         let message = format!("{} cannot be compared with {}", a.1.shape.noun(), b.1.shape.noun());
         return Err(Fault::shape(span, message));
     }
@@ -157,6 +168,40 @@ impl Binder<'_> {
         Ok(found.free)
     }
 
+    /// The type of a real or complex number.
+    fn number(&mut self, expr: &mut Expr, what: &str) -> Result<Type, Fault> {
+        let found = self.bind(expr)?;
+        match found.shape {
+            Shape::Complex if found.free.iter().all(|letter| self.is_label(*letter)) => Ok(found),
+            _ => self.scalar(expr, what).map(|free| Type { shape: Shape::Scalar, free }),
+        }
+    }
+
+    fn no_complex(&self, span: Span) -> Fault {
+        Fault::unsupported(span, "vectors and matrices of complex numbers are not supported")
+            .help("write an equation for each component")
+    }
+
+    /// All rows of `cases` have one shape; their conditions compare numbers.
+    fn cases(&mut self, branches: &mut [Branch], span: Span) -> Result<Type, Fault> {
+        let mut all: Option<Type> = None;
+        for branch in branches {
+            let found = self.bind(&mut branch.value)?;
+            for member in branch.conditions.iter_mut().flat_map(|condition| &mut condition.members) {
+                self.scalar(member, "what a condition compares")?;
+            }
+            all = Some(match all {
+                None => found,
+                Some(known) => {
+                    let shape = matrices::sum(known.shape, found.shape)
+                        .ok_or_else(|| Fault::shape(branch.value.span, "the cases have different shapes"))?;
+                    Type { shape, free: union(&known.free, &found.free) }
+                }
+            });
+        }
+        all.ok_or_else(|| Fault::new(span, "there are no cases"))
+    }
+
     fn letters(&self, indices: &[Index]) -> Vec<IndexId> {
         let letters = indices.iter().filter_map(|index| match index {
             Index::Letter(id) if !self.summed.contains(id) => Some(*id),
@@ -170,6 +215,8 @@ impl Binder<'_> {
         let scalar = Type { shape: Shape::Scalar, free: Vec::new() };
         match &mut expr.node {
             Node::Number(_) | Node::Pi | Node::Euler => Ok(scalar),
+            Node::Identity => Ok(Type { shape: Shape::Matrix(0, 0), ..scalar }),
+            Node::Imaginary => Ok(Type { shape: Shape::Complex, ..scalar }),
             Node::Symbol { id, indices, .. } => {
                 let entry = self.symbols.entry(*id);
                 let extents = self.symbols.extents(*id);
@@ -180,7 +227,10 @@ impl Binder<'_> {
                         Shape::Matrix(extents[0].into(), extents[1].into())
                     }
                     (Kind::Vector, slots, given) if slots == given => Shape::Vector,
-                    (Kind::Matrix, slots, given) if slots == given => Shape::Matrix(3, 3),
+                    (Kind::Complex, slots, given) if slots == given => Shape::Complex,
+                    (Kind::Matrix(rows, columns), slots, given) if slots == given => {
+                        matrices::shape_of_size(rows.into(), columns.into())
+                    }
                     (Kind::Rotation, ..) => {
                         return Err(Fault::new(span, format!("{} needs its angle in parentheses", entry.name)));
                     }
@@ -207,7 +257,7 @@ impl Binder<'_> {
                     match &first {
                         _ if term.expr.is_zero() => {}
                         None => first = Some(found),
-                        Some(first) if first.shape != found.shape => {
+                        Some(first) if matrices::sum(first.shape, found.shape).is_none() => {
                             let (a, b) = (found.shape.noun(), first.shape.noun());
                             return Err(Fault::shape(term.expr.span, format!("{a} cannot be added to {b}")));
                         }
@@ -219,7 +269,10 @@ impl Binder<'_> {
                                 "this term has other free indices than the terms before it",
                             ));
                         }
-                        Some(known) => first = Some(Type { free: union(&known.free, &found.free), ..*known }),
+                        Some(known) => {
+                            let shape = matrices::sum(known.shape, found.shape).unwrap_or(known.shape);
+                            first = Some(Type { free: union(&known.free, &found.free), shape });
+                        }
                     }
                 }
                 Ok(first.unwrap_or(scalar))
@@ -229,7 +282,7 @@ impl Binder<'_> {
                 let mut letters = Vec::new();
                 for factor in factors {
                     let found = self.bind(factor)?;
-                    shape = product(shape, found.shape).ok_or_else(|| {
+                    shape = matrices::product(shape, found.shape).ok_or_else(|| {
                         Fault::shape(
                             factor.span,
                             format!("{} cannot be multiplied by {}", shape.noun(), found.shape.noun()),
@@ -243,14 +296,27 @@ impl Binder<'_> {
             }
             Node::Quotient(a, b) => {
                 let found = self.bind(a)?;
-                let labels = self.scalar(b, "a denominator")?;
-                Ok(Type { free: union(&found.free, &labels), ..found })
+                let below = self.number(b, "a denominator")?;
+                let shape = matrices::product(found.shape, below.shape).ok_or_else(|| self.no_complex(a.span))?;
+                Ok(Type { free: union(&found.free, &below.free), shape })
             }
             Node::Power(a, b) => {
+                if a.node == Node::Euler {
+                    return self.number(b, "an exponent");
+                }
                 let labels = self.scalar(b, "an exponent")?;
                 let found = self.bind(a)?;
-                if found.shape != Shape::Scalar {
-                    return Err(Fault::shape(span, format!("{} cannot have this power", found.shape.noun())));
+                let is_whole =
+                    b.as_digits().is_some_and(|digits| digits.parse().is_ok_and(|n: u32| (1..=64).contains(&n)));
+                match found.shape {
+                    Shape::Scalar => {}
+                    Shape::Matrix(rows, columns) if rows == columns && is_whole => return Ok(found),
+                    Shape::Complex if is_whole || is_negative_whole(b) => return Ok(found),
+                    Shape::Complex => {
+                        return Err(Fault::unsupported(span, "this power of a complex number has several values")
+                            .help("write it with e^{…}"));
+                    }
+                    _ => return Err(Fault::shape(span, format!("{} cannot have this power", found.shape.noun()))),
                 }
                 if found.free.iter().any(|letter| !self.is_label(*letter)) {
                     return Err(Fault::ambiguous(
@@ -264,7 +330,14 @@ impl Binder<'_> {
             Node::Root(_, a) => self.scalar(a, "the radicand").map(|free| Type { free, ..scalar }),
             Node::Call(function, a) => {
                 let what = format!("the argument of \\{}", function.name());
-                self.scalar(a, &what).map(|free| Type { free, ..scalar })
+                let found = self.number(a, &what)?;
+                match found.shape == Shape::Complex && !Complex::<f64>::knows(*function) {
+                    true => Err(Fault::unsupported(
+                        span,
+                        format!("\\{} of a complex number has several values, and is not supported", function.name()),
+                    )),
+                    false => Ok(found),
+                }
             }
             Node::Apply(_, arguments) => {
                 let mut free = Vec::new();
@@ -306,8 +379,7 @@ impl Binder<'_> {
                         free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
                     }
                 }
-                let shape = if (count, columns) == (3, 1) { Shape::Vector } else { Shape::Matrix(count, columns) };
-                Ok(Type { shape, free })
+                Ok(Type { shape: matrices::shape_of_size(count, columns), free })
             }
             Node::Integral(_, a) | Node::Shrinking(_, a) => self.bind(a),
             Node::Component(a, index) => {
@@ -320,13 +392,48 @@ impl Binder<'_> {
                 let free = self.contract(letters, expr)?;
                 Ok(Type { free, ..scalar })
             }
-            Node::Transpose(a) | Node::Inverse(a) => {
+            Node::Transpose(a) => {
                 let found = self.bind(a)?;
                 match found.shape {
-                    Shape::Matrix(rows, columns) => Ok(Type { shape: Shape::Matrix(columns, rows), free: found.free }),
-                    other => Err(Fault::shape(span, format!("{} has no transpose or inverse", other.noun()))),
+                    Shape::Vector => Ok(Type { shape: Shape::Matrix(1, 3), free: found.free }),
+                    Shape::Matrix(rows, columns) => {
+                        Ok(Type { shape: matrices::shape_of_size(columns, rows), free: found.free })
+                    }
+                    other => Err(Fault::shape(span, format!("{} has no transpose", other.noun()))),
                 }
             }
+            Node::Inverse(a) => {
+                let found = self.bind(a)?;
+                match found.shape {
+                    Shape::Matrix(rows, columns) if rows == columns => Ok(found),
+                    other => Err(Fault::shape(span, format!("{} has no inverse matrix", other.noun()))),
+                }
+            }
+            Node::OfMatrix(function, a) => {
+                let found = self.bind(a)?;
+                match found.shape {
+                    Shape::Matrix(rows, columns) if rows == columns => Ok(Type { shape: Shape::Scalar, ..found }),
+                    other => {
+                        let message = format!("{} has no {}", other.noun(), function.word());
+                        Err(Fault::shape(span, message).help("it needs a square matrix, declared or written out"))
+                    }
+                }
+            }
+            Node::Commutator(a, b) => {
+                let (left, right) = (self.bind(a)?, self.bind(b)?);
+                match (left.shape, right.shape) {
+                    (Shape::Matrix(n, m), Shape::Matrix(k, l)) if n == m && k == l && (n == k || n * k == 0) => {
+                        Ok(Type { shape: Shape::Matrix(n.max(k), n.max(k)), free: union(&left.free, &right.free) })
+                    }
+                    _ => Err(Fault::shape(span, "the commutator needs two square matrices of one size")),
+                }
+            }
+            Node::Complex(part, a) => {
+                let found = self.number(a, "this")?;
+                let shape = if *part == ComplexPart::Conjugate { found.shape } else { Shape::Scalar };
+                Ok(Type { shape, ..found })
+            }
+            Node::Cases(branches) => self.cases(branches, span),
             Node::Entry(a, row, column) => {
                 let indices = [*row, *column];
                 let found = self.bind(a)?;
@@ -404,12 +511,10 @@ pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     all
 }
 
-/// The shape of a product of two factors; `None` if it is not defined.
-fn product(a: Shape, b: Shape) -> Option<Shape> {
-    match (a, b) {
-        (Shape::Scalar, other) | (other, Shape::Scalar) => Some(other),
-        (Shape::Matrix(n, m), Shape::Matrix(k, l)) if m == k => Some(Shape::Matrix(n, l)),
-        (Shape::Matrix(3, 3), Shape::Vector) => Some(Shape::Vector),
-        _ => None,
+/// Whether an exponent is a negative whole number.
+fn is_negative_whole(exponent: &Expr) -> bool {
+    match &exponent.node {
+        Node::Sum(terms) => terms.len() == 1 && terms[0].sign == Sign::Minus && terms[0].expr.as_digits().is_some(),
+        _ => false,
     }
 }

@@ -9,6 +9,7 @@ use crate::source::Span;
 #[cfg(feature = "notes")]
 pub use super::ids::Variable;
 pub use super::ids::{Index, IndexId};
+pub use super::operators::{Branch, ComplexPart, Condition, MatrixFunction, Relation};
 
 use super::ids::SymbolId;
 
@@ -74,6 +75,18 @@ pub enum Node {
     Transpose(Box<Expr>),
     /// `M⁻¹` of a matrix.
     Inverse(Box<Expr>),
+    /// The unit matrix, of the size that its place asks for.
+    Identity,
+    /// The determinant or the trace of a square matrix.
+    OfMatrix(MatrixFunction, Box<Expr>),
+    /// `[A, B]`, which is A B − B A.
+    Commutator(Box<Expr>, Box<Expr>),
+    /// √−1
+    Imaginary,
+    /// The conjugate, the real part or the imaginary part of a number.
+    Complex(ComplexPart, Box<Expr>),
+    /// `\begin{cases} … \end{cases}`: the value of the first row whose conditions hold.
+    Cases(Vec<Branch>),
     /// One entry of a matrix that is no plain symbol, `(R^{-1})_{bc}`: the matrix, the row and the column.
     Entry(Box<Expr>, Index, Index),
     /// The Levi-Civita symbol ε.
@@ -206,6 +219,16 @@ impl Function {
         (Function::Ln, "ln"),
     ];
 
+    /// The inverse function, where it has a name here.
+    pub fn inverse(self) -> Option<Function> {
+        match self {
+            Function::Sin => Some(Function::Arcsin),
+            Function::Cos => Some(Function::Arccos),
+            Function::Tan => Some(Function::Arctan),
+            _ => None,
+        }
+    }
+
     /// The function that a command (without its backslash) names.
     pub fn named(command: &str) -> Option<Function> {
         Self::ALL.iter().find(|(_, name)| *name == command).map(|(function, _)| *function)
@@ -214,43 +237,6 @@ impl Function {
     /// The usual name, which is also the LaTeX command without its backslash.
     pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(function, _)| *function == self).map_or("", |(_, name)| *name)
-    }
-}
-
-/// The relation between two members of a chain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "each is the relation of its name")]
-pub enum Relation {
-    Equal,
-    /// `\equiv`, `:=`: a definition, unless the symbol is known.
-    Identical,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    NotEqual,
-    /// `\approx`, `\simeq`.
-    Approximately,
-    Proportional,
-}
-
-impl Relation {
-    /// Every relation, as one character.
-    const ALL: &[(Relation, &str)] = &[
-        (Relation::Equal, "="),
-        (Relation::Identical, "≡"),
-        (Relation::Less, "<"),
-        (Relation::LessEqual, "≤"),
-        (Relation::Greater, ">"),
-        (Relation::GreaterEqual, "≥"),
-        (Relation::NotEqual, "≠"),
-        (Relation::Approximately, "≈"),
-        (Relation::Proportional, "∝"),
-    ];
-
-    /// The relation as one character.
-    pub fn glyph(self) -> &'static str {
-        Self::ALL.iter().find(|(relation, _)| *relation == self).map_or("", |(_, glyph)| *glyph)
     }
 }
 
@@ -263,6 +249,8 @@ pub struct Statement {
     pub relations: Vec<(Relation, Span)>,
     /// The place of "is constant" after the last member, if the display says so.
     pub constant: Option<Span>,
+    /// The conditions under which it is said: `\text{for } x > 0`.
+    pub conditions: Vec<Condition>,
     /// The sign that `±` stands for in this reading.
     pub branch: Option<Sign>,
     /// The row of the display, from 1.
@@ -328,19 +316,31 @@ impl Expr {
     /// The formulas directly inside this one, in reading order.
     pub fn children(&self) -> Vec<&Expr> {
         match &self.node {
-            Node::Number(_) | Node::Pi | Node::Euler | Node::Symbol { .. } | Node::Epsilon(_) | Node::Delta(_) => {
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Identity
+            | Node::Imaginary
+            | Node::Symbol { .. }
+            | Node::Epsilon(_)
+            | Node::Delta(_) => {
                 vec![]
             }
             Node::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
             Node::Product(factors) | Node::Apply(_, factors) => factors.iter().collect(),
-            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) => vec![a, b],
+            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) | Node::Commutator(a, b) => {
+                vec![a, b]
+            }
             Node::Matrix(rows) => rows.iter().flatten().collect(),
+            Node::Cases(branches) => branches.iter().flat_map(Branch::parts).collect(),
             Node::Root(_, a)
             | Node::Call(_, a)
             | Node::TimeDerivative(_, a)
             | Node::Norm(a)
             | Node::Transpose(a)
             | Node::Inverse(a)
+            | Node::OfMatrix(_, a)
+            | Node::Complex(_, a)
             | Node::Entry(a, _, _)
             | Node::Integral(_, a)
             | Node::Shrinking(_, a)
@@ -352,19 +352,31 @@ impl Expr {
     /// As [`Expr::children`], mutable.
     pub fn children_mut(&mut self) -> Vec<&mut Expr> {
         match &mut self.node {
-            Node::Number(_) | Node::Pi | Node::Euler | Node::Symbol { .. } | Node::Epsilon(_) | Node::Delta(_) => {
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Identity
+            | Node::Imaginary
+            | Node::Symbol { .. }
+            | Node::Epsilon(_)
+            | Node::Delta(_) => {
                 vec![]
             }
             Node::Sum(terms) => terms.iter_mut().map(|term| &mut term.expr).collect(),
             Node::Product(factors) | Node::Apply(_, factors) => factors.iter_mut().collect(),
-            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) => vec![a, b],
+            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) | Node::Commutator(a, b) => {
+                vec![a, b]
+            }
             Node::Matrix(rows) => rows.iter_mut().flatten().collect(),
+            Node::Cases(branches) => branches.iter_mut().flat_map(Branch::parts_mut).collect(),
             Node::Root(_, a)
             | Node::Call(_, a)
             | Node::TimeDerivative(_, a)
             | Node::Norm(a)
             | Node::Transpose(a)
             | Node::Inverse(a)
+            | Node::OfMatrix(_, a)
+            | Node::Complex(_, a)
             | Node::Entry(a, _, _)
             | Node::Integral(_, a)
             | Node::Shrinking(_, a)

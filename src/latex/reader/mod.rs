@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `terms` | sums, terms, factors, products |
 //! | `atoms` | one item: a number, a fraction, a root, a matrix |
+//! | `algebra` | matrices, complex numbers, cases, brackets |
 //! | `superscripts` | powers, transposes, and what looks like a power and is none |
 //! | `symbols` | a name |
 //! | `applications` | a name before a parenthesis: a product, or a function |
@@ -47,6 +48,7 @@
 //! and the message says how to write it. The list is in `docs/notation.md`. The tests have some 375 short formulas,
 //! each with the value that a person would compute or the word that it must be rejected.
 
+pub(super) mod algebra;
 mod applications;
 mod atoms;
 mod declared_functions;
@@ -79,6 +81,7 @@ pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Resul
     while items.last().is_some_and(|item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ',' | ';'))) {
         items.pop();
     }
+    algebra::evidence::note(&items, symbols);
     let mut reader = Reader::new(symbols, None);
     let expr = reader.sum(&items, Span::at(text.len()))?;
     shape::bind(expr, symbols).map(|(expr, _)| expr)

@@ -287,9 +287,13 @@ impl Reader<'_> {
             Node::Product(factors) => factors.first().is_some_and(has_letter),
             _ => has_letter(expr),
         };
-        let crossed = parts
-            .windows(2)
-            .find(|pair| self.symbols.open && pair[1].0 == Joint::Times && ends(&pair[0].1) && starts(&pair[1].1));
+        let crossed = parts.windows(2).find(|pair| {
+            self.symbols.open
+                && pair[1].0 == Joint::Times
+                && !(pair[0].2 || pair[1].2)
+                && ends(&pair[0].1)
+                && starts(&pair[1].1)
+        });
         match crossed {
             Some(pair) => {
                 let span = pair[0].1.span.to(pair[1].1.span);
@@ -322,6 +326,9 @@ impl Reader<'_> {
         if let Some((function, power)) = function_head(item)? {
             *cursor += 1;
             return self.call(function, power, item.span, items, cursor);
+        }
+        if let Some(found) = self.algebra(items, cursor)? {
+            return Ok((found, true));
         }
         if is_big_sum(item) {
             let rest = &items[*cursor + 1..];
