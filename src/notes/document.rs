@@ -75,7 +75,7 @@ impl Notes {
         let scan = scan.map_err(|fault| Error::fault(&source, fault))?;
         let mut clean = source.text.clone().into_bytes();
         displays::blank(&mut clean, scan.blank.iter().chain(&scan.markers));
-        let macros = macros::all(&String::from_utf8_lossy(&clean));
+        let macros = macros::definitions(&String::from_utf8_lossy(&clean));
         displays::blank(&mut clean, macros.iter().map(|definition| &definition.span));
         let mut prose = clean.clone();
         displays::blank(&mut prose, scan.raws.iter().map(|raw| &raw.span).chain(&scan.inline));

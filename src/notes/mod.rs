@@ -29,5 +29,5 @@ pub use address::{Address, Item, Place, Point, Target};
 pub use claims::{Claim, Claims, Sentence, Spanned, claims_beside};
 pub use display::{Display, Numbered};
 pub use document::{Kind, Notes};
-pub use macros::MacroDefinition;
+pub use macros::{Form, MacroDefinition, definitions};
 pub use references::Reference;
