@@ -3,6 +3,8 @@
 #[path = "checks/support.rs"]
 mod support;
 
+#[path = "checks/algebra.rs"]
+mod algebra;
 #[path = "checks/certified.rs"]
 mod certified;
 #[path = "checks/chains.rs"]

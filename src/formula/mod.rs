@@ -29,6 +29,8 @@ mod ids;
 pub mod matrices;
 #[cfg(feature = "notes")]
 mod operations;
+#[cfg(feature = "notes")]
+mod operator_shapes;
 pub mod operators;
 #[cfg(feature = "notes")]
 pub mod shape;

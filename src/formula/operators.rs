@@ -1,7 +1,4 @@
-//! What stands in a formula tree beside sums and products: functions of matrices, parts of complex numbers, relations, and the
-//! conditions of `cases`.
-
-use super::tree::Expr;
+//! The operators of a formula tree: elementary functions, functions of matrices, parts of complex numbers, relations.
 
 /// The functions of a square matrix whose value is a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -60,38 +57,6 @@ impl ComplexPart {
     }
 }
 
-/// A chain of comparisons, `0 \le x < 1`: one relation fewer than members.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Condition {
-    /// What is compared.
-    pub members: Vec<Expr>,
-    /// The relations between neighbours.
-    pub relations: Vec<Relation>,
-}
-
-/// One row of `cases`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Branch {
-    /// The value in this case.
-    pub value: Expr,
-    /// The comparisons that must all hold; empty for "otherwise".
-    pub conditions: Vec<Condition>,
-}
-
-impl Branch {
-    /// The value, and what its conditions compare.
-    pub fn parts(&self) -> Vec<&Expr> {
-        let compared = self.conditions.iter().flat_map(|condition| &condition.members);
-        std::iter::once(&self.value).chain(compared).collect()
-    }
-
-    /// As [`Branch::parts`], mutable.
-    pub fn parts_mut(&mut self) -> Vec<&mut Expr> {
-        let compared = self.conditions.iter_mut().flat_map(|condition| &mut condition.members);
-        std::iter::once(&mut self.value).chain(compared).collect()
-    }
-}
-
 /// The relation between two members of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "each is the relation of its name")]
@@ -141,5 +106,65 @@ impl Relation {
     /// The relation as one character.
     pub fn glyph(self) -> &'static str {
         Self::ALL.iter().find(|(relation, _)| *relation == self).map_or("", |(_, glyph)| *glyph)
+    }
+}
+
+/// The elementary functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "each is the function of its name")]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Cot,
+    Sec,
+    Csc,
+    Arcsin,
+    Arccos,
+    Arctan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Exp,
+    Ln,
+}
+
+impl Function {
+    /// Every function, with the LaTeX command that names it.
+    pub const ALL: [(Function, &'static str); 14] = [
+        (Function::Sin, "sin"),
+        (Function::Cos, "cos"),
+        (Function::Tan, "tan"),
+        (Function::Cot, "cot"),
+        (Function::Sec, "sec"),
+        (Function::Csc, "csc"),
+        (Function::Arcsin, "arcsin"),
+        (Function::Arccos, "arccos"),
+        (Function::Arctan, "arctan"),
+        (Function::Sinh, "sinh"),
+        (Function::Cosh, "cosh"),
+        (Function::Tanh, "tanh"),
+        (Function::Exp, "exp"),
+        (Function::Ln, "ln"),
+    ];
+
+    /// The inverse function, where it has a name here.
+    pub fn inverse(self) -> Option<Function> {
+        match self {
+            Function::Sin => Some(Function::Arcsin),
+            Function::Cos => Some(Function::Arccos),
+            Function::Tan => Some(Function::Arctan),
+            _ => None,
+        }
+    }
+
+    /// The function that a command (without its backslash) names.
+    pub fn named(command: &str) -> Option<Function> {
+        Self::ALL.iter().find(|(_, name)| *name == command).map(|(function, _)| *function)
+    }
+
+    /// The usual name, which is also the LaTeX command without its backslash.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(function, _)| *function == self).map_or("", |(_, name)| *name)
     }
 }

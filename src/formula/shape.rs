@@ -20,7 +20,7 @@ use crate::source::{Fault, Span};
 use super::complex::Complex;
 use super::matrices;
 use super::symbols::{Kind, Symbols};
-use super::tree::{Branch, ComplexPart, Expr, Index, IndexId, Node, Sign};
+use super::tree::{Expr, Index, IndexId, Node};
 
 /// The shape of a formula's value, for each value of its free indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Shape {
         matches!(self, Shape::Scalar | Shape::Complex)
     }
 
-    fn noun(self) -> String {
+    pub(super) fn noun(self) -> String {
         match self {
             Shape::Complex => "a complex number".to_owned(),
             Shape::Matrix(0, 0) => "a matrix".to_owned(),
@@ -142,7 +142,7 @@ pub fn entries_of(matrix: (&Expr, &Type), other: (&Expr, &Type), symbols: &Symbo
     Some((Expr::new(node, span), Type { shape: Shape::Scalar, free }))
 }
 
-struct Binder<'a> {
+pub(super) struct Binder<'a> {
     symbols: &'a Symbols,
     /// The indices of the enclosing Σ.
     summed: Vec<IndexId>,
@@ -154,7 +154,7 @@ impl Binder<'_> {
     }
 
     /// The free labels of a scalar, which may have no other free index.
-    fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
+    pub(super) fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
         let found = self.bind(expr)?;
         if found.shape != Shape::Scalar {
             return Err(Fault::shape(
@@ -168,40 +168,6 @@ impl Binder<'_> {
         Ok(found.free)
     }
 
-    /// The type of a real or complex number.
-    fn number(&mut self, expr: &mut Expr, what: &str) -> Result<Type, Fault> {
-        let found = self.bind(expr)?;
-        match found.shape {
-            Shape::Complex if found.free.iter().all(|letter| self.is_label(*letter)) => Ok(found),
-            _ => self.scalar(expr, what).map(|free| Type { shape: Shape::Scalar, free }),
-        }
-    }
-
-    fn no_complex(&self, span: Span) -> Fault {
-        Fault::unsupported(span, "vectors and matrices of complex numbers are not supported")
-            .help("write an equation for each component")
-    }
-
-    /// All rows of `cases` have one shape; their conditions compare numbers.
-    fn cases(&mut self, branches: &mut [Branch], span: Span) -> Result<Type, Fault> {
-        let mut all: Option<Type> = None;
-        for branch in branches {
-            let found = self.bind(&mut branch.value)?;
-            for member in branch.conditions.iter_mut().flat_map(|condition| &mut condition.members) {
-                self.scalar(member, "what a condition compares")?;
-            }
-            all = Some(match all {
-                None => found,
-                Some(known) => {
-                    let shape = matrices::sum(known.shape, found.shape)
-                        .ok_or_else(|| Fault::shape(branch.value.span, "the cases have different shapes"))?;
-                    Type { shape, free: union(&known.free, &found.free) }
-                }
-            });
-        }
-        all.ok_or_else(|| Fault::new(span, "there are no cases"))
-    }
-
     fn letters(&self, indices: &[Index]) -> Vec<IndexId> {
         let letters = indices.iter().filter_map(|index| match index {
             Index::Letter(id) if !self.summed.contains(id) => Some(*id),
@@ -210,7 +176,7 @@ impl Binder<'_> {
         letters.collect()
     }
 
-    fn bind(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
+    pub(super) fn bind(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
         let span = expr.span;
         let scalar = Type { shape: Shape::Scalar, free: Vec::new() };
         match &mut expr.node {
@@ -282,7 +248,11 @@ impl Binder<'_> {
                 let mut letters = Vec::new();
                 for factor in factors {
                     let found = self.bind(factor)?;
+                    let has_complex = [shape, found.shape].contains(&Shape::Complex);
                     shape = matrices::product(shape, found.shape).ok_or_else(|| {
+                        if has_complex {
+                            return self.no_complex(factor.span);
+                        }
                         Fault::shape(
                             factor.span,
                             format!("{} cannot be multiplied by {}", shape.noun(), found.shape.noun()),
@@ -300,33 +270,13 @@ impl Binder<'_> {
                 let shape = matrices::product(found.shape, below.shape).ok_or_else(|| self.no_complex(a.span))?;
                 Ok(Type { free: union(&found.free, &below.free), shape })
             }
-            Node::Power(a, b) => {
-                if a.node == Node::Euler {
-                    return self.number(b, "an exponent");
-                }
-                let labels = self.scalar(b, "an exponent")?;
-                let found = self.bind(a)?;
-                let is_whole =
-                    b.as_digits().is_some_and(|digits| digits.parse().is_ok_and(|n: u32| (1..=64).contains(&n)));
-                match found.shape {
-                    Shape::Scalar => {}
-                    Shape::Matrix(rows, columns) if rows == columns && is_whole => return Ok(found),
-                    Shape::Complex if is_whole || is_negative_whole(b) => return Ok(found),
-                    Shape::Complex => {
-                        return Err(Fault::unsupported(span, "this power of a complex number has several values")
-                            .help("write it with e^{…}"));
-                    }
-                    _ => return Err(Fault::shape(span, format!("{} cannot have this power", found.shape.noun()))),
-                }
-                if found.free.iter().any(|letter| !self.is_label(*letter)) {
-                    return Err(Fault::ambiguous(
-                        span,
-                        "v_a^2 may be the square of one component or the sum of all squares, v_a v_a",
-                    )
-                    .help("write the sum, \\sum_a, or both factors"));
-                }
-                Ok(Type { free: union(&found.free, &labels), ..found })
-            }
+            Node::Power(..)
+            | Node::Transpose(_)
+            | Node::Inverse(_)
+            | Node::OfMatrix(..)
+            | Node::Commutator(..)
+            | Node::Complex(..)
+            | Node::Cases(_) => self.operator(expr),
             Node::Root(_, a) => self.scalar(a, "the radicand").map(|free| Type { free, ..scalar }),
             Node::Call(function, a) => {
                 let what = format!("the argument of \\{}", function.name());
@@ -392,48 +342,6 @@ impl Binder<'_> {
                 let free = self.contract(letters, expr)?;
                 Ok(Type { free, ..scalar })
             }
-            Node::Transpose(a) => {
-                let found = self.bind(a)?;
-                match found.shape {
-                    Shape::Vector => Ok(Type { shape: Shape::Matrix(1, 3), free: found.free }),
-                    Shape::Matrix(rows, columns) => {
-                        Ok(Type { shape: matrices::shape_of_size(columns, rows), free: found.free })
-                    }
-                    other => Err(Fault::shape(span, format!("{} has no transpose", other.noun()))),
-                }
-            }
-            Node::Inverse(a) => {
-                let found = self.bind(a)?;
-                match found.shape {
-                    Shape::Matrix(rows, columns) if rows == columns => Ok(found),
-                    other => Err(Fault::shape(span, format!("{} has no inverse matrix", other.noun()))),
-                }
-            }
-            Node::OfMatrix(function, a) => {
-                let found = self.bind(a)?;
-                match found.shape {
-                    Shape::Matrix(rows, columns) if rows == columns => Ok(Type { shape: Shape::Scalar, ..found }),
-                    other => {
-                        let message = format!("{} has no {}", other.noun(), function.word());
-                        Err(Fault::shape(span, message).help("it needs a square matrix, declared or written out"))
-                    }
-                }
-            }
-            Node::Commutator(a, b) => {
-                let (left, right) = (self.bind(a)?, self.bind(b)?);
-                match (left.shape, right.shape) {
-                    (Shape::Matrix(n, m), Shape::Matrix(k, l)) if n == m && k == l && (n == k || n * k == 0) => {
-                        Ok(Type { shape: Shape::Matrix(n.max(k), n.max(k)), free: union(&left.free, &right.free) })
-                    }
-                    _ => Err(Fault::shape(span, "the commutator needs two square matrices of one size")),
-                }
-            }
-            Node::Complex(part, a) => {
-                let found = self.number(a, "this")?;
-                let shape = if *part == ComplexPart::Conjugate { found.shape } else { Shape::Scalar };
-                Ok(Type { shape, ..found })
-            }
-            Node::Cases(branches) => self.cases(branches, span),
             Node::Entry(a, row, column) => {
                 let indices = [*row, *column];
                 let found = self.bind(a)?;
@@ -467,7 +375,7 @@ impl Binder<'_> {
     }
 
     /// Whether a letter is a label of particles, which is never summed over by repetition.
-    fn is_label(&self, letter: IndexId) -> bool {
+    pub(super) fn is_label(&self, letter: IndexId) -> bool {
         self.symbols.indices[letter.0].labels
     }
 
@@ -509,12 +417,4 @@ pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     all.sort();
     all.dedup();
     all
-}
-
-/// Whether an exponent is a negative whole number.
-fn is_negative_whole(exponent: &Expr) -> bool {
-    match &exponent.node {
-        Node::Sum(terms) => terms.len() == 1 && terms[0].sign == Sign::Minus && terms[0].expr.as_digits().is_some(),
-        _ => false,
-    }
 }

@@ -9,7 +9,7 @@ use crate::source::Span;
 #[cfg(feature = "notes")]
 pub use super::ids::Variable;
 pub use super::ids::{Index, IndexId};
-pub use super::operators::{Branch, ComplexPart, Condition, MatrixFunction, Relation};
+pub use super::operators::{ComplexPart, Function, MatrixFunction, Relation};
 
 use super::ids::SymbolId;
 
@@ -180,63 +180,35 @@ impl Excluded {
     }
 }
 
-/// The elementary functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "each is the function of its name")]
-pub enum Function {
-    Sin,
-    Cos,
-    Tan,
-    Cot,
-    Sec,
-    Csc,
-    Arcsin,
-    Arccos,
-    Arctan,
-    Sinh,
-    Cosh,
-    Tanh,
-    Exp,
-    Ln,
+/// A chain of comparisons, `0 \le x < 1`: one relation fewer than members.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition {
+    /// What is compared.
+    pub members: Vec<Expr>,
+    /// The relations between neighbours.
+    pub relations: Vec<Relation>,
 }
 
-impl Function {
-    /// Every function, with the LaTeX command that names it.
-    pub const ALL: [(Function, &'static str); 14] = [
-        (Function::Sin, "sin"),
-        (Function::Cos, "cos"),
-        (Function::Tan, "tan"),
-        (Function::Cot, "cot"),
-        (Function::Sec, "sec"),
-        (Function::Csc, "csc"),
-        (Function::Arcsin, "arcsin"),
-        (Function::Arccos, "arccos"),
-        (Function::Arctan, "arctan"),
-        (Function::Sinh, "sinh"),
-        (Function::Cosh, "cosh"),
-        (Function::Tanh, "tanh"),
-        (Function::Exp, "exp"),
-        (Function::Ln, "ln"),
-    ];
+/// One row of `cases`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// The value in this case.
+    pub value: Expr,
+    /// The comparisons that must all hold; empty for "otherwise".
+    pub conditions: Vec<Condition>,
+}
 
-    /// The inverse function, where it has a name here.
-    pub fn inverse(self) -> Option<Function> {
-        match self {
-            Function::Sin => Some(Function::Arcsin),
-            Function::Cos => Some(Function::Arccos),
-            Function::Tan => Some(Function::Arctan),
-            _ => None,
-        }
+impl Branch {
+    /// The value, and what its conditions compare.
+    pub fn parts(&self) -> Vec<&Expr> {
+        let compared = self.conditions.iter().flat_map(|condition| &condition.members);
+        std::iter::once(&self.value).chain(compared).collect()
     }
 
-    /// The function that a command (without its backslash) names.
-    pub fn named(command: &str) -> Option<Function> {
-        Self::ALL.iter().find(|(_, name)| *name == command).map(|(function, _)| *function)
-    }
-
-    /// The usual name, which is also the LaTeX command without its backslash.
-    pub fn name(self) -> &'static str {
-        Self::ALL.iter().find(|(function, _)| *function == self).map_or("", |(_, name)| *name)
+    /// As [`Branch::parts`], mutable.
+    pub fn parts_mut(&mut self) -> Vec<&mut Expr> {
+        let compared = self.conditions.iter_mut().flat_map(|condition| &mut condition.members);
+        std::iter::once(&mut self.value).chain(compared).collect()
     }
 }
 

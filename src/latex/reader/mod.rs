@@ -34,7 +34,7 @@
 //!
 //! *Sums, limits, integrals.* Σ and lim reach to the end of the term that they stand in, an integral to its differential.
 //!
-//! *Rejected as ambiguous:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\sin^{-1}x`,
+//! *Rejected as ambiguous:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\cot^{-1}x`,
 //! `\log x`, `e^2`, a differential `dx` outside of `\frac{d}{dt}`.
 //!
 //! *One meaning by convention:* `-x^2` is −(x²); `\dot x^2` is (ẋ)²; `\Delta x` is one symbol; `\frac{d}{dt}` acts on

@@ -113,16 +113,13 @@ fn with_declarations_a_constant_before_one_term_is_a_factor_and_an_argument_is_n
 #[test]
 fn what_stands_above_need_not_be_a_power() {
     refused_openly(&[
-        ("A^T A", "A^T"),
+        ("A^T b", "A^T"),
         (r"A^\top", r"A^\top"),
         (r"(a + b)^{\mathrm T}", r"(a + b)^{\mathrm T}"),
         (r"A^\dagger", r"\dagger"),
         ("z^*", "*"),
         ("z^{*}", "{*}"),
-        ("v^{+}", "{+}"),
         ("v^{(n)}", "{(n)}"),
-        (r"F^{\mathrm{ext}}", r"{\mathrm{ext}}"),
-        (r"F^{\text{ext}}", r"{\text{ext}}"),
         ("g^{ij}", "g^{ij}"),
         (r"x^\mu", r"x^\mu"),
         ("q^1", "q^1"),

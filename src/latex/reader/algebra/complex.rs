@@ -38,6 +38,12 @@ impl Reader<'_> {
             .help("put the argument in parentheses"));
         }
         let inner = self.item(argument)?;
+        // Without declarations, only a complex number is said to have parts.
+        if let (true, Some(id)) = (self.symbols.open, inner.as_plain_symbol())
+            && self.symbols.entry(id).kind == Kind::Scalar
+        {
+            self.symbols.entry_mut(id).kind = Kind::Complex;
+        }
         *cursor = at + 1;
         Ok(Some(Expr::new(Node::Complex(part, Box::new(inner)), head.span.to(argument.span))))
     }
