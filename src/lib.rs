@@ -157,6 +157,8 @@ pub use code::Code;
 pub use error::{Error, Result};
 #[cfg(feature = "notes")]
 pub use formulas::{Formula, compare};
+#[cfg(feature = "notes")]
+pub use source::{FileEdit, Place};
 pub use source::{Source, Span};
 
 /// The Rust code of the README, so that it is tested.

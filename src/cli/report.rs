@@ -18,7 +18,7 @@ use super::outcome::{Outcome, Screen, shown};
     after_help = "Examples:\n  onshell report derivations --out pages\n  onshell report notes.md --out . --single"
 )]
 pub struct Arguments {
-    /// Claims files (.json), notes (.md, .tex), or folders of these
+    /// Claims files (.json), notes (.md, .tex, .ipynb, .rst and others), or folders of these
     #[arg(required = true)]
     paths: Vec<PathBuf>,
     /// The claims file for the notes, if it is not beside them
