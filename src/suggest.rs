@@ -45,7 +45,9 @@ pub fn declaration(name: &str, dots: u8) -> String {
     let role = if dots > 0 || is_vector { "varies with time" } else { "constants" };
     let add = format!("add {}: \"any\" under \"{role}\" in the claims file", in_json(name));
     match name {
-        "i" | "\\mathrm{i}" => format!("for √−1, declare \"{name}\": \"imaginary unit\" among the constants; if {name} is a real number, {add}"),
+        "i" | "\\mathrm{i}" => format!(
+            "for √−1, declare \"{name}\": \"imaginary unit\" among the constants; if {name} is a real number, {add}"
+        ),
         _ => add,
     }
 }

@@ -143,10 +143,10 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
                 for entry in rows.iter().flatten() {
                     entries.push(self.scalar(entry)?);
                 }
-                matrices::reduced(DMatrix::from_row_slice(rows.len(), entries.len() / rows.len().max(1), &entries))
+                Value::of_matrix(DMatrix::from_row_slice(rows.len(), entries.len() / rows.len().max(1), &entries))
             }
-            Node::Transpose(inner) => match matrices::as_matrix(&self.value(inner)?) {
-                Some(m) => matrices::reduced(m.transpose()),
+            Node::Transpose(inner) => match self.value(inner)?.as_matrix() {
+                Some(m) => Value::of_matrix(m.transpose()),
                 _ => return Err(Unavailable::Operation("the transpose of something that is no matrix")),
             },
             Node::Inverse(inner) => match self.value(inner)? {

@@ -2,8 +2,7 @@
 
 use crate::source::{Fault, Span};
 
-use super::matrices;
-use super::shape::{Binder, Shape, Type, union};
+use super::shape::{Binder, Shape, Type, of_size, of_sum, union};
 use super::tree::{Branch, ComplexPart, Expr, Node, Sign};
 
 impl Binder<'_> {
@@ -42,9 +41,7 @@ impl Binder<'_> {
                 let found = self.bind(a)?;
                 match found.shape {
                     Shape::Vector => Ok(Type { shape: Shape::Matrix(1, 3), free: found.free }),
-                    Shape::Matrix(rows, columns) => {
-                        Ok(Type { shape: matrices::shape_of_size(columns, rows), free: found.free })
-                    }
+                    Shape::Matrix(rows, columns) => Ok(Type { shape: of_size(columns, rows), free: found.free }),
                     other => Err(Fault::shape(span, format!("{} has no transpose", other.noun()))),
                 }
             }
@@ -109,7 +106,7 @@ impl Binder<'_> {
             all = Some(match all {
                 None => found,
                 Some(known) => {
-                    let shape = matrices::sum(known.shape, found.shape)
+                    let shape = of_sum(known.shape, found.shape)
                         .ok_or_else(|| Fault::shape(branch.value.span, "the cases have different shapes"))?;
                     Type { shape, free: union(&known.free, &found.free) }
                 }

@@ -18,7 +18,6 @@
 use crate::source::{Fault, Span};
 
 use super::complex::Complex;
-use super::matrices;
 use super::symbols::{Kind, Symbols};
 use super::tree::{Expr, Index, IndexId, Node};
 
@@ -94,7 +93,7 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
         }
     }
     let span = a.0.span.to(b.0.span);
-    if matrices::sum(a.1.shape, b.1.shape).is_none() {
+    if of_sum(a.1.shape, b.1.shape).is_none() {
         let message = format!("{} cannot be compared with {}", a.1.shape.noun(), b.1.shape.noun());
         return Err(Fault::shape(span, message));
     }
@@ -195,7 +194,7 @@ impl Binder<'_> {
                     (Kind::Vector, slots, given) if slots == given => Shape::Vector,
                     (Kind::Complex, slots, given) if slots == given => Shape::Complex,
                     (Kind::Matrix(rows, columns), slots, given) if slots == given => {
-                        matrices::shape_of_size(rows.into(), columns.into())
+                        of_size(rows.into(), columns.into())
                     }
                     (Kind::Rotation, ..) => {
                         return Err(Fault::new(span, format!("{} needs its angle in parentheses", entry.name)));
@@ -223,7 +222,7 @@ impl Binder<'_> {
                     match &first {
                         _ if term.expr.is_zero() => {}
                         None => first = Some(found),
-                        Some(first) if matrices::sum(first.shape, found.shape).is_none() => {
+                        Some(first) if of_sum(first.shape, found.shape).is_none() => {
                             let (a, b) = (found.shape.noun(), first.shape.noun());
                             return Err(Fault::shape(term.expr.span, format!("{a} cannot be added to {b}")));
                         }
@@ -236,7 +235,7 @@ impl Binder<'_> {
                             ));
                         }
                         Some(known) => {
-                            let shape = matrices::sum(known.shape, found.shape).unwrap_or(known.shape);
+                            let shape = of_sum(known.shape, found.shape).unwrap_or(known.shape);
                             first = Some(Type { free: union(&known.free, &found.free), shape });
                         }
                     }
@@ -249,7 +248,7 @@ impl Binder<'_> {
                 for factor in factors {
                     let found = self.bind(factor)?;
                     let has_complex = [shape, found.shape].contains(&Shape::Complex);
-                    shape = matrices::product(shape, found.shape).ok_or_else(|| {
+                    shape = of_product(shape, found.shape).ok_or_else(|| {
                         if has_complex {
                             return self.no_complex(factor.span);
                         }
@@ -267,7 +266,7 @@ impl Binder<'_> {
             Node::Quotient(a, b) => {
                 let found = self.bind(a)?;
                 let below = self.number(b, "a denominator")?;
-                let shape = matrices::product(found.shape, below.shape).ok_or_else(|| self.no_complex(a.span))?;
+                let shape = of_product(found.shape, below.shape).ok_or_else(|| self.no_complex(a.span))?;
                 Ok(Type { free: union(&found.free, &below.free), shape })
             }
             Node::Power(..)
@@ -329,7 +328,7 @@ impl Binder<'_> {
                         free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
                     }
                 }
-                Ok(Type { shape: matrices::shape_of_size(count, columns), free })
+                Ok(Type { shape: of_size(count, columns), free })
             }
             Node::Integral(_, a) | Node::Shrinking(_, a) => self.bind(a),
             Node::Component(a, index) => {
@@ -417,4 +416,67 @@ pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     all.sort();
     all.dedup();
     all
+}
+
+/// The shape of a matrix with these rows and columns.
+pub fn of_size(rows: usize, columns: usize) -> Shape {
+    match (rows, columns) {
+        (1, 1) => Shape::Scalar,
+        (3, 1) => Shape::Vector,
+        _ => Shape::Matrix(rows, columns),
+    }
+}
+
+/// The rows and columns of a matrix, or of a vector as a column.
+fn size(shape: Shape) -> Option<(usize, usize)> {
+    match shape {
+        Shape::Scalar | Shape::Complex => None,
+        Shape::Vector => Some((3, 1)),
+        Shape::Matrix(rows, columns) => Some((rows, columns)),
+    }
+}
+
+/// The shape of the sum of two shapes, where it is defined.
+pub fn of_sum(a: Shape, b: Shape) -> Option<Shape> {
+    match (a, b) {
+        _ if a == b => Some(a),
+        (Shape::Scalar, Shape::Complex) | (Shape::Complex, Shape::Scalar) => Some(Shape::Complex),
+        (Shape::Matrix(0, 0), Shape::Matrix(n, m)) | (Shape::Matrix(n, m), Shape::Matrix(0, 0)) if n == m => {
+            Some(Shape::Matrix(n, n))
+        }
+        _ => None,
+    }
+}
+
+/// The shape of a product of two factors in this order; `None` where it is not defined. Two vectors have none: they need
+/// a sign between them.
+pub fn of_product(a: Shape, b: Shape) -> Option<Shape> {
+    match (a, b) {
+        (Shape::Scalar, other) | (other, Shape::Scalar) => Some(other),
+        (Shape::Complex, Shape::Complex) => Some(Shape::Complex),
+        (Shape::Vector, Shape::Vector) => None,
+        (Shape::Matrix(0, 0), other) => Some(other),
+        (other, Shape::Matrix(0, 0)) => (other != Shape::Vector).then_some(other),
+        _ => {
+            let ((rows, inner), (other, columns)) = (size(a)?, size(b)?);
+            (inner == other).then(|| of_size(rows, columns))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_have_the_shape_of_their_values() {
+        let (row, column, square) = (Shape::Matrix(1, 2), Shape::Matrix(2, 1), Shape::Matrix(2, 2));
+        assert_eq!(of_product(row, column), Some(Shape::Scalar));
+        assert_eq!(of_product(column, row), Some(square));
+        assert_eq!(of_product(square, column), Some(column));
+        assert_eq!(of_product(column, square), None);
+        assert_eq!(of_product(Shape::Vector, Shape::Vector), None);
+        assert_eq!(of_product(Shape::Matrix(1, 3), Shape::Vector), Some(Shape::Scalar));
+        assert_eq!(of_product(Shape::Vector, Shape::Matrix(1, 3)), Some(Shape::Matrix(3, 3)));
+    }
 }

@@ -5,7 +5,6 @@ use nalgebra::{DMatrix, Vector3};
 use crate::scalar::Number;
 
 use super::complex::Complex;
-use super::matrices;
 use super::shape::Shape;
 use super::symbols::Kind;
 use super::tree::Sign;
@@ -36,6 +35,24 @@ impl<D: Number> Clone for Value<D> {
 }
 
 impl<D: Number> Value<D> {
+    /// A matrix as a value: one entry is a number, and three rows of one column are a vector.
+    pub fn of_matrix(m: DMatrix<D>) -> Self {
+        match m.shape() {
+            (1, 1) => Value::Scalar(m[(0, 0)]),
+            (3, 1) => Value::Vector(Vector3::new(m[(0, 0)], m[(1, 0)], m[(2, 0)])),
+            _ => Value::Matrix(m),
+        }
+    }
+
+    /// The value as a matrix; a vector is a column. `None` for a number.
+    pub fn as_matrix(&self) -> Option<DMatrix<D>> {
+        match self {
+            Value::Scalar(_) | Value::Complex(_) => None,
+            Value::Vector(v) => Some(DMatrix::from_column_slice(3, 1, &[v.x, v.y, v.z])),
+            Value::Matrix(m) => Some(m.clone()),
+        }
+    }
+
     /// The numbers of the value: one, three, a matrix row by row, or the real and the imaginary part.
     pub fn entries(&self) -> Vec<D> {
         match self {
@@ -54,7 +71,7 @@ impl<D: Number> Value<D> {
             Kind::Complex => Value::Complex(Complex { re: pick(0)?, im: pick(1)? }),
             Kind::Matrix(rows, columns) => {
                 let entries = (0..kind.numbers()).map(pick).collect::<Option<Vec<D>>>()?;
-                matrices::reduced(DMatrix::from_row_slice(rows.into(), columns.into(), &entries))
+                Value::of_matrix(DMatrix::from_row_slice(rows.into(), columns.into(), &entries))
             }
         })
     }
@@ -169,8 +186,8 @@ impl<D: Number> Value<D> {
             }
             (Value::Complex(a), Value::Complex(b)) => *a = a.times(b),
             (Value::Vector(_), Value::Vector(_)) => return false,
-            (a, b) => match (matrices::as_matrix(a), matrices::as_matrix(&b)) {
-                (Some(a), Some(b)) if a.ncols() == b.nrows() => *self = matrices::reduced(a * b),
+            (a, b) => match (a.as_matrix(), b.as_matrix()) {
+                (Some(a), Some(b)) if a.ncols() == b.nrows() => *self = Value::of_matrix(a * b),
                 _ => return false,
             },
         }

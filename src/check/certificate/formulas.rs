@@ -10,7 +10,6 @@ use std::collections::HashMap;
 
 use crate::formula::complex::Complex;
 use crate::formula::evaluate::{Environment, Unavailable, evaluate_to};
-use crate::formula::matrices;
 use crate::formula::{Expr, IndexId, Kind, Node, SymbolId, Symbols, Value};
 use crate::scalar::prime_field::{FirstPrime, Modulus};
 use crate::scalar::{Modular, Series, TERMS};
@@ -182,7 +181,7 @@ impl<F: Modulus> Environment<Series<Modular<F>>> for RandomValues<'_, F> {
             Kind::Scalar => Value::Scalar(Self::number(varies)),
             Kind::Vector => Value::Vector(Vector3::from_fn(|_, _| Self::number(varies))),
             Kind::Matrix(rows, columns) => {
-                matrices::reduced(DMatrix::from_fn(rows.into(), columns.into(), |_, _| Self::number(varies)))
+                Value::of_matrix(DMatrix::from_fn(rows.into(), columns.into(), |_, _| Self::number(varies)))
             }
             Kind::Complex => Value::Complex(Complex { re: Self::number(varies), im: Self::number(varies) }),
             Kind::Rotation => return Err(Unavailable::Symbol(id)),

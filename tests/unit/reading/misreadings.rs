@@ -186,11 +186,9 @@ fn letters_that_spell_a_function_or_a_word_are_no_factors() {
 #[test]
 fn the_imaginary_unit_is_no_letter() {
     refused_openly(&[
-        (r"e^{i b}", "i"),
-        (r"i\hbar b", "i"),
-        ("z = x + iy", "i"),
+        ("V = i R", "i"),
+        ("i b", "i"),
         (r"e^{j\omega t}", r"{j\omega t}"),
-        (r"\mathrm{i} b", r"\mathrm{i}"),
     ]);
     read_openly(&[("v_i + j", "v_i + j"), (r"e^{-k t} j", "e^(−k·t)·j")]);
 }
