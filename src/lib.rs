@@ -135,11 +135,15 @@ mod formula;
 mod formulas;
 pub mod guide;
 mod latex;
+#[cfg(feature = "cli")]
+mod lecture;
 pub mod mechanics;
 #[cfg(feature = "notes")]
 pub mod notes;
 #[cfg(feature = "cli")]
 mod page;
+#[cfg(feature = "notes")]
+mod parallel;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scalar;
