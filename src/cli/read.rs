@@ -6,7 +6,8 @@ use serde_json::json;
 
 use crate::Error;
 use crate::check::define_macros;
-use crate::formula::{Kind, Symbols, text};
+use crate::formula::symbols::Kind;
+use crate::formula::{Symbols, text};
 use crate::latex::{Macros, read_display};
 use crate::notes::{MacroDefinition, definitions};
 use crate::report::{self, wrap};
@@ -40,38 +41,31 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
             Err(fault) => errors.push(Error::fault(&source, fault)),
         }
     }
-    let known: Vec<(String, Kind)> = match errors.is_empty() {
-        true => symbols.iter().map(|(_, entry)| (text::plain(&entry.name.to_string()), entry.kind)).collect(),
+    let assumed: Vec<String> = match errors.is_empty() {
+        true => named(&symbols, &|kind| kind == Kind::Scalar),
         false => Vec::new(),
     };
-    let of_kind = |kinds: &dyn Fn(Kind) -> bool| -> Vec<String> {
-        known.iter().filter(|(_, kind)| kinds(*kind)).map(|(name, _)| name.clone()).collect()
-    };
-    let assumed = of_kind(&|kind| kind == Kind::Scalar);
-    let vectors = of_kind(&|kind| kind == Kind::Vector);
-    let complex = of_kind(&|kind| kind == Kind::Complex);
-    let matrices: Vec<String> = known
-        .iter()
-        .filter(|(_, kind)| matches!(kind, Kind::Matrix(..)))
-        .map(|(name, kind)| match kind {
-            Kind::Matrix(rows @ 1.., columns) => format!("{name} ({rows}×{columns})"),
-            _ => name.clone(),
-        })
-        .collect();
+    let mut inferred = symbols.inferred.said.clone();
+    let complex = named(&symbols, &|kind| kind == Kind::Complex);
+    let matrices = named(&symbols, &|kind| matches!(kind, Kind::Matrix(..)));
+    let vectors = named(&symbols, &|kind| kind == Kind::Vector);
+    for (what, names) in
+        [("vectors by their markup", vectors), ("matrices by their use", matrices), ("complex numbers", complex)]
+    {
+        if !names.is_empty() {
+            inferred.push(format!("{what}: {}", names.join(", ")));
+        }
+    }
+    if !errors.is_empty() {
+        inferred.clear();
+    }
     let output = match arguments.format {
         Format::Text => {
             let mut lines: Vec<String> = statements.iter().map(|line| wrap("", line, 4, screen.out.width)).collect();
-            for (what, names) in [
-                ("real numbers", &assumed),
-                ("complex numbers", &complex),
-                ("vectors", &vectors),
-                ("matrices", &matrices),
-            ] {
-                if !names.is_empty() {
-                    let label = format!("  assumed to be {what}: ");
-                    lines.push(wrap(&label, &names.join(", "), 4, screen.out.width));
-                }
+            if !assumed.is_empty() {
+                lines.push(wrap("  assumed to be real numbers: ", &assumed.join(", "), 4, screen.out.width));
             }
+            lines.extend(inferred.iter().map(|line| wrap("  inferred: ", line, 4, screen.out.width)));
             lines.iter().map(|line| format!("{line}\n")).collect()
         }
         Format::Json => {
@@ -79,15 +73,19 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
                 "schema": 1,
                 "statements": statements,
                 "assumed": assumed,
-                "complex": complex,
-                "vectors": vectors,
-                "matrices": matrices,
+                "inferred": inferred,
                 "errors": errors.iter().map(report::json::error).collect::<Vec<_>>(),
             });
             format!("{output:#}\n")
         }
     };
     Outcome { output, messages: shown(&errors, screen), code: if errors.is_empty() { 0 } else { 2 } }
+}
+
+/// The quantities of one kind, without those that are no quantities: operators, letters of sums.
+fn named(symbols: &Symbols, of: &dyn Fn(Kind) -> bool) -> Vec<String> {
+    let quantities = symbols.iter().filter(|(_, entry)| of(entry.kind) && entry.operator.is_none() && !entry.hidden);
+    quantities.map(|(_, entry)| text::plain(&entry.name.to_string())).collect()
 }
 
 /// The text with spaces in the place of its definitions, so that every byte keeps its position.

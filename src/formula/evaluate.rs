@@ -109,6 +109,9 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
                 ),
                 _ => return Err(Unavailable::Operation("a scalar where there is none")),
             },
+            Node::Apply(id, _) if self.environment.symbols().entry(*id).operator.is_some() => {
+                return Err(Unavailable::Operation("a function or an operator without a formula"));
+            }
             Node::Apply(id, arguments) => match arguments.as_slice() {
                 [angle] => {
                     let angle = self.scalar(angle)?;

@@ -7,6 +7,8 @@ mod algebra;
 mod derivatives;
 #[path = "reading/derived.rs"]
 mod derived;
+#[path = "reading/inferred.rs"]
+mod inferred;
 #[path = "reading/introductions.rs"]
 mod introductions;
 #[path = "reading/lecture.rs"]
