@@ -11,7 +11,7 @@ use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::steps::entailment::{EarlierSteps, Entailment};
 
-use super::judge::{Status, status};
+use super::status::{Status, status};
 
 /// The number of false lines before it that a line is compared with, the nearest first.
 const LOOKED_BACK: usize = 6;

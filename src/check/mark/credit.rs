@@ -3,7 +3,7 @@
 //! A slip costs points once: at the first result that it spoils. There the result gets half, if the rubric says so of that
 //! kind of slip, and else nothing. Later results that carry the slip on are given in full.
 
-use super::judge::Judged;
+use super::judged::Judged;
 use super::marked::{Line, Mark, Reached, ResultMark};
 use super::problem::Problem;
 

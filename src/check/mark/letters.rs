@@ -7,18 +7,17 @@ use std::collections::HashMap;
 
 use crate::Result;
 use crate::formula::symbols::Name;
-use crate::formula::{Kind, Symbols};
 use crate::latex::{Macros, names};
 use crate::notes::Notes;
 
 use crate::check::document::setup::{Run, define_macros};
-use crate::check::model::Model;
-use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::unaided::names::{Usage, names_of};
 
-use super::judge::{Judged, judge};
+use super::judge::judge;
+use super::judged::Judged;
 use super::marked::Mark;
+use super::names::{Names, Role};
 use super::problem::{self, Problem};
 use super::world::World;
 use super::written::{Written, written};
@@ -74,58 +73,6 @@ pub(super) fn best(run: &Run<'_>, problem: &Problem, notes: &Notes) -> Result<(J
 fn is_whole(judged: &Judged) -> bool {
     judged.lines.iter().all(|line| matches!(line.mark, Mark::Right | Mark::Given))
         && judged.found.iter().all(|found| found.as_ref().is_some_and(|found| found.is_right))
-}
-
-/// The names of the problem.
-#[derive(Clone, Debug)]
-pub(super) struct Names {
-    symbols: Symbols,
-    names: Vec<(Name, Role)>,
-}
-
-/// What a name may stand for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Role {
-    /// A coordinate, or what varies freely.
-    Moving,
-    /// A constant.
-    Constant,
-    /// What a formula or the system gives.
-    Determined,
-}
-
-impl Names {
-    /// The names of a model.
-    pub fn of(model: &Model) -> Names {
-        let mut names = Vec::new();
-        for (id, entry) in model.symbols.iter() {
-            if entry.kind != Kind::Scalar || !entry.slots.is_empty() || entry.momentum {
-                continue;
-            }
-            let role = match model.meaning(id) {
-                Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => Role::Moving,
-                Some(Meaning::Constant(_)) => Role::Constant,
-                Some(Meaning::Defined(_) | Meaning::System(_)) => Role::Determined,
-                _ => continue,
-            };
-            names.push((entry.name.clone(), role));
-        }
-        Names { symbols: model.symbols.clone(), names }
-    }
-
-    /// A table with the momenta of renamed coordinates.
-    fn with_momenta(&self, table: &HashMap<Name, Name>) -> HashMap<Name, Name> {
-        let mut whole = table.clone();
-        for (own, other) in table {
-            let momentum = |of: &Name| names::parse(&format!("p_{{{of}}}")).map(|(name, _)| name);
-            if let (Some(own), Some(other)) = (momentum(own), momentum(other))
-                && self.symbols.find(&other).is_some()
-            {
-                whole.entry(own).or_insert(other);
-            }
-        }
-        whole
-    }
 }
 
 fn usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {

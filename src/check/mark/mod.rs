@@ -17,12 +17,16 @@
 mod carried;
 mod conditions;
 mod credit;
+mod hand_in;
 mod judge;
+mod judged;
 mod letters;
 mod marked;
+mod names;
 mod problem;
 mod results;
 mod slip;
+mod status;
 mod world;
 mod written;
 

@@ -1,13 +1,8 @@
 //! The problem: the claims and the notes of the teacher, prepared once for all hand-ins.
 
-use std::path::Path;
-use std::sync::Arc;
-
 use crate::notes::address::{self, Address, Point, Target};
 use crate::notes::claims::{Claim, Claims, Rubric, Share, Spanned};
-use crate::notes::document::Kind;
 use crate::notes::{Display, Notes, Numbered};
-use crate::source::Source;
 use crate::{Error, Result};
 
 use crate::check::document::setup::{Run, assign, with_checker};
@@ -15,9 +10,7 @@ use crate::check::run::check_in;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 
-use super::letters::Names;
-use super::marked::Marked;
-use super::{credit, letters};
+use super::names::Names;
 
 /// A wanted result.
 #[derive(Clone, Debug)]
@@ -103,34 +96,6 @@ impl Problem {
         let names = with_checker(run, &claims, notes, |checker| Ok(Names::of(checker.model)))?;
         let names_results = !rubric.results.is_empty();
         Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts, names })
-    }
-
-    /// Marks a hand-in, known as `path`.
-    pub fn mark(&self, run: &Run<'_>, path: &Path, text: &str) -> Marked {
-        let shown_as = path.display().to_string();
-        let student = path.file_stem().map_or_else(|| shown_as.clone(), |stem| stem.to_string_lossy().into_owned());
-        let source = Arc::new(Source::new(shown_as, text.trim_start_matches('\u{feff}')));
-        let kind = Kind::of(path).unwrap_or(Kind::Markdown);
-        let mut marked = Marked {
-            student,
-            source: source.clone(),
-            letters: Vec::new(),
-            lines: Vec::new(),
-            results: Vec::new(),
-            fault: None,
-        };
-        let found = Notes::parse(source, kind).and_then(|notes| letters::best(run, self, &notes));
-        match found {
-            Ok((judged, letters)) => {
-                marked.letters = letters;
-                (marked.lines, marked.results) = credit::given(self, judged);
-            }
-            Err(error) => {
-                marked.fault = Some(error.message().to_owned());
-                marked.results = credit::nothing(self);
-            }
-        }
-        marked
     }
 
     /// The share of the points for results without steps.

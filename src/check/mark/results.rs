@@ -21,25 +21,15 @@ use crate::check::sample::outcome;
 use crate::check::vacuity::restatement;
 use crate::notes::claims::Range;
 
-use super::judge::composed;
+use super::judged::Found;
 use super::marked::{Line, Mark, Slipped};
 use super::problem::{Problem, Wanted};
+use super::status::composed;
 use super::world::World;
 
 /// The states at which two equations are compared, and how many of them must decide.
 const STATES: usize = 8;
 const FEWEST: usize = 3;
-
-/// A line that reaches a result.
-#[derive(Clone, Debug)]
-pub(super) struct Found {
-    /// The line, by its place.
-    pub line: usize,
-    /// Whether it is right; else it reaches the result with a slip.
-    pub is_right: bool,
-    /// The kind of the slip, if it is known.
-    pub lost: Option<Lost>,
-}
 
 /// The names that the wanted results give a formula for.
 pub(super) fn names(checker: &Checker<'_>, problem: &Problem) -> Vec<SymbolId> {

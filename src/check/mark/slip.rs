@@ -14,8 +14,8 @@ use crate::check::sample::outcome;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
 
-use super::judge::{Status, status};
 use super::marked::Slipped;
+use super::status::{Status, status};
 use super::world::World;
 
 /// The number of states that screen an edit.

@@ -372,8 +372,9 @@ fn mark(item: &Item) -> Option<(Mark, u32)> {
 
 /// The items before and after the slash of `\partial L/\partial q` typed on one line.
 fn on_one_line(items: &[Item]) -> Option<(&[Item], &[Item])> {
-    let slash = items.iter().position(|item| joint(item) == Some(Joint::Slash))?;
-    let (above, below) = (&items[..slash], items.get(slash + 1..slash + 3)?);
+    // Only the items that it would consist of are looked at, since a term may be long.
+    let slash = items.get(2).filter(|item| joint(item) == Some(Joint::Slash));
+    let (above, below) = (items.get(..2)?, items.get(3..5).filter(|_| slash.is_some())?);
     let is_partial = |item: &Item| mark(item).is_some_and(|(mark, _)| mark == Mark::Partial);
     let is_name = |item: &Item| names::printed(item, None).is_some();
     let fits = matches!((above, below), ([first, name], [d, by])
