@@ -19,6 +19,8 @@ mod explain;
 mod formats;
 #[path = "cli/formulas.rs"]
 mod formulas;
+#[path = "cli/mark.rs"]
+mod mark;
 #[path = "cli/messages.rs"]
 mod messages;
 #[path = "cli/mutate.rs"]

@@ -14,6 +14,7 @@ mod equal;
 mod eval;
 mod explain;
 mod fix;
+mod mark;
 mod mutate;
 mod outcome;
 mod progress;
@@ -51,6 +52,7 @@ enum Command {
     Equal(equal::Arguments),
     Eval(eval::Arguments),
     Explain(explain::Arguments),
+    Mark(mark::Arguments),
     Mutate(mutate::Arguments),
     Read(read::Arguments),
     Report(report::Arguments),
@@ -69,6 +71,7 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Equal(arguments)) => equal::run(&arguments, screen),
         Ok(Command::Eval(arguments)) => eval::run(&arguments, screen),
         Ok(Command::Explain(arguments)) => explain::run(&arguments, screen),
+        Ok(Command::Mark(arguments)) => mark::run(&arguments, registry, screen),
         Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
         Ok(Command::Report(arguments)) => report::run(&arguments, registry, screen),

@@ -6,6 +6,7 @@ use serde_json::json;
 
 use crate::Error;
 use crate::check::define_macros;
+use crate::formula::symbols::Kind;
 use crate::formula::{Symbols, text};
 use crate::latex::{Macros, read_display};
 use crate::notes::{MacroDefinition, definitions};
@@ -41,15 +42,24 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         }
     }
     let assumed: Vec<String> = match errors.is_empty() {
-        true => symbols.iter().map(|(_, entry)| text::plain(&entry.name.to_string())).collect(),
+        true => named(&symbols, Kind::Scalar),
         false => Vec::new(),
     };
+    let mut inferred = symbols.inferred.said.clone();
+    let vectors = named(&symbols, Kind::Vector);
+    if !vectors.is_empty() {
+        inferred.push(format!("vectors by their markup: {}", vectors.join(", ")));
+    }
+    if !errors.is_empty() {
+        inferred.clear();
+    }
     let output = match arguments.format {
         Format::Text => {
             let mut lines: Vec<String> = statements.iter().map(|line| wrap("", line, 4, screen.out.width)).collect();
             if !assumed.is_empty() {
                 lines.push(wrap("  assumed to be real numbers: ", &assumed.join(", "), 4, screen.out.width));
             }
+            lines.extend(inferred.iter().map(|line| wrap("  inferred: ", line, 4, screen.out.width)));
             lines.iter().map(|line| format!("{line}\n")).collect()
         }
         Format::Json => {
@@ -57,12 +67,20 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
                 "schema": 1,
                 "statements": statements,
                 "assumed": assumed,
+                "inferred": inferred,
                 "errors": errors.iter().map(report::json::error).collect::<Vec<_>>(),
             });
             format!("{output:#}\n")
         }
     };
     Outcome { output, messages: shown(&errors, screen), code: if errors.is_empty() { 0 } else { 2 } }
+}
+
+/// The quantities of one kind, without those that are no quantities: operators, letters of sums.
+fn named(symbols: &Symbols, kind: Kind) -> Vec<String> {
+    let quantities =
+        symbols.iter().filter(|(_, entry)| entry.kind == kind && entry.operator.is_none() && !entry.hidden);
+    quantities.map(|(_, entry)| text::plain(&entry.name.to_string())).collect()
 }
 
 /// The text with spaces in the place of its definitions, so that every byte keeps its position.

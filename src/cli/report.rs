@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     let lectures = lectures(&report, registry);
     let pages = page::pages(&report, &lectures, arguments.single);
     let code = if errors.is_empty() { report.exit_code() } else { 2 };
-    let written = if report.documents.is_empty() { Ok(()) } else { write(arguments, &pages) };
+    let written = if report.documents.is_empty() { Ok(()) } else { write(&arguments.out, &pages) };
     if let Err(error) = written {
         errors.push(error);
         return Outcome { output: String::new(), messages: shown(&errors, screen), code: 2 };
@@ -72,16 +72,18 @@ fn lectures(report: &Report, registry: &Registry) -> Vec<Lecture> {
 /// The seed of the sampled states of a derivation.
 const SEED: u64 = 1;
 
+/// Writes pages into a folder, which is made if it is not there.
+///
 /// # Errors
 /// When the folder or a file cannot be written.
-fn write(arguments: &Arguments, pages: &[page::Page]) -> Result<()> {
-    let failed = |path: &std::path::Path, error: &std::io::Error| {
+pub(super) fn write(folder: &Path, pages: &[page::Page]) -> Result<()> {
+    let failed = |path: &Path, error: &std::io::Error| {
         Error::new(format!("cannot write {}: {}", path.display(), reason(error)))
             .help("name a folder under --out that can be written")
     };
-    std::fs::create_dir_all(&arguments.out).map_err(|error| failed(&arguments.out, &error))?;
+    std::fs::create_dir_all(folder).map_err(|error| failed(folder, &error))?;
     for page in pages {
-        let path = arguments.out.join(&page.name);
+        let path = folder.join(&page.name);
         std::fs::write(&path, &page.text).map_err(|error| failed(&path, &error))?;
     }
     Ok(())

@@ -200,6 +200,9 @@ impl Differentiator<'_> {
                     }),
                 }
             }
+            Node::Apply(id, _) if self.symbols.entry(*id).operator.is_some() => {
+                return Err(NoDerivative::Operation("a function or an operator without a formula"));
+            }
             Node::Apply(..) => return Err(NoDerivative::Operation("a rotation")),
             Node::Inverse(_) => return Err(NoDerivative::Operation("the inverse of a matrix")),
             Node::Integral(..) | Node::Shrinking(..) | Node::SumOver { .. } => {

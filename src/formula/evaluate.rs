@@ -92,6 +92,9 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
                 let x = self.scalar(argument)?;
                 Value::Scalar(call(*function, x))
             }
+            Node::Apply(id, _) if self.environment.symbols().entry(*id).operator.is_some() => {
+                return Err(Unavailable::Operation("a function or an operator without a formula"));
+            }
             Node::Apply(id, arguments) => match arguments.as_slice() {
                 [angle] => {
                     let angle = self.scalar(angle)?;

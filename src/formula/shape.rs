@@ -17,7 +17,7 @@
 
 use crate::source::{Fault, Span};
 
-use super::symbols::{Kind, Symbols};
+use super::symbols::{Kind, Operator, Symbols};
 use super::tree::{Expr, Index, IndexId, Node};
 
 /// The shape of a formula's value, for each value of its free indices.
@@ -265,6 +265,22 @@ impl Binder<'_> {
             Node::Call(function, a) => {
                 let what = format!("the argument of \\{}", function.name());
                 self.scalar(a, &what).map(|free| Type { free, ..scalar })
+            }
+            Node::Apply(id, arguments) if self.symbols.entry(*id).operator.is_some() => {
+                let entry = self.symbols.entry(*id);
+                let (kind, operator) = (entry.kind, entry.operator);
+                let (mut free, mut last) = (Vec::new(), Shape::Scalar);
+                for argument in arguments {
+                    let found = self.bind(argument)?;
+                    free = union(&free, &found.free);
+                    last = found.shape;
+                }
+                let shape = match (operator, kind) {
+                    (Some(Operator::Same), _) => last,
+                    (Some(Operator::ToVector), _) | (Some(Operator::Function), Kind::Vector) => Shape::Vector,
+                    _ => Shape::Scalar,
+                };
+                Ok(Type { shape, free })
             }
             Node::Apply(_, arguments) => {
                 let mut free = Vec::new();

@@ -25,6 +25,9 @@ pub fn formula(expr: &Expr, symbols: &Symbols) -> String {
     Writer { symbols }.write(expr, 0)
 }
 
+/// Ends the name of an operator, which so differs from that of a quantity; it is not shown.
+pub const APPLICATION: char = '\u{2061}';
+
 struct Writer<'a> {
     symbols: &'a Symbols,
 }
@@ -95,7 +98,13 @@ impl Writer<'_> {
             Node::Call(function, a) => format!("{}({})", function.name(), self.bare(a)),
             Node::Apply(id, arguments) => {
                 let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
-                format!("{}({})", plain(&self.symbols.entry(*id).name.to_string()), arguments.join(", "))
+                let entry = self.symbols.entry(*id);
+                let name = plain(&entry.name.to_string().replace(APPLICATION, ""));
+                match (arguments.as_slice(), entry.operator) {
+                    ([], Some(_)) => name,
+                    ([inner], Some(_)) if name.starts_with('|') => format!("({inner}){name}"),
+                    _ => format!("{name}({})", arguments.join(", ")),
+                }
             }
             Node::TimeDerivative(1, a) => format!("d/dt({})", self.bare(a)),
             Node::TimeDerivative(n, a) => format!("d^{n}/dt^{n}({})", self.bare(a)),
@@ -194,10 +203,17 @@ pub fn plain(latex: &str) -> String {
                 text.push(letter);
                 rest = rest.strip_prefix(' ').unwrap_or(rest);
             }
-            None => {
-                text.push('\\');
-                text.push_str(name);
-            }
+            None => match name {
+                "neq" => text.push('≠'),
+                "times" => text.push('×'),
+                "rightarrow" => text.push('→'),
+                "in" => text.push('∈'),
+                "lim" => text.push_str("lim"),
+                _ => {
+                    text.push('\\');
+                    text.push_str(name);
+                }
+            },
         }
     }
     text.push_str(rest);
@@ -258,7 +274,16 @@ fn mark(command: &str) -> Option<&'static str> {
 }
 
 fn letter(command: &str) -> Option<char> {
-    const LETTERS: [(&str, char); 41] = [
+    const LETTERS: [(&str, char); 50] = [
+        ("sum", 'Σ'),
+        ("prod", 'Π'),
+        ("int", '∫'),
+        ("oint", '∮'),
+        ("iint", '∬'),
+        ("nabla", '∇'),
+        ("partial", '∂'),
+        ("dots", '…'),
+        ("cdot", '·'),
         ("alpha", 'α'),
         ("beta", 'β'),
         ("gamma", 'γ'),

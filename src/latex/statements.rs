@@ -10,6 +10,7 @@ use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
 use super::definitions::{DefinedSymbol, New, Place, Unknown};
+use super::inference::infer;
 use super::layout::{Item, Layout, typeset_items};
 use super::macros::Macros;
 use super::pieces::{Piece, Printed, pieces};
@@ -37,7 +38,14 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
             return reading;
         }
     };
-    let pieces = pieces(&items);
+    if symbols.open {
+        symbols.inferred.active = true;
+        infer(&items, symbols);
+    }
+    let mut pieces = pieces(&items);
+    if symbols.open {
+        without_ranges(&mut pieces);
+    }
     if pieces.is_empty() {
         let fault = Fault::new(Span::new(0, text.len()), "this display is empty");
         reading.statements.push(Err(fault));
@@ -76,6 +84,29 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
     }
     reading.statements.extend(results.into_iter().flatten());
     reading
+}
+
+/// Leaves out the range of an index beside other statements, `k = 1, \dots, n`, which states nothing.
+fn without_ranges(pieces: &mut Vec<Piece<'_>>) {
+    let is_dots = |piece: &Piece<'_>| {
+        let mut items = piece.links.iter().flat_map(|link| &link.items);
+        matches!((items.next(), items.next()), (Some(Item { layout: Layout::Command(name), .. }), None) if name == "\\dots")
+    };
+    let counts = |piece: &Piece<'_>| {
+        piece.links.len() == 2 && piece.links[1].items.iter().all(|item| matches!(item.layout, Layout::Number(_)))
+    };
+    while let Some(dots) = pieces.iter().position(is_dots) {
+        let Some(mut first) = dots.checked_sub(1) else { return };
+        while first > 0 && pieces[first].links.len() == 1 {
+            first -= 1;
+        }
+        let is_range =
+            first > 0 && counts(&pieces[first]) && pieces.get(dots + 1).is_some_and(|last| last.links.len() == 1);
+        if !is_range {
+            return;
+        }
+        pieces.drain(first..=dots + 1);
+    }
 }
 
 fn has_branch(item: &&Item) -> bool {

@@ -4,6 +4,7 @@
 //! angle. A thin space separates factors, and a product within a product keeps its parentheses.
 
 use crate::formula::symbols::Symbols;
+use crate::formula::text::APPLICATION;
 use crate::formula::tree::{Excluded, Expr, Index, Node, Sign};
 
 use super::names::{self, unaccented};
@@ -88,7 +89,13 @@ impl Typesetter<'_> {
             Node::Call(function, a) => format!("\\{}{}", function.name(), self.argument(a)),
             Node::Apply(id, arguments) => {
                 let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
-                format!("{}({})", self.symbols.entry(*id).name, arguments.join(", "))
+                let entry = self.symbols.entry(*id);
+                let name = entry.name.to_string().replace(APPLICATION, "");
+                match arguments.as_slice() {
+                    [] => name,
+                    [inner] if name.starts_with('|') => format!("\\left.{inner}\\right{name}"),
+                    _ => format!("{name}\\left({}\\right)", arguments.join(", ")),
+                }
             }
             Node::TimeDerivative(1, a) => format!("\\frac{{d}}{{dt}}\\left({}\\right)", self.bare(a)),
             Node::TimeDerivative(n, a) => format!("\\frac{{d^{n}}}{{dt^{n}}}\\left({}\\right)", self.bare(a)),

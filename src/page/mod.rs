@@ -9,8 +9,11 @@ mod derivation;
 mod document;
 mod index;
 mod prose;
+mod student;
 mod style;
 mod typeset;
+
+pub use student::class_pages;
 
 use std::path::Path;
 

@@ -5,6 +5,8 @@
 mod derivatives;
 #[path = "reading/derived.rs"]
 mod derived;
+#[path = "reading/inferred.rs"]
+mod inferred;
 #[path = "reading/introductions.rs"]
 mod introductions;
 #[path = "reading/lecture.rs"]

@@ -208,6 +208,8 @@ impl<'a> Parser<'a> {
             TokenKind::Command(name) => return self.command(name, span),
             TokenKind::Other('(') => return self.fence(Delimiter::Round, span),
             TokenKind::Other('[') => return self.fence(Delimiter::Square, span),
+            // `f|_{x=a}`: no bar that opens has a subscript.
+            TokenKind::Other('|') if self.peek().is_some_and(|next| next.kind == TokenKind::Sub) => Layout::Other('|'),
             TokenKind::Other('|') => return self.fence(Delimiter::PlainBar, span),
             TokenKind::Other(c) => Layout::Other(*c),
             TokenKind::Parameter(n) => return fault(span, format!("#{n} is allowed in a macro only")),
@@ -269,6 +271,7 @@ impl<'a> Parser<'a> {
                     Delimiter::PlainBar => "|",
                     Delimiter::DoubleBar => "\\|",
                     Delimiter::Angle => "\\langle",
+                    Delimiter::Evaluation => "\\left.",
                 };
                 self.unclosed(open, glyph, items)
             }
@@ -337,6 +340,9 @@ impl<'a> Parser<'a> {
         let whole = span.to(close.span);
         match (opening, closing(close)) {
             (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
+            (None, Some(Delimiter::Bar)) if token.kind == TokenKind::Other('.') => {
+                Item { layout: Layout::Fence(Delimiter::Evaluation, items), span: whole }
+            }
             _ => of_fault(Fault::unsupported(whole, "this pair of delimiters of \\left and \\right is not supported")),
         }
     }

@@ -262,8 +262,13 @@ fn round(pending: &mut Vec<Token>) -> Option<Vec<Token>> {
 
 /// Whether two groups in braces are next.
 fn two_groups(pending: &[Token]) -> bool {
-    let mut ahead = pending.to_vec();
-    group(&mut ahead).is_some() && is_next(&ahead, &TokenKind::Open)
+    let mut depth = 0_i32;
+    let end = pending.iter().rev().position(|token| {
+        depth += i32::from(token.kind == TokenKind::Open) - i32::from(token.kind == TokenKind::Close);
+        depth <= 0
+    });
+    let second = end.and_then(|end| pending.len().checked_sub(end + 2)).and_then(|at| pending.get(at));
+    is_next(pending, &TokenKind::Open) && second.is_some_and(|token| token.kind == TokenKind::Open)
 }
 
 #[cfg(test)]

@@ -113,17 +113,16 @@ pub(super) fn bracketed(pending: &mut Vec<Token>) -> Option<Vec<Token>> {
 
 /// Takes what is between these two tokens if the first is next, without the two.
 pub(super) fn enclosed(pending: &mut Vec<Token>, open: &TokenKind, close: &TokenKind) -> Option<Vec<Token>> {
-    let is_closed = pending.iter().rev().any(|token| token.kind == *close);
-    if !is_next(pending, open) || !is_closed {
+    if !is_next(pending, open) {
         return None;
     }
-    let before = pending.clone();
-    pending.pop();
-    let found = balanced(pending, open, close);
-    if found.is_none() {
-        *pending = before;
-    }
-    found
+    // An argument that is longer than this is taken for one that never ends.
+    const LONGEST: usize = 10_000;
+    let ahead = pending.len().saturating_sub(LONGEST);
+    let mut near = pending[ahead..pending.len() - 1].to_vec();
+    let found = balanced(&mut near, open, close)?;
+    pending.truncate(ahead + near.len());
+    Some(found)
 }
 
 /// Takes a `*` if it is next.

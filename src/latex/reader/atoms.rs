@@ -42,7 +42,11 @@ impl Reader<'_> {
                 if let Some(operator) = self.operator(numerator, denominator, span)? {
                     return self.apply(&operator, &[], &mut 0);
                 }
-                if starts_differential(numerator) || starts_differential(denominator) {
+                let is_element = self.symbols.infers()
+                    && self.symbols.inferred.differentials
+                    && !starts_differential(denominator)
+                    && !matches!(&contents(numerator)[0].layout, Layout::Command(name) if name == "\\partial");
+                if !is_element && (starts_differential(numerator) || starts_differential(denominator)) {
                     return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
                 }
                 let (a, b) = (self.item(numerator)?, self.item(denominator)?);
@@ -62,10 +66,34 @@ impl Reader<'_> {
                 Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
             }
             Layout::Environment(name, rows) => self.matrix(name, rows, span),
+            Layout::Scripts { nucleus, sub, sup, primes: 0 }
+                if self.symbols.infers() && matches!(nucleus.layout, Layout::Fence(Delimiter::Evaluation, _)) =>
+            {
+                let Layout::Fence(_, inside) = &nucleus.layout else {
+                    return Err(Fault::new(span, "this bar is not supported"));
+                };
+                let inner = self.sum(inside, span)?;
+                self.evaluated(inner, (sub.as_deref(), sup.as_deref()), span)
+            }
+            // `[F]_a^b` is a difference.
+            Layout::Scripts { nucleus, sub: Some(sub), sup: Some(sup), primes: 0 }
+                if self.symbols.infers() && matches!(nucleus.layout, Layout::Fence(Delimiter::Square, _)) =>
+            {
+                let inner = self.item(nucleus)?;
+                self.evaluated(inner, (Some(sub), Some(sup)), span)
+            }
+            Layout::Command(name) if name == "\\dots" && self.symbols.infers() => Ok(self.ellipsis(span)),
             Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }
                 if matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _)) =>
             {
-                let part = self.part(nucleus, sub, span)?;
+                let is_held = self.symbols.infers() && is_derivative_in_parentheses(nucleus);
+                let part = match is_held {
+                    true => {
+                        let inner = self.item(nucleus)?;
+                        self.evaluated(inner, (Some(sub), None), span)?
+                    }
+                    false => self.part(nucleus, sub, span)?,
+                };
                 match sup {
                     Some(sup) => self.raised(part, sup, span),
                     None => Ok(part),
@@ -136,6 +164,9 @@ impl Reader<'_> {
                 Ok(Expr::new(Node::Norm(Box::new(inner)), span))
             }
             Delimiter::Angle => Err(Fault::unsupported(span, "angle brackets are not supported")),
+            Delimiter::Evaluation => {
+                Err(Fault::unsupported(span, "the bar of an evaluation needs its place, as in \\right|_{x=a}"))
+            }
         }
     }
 
@@ -214,5 +245,16 @@ impl Reader<'_> {
             }
             _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),
         }
+    }
+}
+
+/// Whether a parenthesis holds one derivative: `(\partial S/\partial V)`.
+fn is_derivative_in_parentheses(fence: &Item) -> bool {
+    let Layout::Fence(_, inside) = &fence.layout else { return false };
+    match inside.as_slice() {
+        [Item { layout: Layout::Fraction(above, below), .. }] => {
+            [above, below].iter().all(|part| starts_differential(part))
+        }
+        _ => false,
     }
 }

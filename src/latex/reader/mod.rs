@@ -17,6 +17,7 @@
 //! | `integrals` | `\int` over a declared continuum, and `\lim` |
 //! | `state` | the reader itself: symbol table, branch of ±, open sums |
 //! | `items` | predicates on layout items |
+//! | `undeclared` | in formulas without declarations: functions, sums, integrals, ∇, bars |
 //!
 //! The grammar is recursive, hence all of them are methods of one `Reader`; each file imports only `state` and `items`.
 //!
@@ -53,13 +54,14 @@ mod declared_functions;
 mod derivatives;
 mod functions;
 mod integrals;
-mod items;
+pub(super) mod items;
 mod partial_derivatives;
 mod state;
 mod sums;
 mod superscripts;
 mod symbols;
 mod terms;
+mod undeclared;
 mod vector_names;
 mod words;
 

@@ -7,7 +7,7 @@ use crate::suggest::declaration;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{is_minus_one, is_transpose, whole_number};
+use super::items::{differential, is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -21,6 +21,9 @@ impl Reader<'_> {
     ) -> Read<Expr> {
         let printed = self.decorated(printed, span)?;
         let name = &printed.name;
+        if let Some(value) = self.inferred_function(span, &printed, items, cursor)? {
+            return Ok(value);
+        }
         if name.base == "e" || name.base == "\\mathrm{e}" {
             let declared = self.symbols.find(name).is_some();
             if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots) {
@@ -149,6 +152,7 @@ impl Reader<'_> {
     fn undeclared(&mut self, printed: Printed<'_>, span: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let name = &printed.name;
         let next = items.get(*cursor).filter(|item| names::printed(item, self.branch).is_some());
+        let is_bound = self.bound.contains(&name.to_string());
         if matches!(name.base.as_str(), "d" | "\\mathrm{d}") && name.subscript.is_empty() && next.is_some() {
             return Err(Fault::ambiguous(span, "d x may be a differential or the product of d and x")
                 .help("write \\frac{d}{dt} for a derivative, or use another letter for the factor"));
@@ -160,7 +164,7 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, format!("{name} may be a sum, a product or a symbol"))
                 .help("write \\sum_i or \\prod_i for the operation, and put a thin space \\, after a symbol"));
         }
-        if name.subscript.is_empty() && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str()) {
+        if !is_bound && name.subscript.is_empty() && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str()) {
             return Err(Fault::ambiguous(span, "i may be √−1 or a symbol").help(
                 "complex numbers are not supported; for a symbol, use another letter or declare i in a claims file",
             ));
@@ -171,22 +175,42 @@ impl Reader<'_> {
             ));
         }
         let twin = |primes: u8| Name { primes, ..name.clone() };
+        let is_other = self.markup_of_a_vector(name)
+            || self.symbols.inferred.letters.contains(&Name { primes: 0, ..name.clone() });
         let other =
             [0, 1].map(twin).into_iter().find(|twin| twin.primes != name.primes && self.symbols.find(twin).is_some());
-        if name.primes > 1 || other.is_some() {
+        if name.primes > 1 || other.is_some() && !is_other {
             return Err(Fault::ambiguous(span, "a prime may be a derivative or a part of a name").help(
                 "write \\dot x or \\frac{dx}{dt} for a derivative by the time; for another symbol use \\tilde x or x_1",
             ));
         }
-        if ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark)) {
+        let kind = match self.markup_of_a_vector(name) {
+            true => Kind::Vector,
+            false => Kind::Scalar,
+        };
+        let has_markup = ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark));
+        if kind == Kind::Scalar && has_markup {
             return Err(Fault::unsupported(span, format!("{name} looks like a vector, and is not declared"))
                 .help("declare vectors and matrices in a claims file"));
         }
-        let Some(id) = self.symbols.add(name.clone(), Kind::Scalar) else {
+        let Some(id) = self.symbols.add(name.clone(), kind) else {
             return Err(Fault::new(span, format!("{name} has the name of another symbol")));
         };
+        // The letter of a sum is no quantity.
+        self.symbols.entry_mut(id).hidden = is_bound;
         let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: printed.dots }, span);
         self.applied(symbol, id, printed.sup, items, cursor)
+    }
+
+    /// Whether the markup of a name makes it a vector: an arrow, bold type, a hat over a small letter.
+    fn markup_of_a_vector(&self, name: &Name) -> bool {
+        let inferred = &self.symbols.inferred;
+        let is_bold = name.base.contains("\\vec{") || name.base.contains("\\mathbf{");
+        let small = name
+            .base
+            .strip_prefix("\\hat{")
+            .is_some_and(|inner| inner.trim_start_matches('\\').starts_with(|c: char| c.is_lowercase()));
+        inferred.active && !inferred.matrices.contains(&name.base) && (is_bold || small)
     }
 
     /// π, ε_abc and δ_ab, unless they are declared.
@@ -244,20 +268,35 @@ impl Reader<'_> {
 
     /// `\Delta x` as one symbol, unless Δ itself is declared.
     pub(super) fn compound(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
-        let (Some(first), Some(second)) = (items.get(*cursor), items.get(*cursor + 1)) else {
-            return Ok(None);
-        };
+        let Some(first) = items.get(*cursor) else { return Ok(None) };
+        let order = differential(first).filter(|_| self.symbols.infers() && self.symbols.inferred.differentials);
+        if let Some(varied) = self.varied(items, cursor)? {
+            return Ok(Some(varied));
+        }
+        let spaces = items[*cursor + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_)));
+        let ahead = 1 + if order.is_some() { spaces.count() } else { 0 };
+        let Some(second) = items.get(*cursor + ahead) else { return Ok(None) };
         let is_difference = matches!(&first.layout, Layout::Command(name) if name == "\\Delta" || name == "\\delta");
-        let Some(mut printed) = names::printed(second, self.branch).filter(|_| is_difference) else {
+        let Some(mut printed) = names::printed(second, self.branch).filter(|_| is_difference || order.is_some()) else {
             return Ok(None);
         };
-        let Layout::Command(command) = &first.layout else {
-            return Ok(None);
+        let command = match (&first.layout, order) {
+            (_, Some(1)) => "d".to_owned(),
+            (_, Some(order)) => format!("d^{{{order}}}"),
+            (Layout::Command(command), None) => command.clone(),
+            _ => return Ok(None),
         };
+        let command = &command;
+        if order.is_some() {
+            printed.name.base = format!("{command}{}", printed.name.base);
+            *cursor += 1 + ahead;
+            // A parenthesis after a differential is another factor: `dx (a + b)`.
+            return self.symbol(first.span.to(second.span), printed, &[], &mut 0).map(Some);
+        }
         if self.symbols.find(&Name::plain(command)).is_some() {
             return Ok(None);
         }
-        if command == "\\delta" && self.symbols.open {
+        if command == "\\delta" && self.symbols.open && !self.symbols.inferred.variations {
             return Err(Fault::ambiguous(
                 first.span.to(second.span),
                 "\\delta x may be a variation of x or the product of \\delta and x",
