@@ -145,6 +145,8 @@ mod page;
 #[cfg(feature = "notes")]
 mod parallel;
 #[cfg(feature = "cli")]
+mod plot;
+#[cfg(feature = "cli")]
 pub mod report;
 pub mod scalar;
 mod source;

@@ -112,7 +112,7 @@ fn steps(arguments: &Arguments, registry: &Registry, width: usize) -> Result<(St
 }
 
 /// The Lagrangian of a name.
-fn named<'r>(name: &str, registry: &'r Registry) -> Result<&'r dyn AnyLagrangian> {
+pub(super) fn named<'r>(name: &str, registry: &'r Registry) -> Result<&'r dyn AnyLagrangian> {
     registry.get(name).ok_or_else(|| {
         let unknown = Error::new(format!("there is no system \"{name}\""));
         match suggest::nearest(name, registry.names()) {

@@ -17,6 +17,7 @@ mod fix;
 mod mark;
 mod mutate;
 mod outcome;
+mod plot;
 mod progress;
 mod read;
 mod replace_file;
@@ -54,6 +55,7 @@ enum Command {
     Explain(explain::Arguments),
     Mark(mark::Arguments),
     Mutate(mutate::Arguments),
+    Plot(plot::Arguments),
     Read(read::Arguments),
     Report(report::Arguments),
 }
@@ -73,6 +75,7 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Explain(arguments)) => explain::run(&arguments, screen),
         Ok(Command::Mark(arguments)) => mark::run(&arguments, registry, screen),
         Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
+        Ok(Command::Plot(arguments)) => plot::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
         Ok(Command::Report(arguments)) => report::run(&arguments, registry, screen),
         // Help and the version are no failure.
