@@ -5,6 +5,8 @@ mod support;
 
 #[path = "checks/branches.rs"]
 mod branches;
+#[path = "checks/algebra.rs"]
+mod algebra;
 #[path = "checks/certified.rs"]
 mod certified;
 #[path = "checks/chains.rs"]

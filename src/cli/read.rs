@@ -42,13 +42,19 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         }
     }
     let assumed: Vec<String> = match errors.is_empty() {
-        true => named(&symbols, Kind::Scalar),
+        true => named(&symbols, &|kind| kind == Kind::Scalar),
         false => Vec::new(),
     };
     let mut inferred = symbols.inferred.said.clone();
-    let vectors = named(&symbols, Kind::Vector);
-    if !vectors.is_empty() {
-        inferred.push(format!("vectors by their markup: {}", vectors.join(", ")));
+    let complex = named(&symbols, &|kind| kind == Kind::Complex);
+    let matrices = named(&symbols, &|kind| matches!(kind, Kind::Matrix(..)));
+    let vectors = named(&symbols, &|kind| kind == Kind::Vector);
+    for (what, names) in
+        [("vectors by their markup", vectors), ("matrices by their use", matrices), ("complex numbers", complex)]
+    {
+        if !names.is_empty() {
+            inferred.push(format!("{what}: {}", names.join(", ")));
+        }
     }
     if !errors.is_empty() {
         inferred.clear();
@@ -77,9 +83,8 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
 }
 
 /// The quantities of one kind, without those that are no quantities: operators, letters of sums.
-fn named(symbols: &Symbols, kind: Kind) -> Vec<String> {
-    let quantities =
-        symbols.iter().filter(|(_, entry)| entry.kind == kind && entry.operator.is_none() && !entry.hidden);
+fn named(symbols: &Symbols, of: &dyn Fn(Kind) -> bool) -> Vec<String> {
+    let quantities = symbols.iter().filter(|(_, entry)| of(entry.kind) && entry.operator.is_none() && !entry.hidden);
     quantities.map(|(_, entry)| text::plain(&entry.name.to_string())).collect()
 }
 

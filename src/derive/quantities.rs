@@ -116,7 +116,10 @@ impl Derivation {
         let span = Span::default();
         let members = vec![equation.left.clone(), equation.right.clone()];
         let relations = vec![(Relation::Equal, span)];
-        text::statement(&Statement { members, relations, constant: None, branch: None, row: 1, span }, self.symbols())
+        text::statement(
+            &Statement { members, relations, conditions: Vec::new(), constant: None, branch: None, row: 1, span },
+            self.symbols(),
+        )
     }
 
     /// The equations for one quantity, in the order of the coordinates.

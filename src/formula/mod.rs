@@ -18,13 +18,22 @@
 #[cfg(feature = "notes")]
 pub mod assignment;
 #[cfg(feature = "notes")]
+pub mod complex;
+#[cfg(feature = "notes")]
 pub mod derivative;
 #[cfg(feature = "notes")]
 pub mod environment;
 #[cfg(feature = "notes")]
 pub mod evaluate;
 mod ids;
+#[cfg(feature = "notes")]
+pub mod matrices;
+#[cfg(feature = "notes")]
+mod operations;
 mod operator;
+#[cfg(feature = "notes")]
+mod operator_shapes;
+pub mod operators;
 #[cfg(feature = "notes")]
 pub mod shape;
 pub mod symbols;

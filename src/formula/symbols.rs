@@ -24,10 +24,36 @@ pub enum Kind {
     Scalar,
     /// A vector in three dimensions.
     Vector,
-    /// A matrix of three rows and columns.
-    Matrix,
+    /// A matrix with these numbers of rows and columns.
+    Matrix(u8, u8),
+    /// A complex number.
+    Complex,
     /// A rotation about one axis: a function of one angle whose value is a 3×3 matrix.
     Rotation,
+}
+
+impl Kind {
+    /// What it is, with its article.
+    pub fn noun(self) -> String {
+        match self {
+            Kind::Scalar => "a real number".to_owned(),
+            Kind::Complex => "a complex number".to_owned(),
+            Kind::Vector => "a vector in space".to_owned(),
+            Kind::Matrix(0, 0) => "a square matrix".to_owned(),
+            Kind::Matrix(rows, columns) => format!("a {rows}×{columns} matrix"),
+            Kind::Rotation => "a rotation".to_owned(),
+        }
+    }
+
+    /// The number of numbers that one value of this kind has.
+    pub fn numbers(self) -> usize {
+        match self {
+            Kind::Scalar | Kind::Rotation => 1,
+            Kind::Complex => 2,
+            Kind::Vector => 3,
+            Kind::Matrix(rows, columns) => usize::from(rows) * usize::from(columns),
+        }
+    }
 }
 
 /// A name as printed, which identifies a symbol.
@@ -173,6 +199,10 @@ pub struct Symbols {
     pub indices: Vec<IndexEntry>,
     /// The name of the independent variable, `t` unless declared.
     pub time: Option<Name>,
+    /// The names that are declared as √−1.
+    pub imaginary: Vec<Name>,
+    /// Whether the display that is being read shows that i is √−1.
+    pub imaginary_here: bool,
     /// Whether an unknown name is added as a real number (formulas without a file). If false, it is a fault
     /// (documents).
     pub open: bool,

@@ -3,7 +3,7 @@
 //! The author reads it to see whether the formula was understood: `λ_1·θ̈ = λ_1·φ̇²·sin(θ)·cos(θ) − …`.
 
 use super::symbols::Symbols;
-use super::tree::{Excluded, Expr, Index, Node, Sign, Statement};
+use super::tree::{Branch, Condition, Excluded, Expr, Index, Node, Sign, Statement};
 
 /// A statement as text.
 pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
@@ -16,6 +16,9 @@ pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
     }
     if statement.constant.is_some() {
         text.push_str(" is constant");
+    }
+    if !statement.conditions.is_empty() {
+        text.push_str(&format!(" for {}", Writer { symbols }.conditions(&statement.conditions)));
     }
     text
 }
@@ -120,6 +123,18 @@ impl Writer<'_> {
             }
             Node::Transpose(a) => format!("{}ᵀ", self.write(a, 3)),
             Node::Inverse(a) => format!("{}⁻¹", self.write(a, 3)),
+            Node::Identity => "𝟙".into(),
+            Node::Imaginary => "i".into(),
+            Node::OfMatrix(function, a) => format!("{}({})", function.name(), self.bare(a)),
+            Node::Complex(part, a) => format!("{}({})", part.name(), self.bare(a)),
+            Node::Commutator(a, b) => format!("[{}, {}]", self.bare(a), self.bare(b)),
+            Node::Cases(branches) => {
+                let branch = |branch: &Branch| match branch.conditions.as_slice() {
+                    [] => format!("{} otherwise", self.bare(&branch.value)),
+                    conditions => format!("{} if {}", self.bare(&branch.value), self.conditions(conditions)),
+                };
+                format!("{{{}}}", branches.iter().map(branch).collect::<Vec<_>>().join("; "))
+            }
             Node::Entry(a, i, j) => format!("({})_{}{}", self.bare(a), self.index(*i), self.index(*j)),
             Node::Epsilon([a, b, c]) => format!("ε_{}{}{}", self.index(*a), self.index(*b), self.index(*c)),
             Node::Delta([a, b]) => format!("δ_{}{}", self.index(*a), self.index(*b)),
@@ -139,6 +154,21 @@ impl Writer<'_> {
             }
             Node::Component(a, index) => format!("({})_{}", self.bare(a), self.index(*index)),
         }
+    }
+
+    /// Conditions that must all hold.
+    fn conditions(&self, conditions: &[Condition]) -> String {
+        let one = |condition: &Condition| {
+            let mut text = String::new();
+            for (at, member) in condition.members.iter().enumerate() {
+                if at > 0 {
+                    text.push_str(&format!(" {} ", condition.relations[at - 1].glyph()));
+                }
+                text.push_str(&self.write(member, 0));
+            }
+            text
+        };
+        conditions.iter().map(one).collect::<Vec<_>>().join(" and ")
     }
 
     fn left_out(&self, left_out: Excluded) -> String {

@@ -5,7 +5,7 @@
 //! whole member is defined by the statement ([`super::definitions`]).
 
 use crate::formula::shape::{self, Shape, Type};
-use crate::formula::symbols::Symbols;
+use crate::formula::symbols::{Kind, Symbols};
 use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
@@ -15,6 +15,7 @@ use super::layout::{Item, Layout, typeset_items};
 use super::macros::Macros;
 use super::pieces::{Piece, Printed, pieces};
 use super::reader::Reader;
+use super::reader::algebra::evidence;
 
 /// The result of reading a display.
 #[derive(Clone, Debug, Default)]
@@ -38,6 +39,7 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
             return reading;
         }
     };
+    evidence::note(&items, symbols);
     if symbols.open {
         symbols.inferred.active = true;
         infer(&items, symbols);
@@ -143,6 +145,11 @@ impl Piece<'_> {
             let before = at.checked_sub(1).and_then(|before| relations.get(before));
             matches!(before, Some((Relation::Equal | Relation::Identical, _)))
         };
+        let mut conditions = Vec::new();
+        for condition in &self.conditions {
+            let items: Vec<Item> = condition.iter().map(|item| (*item).clone()).collect();
+            conditions.extend(Reader::new(symbols, branch).condition(&items, span)?.all(span)?);
+        }
         let mut unknown: Vec<Option<Unknown>> = Vec::with_capacity(links.len());
         let mut read: Vec<Option<(Expr, Type)>> = Vec::with_capacity(links.len());
         for (at, (relation, items)) in links.iter().enumerate() {
@@ -152,7 +159,9 @@ impl Piece<'_> {
                 (1.., Some((Relation::Identical, _))) => Some(Place::AfterIdentical),
                 _ => None,
             };
-            let found = place.and_then(|place| Unknown::of(items, place, symbols, branch));
+            // What holds under a condition defines nothing.
+            let found =
+                place.filter(|_| conditions.is_empty()).and_then(|place| Unknown::of(items, place, symbols, branch));
             read.push(match found {
                 Some(_) => None,
                 None => {
@@ -209,7 +218,22 @@ impl Piece<'_> {
                 return Err(Fault::index(place, message).help("write a Σ for each letter that is summed over"));
             }
         }
-        let statement = Statement { members, relations, constant: self.constant, branch, row: self.row, span };
+        note_complex(&members, &types, symbols);
+        let statement =
+            Statement { members, relations, conditions, constant: self.constant, branch, row: self.row, span };
         Ok((statement, news))
+    }
+}
+
+/// Without declarations: a name that equals a complex number is one.
+fn note_complex(members: &[Expr], types: &[Type], symbols: &mut Symbols) {
+    if !symbols.open || !types.iter().any(|found| found.shape == Shape::Complex) {
+        return;
+    }
+    for id in members.iter().filter_map(Expr::as_plain_symbol) {
+        let entry = symbols.entry_mut(id);
+        if entry.kind == Kind::Scalar {
+            entry.kind = Kind::Complex;
+        }
     }
 }

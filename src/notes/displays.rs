@@ -265,7 +265,12 @@ impl Work<'_> {
 
     /// A label behind a display: `{#eq-energy}` of Quarto and pandoc, `(energy)` of MyST, at the end of its line.
     fn label_at(&self, at: usize) -> Option<(Numbered, usize)> {
-        let line = self.source.get(at..tex_scanner::line_end(self.source.as_bytes(), at))?.trim_end();
+        // A long line has displays behind this one, and no label at its end.
+        const LONGEST: usize = 200;
+        let bytes = self.source.as_bytes();
+        let end = tex_scanner::line_end(&bytes[..bytes.len().min(at.saturating_add(LONGEST))], at);
+        let line = self.source.get(at..end).filter(|_| bytes.get(end).is_none_or(|&b| b == b'\n'))?;
+        let line = line.trim_end();
         let braced = line.strip_prefix("{#").and_then(|rest| rest.strip_suffix('}'));
         let braced = braced.map(|inside| inside.split_whitespace().next().unwrap_or_default());
         let bare =
@@ -350,15 +355,16 @@ impl Work<'_> {
 
     /// Joins neighbouring displays, and extracts the texts.
     fn join(mut self, pieces: Vec<Piece>) -> Vec<Display> {
+        let mut lines = Lines::default();
         let mut displays = Vec::new();
         let mut run: Vec<Piece> = Vec::new();
         for piece in pieces {
             if !run.last().is_some_and(|last| self.neighbours(last, &piece)) {
-                self.close(&mut run, &mut displays);
+                self.close(&mut run, &mut lines, &mut displays);
             }
             run.push(piece);
         }
-        self.close(&mut run, &mut displays);
+        self.close(&mut run, &mut lines, &mut displays);
         displays
     }
 
@@ -374,19 +380,19 @@ impl Work<'_> {
     }
 
     /// Makes displays of a run of neighbours: one display, if a number is printed after the run.
-    fn close(&mut self, run: &mut Vec<Piece>, displays: &mut Vec<Display>) {
+    fn close(&mut self, run: &mut Vec<Piece>, lines: &mut Lines, displays: &mut Vec<Display>) {
         let all = run.last().is_some_and(|last| last.closes);
         let mut group: Vec<Piece> = Vec::new();
         for piece in run.drain(..) {
             if !group.is_empty() && !all && !piece.continues {
-                displays.extend(self.display(std::mem::take(&mut group)));
+                displays.extend(self.display(std::mem::take(&mut group), lines));
             }
             group.push(piece);
         }
-        displays.extend(self.display(group));
+        displays.extend(self.display(group, lines));
     }
 
-    fn display(&mut self, group: Vec<Piece>) -> Option<Display> {
+    fn display(&mut self, group: Vec<Piece>, lines: &mut Lines) -> Option<Display> {
         let (first, last) = (group.first()?, group.last()?);
         let span = Span::new(first.raw.span.start, last.raw.span.end.max(last.body.end));
         let mut body = first.body;
@@ -406,7 +412,7 @@ impl Work<'_> {
         if text.trim().is_empty() && number.is_none() && labels.is_empty() {
             return None;
         }
-        let (line, _) = self.file.line_column(span.start);
+        let line = lines.line(self.file, span.start);
         Some(Display { span, body, parts, text, number, labels, line })
     }
 }
@@ -419,4 +425,28 @@ struct Sign {
 
 fn is_digits(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// A counter of lines that goes on from the place before, so that all of them are found in linear time.
+#[derive(Default)]
+struct Lines {
+    /// The file, as the address of its text.
+    file: Option<*const u8>,
+    at: usize,
+    newlines: usize,
+}
+
+impl Lines {
+    /// The line in its file of a byte of the view.
+    fn line(&mut self, view: &Source, at: usize) -> usize {
+        let place = view.place(Span::at(at));
+        let (file, at) = (place.file.text.as_ptr(), place.span.start);
+        if self.file != Some(file) || at < self.at {
+            *self = Lines { file: Some(file), ..Lines::default() };
+        }
+        let between = place.file.text.as_bytes().get(self.at..at).unwrap_or_default();
+        self.newlines += between.iter().filter(|&&b| b == b'\n').count();
+        self.at = at;
+        self.newlines + 1
+    }
 }

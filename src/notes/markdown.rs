@@ -84,6 +84,7 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
     let mut blocks = structure.blocks.iter().peekable();
     // Once no `\]` follows, none follows later: without this, many unclosed `\[` would be quadratic.
     let mut brackets_close = true;
+    let mut doubled_close = true;
     let mut i = 0;
     while i < bytes.len() {
         while blocks.next_if(|block| block.span.start < i).is_some() {}
@@ -120,14 +121,19 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
             }
             b':' if bytes[i..].starts_with(b":::") && starts_line(bytes, i) => colons(text, i, found)?,
             // mdBook writes `\\[`, because `\[` is a mere bracket in Markdown.
-            b'\\' if bytes[i..].starts_with(b"\\\\[") => match tex_scanner::find(text, i + 3, "\\\\]") {
-                Some(close) => {
-                    let (span, body) = (Span::new(i, close + 3), Span::new(i + 3, close));
-                    display(text, RawDisplay { span, body, delimiter: Delimiter::Whole }, found)?;
-                    span.end
+            b'\\' if bytes[i..].starts_with(b"\\\\[") => {
+                match doubled_close.then(|| tex_scanner::find(text, i + 3, "\\\\]")).flatten() {
+                    Some(close) => {
+                        let (span, body) = (Span::new(i, close + 3), Span::new(i + 3, close));
+                        display(text, RawDisplay { span, body, delimiter: Delimiter::Whole }, found)?;
+                        span.end
+                    }
+                    None => {
+                        doubled_close = false;
+                        i + 2
+                    }
                 }
-                None => i + 2,
-            },
+            }
             b'\\' if bytes[i..].starts_with(b"\\[") => {
                 match brackets_close.then(|| tex_scanner::find_unescaped(text, i + 2, b"\\]")).flatten() {
                     Some(close) => pair(text, i, close, found)?,

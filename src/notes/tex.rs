@@ -33,10 +33,10 @@ pub(super) fn scan(text: &str) -> Result<ScannedText, Fault> {
 /// The position after the verbatim text or the definition that begins at `at`.
 pub(super) fn verbatim_end(text: &str, at: usize) -> Option<usize> {
     if let Some((name, inside)) = tex_scanner::begin(text, at) {
-        return VERBATIM
-            .contains(&name)
-            .then(|| tex_scanner::find(text, inside, &format!("\\end{{{name}}}")))
-            .flatten();
+        let closing = format!("\\end{{{name}}}");
+        // What is never closed hides the rest; the scan of the displays reports it.
+        let end = || tex_scanner::find(text, inside, &closing).unwrap_or(text.len());
+        return VERBATIM.contains(&name).then(end);
     }
     macros::definition(text, at).map(|definition| definition.span.end)
 }

@@ -98,8 +98,8 @@ mod tests {
 
     #[test]
     fn places_and_edits_of_a_view_are_those_of_its_file() {
-        // `\\\\` in the file is `\\` in the view.
-        let file = Arc::new(Source::new("n.ipynb", r#"["a\\b", "c"]"#));
+        // `\\` in the file is `\` in the view.
+        let file = Arc::new(Source::new("n.ipynb", r#"["a\\\\b", "c"]"#));
         let mut view = Builder::new(file);
         view.copy(Span::new(2, 3));
         view.whole(Span::new(3, 5), "\\");

@@ -147,13 +147,13 @@ impl Source {
         Source { path: path.into(), text, made: Provenance { encoding: Encoding::Utf8, origin: Some(origin), files } }
     }
 
-    /// The bytes of the file.
-    pub(crate) fn encode(&self, text: &str) -> Option<Vec<u8>> {
+    /// The bytes of the file with another text; none, if its encoding lacks a character.
+    pub fn encode(&self, text: &str) -> Option<Vec<u8>> {
         self.made.encoding.encode(text)
     }
 
     /// The files that the text was put together from; none, if it is the text of one file as it is.
-    pub(crate) fn files(&self) -> &[Arc<Source>] {
+    pub fn files(&self) -> &[Arc<Source>] {
         &self.made.files
     }
 

@@ -343,11 +343,12 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
     let kind = match found.shape {
         Shape::Scalar => Kind::Scalar,
         Shape::Vector => Kind::Vector,
-        Shape::Matrix(3, 3) => Kind::Matrix,
+        Shape::Matrix(rows, columns) if rows * columns > 0 && rows.max(columns) <= 255 => {
+            Kind::Matrix(rows as u8, columns as u8)
+        }
+        Shape::Complex => Kind::Complex,
         Shape::Matrix(..) => {
-            return Err(error(format!(
-                "the definition of {shown} is a matrix, and only 3×3 matrices are supported here"
-            )));
+            return Err(error(format!("the definition of {shown} is a matrix of an unknown size")));
         }
     };
     let id = symbols

@@ -142,6 +142,21 @@ impl<'a> Parser<'a> {
             self.next();
             let sign = self.peek().filter(|next| matches!(next.kind, TokenKind::Other('+' | '-')));
             *slot = Some(Box::new(match sign {
+                // `v^+`: a mark above, unless more touches it, as in `x^-1`, where braces are forgotten.
+                Some(sign) if token.kind == TokenKind::Super => {
+                    self.next();
+                    let touches = self.peek().is_some_and(|next| {
+                        next.span.start == sign.span.end
+                            && matches!(next.kind, TokenKind::Digit(_) | TokenKind::Letter(_) | TokenKind::Command(_))
+                    });
+                    match (touches, &sign.kind) {
+                        (false, TokenKind::Other(c)) => Item { layout: Layout::Other(*c), span: sign.span },
+                        _ => of_fault(
+                            Fault::ambiguous(sign.span, "only the sign stands above here")
+                                .help("put what stands above in braces, as in x^{-1}"),
+                        ),
+                    }
+                }
                 // `\Omega_+`: a sign as a subscript
                 Some(sign) if token.kind == TokenKind::Sub => {
                     self.next();
@@ -338,6 +353,13 @@ impl<'a> Parser<'a> {
             return fault(span, "the \\right of this \\left needs a delimiter");
         };
         let whole = span.to(close.span);
+        // A brace before rows alone is `cases`.
+        if let (Some(Delimiter::Curly), TokenKind::Other('.')) = (opening, &close.kind)
+            && let [only] = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect::<Vec<_>>()[..]
+            && let Layout::Environment(_, rows) = &only.layout
+        {
+            return Item { layout: Layout::Environment("cases".to_owned(), rows.clone()), span: whole };
+        }
         match (opening, closing(close)) {
             (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
             (None, Some(Delimiter::Bar)) if token.kind == TokenKind::Other('.') => {

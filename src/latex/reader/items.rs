@@ -193,9 +193,14 @@ pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>
         return Err(Fault::unsupported(item.span, "a subscript or prime on a function is not supported"));
     }
     match sup.as_deref() {
+        // The usual name of the inverse function.
+        Some(sup) if is_minus_one(sup) && function.inverse().is_some() => {
+            Ok(function.inverse().map(|inverse| (inverse, None)))
+        }
         Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
-            Err(Fault::ambiguous(item.span, "\\sin^{-1} x may be \\arcsin x or 1/\\sin x")
-                .help("write \\arcsin or \\frac{1}{\\sin x}"))
+            let name = function.name();
+            Err(Fault::ambiguous(item.span, format!("\\{name}^{{-1}} x may be the inverse function or 1/\\{name} x"))
+                .help(format!("write the inverse function with ln or arctan, or \\frac{{1}}{{\\{name} x}}")))
         }
         sup => Ok(Some((function, sup))),
     }

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `terms` | sums, terms, factors, products |
 //! | `atoms` | one item: a number, a fraction, a root, a matrix |
+//! | `algebra` | matrices, complex numbers, cases, brackets |
 //! | `superscripts` | powers, transposes, and what looks like a power and is none |
 //! | `symbols` | a name |
 //! | `applications` | a name before a parenthesis: a product, or a function |
@@ -34,7 +35,7 @@
 //!
 //! *Sums, limits, integrals.* Σ and lim reach to the end of the term that they stand in, an integral to its differential.
 //!
-//! *Rejected as ambiguous:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\sin^{-1}x`,
+//! *Rejected as ambiguous:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\cot^{-1}x`,
 //! `\log x`, `e^2`, a differential `dx` outside of `\frac{d}{dt}`.
 //!
 //! *One meaning by convention:* `-x^2` is −(x²); `\dot x^2` is (ẋ)²; `\Delta x` is one symbol; `\frac{d}{dt}` acts on
@@ -48,6 +49,7 @@
 //! and the message says how to write it. The list is in `docs/notation.md`. The tests have some 375 short formulas,
 //! each with the value that a person would compute or the word that it must be rejected.
 
+pub(super) mod algebra;
 mod applications;
 mod atoms;
 mod declared_functions;
@@ -81,6 +83,7 @@ pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Resul
     while items.last().is_some_and(|item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ',' | ';'))) {
         items.pop();
     }
+    algebra::evidence::note(&items, symbols);
     let mut reader = Reader::new(symbols, None);
     let expr = reader.sum(&items, Span::at(text.len()))?;
     shape::bind(expr, symbols).map(|(expr, _)| expr)

@@ -120,6 +120,10 @@ impl Reader<'_> {
             }
             return Ok(Variable { id, indices, dots: printed.dots });
         }
+        if self.symbols.open && ["\\vec{", "\\mathbf{"].iter().any(|mark| printed.name.base.contains(mark)) {
+            return Err(Fault::unsupported(item.span, "a derivative by a vector or a matrix is not supported")
+                .help("write it for each component"));
+        }
         if self.symbols.open
             && let Some(id) = self.symbols.add(printed.name.clone(), Kind::Scalar)
         {
@@ -239,7 +243,8 @@ impl Reader<'_> {
     fn named_derivative(&mut self, operand: &Expr, by: &[(&Item, Variable)], span: Span) -> Option<Expr> {
         let id = operand.as_plain_symbol()?;
         let entry = self.symbols.entry(id);
-        let (above, is_open) = (entry.name.to_string(), self.symbols.open && entry.definition.is_none());
+        let (above, kind) = (entry.name.to_string(), entry.kind);
+        let is_open = self.symbols.open && entry.definition.is_none();
         let is_itself = by.iter().any(|(_, by)| by.id == id);
         let name = match by {
             [(_, variable)] => {
@@ -264,10 +269,7 @@ impl Reader<'_> {
         let symbol = |id: SymbolId| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span);
         match self.symbols.find(&name) {
             Some((id, _)) => Some(symbol(id)),
-            None if is_open && !is_itself => {
-                let kind = self.symbols.entry(id).kind;
-                self.symbols.add(name, kind).map(symbol)
-            }
+            None if is_open && !is_itself => self.symbols.add(name, kind).map(symbol),
             None => None,
         }
     }

@@ -34,18 +34,26 @@ impl Reader<'_> {
                     )
                     .help(format!("write \\exp(2) for the exponential, or {}", declaration("e", 0))));
                 }
-                if self.symbols.open && mentions_j(sup) {
+                if self.symbols.open && !self.symbols.imaginary.contains(&Name::plain("j")) && mentions_j(sup) {
                     return Err(Fault::ambiguous(sup.span, "j in an exponent of e may be √−1 or a symbol")
-                        .help("complex numbers are not supported; for a symbol, use another letter"));
+                        .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file; for a symbol, use another letter"));
                 }
                 let exponent = self.item(sup)?;
                 let euler = Expr::new(Node::Euler, span);
                 return Ok(Expr::new(Node::Power(Box::new(euler), Box::new(exponent)), span));
             }
-            if !declared && name.subscript.is_empty() {
+            let is_eccentricity = self.symbols.open && name.base == "e" && items.get(*cursor).is_some_and(is_cosine);
+            if !declared && name.subscript.is_empty() && !is_eccentricity {
                 return Err(Fault::ambiguous(span, "e may be Euler’s number, 2.718…, or a symbol")
                     .help(format!("write \\exp(1) for the number, or {}", declaration("e", 0))));
             }
+        }
+        if printed.dots == 0 && self.is_imaginary_unit(name) {
+            let unit = Expr::new(Node::Imaginary, span);
+            return match printed.sup {
+                Some(sup) => self.raised(unit, sup, span),
+                None => Ok(unit),
+            };
         }
         if let Some(special) = self.special(&printed, span)? {
             return match printed.sup {
@@ -85,6 +93,13 @@ impl Reader<'_> {
         {
             let whole = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, span);
             return self.applied(whole, id, printed.sup, items, cursor);
+        }
+        let other = self.conjugate_by_a_bar(name, dots, span);
+        if let Some(found) = other.or_else(|| self.of_declared_matrix(name, span).filter(|_| dots == 0)) {
+            return match printed.sup {
+                Some(sup) => self.raised(found, sup, span),
+                None => Ok(found),
+            };
         }
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
@@ -166,8 +181,12 @@ impl Reader<'_> {
         }
         if !is_bound && name.subscript.is_empty() && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str()) {
             return Err(Fault::ambiguous(span, "i may be √−1 or a symbol").help(
-                "complex numbers are not supported; for a symbol, use another letter or declare i in a claims file",
+                "for √−1 write \\mathrm{i}, or declare i as \"imaginary unit\" in a claims file; for a symbol, use another letter",
             ));
+        }
+        if name.base == "j" && name.subscript.is_empty() && items.get(*cursor).is_some_and(mentions_a_frequency) {
+            return Err(Fault::ambiguous(span, "j before a frequency may be √−1 or a symbol")
+                .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file"));
         }
         if name.base.starts_with("\\mathrm{") {
             return Err(Fault::ambiguous(span, format!("{name} may be a unit, a word or a symbol")).help(
@@ -184,15 +203,25 @@ impl Reader<'_> {
                 "write \\dot x or \\frac{dx}{dt} for a derivative by the time; for another symbol use \\tilde x or x_1",
             ));
         }
-        let kind = match self.markup_of_a_vector(name) {
+        // A hat on another letter marks an operator as often as a direction.
+        let has_hat = name.base.starts_with("\\hat{");
+        let is_vector = self.markup_of_a_vector(name)
+            && (!has_hat
+                || is_unit_vector(&name.base)
+                || name.base.contains("\\vec{")
+                || name.base.contains("\\mathbf{"));
+        let has_markup = ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark));
+        if !is_vector && has_markup {
+            return Err(Fault::ambiguous(span, format!("{name} may be an operator, a unit vector or a number"))
+                .help("operators are not supported; declare vectors in a claims file"));
+        }
+        // Wave functions are complex where anything is.
+        let is_wave = self.symbols.imaginary_here && ["\\psi", "\\Psi"].contains(&name.base.as_str());
+        let kind = match is_vector {
             true => Kind::Vector,
+            false if is_wave => Kind::Complex,
             false => Kind::Scalar,
         };
-        let has_markup = ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark));
-        if kind == Kind::Scalar && has_markup {
-            return Err(Fault::unsupported(span, format!("{name} looks like a vector, and is not declared"))
-                .help("declare vectors and matrices in a claims file"));
-        }
         let Some(id) = self.symbols.add(name.clone(), kind) else {
             return Err(Fault::new(span, format!("{name} has the name of another symbol")));
         };
@@ -333,4 +362,29 @@ fn mentions_j(item: &Item) -> bool {
         Layout::Fraction(above, below) => mentions_j(above) || mentions_j(below),
         _ => false,
     }
+}
+
+/// Whether a name with a hat is one of the usual unit vectors: `\hat x`, `\hat r`, `\hat\theta`, `\hat e_x`, `\hat n`.
+fn is_unit_vector(base: &str) -> bool {
+    let letter = base.strip_prefix("\\hat{").and_then(|base| base.strip_suffix('}'));
+    letter.is_some_and(|letter| {
+        [
+            "e", "n", "r", "i", "j", "k", "x", "y", "z", "s", "\\theta", "\\phi", "\\varphi", "\\rho", "\\imath",
+            "\\jmath",
+        ]
+        .contains(&letter)
+    })
+}
+
+/// Whether an item is an angular frequency, or a parenthesis with one in it.
+fn mentions_a_frequency(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Fence(_, inside) => inside.iter().any(mentions_a_frequency),
+        _ => names::printed(item, None).is_some_and(|printed| printed.name.base == "\\omega"),
+    }
+}
+
+/// `\cos`, before which an e is an eccentricity.
+fn is_cosine(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Command(name) if name == "\\cos")
 }

@@ -364,6 +364,9 @@ impl Reader<'_> {
             *cursor += 1;
             return self.call(function, power, item.span, items, cursor);
         }
+        if let Some(found) = self.algebra(items, cursor)? {
+            return Ok((found, true));
+        }
         if is_big_sum(item) {
             let rest = &items[*cursor + 1..];
             *cursor = items.len();

@@ -102,7 +102,8 @@ fn next_string(text: &str, from: usize) -> Option<usize> {
             _ if rest.starts_with(b"\"\"\"") || rest.starts_with(b"'''") => return Some(at),
             quote @ (b'"' | b'\'') => {
                 // A string of one line; an apostrophe of Julia may end nothing.
-                let line = rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len());
+                let near = &rest[..rest.len().min(4096)];
+                let line = near.iter().position(|b| *b == b'\n').unwrap_or(near.len());
                 let mut end = 1;
                 while end < line && rest[end] != quote {
                     end += if rest[end] == b'\\' { 2 } else { 1 };
@@ -162,7 +163,8 @@ fn doxygen(view: &mut Builder, text: &str, line: Span, copy: fn(&mut Builder, Sp
             at += rest.chars().next().map_or(1, char::len_utf8);
             continue;
         };
-        let environment = after.strip_prefix('{').and_then(|name| name.split_once('}')).map(|(name, _)| name);
+        let length = after.bytes().take(40).position(|b| b == b'}');
+        let environment = length.and_then(|length| after.get(..length)?.strip_prefix('{'));
         let (length, mark) = match after.chars().next() {
             Some('[') => (3, "\\[".to_owned()),
             Some(']') => (3, "\\]".to_owned()),

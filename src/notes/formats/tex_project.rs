@@ -203,7 +203,7 @@ fn named(text: &str, at: usize, word: usize) -> Option<Named> {
     let star = usize::from(bytes.get(word) == Some(&b'*'));
     let mut after = tex_scanner::skip_space(bytes, word + star);
     if matches!(what, What::Package(_)) && bytes.get(after) == Some(&b'[') {
-        after = tex_scanner::find(text, after, "]")? + 1;
+        after += bytes[after..].iter().take(4096).position(|b| *b == b']')? + 1;
     }
     if command == "input" && bytes.get(after).is_some_and(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'_')) {
         let length = text[after..]
