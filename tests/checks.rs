@@ -3,10 +3,10 @@
 #[path = "checks/support.rs"]
 mod support;
 
-#[path = "checks/branches.rs"]
-mod branches;
 #[path = "checks/algebra.rs"]
 mod algebra;
+#[path = "checks/branches.rs"]
+mod branches;
 #[path = "checks/certified.rs"]
 mod certified;
 #[path = "checks/chains.rs"]
