@@ -7,10 +7,10 @@ use nalgebra::{DMatrix, Vector3};
 
 use crate::scalar::{Number, Ratio};
 
-use super::complex::Complex;
 pub use super::environment::{Body, Differentiable, Environment, Unavailable, differentiate};
 use super::ids::{Index, IndexId, SymbolId};
-use super::matrices;
+use super::numbers::complex::Complex;
+use super::numbers::matrices;
 use super::symbols::Kind;
 use super::tree::{Excluded, Expr, Function, Node, Sign, Term};
 use super::value::Value;

@@ -18,8 +18,6 @@
 #[cfg(feature = "notes")]
 pub mod assignment;
 #[cfg(feature = "notes")]
-pub mod complex;
-#[cfg(feature = "notes")]
 pub mod derivative;
 #[cfg(feature = "notes")]
 pub mod environment;
@@ -27,7 +25,7 @@ pub mod environment;
 pub mod evaluate;
 mod ids;
 #[cfg(feature = "notes")]
-pub mod matrices;
+pub mod numbers;
 #[cfg(feature = "notes")]
 mod operations;
 mod operator;

@@ -1,8 +1,8 @@
 //! The value of functions of matrices, of parts of complex numbers and of `cases`, and of powers.
 
-use super::complex::Complex;
 use super::environment::{Differentiable, Environment, Unavailable};
 use super::evaluate::{Evaluated, Evaluator};
+use super::numbers::complex::Complex;
 use super::tree::{Branch, Expr, Node, Relation, Sign};
 use super::value::Value;
 

@@ -17,7 +17,7 @@
 
 use crate::source::{Fault, Span};
 
-use super::complex::Complex;
+use super::numbers::complex::Complex;
 use super::symbols::{Kind, Operator, Symbols};
 use super::tree::{Expr, Index, IndexId, Node};
 

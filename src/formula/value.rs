@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, Vector3};
 
 use crate::scalar::Number;
 
-use super::complex::Complex;
+use super::numbers::complex::Complex;
 use super::shape::Shape;
 use super::symbols::Kind;
 use super::tree::Sign;

@@ -8,8 +8,8 @@ use nalgebra::{DMatrix, Vector3};
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 
-use crate::formula::complex::Complex;
 use crate::formula::evaluate::{Environment, Unavailable, evaluate_to};
+use crate::formula::numbers::complex::Complex;
 use crate::formula::{Expr, IndexId, Kind, Node, SymbolId, Symbols, Value};
 use crate::scalar::prime_field::{FirstPrime, Modulus};
 use crate::scalar::{Modular, Series, TERMS};

@@ -54,8 +54,10 @@ fn i_is_the_imaginary_unit_where_nothing_else_is_meant() {
     is_read(r"e^{i\theta} = \cos\theta + i\sin\theta", "e^(i·θ) = cos(θ) + i·sin(θ)", &[]);
     is_read(r"z = x + iy", "z = x + i·y", &[("z", Kind::Complex)]);
     is_read(r"\operatorname{Re}(A e^{i\omega t})", "Re(A·e^(i·ω·t))", &[]);
+    // The index of a sum is no √−1.
+    is_read(r"\sum_{i=1}^{3} e^{i x}", "Σ_{i=1}^{3}(e^(i·x))", &[]);
     is_read(r"\psi^* \psi = |\psi|^2", "conj(ψ)·ψ = |ψ|^2", &[("ψ", Kind::Complex)]);
-    is_refused(&["V = i R", r"\sum_{i=1}^{3} e^{i x}", "i = 3 x", "m_i e^{i k}", "z^*", r"Z = R + j \omega L"]);
+    is_refused(&["V = i R", "i = 3 x", "m_i e^{i k}", "z^*", r"Z = R + j \omega L"]);
 }
 
 #[test]

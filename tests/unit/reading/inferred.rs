@@ -51,12 +51,12 @@ fn markup_shows_vectors() {
         ("\\vec L = \\vec r \\times \\vec p", "L\u{20d7} = r\u{20d7} × p\u{20d7}"),
         ("\\vec a' = \\vec a", "a\u{20d7}' = a\u{20d7}"),
     ]);
-    // A number beside a vector, letters without markup, matrices, an operator with a hat.
+    // A number beside a vector, letters without markup, two vectors side by side, an operator with a hat.
     are_refused(&[
         "\\vec a + b",
         "r \\times p",
         "\\vec F = m a",
-        "\\mathbf{A}\\mathbf{x} = \\mathbf{b}",
+        "\\mathbf{a}\\mathbf{x} = \\mathbf{b}",
         "\\hat H = E",
     ]);
 }

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use crate::scalar::Number;
 
-use super::operators::MatrixFunction;
+use super::super::operators::MatrixFunction;
 
 /// The largest number of rows of which a determinant or an inverse is computed.
 pub const LARGEST: usize = 6;

@@ -6,7 +6,7 @@
 
 use crate::scalar::Number;
 
-use super::tree::{ComplexPart, Function};
+use super::super::tree::{ComplexPart, Function};
 
 /// A complex number.
 #[derive(Clone, Copy, Debug, PartialEq)]
