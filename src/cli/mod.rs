@@ -20,7 +20,6 @@ mod outcome;
 mod plot;
 mod progress;
 mod read;
-mod replace_file;
 mod report;
 mod terminal;
 
