@@ -78,8 +78,7 @@ impl Origin {
         let joined =
             touched.windows(2).all(|pair| pair[0].file == pair[1].file && pair[0].place.end == pair[1].place.start);
         let is_part = |piece: &&Piece| {
-            !piece.is_copy
-                && !(piece.is_whole && span.start <= piece.start && piece.end <= span.end)
+            !(piece.is_copy || piece.is_whole && span.start <= piece.start && piece.end <= span.end)
                 && !(piece.is_whole && span.start == span.end && (span.start == piece.end || span.start == piece.start))
         };
         if !joined || touched.iter().any(is_part) {

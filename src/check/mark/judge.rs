@@ -95,10 +95,10 @@ impl Judge<'_, '_> {
         let reading = self.quiet.readings[display].clone();
         let before = written.continues.map(|_| at - 1);
         let broken = before.filter(|before| matches!(self.lines[*before].mark, Mark::Wrong | Mark::Carried));
-        if let (Some(start), Some(_)) = (written.continues, before) {
-            if let Some(whole) = composed(&self.quiet.readings[self.world.first + start], &reading) {
-                self.premises[display] = whole;
-            }
+        if let (Some(start), Some(_)) = (written.continues, before)
+            && let Some(whole) = composed(&self.quiet.readings[self.world.first + start], &reading)
+        {
+            self.premises[display] = whole;
         }
         let (mut status, mut under) = self.status(display, &reading);
         if let (Status::False(_), Some(_)) = (&status, broken) {

@@ -5,9 +5,12 @@ use onshell::latex::read_display;
 
 use super::*;
 
+/// Statements in plain words, and letters with their kinds.
+type Read = (Vec<String>, Vec<(String, Kind)>);
+
 /// The statements of a display in plain words, and the kinds of its letters other than real numbers; `None` if
 /// something is refused.
-fn read(latex: &str) -> Option<(Vec<String>, Vec<(String, Kind)>)> {
+fn read(latex: &str) -> Option<Read> {
     let mut symbols = Symbols::open();
     let reading = read_display(latex, &mut symbols, &Macros::default());
     let statements: Option<Vec<_>> = reading.statements.into_iter().map(Result::ok).collect();
