@@ -287,7 +287,12 @@ impl Checker<'_> {
             }
             let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
             let context = Context { span: from.to(to).shifted(context.span.start - statement.span.start), ..*context };
+            let solution = self.solution(&link, at, claim);
             let finding = match (relation, &claim.limit) {
+                _ if solution.is_some() => match &solution {
+                    Some(solution) => self.of_the_motion(solution, &context)?,
+                    None => identity::check(&link, &context)?,
+                },
                 (Relation::Approximately, _) if !claim.small.is_empty() => self.small(&link, claim, &context)?,
                 (Relation::Approximately, Some(limit)) => {
                     let (variable, towards) = self.limit(limit)?;
@@ -312,7 +317,8 @@ impl Checker<'_> {
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
                 // A fit of single terms needs one equation: not two by ±, and none with dropped terms.
                 _ if statement.branch.is_none() && claim.dropping.is_none() => {
-                    term_fit::fitted(&link, &context, identity::check(&link, &context)?)
+                    let found = self.along_the_motion(&link, identity::check(&link, &context)?, &context)?;
+                    term_fit::fitted(&link, &context, found)
                 }
                 _ => identity::check(&link, &context)?,
             };
