@@ -37,7 +37,8 @@ impl Checker<'_> {
             return Ok(self.part_of_the_lagrangian(symbol, context));
         }
         let (uses, restated) = self.uses(introduced)?;
-        if uses.is_empty() && !restated.is_empty() {
+        let whole = self.whole_displays(introduced)?;
+        if uses.is_empty() && whole.is_empty() && !restated.is_empty() {
             let name = text::plain(&self.model.name(symbol));
             let message = format!(
                 "defines {name}, but {} only repeats the definition, so it was not tested; use {name} in an equation that can fail",
@@ -48,7 +49,8 @@ impl Checker<'_> {
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
         let by_law: Vec<User<'_>> = by_law.iter().map(|used| used.by(context)).collect();
-        definitions::check(symbol, &introduced.formula, (&mut users, &by_law), context)
+        let whole = self.tests_by_whole_displays(introduced, &whole);
+        definitions::check(symbol, &introduced.formula, (&mut users, &by_law, &whole), context)
     }
 
     /// The finding on a definition from which the motion follows, since the Lagrangian is made of it.
@@ -58,6 +60,7 @@ impl Checker<'_> {
         let lagrangian = lagrangian.unwrap_or_default();
         let what = match name == lagrangian {
             true => "the Lagrangian".to_owned(),
+            false if printed_lagrangian::is_force(model, symbol) => "from which forces follow".to_owned(),
             false => format!("a part of the Lagrangian {lagrangian}"),
         };
         let message = format!("defines {name}, {what}; it is not checked, and the equations of motion follow from it");

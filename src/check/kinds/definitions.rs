@@ -37,18 +37,27 @@ pub struct User<'a> {
     pub context: Context<'a>,
 }
 
-/// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it.
+/// Displays that test a definition only as a whole.
+pub struct WholeDisplays<'a> {
+    /// The numbers or labels.
+    pub names: Vec<String>,
+    /// Whether one of them, by its place, fails where the name has another formula.
+    pub fails: Box<dyn Fn(usize, &Expr) -> bool + 'a>,
+}
+
+/// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it;
+/// `whole` are displays that are judged as a whole.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
 pub fn check(
     symbol: SymbolId,
     formula: &Expr,
-    (users, by_law): (&mut [User<'_>], &[User<'_>]),
+    (users, by_law, whole): (&mut [User<'_>], &[User<'_>], &WholeDisplays<'_>),
     context: &Context<'_>,
 ) -> Result<Finding> {
     let name = text::plain(&context.model.name(symbol));
-    if users.is_empty() && by_law.is_empty() {
+    if users.is_empty() && by_law.is_empty() && whole.names.is_empty() {
         return Ok(context.finding(
             Code::DefinitionUnused,
             Verdict::Undecided,
@@ -108,6 +117,13 @@ pub fn check(
         surviving.retain(|(mutant, _)| !breaks_by_law(user, symbol, mutant));
         if surviving.len() < before && !names.contains(&user.id) {
             names.push(user.id.clone());
+        }
+    }
+    for (at, name) in whole.names.iter().enumerate() {
+        let before = surviving.len();
+        surviving.retain(|(mutant, _)| !(whole.fails)(at, mutant));
+        if surviving.len() < before && !names.contains(name) {
+            names.push(name.clone());
         }
     }
     // An equivalent mutant makes nothing fail.
