@@ -15,6 +15,8 @@ mod damage;
 mod derive;
 #[path = "cli/explain.rs"]
 mod explain;
+#[path = "cli/formats.rs"]
+mod formats;
 #[path = "cli/formulas.rs"]
 mod formulas;
 #[path = "cli/messages.rs"]
@@ -29,6 +31,8 @@ mod printed_motions;
 mod report;
 #[path = "cli/reprint.rs"]
 mod reprint;
+#[path = "cli/requests.rs"]
+mod requests;
 #[path = "cli/steps.rs"]
 mod steps;
 #[path = "cli/unaided.rs"]

@@ -1,17 +1,17 @@
-//! Displays that test a definition as a whole: with ≈, with a derivative by a symbol, or as a motion.
+//! Displays that test a definition as a whole: with a derivative by a symbol, or as a motion.
 //!
 //! The links of a plain equation are evaluated with another formula for the name ([`super::uses`]). These displays are judged in
 //! another way, or their reading contains the derivative of the definition in place of the name. So they are read and judged
 //! again in a model in which the name has the other formula.
 
 use crate::Result;
-use crate::formula::{Expr, Relation, Statement};
+use crate::formula::{Expr, Statement};
 use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
-use crate::check::kinds::definitions::WholeDisplays;
+use crate::check::kinds::definitions::Approximations;
 use crate::check::model::Model;
 use crate::check::sample::context::Options;
 use crate::check::sample::setting::FEWEST;
@@ -19,20 +19,19 @@ use crate::check::verdict::Verdict;
 
 impl Checker<'_> {
     /// The displays that are judged as a whole, and that pass.
-    pub(crate) fn whole_displays(&self, introduced: &DefinedSymbol) -> Result<Vec<usize>> {
-        let mut found = Vec::new();
+    pub(crate) fn whole_displays<'s>(&'s self, introduced: &'s DefinedSymbol) -> Result<WholeDisplays<'s>> {
+        let mut displays = Vec::new();
         for at in 0..self.readings.len() {
             let claim = self.assigned[at];
             let is_plain = claim.is_none_or(|claim| claim.expect.is_none() && claim.errata.is_empty());
             if !is_plain || self.is_law(at) || !self.is_judged_as_a_whole(at, introduced)? {
                 continue;
             }
-            let same = self.model.clone();
-            if self.verdicts_with(at, &same)?.iter().all(|verdict| verdict.passes()) {
-                found.push(at);
+            if self.verdicts_with(at, self.model)?.iter().all(|verdict| verdict.passes()) {
+                displays.push(at);
             }
         }
-        Ok(found)
+        Ok(WholeDisplays { checker: self, introduced, displays })
     }
 
     /// Whether a display without its definitions may depend on a name in a way that its links do not show.
@@ -50,8 +49,7 @@ impl Checker<'_> {
                 continue;
             }
             let link = self.link(&statement.members[0], statement.relations[0].0, &statement.members[1])?;
-            let approximate = statement.relations.iter().any(|(relation, _)| *relation == Relation::Approximately);
-            if approximate || self.solution(&link, 0, claim).is_some() || self.is_along_the_motion(&link) {
+            if self.solution(&link, 0, claim).is_some() || self.is_along_the_motion(&link) {
                 return Ok(true);
             }
         }
@@ -84,24 +82,38 @@ impl Checker<'_> {
         let parts = judge.parts((at, display.body.start), &reading, claim, &shown(display))?;
         Ok(parts.into_iter().map(|part| part.finding.verdict).collect())
     }
+}
 
-    /// The tests of a definition by whole displays.
-    pub(crate) fn tests_by_whole_displays<'s>(
-        &'s self,
-        introduced: &'s DefinedSymbol,
-        displays: &'s [usize],
-    ) -> WholeDisplays<'s> {
-        let fails = |at: usize, formula: &Expr| {
-            if self.model.depends_on(formula, &[introduced.symbol]) {
-                return true;
-            }
-            let mut model = self.model.clone();
-            model.redefine(introduced.symbol, formula.clone());
-            // A derivative that the other formula does not have, an ≈ that it does not explain, and a root that has no value
-            // are failures too.
-            self.verdicts_with(displays[at], &model).is_ok_and(|all| all.iter().any(|verdict| !verdict.passes()))
+/// The displays that are judged as a whole and pass.
+pub(crate) struct WholeDisplays<'s> {
+    checker: &'s Checker<'s>,
+    introduced: &'s DefinedSymbol,
+    displays: Vec<usize>,
+}
+
+impl WholeDisplays<'_> {
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.displays.is_empty()
+    }
+}
+
+impl Approximations for WholeDisplays<'_> {
+    fn holding(&self) -> Result<Vec<String>> {
+        Ok(self.displays.iter().map(|at| format!("({})", shown(&self.checker.notes.equations[*at]))).collect())
+    }
+
+    fn detect(&self, mutant: &Expr) -> bool {
+        let checker = self.checker;
+        if checker.model.depends_on(mutant, &[self.introduced.symbol]) {
+            return true;
+        }
+        let mut model = checker.model.clone();
+        model.redefine(self.introduced.symbol, mutant.clone());
+        // A derivative that the other formula does not have, and a root that has no value, are failures too.
+        let fails = |at: &usize| {
+            checker.verdicts_with(*at, &model).is_ok_and(|all| all.iter().any(|verdict| !verdict.passes()))
         };
-        let names = displays.iter().map(|at| format!("({})", shown(&self.notes.equations[*at]))).collect();
-        WholeDisplays { names, fails: Box::new(fails) }
+        self.displays.iter().any(fails)
     }
 }

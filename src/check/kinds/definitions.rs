@@ -7,8 +7,8 @@
 //!
 //! It cannot be wrong, so being used proves nothing. Every mutant of it is put in its place, at the states where
 //! the equations that use the name hold, and must break one of them. A mutant that breaks none, and is not the same
-//! formula in other words, makes the verdict `undecided`. Only = in an equation counts as a use. If a law names the
-//! definition, the equations that hold by law are tried with each mutant, in a model made with it.
+//! formula in other words, makes the verdict `undecided`. If a law names the definition, the equations that hold by law
+//! are tried with each mutant, in a model made with it. So are statements with ≈, which no single state decides.
 
 use crate::Result;
 use crate::code::Code;
@@ -37,27 +37,31 @@ pub struct User<'a> {
     pub context: Context<'a>,
 }
 
-/// Displays that test a definition only as a whole.
-pub struct WholeDisplays<'a> {
-    /// The numbers or labels.
-    pub names: Vec<String>,
-    /// Whether one of them, by its place, fails where the name has another formula.
-    pub fails: Box<dyn Fn(usize, &Expr) -> bool + 'a>,
+/// The statements with ≈, or the displays judged as a whole, that use a defined symbol.
+pub trait Approximations {
+    /// The names of those that hold.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    fn holding(&self) -> Result<Vec<String>>;
+
+    /// Whether one of those that hold fails if the symbol is defined by `mutant`.
+    fn detect(&self, mutant: &Expr) -> bool;
 }
 
-/// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it;
-/// `whole` are displays that are judged as a whole.
+/// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
 pub fn check(
     symbol: SymbolId,
     formula: &Expr,
-    (users, by_law, whole): (&mut [User<'_>], &[User<'_>], &WholeDisplays<'_>),
+    (users, by_law, others): (&mut [User<'_>], &[User<'_>], &[&dyn Approximations]),
     context: &Context<'_>,
 ) -> Result<Finding> {
     let name = text::plain(&context.model.name(symbol));
-    if users.is_empty() && by_law.is_empty() && whole.names.is_empty() {
+    let holding = others.iter().map(|other| other.holding()).collect::<Result<Vec<Vec<String>>>>()?;
+    if users.is_empty() && by_law.is_empty() && holding.iter().all(Vec::is_empty) {
         return Ok(context.finding(
             Code::DefinitionUnused,
             Verdict::Undecided,
@@ -119,11 +123,10 @@ pub fn check(
             names.push(user.id.clone());
         }
     }
-    for (at, name) in whole.names.iter().enumerate() {
-        let before = surviving.len();
-        surviving.retain(|(mutant, _)| !(whole.fails)(at, mutant));
-        if surviving.len() < before && !names.contains(name) {
-            names.push(name.clone());
+    for (other, holding) in others.iter().zip(holding) {
+        if !surviving.is_empty() && !holding.is_empty() {
+            surviving.retain(|(mutant, _)| !other.detect(mutant));
+            names.extend(holding.into_iter().filter(|id| !names.contains(id)).collect::<Vec<_>>());
         }
     }
     // An equivalent mutant makes nothing fail.
