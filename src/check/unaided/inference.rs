@@ -123,7 +123,7 @@ impl Guess {
                     guess.declare("functions", &name, &format!("of {}", of.join(", ")));
                 }
                 _ if moves && lagrangian.is_some() && !is_vector => guess.declare("coordinates", &name, range),
-                _ if moves || is_argument => guess.declare("varies with time", &name, range),
+                _ if moves || usage.follows || is_argument => guess.declare("varies with time", &name, range),
                 _ => guess.declare("constants", &name, range),
             }
         }

@@ -13,17 +13,16 @@
 //!
 //! Offers [`unaided`]. Knows all other folders of `check`.
 
+mod course;
 mod gate;
 mod inference;
 mod names;
+mod premises;
+mod prose;
 
 use crate::Result;
 use crate::check::document::setup::{Run, with_checker};
-use crate::check::run::check_in;
-use crate::check::sample::context::Options;
-use crate::check::verdict::Verdict;
-use crate::check::verdict::report::{Document, Equation};
-use crate::formula::{Expr, SymbolId};
+use crate::check::verdict::report::Document;
 use crate::notes::{Notes, Numbered};
 
 /// Checks notes without a claims file.
@@ -33,35 +32,21 @@ use crate::notes::{Notes, Numbered};
 pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
     let notes = with_ids(notes);
     let claims = inference::claims(run, &notes)?;
-    // Corrections take long to find, so they are sought only for what may be a slip.
-    let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
-    let mut document = check_in(&brief, &claims, &notes)?;
-    let candidates = gate::candidates(run, &claims, &notes)?;
-    for equation in &mut document.equations {
-        let is_candidate = |id: &String| *id == equation.id;
-        if equation.finding.verdict == Verdict::Refuted && candidates.iter().any(is_candidate) {
-            let only = Run { only: Some(equation.id.as_str()), ..*run };
-            let again = check_in(&only, &claims, &notes)?;
-            if let Some(found) = again.equations.into_iter().next() {
-                *equation = found;
-            }
+    with_checker(run, &claims, &notes, |checker| {
+        let mut equations = course::judged(&checker)?;
+        if let Some(only) = run.only {
+            equations.retain(|equation| equation.id == only);
         }
-    }
-    let equations = std::mem::take(&mut document.equations);
-    document.equations = with_checker(run, &claims, &notes, |checker| {
-        let weighed = |equation: Equation| {
-            let at = notes.equations.iter().position(|display| display.id() == Some(&equation.id));
-            let Some(at) = at else { return equation };
-            let others = checker.readings.iter().enumerate().filter(|(other, _)| *other != at);
-            let members = others.flat_map(|(_, reading)| reading.statements.iter().flatten()).flat_map(|s| &s.members);
-            let elsewhere: Vec<SymbolId> = members.flat_map(Expr::symbols).map(|(id, _)| id).collect();
-            gate::weigh(equation, &notes.equations[at], (checker.model, &elsewhere))
-        };
-        Ok(equations.into_iter().map(weighed).collect())
-    })?;
-    document.claims = None;
-    document.unnumbered = 0;
-    Ok(document)
+        Ok(Document {
+            path: notes.source.path.clone(),
+            claims: None,
+            source: notes.source.clone(),
+            equations,
+            sentences: Vec::new(),
+            unnumbered: 0,
+            inferred: checker.model.inferred.clone(),
+        })
+    })
 }
 
 /// The notes, in which each display without a number has the name `L` and its line, and no number is there twice.
