@@ -29,6 +29,8 @@ mod report;
 mod reprint;
 #[path = "cli/steps.rs"]
 mod steps;
+#[path = "cli/strangers.rs"]
+mod strangers;
 #[path = "cli/unaided.rs"]
 mod unaided;
 #[path = "cli/widths.rs"]

@@ -168,8 +168,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         );
         return withheld(Code::SideAlwaysZero, message);
     }
-    let vacuity =
-        if context.options.deduction { Vacuity::None } else { premises::vacuity(link, context, on_shell)? };
+    let vacuity = if context.options.deduction { Vacuity::None } else { premises::vacuity(link, context, on_shell)? };
     if let Vacuity::Vacuous(code, reason) = vacuity {
         return withheld(code, reason.to_owned());
     }

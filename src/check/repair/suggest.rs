@@ -118,14 +118,20 @@ impl Checker<'_> {
         FailedDisplay { at, text: &display.text, reading, claim, places, steps }
     }
 
-    /// The likely corrections of a wrong display in its own text, by parts of the document.
+    /// The corrections of a wrong display in its own text.
     ///
     /// # Errors
     /// As for a check of the equation.
     #[cfg(feature = "cli")]
-    pub(crate) fn likely_repairs(&self, at: usize, equation: &Equation, claim: &Claim) -> Result<Vec<Repair>> {
+    pub(crate) fn own_repairs(
+        &self,
+        at: usize,
+        equation: &Equation,
+        claim: &Claim,
+        search: Search,
+    ) -> Result<Vec<Repair>> {
         let wrong = self.failed_display(at, equation, claim);
-        let found = suggestions(self, &wrong, Search::Likely)?;
+        let found = suggestions(self, &wrong, search)?;
         Ok(as_repairs(self, &wrong, self.notes.equations[at].body.start, found))
     }
 }
@@ -156,11 +162,7 @@ fn places(equation: &Equation, body: Span) -> Vec<Span> {
 ///
 /// # Errors
 /// As for a check of the display itself.
-pub(crate) fn suggestions(
-    checker: &Checker<'_>,
-    wrong: &FailedDisplay<'_>,
-    search: Search,
-) -> Result<Vec<Suggestion>> {
+pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, search: Search) -> Result<Vec<Suggestion>> {
     let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
     let mut tried = Vec::new();
     let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);

@@ -106,7 +106,7 @@ pub(crate) fn at_all_magnitudes(link: &Link, context: &Context<'_>, mode: Mode, 
             _ => {}
         }
     }
-    Ok(match ends {
+    Ok(match ends.filter(|_| !context.options.deduction) {
         None => finding,
         Some(place) => {
             let message = place.2.domain_message();

@@ -4,15 +4,18 @@
 //! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
+use std::collections::HashSet;
+
 use crate::Result;
 use crate::check::document::checker::Checker;
+use crate::check::repair::suggest::Search;
 use crate::check::sample::context::Options;
 use crate::check::unaided::gate::{self, Basis};
 use crate::check::unaided::premises::{self, Premise};
 use crate::check::unaided::prose::{self, Announced, Words};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
-use crate::formula::SymbolId;
+use crate::formula::{Expr, SymbolId, text};
 use crate::notes::claims::Claim;
 
 /// The most sets of premises with which a slip is sought.
@@ -24,7 +27,8 @@ const SETS_FOR_SLIPS: usize = 2;
 /// When a claim does not fit the notes.
 pub(super) fn judged(checker: &Checker<'_>) -> Result<Vec<Equation>> {
     let explained = &with_options(checker, true);
-    let mut course = Course { checker: explained, quick: with_options(checker, false), known: Vec::new() };
+    let mut course =
+        Course { checker: explained, quick: with_options(checker, false), known: Vec::new(), seen: HashSet::new() };
     (0..checker.notes.equations.len()).map(|at| course.judge(at)).collect()
 }
 
@@ -40,10 +44,19 @@ struct Course<'c, 'a> {
     quick: Checker<'a>,
     /// What was taken for granted so far.
     known: Vec<Premise>,
+    /// The symbols of the displays so far.
+    seen: HashSet<SymbolId>,
 }
 
 impl Course<'_, '_> {
     fn judge(&mut self, at: usize) -> Result<Equation> {
+        let found = self.weighed(at)?;
+        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        self.seen.extend(members.flat_map(Expr::symbols).map(|(id, _)| id));
+        Ok(found)
+    }
+
+    fn weighed(&mut self, at: usize) -> Result<Equation> {
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.equation(&self.quick, at, claim)?;
@@ -65,10 +78,22 @@ impl Course<'_, '_> {
                 return Ok(wrong);
             }
         }
-        if let Some(id) = self.checker.notes.equations[at].id() {
+        // Beside a motion, what is taken for granted is a special case of it or contradicts it.
+        if let (Some(id), None) = (self.checker.notes.equations[at].id(), &self.checker.model.system) {
             self.known.push(Premise { at, id: id.to_owned(), symbols });
         }
-        Ok(gate::as_it_counts(found))
+        Ok(match self.introduced(at) {
+            Some(name) => gate::introduces(found, &name),
+            None => gate::as_it_counts(found),
+        })
+    }
+
+    /// The name that a display gives a formula, if no display before has it.
+    fn introduced(&self, at: usize) -> Option<String> {
+        let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return None };
+        let [first, _] = statement.members.as_slice() else { return None };
+        let id = first.as_plain_symbol().filter(|id| !self.seen.contains(id))?;
+        Some(text::plain(&self.checker.model.name(id)))
     }
 
     fn equation(&self, checker: &Checker<'_>, at: usize, claim: &Claim) -> Result<Equation> {
@@ -94,7 +119,6 @@ impl Course<'_, '_> {
     /// The finding that a display follows from premises, if it does.
     fn follows_from(&self, at: usize, set: &[&Premise]) -> Result<Option<Equation>> {
         let mut found = self.equation(&self.quick, at, &premises::claim(set))?;
-        if std::env::var_os("DBG").is_some() { eprintln!("{} from {}: {:?} {}", self.checker.notes.equations[at].id().unwrap_or(""), named(set), found.finding.verdict, found.finding.message); }
         if !found.finding.verdict.passes() {
             return Ok(None);
         }
@@ -108,12 +132,13 @@ impl Course<'_, '_> {
     /// The finding that a display is wrong, if a likely slip separates it from what follows.
     fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
-        let basis = match set {
-            [] => Basis::Definitions,
-            [_] => Basis::Premise,
-            _ => Basis::Premises,
+        let (basis, search) = match set {
+            [] => (Basis::Definitions, Search::Thorough),
+            [_] => (Basis::Premise, Search::Likely),
+            _ => (Basis::Premises, Search::Likely),
         };
-        if !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words) || words.announced == Announced::Assumption
+        if !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
+            || words.announced == Announced::Assumption
         {
             return Ok(None);
         }
@@ -121,10 +146,10 @@ impl Course<'_, '_> {
         if found.finding.verdict != Verdict::Refuted {
             return Ok(None);
         }
-        found.repairs = checker.likely_repairs(at, &found, claim)?;
+        found.repairs = checker.own_repairs(at, &found, claim, search)?;
         let others = checker.readings.iter().enumerate().filter(|(other, _)| *other != at);
         let members = others.flat_map(|(_, reading)| reading.statements.iter().flatten()).flat_map(|s| &s.members);
-        let elsewhere: Vec<SymbolId> = members.flat_map(crate::formula::Expr::symbols).map(|(id, _)| id).collect();
+        let elsewhere: Vec<SymbolId> = members.flat_map(Expr::symbols).map(|(id, _)| id).collect();
         let around = gate::Around { model: checker.model, elsewhere: &elsewhere, basis, words };
         found.repairs.retain(|repair| gate::is_likely(repair, display, &around));
         if found.repairs.is_empty() {

@@ -5,6 +5,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Node, Sign, Statement, SymbolId, Symbols, text};
 use crate::latex::{Reading, read_display};
 use crate::notes::Display;
+use crate::source::Span;
 
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
@@ -123,6 +124,13 @@ pub(super) fn as_it_counts(mut equation: Equation) -> Equation {
     equation
 }
 
+/// The equation as it counts where it gives a new name a formula.
+pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
+    let finding =
+        Finding::new(Code::Introduced, Verdict::Definition, equation.finding.span, format!("introduces {name}"));
+    Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
+}
+
 fn finding_as_it_counts(finding: Finding) -> Finding {
     let is_untested =
         matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign);
@@ -188,6 +196,13 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     if after.len() + 1 < before.len() {
         return false;
     }
+    // What has a value of 0, or comes to have several new symbols, was meant as another statement.
+    let is_zero = statements.iter().any(|statement| statement.members.iter().any(Expr::is_null));
+    let mut new: Vec<&SymbolId> = after.iter().filter(|id| !before.contains(id)).collect();
+    new.dedup();
+    if after.len() > before.len() && !new.is_empty() && (is_zero || new.len() > 1) {
+        return false;
+    }
     // A name that stands nowhere else is new, and no slip for another one.
     if before.iter().any(|id| !after.contains(id) && !elsewhere.contains(id)) {
         return false;
@@ -197,11 +212,25 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     if model.system.is_some() && before.iter().any(moves) && after.len() > before.len() {
         return false;
     }
-    // A name beside its formula is a definition, and says nothing of its own.
-    let is_claim = |pair: &&[Expr]| pair.iter().all(|side| side.as_plain_symbol().is_none() || is_derived(side, model));
+    // A name beside its formula is a definition, and says nothing of its own, unless the formula contains the name.
+    let is_bound = |side: &Expr, other: &Expr| {
+        let others = leaves(other, model);
+        side.as_plain_symbol().is_none()
+            || is_derived(side, model)
+            || leaves(side, model).iter().all(|id| others.contains(id))
+    };
+    let is_claim = |pair: &&[Expr]| is_bound(&pair[0], &pair[1]) && is_bound(&pair[1], &pair[0]);
+    let edited = Span::new(start, start + repair.replacement.len());
+    let is_edited = |pair: &&[Expr]| pair[0].span.to(pair[1].span).contains(edited);
     let pairs = statements.iter().flat_map(|statement| statement.members.windows(2));
-    let mut claims = pairs.filter(is_claim).peekable();
-    claims.peek().is_some() && claims.all(|pair| is_content(&pair[0], &pair[1], &symbols, model))
+    let mut claims = pairs.filter(is_edited).filter(is_claim).peekable();
+    // A derivative that is written out says more than its value, which is what was read.
+    let is_differentiated = |pair: &[Expr]| {
+        display.text.contains("\\partial")
+            && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS
+    };
+    let says_something = |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_differentiated(pair);
+    claims.peek().is_some() && claims.all(says_something)
 }
 
 /// Whether an equality says more than that something is equal to itself: what is left of it without the terms that both

@@ -18,6 +18,12 @@ pub(super) struct Usage {
     pub angle: bool,
     /// Whether it stands alone on one side of a relation whose other side moves.
     pub follows: bool,
+    /// The names of which it is the product, where a display says so.
+    pub product: Option<Vec<Name>>,
+    /// Whether it is all of a numerator or a denominator.
+    pub divides: bool,
+    /// Whether something is differentiated by it, or by its rate.
+    pub differentiates: bool,
     /// The first display with it.
     pub first: usize,
     /// The first display of which it is the whole left side.
@@ -50,7 +56,15 @@ pub(super) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
                 || matches!(&item.layout, Layout::Command(name) if name == "\\quad" || name == "\\qquad");
         }
         walk(&items, Place::default(), at, &mut found);
-        statements.extend(items.split(ends_statement).map(sides));
+        for statement in items.split(ends_statement) {
+            if let [left, right] = statement.split(is_relation).collect::<Vec<_>>().as_slice()
+                && let Some(name) = lone_name(left)
+                && let Some(product) = product(right)
+            {
+                entry(&mut found, &name, at).product.get_or_insert(product);
+            }
+            statements.push(sides(statement));
+        }
     }
     follow(&statements, &mut found);
     found
@@ -61,17 +75,30 @@ type Side = (Option<Name>, Vec<Name>);
 
 fn sides(statement: &[Item]) -> Vec<Side> {
     let side = |items: &[Item]| {
-        let significant: Vec<&Item> = items.iter().filter(|item| !is_space(item)).collect();
-        let alone = match significant.as_slice() {
-            [one] | [one, Item { layout: Layout::Other('.' | ','), .. }] => names::printed(one, None),
-            _ => None,
-        };
         let mut inside = Vec::new();
         walk(items, Place::default(), 0, &mut inside);
-        let alone = alone.filter(|printed| printed.dots == 0 && printed.sup.is_none());
-        (alone.map(|printed| printed.name), inside.into_iter().map(|usage| usage.name).collect())
+        (lone_name(items), inside.into_iter().map(|usage| usage.name).collect())
     };
     statement.split(is_relation).map(side).collect()
+}
+
+/// The name that is all of some items.
+fn lone_name(items: &[Item]) -> Option<Name> {
+    match product(items)?.as_slice() {
+        [only] => Some(only.clone()),
+        _ => None,
+    }
+}
+
+/// The names of which some items are the product, if they are nothing else.
+fn product(items: &[Item]) -> Option<Vec<Name>> {
+    let significant = items.iter().filter(|item| !is_space(item) && !matches!(item.layout, Layout::Other('.' | ',')));
+    significant
+        .map(|item| match names::printed(item, None) {
+            Some(printed) if printed.dots == 0 && printed.sup.is_none() => Some(printed.name),
+            _ => None,
+        })
+        .collect()
 }
 
 /// Marks the names that are equal to something that moves or contains the time.
@@ -158,6 +185,9 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             positive: false,
             angle: false,
             follows: false,
+            product: None,
+            divides: false,
+            differentiates: false,
             first: at,
             introduced: None,
             arguments: None,
@@ -210,8 +240,20 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
                 let above_place = Place { moves: moves && differentiated, ..place };
                 walk(&contents(above)[usize::from(differentiated)..], above_place, at, found);
                 match is_differential(below) {
-                    true => walk(&contents(below)[1..], Place::default(), at, found),
+                    true => {
+                        walk(&contents(below)[1..], Place::default(), at, found);
+                        for printed in contents(below)[1..].iter().filter_map(|item| names::printed(item, None)) {
+                            entry(found, &printed.name, at).differentiates = true;
+                        }
+                    }
                     false => walk(contents(below), Place { positive: true, ..place }, at, found),
+                }
+                for part in [above, below].map(|part| contents(part)) {
+                    if let ([only], false) = (part, is_differential(below))
+                        && let Some(printed) = names::printed(only, None)
+                    {
+                        entry(found, &printed.name, at).divides = true;
+                    }
                 }
             }
             Layout::Root(_, inner) => walk(contents(inner), Place { positive: true, ..place }, at, found),

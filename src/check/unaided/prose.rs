@@ -117,7 +117,8 @@ pub(super) fn before(notes: &Notes, at: usize) -> Words {
 
 fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     let text = &notes.source.text;
-    let all = &text[range(notes, at)];
+    let all = without_comments(&text[range(notes, at)]);
+    let all = all.as_str();
     let sentence = last_sentence(all).to_lowercase();
     let says = |words: &[&str]| words.iter().any(|word| has_word(&sentence, word));
     // "and" goes on as before.
@@ -157,6 +158,21 @@ fn range(notes: &Notes, at: usize) -> Range<usize> {
         start += 1;
     }
     start..end
+}
+
+/// A text without the comments of TeX and Markdown.
+fn without_comments(text: &str) -> String {
+    let mut kept = String::new();
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once("<!--") {
+        kept.push_str(before);
+        rest = after.split_once("-->").map_or("", |(_, after)| after);
+    }
+    kept.push_str(rest);
+    let lines = kept
+        .lines()
+        .map(|line| line.find('%').filter(|at| !line[..*at].ends_with('\\')).map_or(line, |at| &line[..at]));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// The sentence that ends with the display, or the last one before it.

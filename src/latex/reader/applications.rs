@@ -86,7 +86,7 @@ impl Reader<'_> {
             Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product"))
                 .help("for a product, put a thin space \\, before the parenthesis"))
         };
-        if self.shifts_the_time(&inside) && (entry.varies || self.symbols.open) {
+        if self.shifts_the_time(&inside) && (entry.varies && !entry.steady || self.symbols.open) {
             return ambiguous();
         }
         if !self.symbols.open {
