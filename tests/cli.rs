@@ -15,6 +15,8 @@ mod damage;
 mod derive;
 #[path = "cli/explain.rs"]
 mod explain;
+#[path = "cli/formats.rs"]
+mod formats;
 #[path = "cli/formulas.rs"]
 mod formulas;
 #[path = "cli/messages.rs"]
@@ -27,6 +29,8 @@ mod printed_lagrangian;
 mod report;
 #[path = "cli/reprint.rs"]
 mod reprint;
+#[path = "cli/requests.rs"]
+mod requests;
 #[path = "cli/steps.rs"]
 mod steps;
 #[path = "cli/strangers.rs"]

@@ -50,7 +50,7 @@ pub(crate) mod verdict;
 /// The kinds of slip that a repair undoes.
 pub use crate::latex::slips::Slip;
 #[cfg(feature = "cli")]
-pub(crate) use document::setup::Run;
+pub(crate) use document::setup::{Run, define_macros};
 #[cfg(feature = "cli")]
 pub(crate) use reprint::check_reprint;
 pub use run::check_document;

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use crate::Result;
 use crate::notes::Notes;
 use crate::notes::claims::Claims;
+use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
 use crate::check::document::names::is_wrong;
@@ -24,7 +25,7 @@ pub fn check_document(
     options: Options,
     only: Option<&str>,
 ) -> Result<Document> {
-    check_in(&Run { registry, options, only, progress: &() }, claims, notes)
+    on_deep_stacks(|| check_in(&Run { registry, options, only, progress: &() }, claims, notes))
 }
 
 /// Checks a document as part of a run.

@@ -26,6 +26,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
 use outcome::Outcome;
@@ -62,7 +63,7 @@ pub fn run(registry: &Registry) -> ExitCode {
     let screen = terminal::screen();
     let command = Arguments::command().term_width(screen.out.width);
     let parsed = command.try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
-    let outcome = match parsed.map(|arguments| arguments.command) {
+    let outcome = on_deep_stacks(|| match parsed.map(|arguments| arguments.command) {
         Ok(Command::Check(arguments)) => check::run(&arguments, registry, screen),
         Ok(Command::Derive(arguments)) => derive::run(&arguments, registry, screen),
         Ok(Command::Equal(arguments)) => equal::run(&arguments, screen),
@@ -74,6 +75,6 @@ pub fn run(registry: &Registry) -> ExitCode {
         // Help and the version are no failure.
         Err(help) if !help.use_stderr() => Outcome::done(help.render().to_string()),
         Err(error) => Outcome { messages: error.render().to_string(), code: 2, ..Outcome::default() },
-    };
+    });
     outcome.write(std::io::stdout(), std::io::stderr())
 }

@@ -5,8 +5,10 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::Error;
+use crate::check::define_macros;
 use crate::formula::{Symbols, text};
 use crate::latex::{Macros, read_display};
+use crate::notes::{MacroDefinition, definitions};
 use crate::report::{self, wrap};
 use crate::source::Source;
 
@@ -16,7 +18,7 @@ use super::outcome::{Format, Outcome, Screen, shown};
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  onshell read '\\frac12 m v^2'")]
 pub struct Arguments {
-    /// The formula, in LaTeX
+    /// The formula, in LaTeX; definitions of macros may stand before it
     #[arg(allow_hyphen_values = true)]
     formula: String,
     /// The form of the output
@@ -26,7 +28,10 @@ pub struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let mut symbols = Symbols::open();
-    let reading = read_display(&arguments.formula, &mut symbols, &Macros::default());
+    let mut macros = Macros::default();
+    let definitions = definitions(&arguments.formula);
+    define_macros(&definitions, &mut macros);
+    let reading = read_display(&without(&definitions, &arguments.formula), &mut symbols, &macros);
     let source = Arc::new(Source::new("formula", arguments.formula.as_str()));
     let (mut statements, mut errors) = (Vec::new(), Vec::new());
     for statement in reading.statements {
@@ -58,4 +63,13 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         }
     };
     Outcome { output, messages: shown(&errors, screen), code: if errors.is_empty() { 0 } else { 2 } }
+}
+
+/// The text with spaces in the place of its definitions, so that every byte keeps its position.
+fn without(definitions: &[MacroDefinition], text: &str) -> String {
+    let mut text = text.to_owned();
+    for definition in definitions {
+        text.replace_range(definition.span.range(), &" ".repeat(definition.span.range().len()));
+    }
+    text
 }

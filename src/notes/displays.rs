@@ -8,7 +8,7 @@ use super::display::{Display, Numbered};
 
 use super::rows;
 use super::tex_scanner::{self, Delimiter, Name, RawDisplay};
-use crate::source::{Fault, Span};
+use crate::source::{Fault, Source, Span};
 
 /// Overwrites `spans` by spaces, line ends kept.
 pub(super) fn blank<'a>(clean: &mut [u8], spans: impl IntoIterator<Item = &'a Span>) {
@@ -43,12 +43,13 @@ struct Piece {
 /// # Errors
 /// A display with two numbers, and a name without a display.
 pub(super) fn assemble(
-    source: &str,
+    file: &Source,
     clean: Vec<u8>,
     raws: Vec<RawDisplay>,
     names: Vec<Name>,
 ) -> Result<Vec<Display>, Fault> {
-    let mut work = Work { source, clean };
+    let source = file.text.as_str();
+    let mut work = Work { source, file, clean };
     let mut pieces = Vec::new();
     let mut names = names.into_iter().peekable();
     for (i, raw) in raws.iter().enumerate() {
@@ -71,6 +72,7 @@ pub(super) fn assemble(
 
 struct Work<'a> {
     source: &'a str,
+    file: &'a Source,
     clean: Vec<u8>,
 }
 
@@ -236,6 +238,12 @@ impl Work<'_> {
     fn number_after(&mut self, piece: &mut Piece, next: usize) {
         let after = piece.raw.span.end;
         let direct = tex_scanner::skip_space(&self.clean[..next], after);
+        if let Some((label, end)) = self.label_at(direct) {
+            blank(&mut self.clean, [&label.span]);
+            piece.labels.push(label);
+            piece.end = end;
+            return;
+        }
         if let Some(number) = self.number_ending_line(direct, next) {
             piece.end = number.span.end;
             piece.number = Some(number);
@@ -253,6 +261,20 @@ impl Work<'_> {
             piece.body.end = last.at;
         }
         piece.number = Some(number);
+    }
+
+    /// A label behind a display: `{#eq-energy}` of Quarto and pandoc, `(energy)` of MyST, at the end of its line.
+    fn label_at(&self, at: usize) -> Option<(Numbered, usize)> {
+        let line = self.source.get(at..tex_scanner::line_end(self.source.as_bytes(), at))?.trim_end();
+        let braced = line.strip_prefix("{#").and_then(|rest| rest.strip_suffix('}'));
+        let braced = braced.map(|inside| inside.split_whitespace().next().unwrap_or_default());
+        let bare =
+            || line.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).filter(|id| !tex_scanner::is_number(id));
+        let id = braced.or_else(bare)?;
+        let is_word =
+            !id.is_empty() && id.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b':' | b'.'));
+        let is_label = is_word && (braced.is_some() || id.bytes().any(|b| matches!(b, b'-' | b'_' | b':')));
+        is_label.then(|| (Numbered { id: id.to_owned(), span: Span::new(at, at + line.len()) }, at + line.len()))
     }
 
     /// The number at `at`, when its line ends with it.
@@ -328,16 +350,15 @@ impl Work<'_> {
 
     /// Joins neighbouring displays, and extracts the texts.
     fn join(mut self, pieces: Vec<Piece>) -> Vec<Display> {
-        let mut lines = Lines::default();
         let mut displays = Vec::new();
         let mut run: Vec<Piece> = Vec::new();
         for piece in pieces {
             if !run.last().is_some_and(|last| self.neighbours(last, &piece)) {
-                self.close(&mut run, &mut lines, &mut displays);
+                self.close(&mut run, &mut displays);
             }
             run.push(piece);
         }
-        self.close(&mut run, &mut lines, &mut displays);
+        self.close(&mut run, &mut displays);
         displays
     }
 
@@ -353,19 +374,19 @@ impl Work<'_> {
     }
 
     /// Makes displays of a run of neighbours: one display, if a number is printed after the run.
-    fn close(&mut self, run: &mut Vec<Piece>, lines: &mut Lines, displays: &mut Vec<Display>) {
+    fn close(&mut self, run: &mut Vec<Piece>, displays: &mut Vec<Display>) {
         let all = run.last().is_some_and(|last| last.closes);
         let mut group: Vec<Piece> = Vec::new();
         for piece in run.drain(..) {
             if !group.is_empty() && !all && !piece.continues {
-                displays.extend(self.display(std::mem::take(&mut group), lines));
+                displays.extend(self.display(std::mem::take(&mut group)));
             }
             group.push(piece);
         }
-        displays.extend(self.display(group, lines));
+        displays.extend(self.display(group));
     }
 
-    fn display(&mut self, group: Vec<Piece>, lines: &mut Lines) -> Option<Display> {
+    fn display(&mut self, group: Vec<Piece>) -> Option<Display> {
         let (first, last) = (group.first()?, group.last()?);
         let span = Span::new(first.raw.span.start, last.raw.span.end.max(last.body.end));
         let mut body = first.body;
@@ -385,7 +406,7 @@ impl Work<'_> {
         if text.trim().is_empty() && number.is_none() && labels.is_empty() {
             return None;
         }
-        let line = lines.line(self.source, span.start);
+        let (line, _) = self.file.line_column(span.start);
         Some(Display { span, body, parts, text, number, labels, line })
     }
 }
@@ -398,20 +419,4 @@ struct Sign {
 
 fn is_digits(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
-}
-
-/// A counter of lines: the number of newlines before `at`.
-#[derive(Default)]
-struct Lines {
-    at: usize,
-    newlines: usize,
-}
-
-impl Lines {
-    /// The line of `at`, which must not be before the place of the last call.
-    fn line(&mut self, text: &str, at: usize) -> usize {
-        self.newlines += text.as_bytes()[self.at..at].iter().filter(|&&b| b == b'\n').count();
-        self.at = at;
-        self.newlines + 1
-    }
 }

@@ -210,3 +210,18 @@ fn what_a_display_of_laws_says_of_a_name_is_checked_as_a_definition() {
     let called = of("1 part 2", r"p = m \dot x");
     assert!(called[0].parts[1].finding.message.contains("this is not a law"), "{called:?}");
 }
+
+#[test]
+fn laws_that_determine_each_other_do_not_exhaust_the_stack() {
+    // Each rate needs the two others, one derivative lower. A thread of a test has 2 MB.
+    let claims = json!({
+        "varies with time": { "x, y, z": "any" },
+        "constants": { "a, b, c": "> 0" },
+        "laws": { "Euler's equations": "1" },
+    });
+    let law = r"a \dot x = (b - c) y z, \quad b \dot y = (c - a) z x, \quad c \dot z = (a - b) x y";
+    let energy = r"\frac{d^3}{dt^3} (a x^2 + b y^2 + c z^2) = 0";
+    let found = document(&claims, &numbered(&[law, energy]), &Registry::standard(), None).expect("the claims fit");
+    let verdicts: Vec<Verdict> = found.equations.iter().map(|equation| equation.finding.verdict).collect();
+    assert_eq!(verdicts, [Verdict::Law, Verdict::Certified]);
+}

@@ -1,9 +1,10 @@
 //! What holds while something is small, what is true exactly when something else is, and bodies made of bodies.
 
 use onshell::check::Verdict::{self, Law, Refuted, Undecided, Unreadable, Verified};
+use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{error, numbers, pendulum, verdict, with};
+use crate::support::{document, error, numbered, numbers, pendulum, verdict, with};
 
 fn numbers_with(x: &str) -> Json {
     with(&numbers(), "constants", json!({ "a, b, c": "> 0", "x": x, "y": "any" }))
@@ -254,4 +255,22 @@ fn a_joined_family_is_not_named_bare() {
     assert_eq!(claim("M > 0", "assume", "m_1 > m_{21}"), Unreadable);
     assert_eq!(claim("M > 0", "assume", "m_{11} > m_{21}"), Verified);
     assert_eq!(claim("M > m_{11}", "true exactly when", "m_1 > m_{21}"), Unreadable);
+}
+
+#[test]
+fn an_approximation_tests_the_definition_of_a_name_in_it() {
+    let claims = with(&pendulum(), "equations", json!({ "2": { "small": r"\theta", "order": 2 } }));
+    let made = |displays: &[&str]| {
+        document(&claims, &numbered(displays), &Registry::standard(), None).expect("the claims fit")
+    };
+    let found = |definition: &str| {
+        let document = made(&[definition, r"\ddot\theta \approx -\omega^2 \theta"]);
+        document.equations.iter().map(|equation| equation.finding.verdict).collect::<Vec<_>>()
+    };
+    assert_eq!(found(r"\omega = \sqrt{\frac{g}{l}}"), [Verdict::Definition, Verified]);
+    // The case that must fail: a slip in the definition makes the approximation fail.
+    assert_eq!(found(r"\omega = \sqrt{\frac{l}{g}}")[1], Refuted);
+    // A name that does not matter there is not tested.
+    let found = made(&[r"\omega = \sqrt{\frac{g}{l}}", r"\sin\theta \approx \theta + 0 \omega"]);
+    assert_eq!(found.equations[0].finding.verdict, Undecided);
 }

@@ -18,7 +18,7 @@ use crate::check::equations::merge::{expected, merged, worst};
 use crate::check::equations::whole::{contains, is_inequality, with_dropped};
 use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::judge::{identity, term_fit};
-use crate::check::kinds::{conserved, exactly_when, limit};
+use crate::check::kinds::{conserved, exactly_when};
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
@@ -287,26 +287,14 @@ impl Checker<'_> {
             }
             let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
             let context = Context { span: from.to(to).shifted(context.span.start - statement.span.start), ..*context };
-            let finding = match (relation, &claim.limit) {
-                (Relation::Approximately, _) if !claim.small.is_empty() => self.small(&link, claim, &context)?,
-                (Relation::Approximately, Some(limit)) => {
-                    let (variable, towards) = self.limit(limit)?;
-                    limit::check(&link, variable, towards, &context)?
-                }
-                (Relation::Approximately, None) => match self.inferred_small(&link, &context)? {
-                    Some(found) => found,
-                    None => {
-                        let span = place.shifted(context.span.start - from.start);
-                        let message = self.needs_limit_or_small(&link, span);
-                        Finding { span, ..context.finding(Code::NeedsLimitOrSmall, Verdict::Unreadable, message) }
-                    }
-                },
-                (Relation::Proportional, _) => context.finding(
+            let finding = match relation {
+                Relation::Approximately => self.approximation(&link, claim, *place, (from, &context))?,
+                Relation::Proportional => context.finding(
                     Code::NotSupported,
                     Verdict::Unreadable,
                     "∝ is not supported; write an equation with a constant",
                 ),
-                (relation, _) if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
+                relation if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
                     exactly_when::check(&link, &self.alternatives(claim)?, &context)?
                 }
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,

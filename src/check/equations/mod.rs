@@ -5,6 +5,7 @@
 //! whether these equations fail with another definition. Knows `document`, `kinds` and below.
 
 pub(crate) mod advice;
+pub(crate) mod approximations;
 pub(crate) mod chain;
 pub(crate) mod chain_certificates;
 pub(crate) mod consequences;

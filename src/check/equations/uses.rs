@@ -10,6 +10,7 @@ use crate::check::document::checker::Checker;
 use crate::check::document::names;
 use crate::check::document::names::shown;
 use crate::check::document::printed_lagrangian;
+use crate::check::equations::approximations::ApproximateUses;
 use crate::check::equations::definition_tests::Use;
 use crate::check::kinds::definitions;
 use crate::check::kinds::definitions::User;
@@ -37,7 +38,8 @@ impl Checker<'_> {
             return Ok(self.part_of_the_lagrangian(symbol, context));
         }
         let (uses, restated) = self.uses(introduced)?;
-        if uses.is_empty() && !restated.is_empty() {
+        let approximations = ApproximateUses::of(self, symbol)?;
+        if uses.is_empty() && !restated.is_empty() && approximations.is_empty() {
             let name = text::plain(&self.model.name(symbol));
             let message = format!(
                 "defines {name}, but {} only repeats the definition, so it was not tested; use {name} in an equation that can fail",
@@ -48,7 +50,7 @@ impl Checker<'_> {
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
         let by_law: Vec<User<'_>> = by_law.iter().map(|used| used.by(context)).collect();
-        definitions::check(symbol, &introduced.formula, (&mut users, &by_law), context)
+        definitions::check(symbol, &introduced.formula, (&mut users, &by_law, &approximations), context)
     }
 
     /// The finding on a definition from which the motion follows, since the Lagrangian is made of it.

@@ -7,8 +7,8 @@
 //!
 //! It cannot be wrong, so being used proves nothing. Every mutant of it is put in its place, at the states where
 //! the equations that use the name hold, and must break one of them. A mutant that breaks none, and is not the same
-//! formula in other words, makes the verdict `undecided`. Only = in an equation counts as a use. If a law names the
-//! definition, the equations that hold by law are tried with each mutant, in a model made with it.
+//! formula in other words, makes the verdict `undecided`. If a law names the definition, the equations that hold by law
+//! are tried with each mutant, in a model made with it. So are statements with ≈, which no single state decides.
 
 use crate::Result;
 use crate::code::Code;
@@ -37,6 +37,18 @@ pub struct User<'a> {
     pub context: Context<'a>,
 }
 
+/// The statements with ≈ that use a defined symbol.
+pub trait Approximations {
+    /// The names of those that hold.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    fn holding(&self) -> Result<Vec<String>>;
+
+    /// Whether one of those that hold fails if the symbol is defined by `mutant`.
+    fn detect(&self, mutant: &Expr) -> bool;
+}
+
 /// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it.
 ///
 /// # Errors
@@ -44,11 +56,12 @@ pub struct User<'a> {
 pub fn check(
     symbol: SymbolId,
     formula: &Expr,
-    (users, by_law): (&mut [User<'_>], &[User<'_>]),
+    (users, by_law, approximations): (&mut [User<'_>], &[User<'_>], &dyn Approximations),
     context: &Context<'_>,
 ) -> Result<Finding> {
     let name = text::plain(&context.model.name(symbol));
-    if users.is_empty() && by_law.is_empty() {
+    let approximate = approximations.holding()?;
+    if users.is_empty() && by_law.is_empty() && approximate.is_empty() {
         return Ok(context.finding(
             Code::DefinitionUnused,
             Verdict::Undecided,
@@ -109,6 +122,10 @@ pub fn check(
         if surviving.len() < before && !names.contains(&user.id) {
             names.push(user.id.clone());
         }
+    }
+    if !surviving.is_empty() && !approximate.is_empty() {
+        surviving.retain(|(mutant, _)| !approximations.detect(mutant));
+        names.extend(approximate.into_iter().filter(|id| !names.contains(id)).collect::<Vec<_>>());
     }
     // An equivalent mutant makes nothing fail.
     let mode = context.mode(false, &[formula]);
