@@ -15,12 +15,8 @@ mod damage;
 mod derive;
 #[path = "cli/explain.rs"]
 mod explain;
-#[path = "cli/formats.rs"]
-mod formats;
 #[path = "cli/formulas.rs"]
 mod formulas;
-#[path = "cli/mark.rs"]
-mod mark;
 #[path = "cli/messages.rs"]
 mod messages;
 #[path = "cli/mutate.rs"]
@@ -31,8 +27,6 @@ mod printed_lagrangian;
 mod report;
 #[path = "cli/reprint.rs"]
 mod reprint;
-#[path = "cli/requests.rs"]
-mod requests;
 #[path = "cli/steps.rs"]
 mod steps;
 #[path = "cli/unaided.rs"]

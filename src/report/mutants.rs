@@ -126,7 +126,7 @@ fn slip(source: &Source, equation: &Mutants, fate: &str, survivor: &Survivor) ->
     format!(
         "({}) {fate} at {}:{line}:{column}: {change} ({}); {}",
         equation.id,
-        source.path_at(survivor.span.start),
+        source.path,
         survivor.slip.word(),
         survivor.because
     )

@@ -15,7 +15,7 @@
 
 mod gate;
 mod inference;
-pub(super) mod names;
+mod names;
 
 use crate::Result;
 use crate::check::document::setup::{Run, with_checker};

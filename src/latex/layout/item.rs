@@ -78,6 +78,4 @@ pub enum Delimiter {
     DoubleBar,
     /// `\langle \rangle`
     Angle,
-    /// `\left. \right|`, the bar of an evaluation
-    Evaluation,
 }

@@ -8,11 +8,9 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, unaccented};
 use super::items::{
-    Joint, beside, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit,
-    is_number, is_numeric_item, joint,
+    Joint, beside, extent, function_head, is_big_sum, is_integral, is_limit, is_number, is_numeric_item, joint,
 };
 use super::state::{Read, Reader};
-use super::undeclared::bar;
 use super::words::are_no_words;
 
 impl Reader<'_> {
@@ -71,9 +69,6 @@ impl Reader<'_> {
 
     /// The number of items of the term that starts here: up to a sign that follows no operator.
     fn term_length(&self, items: &[Item]) -> Read<usize> {
-        if let Some(integral) = self.integral_length(items) {
-            return Ok(integral.max(integral + self.term_length(items.get(integral..).unwrap_or_default())?));
-        }
         let mut after_operator = false;
         for (at, item) in items.iter().enumerate() {
             if self.sign(item)?.is_some() {
@@ -134,25 +129,6 @@ impl Reader<'_> {
                 return Err(Fault::ambiguous(slash.to(item.span), "a/bc may be a/(bc) or (a/b)c")
                     .help("write \\frac{a}{bc} or \\frac{a}{b}c"));
             }
-            if let (true, Some(limits)) = (self.symbols.infers(), bar(item)) {
-                match runs.as_mut_slice() {
-                    [(_, run)] if run.len() == 1 => {
-                        let inner = run.remove(0);
-                        let span = inner.span.to(item.span);
-                        let found = self.evaluated(inner, limits, span)?;
-                        runs = vec![(Joint::Beside, vec![found])];
-                        cursor += 1;
-                        continue;
-                    }
-                    _ => {
-                        return Err(Fault::ambiguous(
-                            item.span,
-                            "this bar may belong to one factor or to all before it",
-                        )
-                        .help("write \\left. before what it belongs to, and \\right| for the bar"));
-                    }
-                }
-            }
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
@@ -203,9 +179,7 @@ impl Reader<'_> {
             }
         };
         let of_each: Vec<Vec<String>> = factors.iter().map(letters).collect();
-        let is_free = |letter: &&String| !self.bound.contains(letter);
-        let shares =
-            |a: &Vec<String>, b: &Vec<String>| a.len() > 1 && a.iter().filter(is_free).any(|letter| b.contains(letter));
+        let shares = |a: &Vec<String>, b: &Vec<String>| a.len() > 1 && a.iter().any(|letter| b.contains(letter));
         let implied = (0..of_each.len())
             .find(|at| (0..of_each.len()).any(|other| other != *at && shares(&of_each[*at], &of_each[other])));
         match implied {
@@ -313,10 +287,9 @@ impl Reader<'_> {
             Node::Product(factors) => factors.first().is_some_and(has_letter),
             _ => has_letter(expr),
         };
-        let crossed = parts.windows(2).find(|pair| {
-            let are_vectors = pair[0].2 && pair[1].2;
-            self.symbols.open && pair[1].0 == Joint::Times && !are_vectors && ends(&pair[0].1) && starts(&pair[1].1)
-        });
+        let crossed = parts
+            .windows(2)
+            .find(|pair| self.symbols.open && pair[1].0 == Joint::Times && ends(&pair[0].1) && starts(&pair[1].1));
         match crossed {
             Some(pair) => {
                 let span = pair[0].1.span.to(pair[1].1.span);
@@ -344,28 +317,11 @@ impl Reader<'_> {
     }
 
     /// One factor. The flag is false for a function whose argument has no parentheses.
-    pub(super) fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
+    fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
         let item = &items[*cursor];
-        if self.symbols.infers() && (is_big_sum(item) || is_big_product(item) || is_limit(item)) {
-            let rest = &items[*cursor + 1..];
-            *cursor = items.len();
-            return Ok((self.unevaluated(item, rest)?, true));
-        }
-        if self.symbols.infers() && is_any_integral(item) {
-            *cursor += 1;
-            return Ok((self.unevaluated_integral(item, items, cursor)?, true));
-        }
-        if self.symbols.infers()
-            && let Some(field) = self.nabla(items, cursor)?
-        {
-            return Ok((field, true));
-        }
         if let Some((function, power)) = function_head(item)? {
             *cursor += 1;
             return self.call(function, power, item.span, items, cursor);
-        }
-        if let Some(found) = self.algebra(items, cursor)? {
-            return Ok((found, true));
         }
         if is_big_sum(item) {
             let rest = &items[*cursor + 1..];
