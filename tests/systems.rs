@@ -1,4 +1,4 @@
-//! The systems of textbooks in `derivations/systems/`: every equation passes, and one slip in each document is refuted.
+//! The systems of textbooks in `examples/systems/`: every equation passes, and one slip in each document is refuted.
 //!
 //! That no other slip passes is in the table of mutants of `docs/benchmarks.md`.
 
@@ -12,7 +12,7 @@ use onshell::systems::Registry;
 
 /// Every claims file of the folder, in order.
 fn claims_files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/systems");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/systems");
     let entries = std::fs::read_dir(folder).expect("the folder can be read");
     let paths = entries.map(|entry| entry.expect("the entry can be read").path());
     let mut found: Vec<PathBuf> =

@@ -32,7 +32,7 @@ fn class(name: &str) {
     let desk = Desk::new(&format!("mark-{name}"));
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mark");
     for file in [format!("{name}.md"), format!("{name}.json")] {
-        desk.write(&file, &std::fs::read_to_string(from.join(&file)).unwrap());
+        desk.write(&file, std::fs::read_to_string(from.join(&file)).unwrap());
     }
     let (mut texts, mut files) = (Vec::new(), Vec::new());
     for entry in std::fs::read_dir(from.join(name)).unwrap() {
