@@ -49,7 +49,8 @@ pub trait Approximations {
     fn detect(&self, mutant: &Expr) -> bool;
 }
 
-/// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it.
+/// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it,
+/// and `approximations` are the statements with ≈ that use it.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
@@ -60,8 +61,7 @@ pub fn check(
     context: &Context<'_>,
 ) -> Result<Finding> {
     let name = text::plain(&context.model.name(symbol));
-    let approximate = approximations.holding()?;
-    if users.is_empty() && by_law.is_empty() && approximate.is_empty() {
+    if users.is_empty() && by_law.is_empty() && approximations.holding()?.is_empty() {
         return Ok(context.finding(
             Code::DefinitionUnused,
             Verdict::Undecided,
@@ -123,9 +123,14 @@ pub fn check(
             names.push(user.id.clone());
         }
     }
-    if !surviving.is_empty() && !approximate.is_empty() {
+    // Approximations take many states, so they are asked only about what nothing else detects.
+    if !surviving.is_empty() {
+        for id in approximations.holding()? {
+            if !names.contains(&id) {
+                names.push(id);
+            }
+        }
         surviving.retain(|(mutant, _)| !approximations.detect(mutant));
-        names.extend(approximate.into_iter().filter(|id| !names.contains(id)).collect::<Vec<_>>());
     }
     // An equivalent mutant makes nothing fail.
     let mode = context.mode(false, &[formula]);
