@@ -97,14 +97,23 @@ fn folder(name: &str) -> PathBuf {
         std::fs::remove_dir_all(&folder).expect("the folder of the last run can be removed");
     }
     for part in ["derivations", "examples"] {
-        std::fs::create_dir_all(folder.join(part)).expect("a folder can be made");
-        for entry in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(part)).expect("it can be read") {
-            let from = entry.expect("it can be read").path();
-            let to = folder.join(part).join(from.file_name().expect("it has a name"));
-            std::fs::copy(from, to).expect("it can be copied");
-        }
+        copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join(part), &folder.join(part));
     }
     folder
+}
+
+/// Copies a folder with all that is in it.
+fn copy(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).expect("a folder can be made");
+    for entry in std::fs::read_dir(from).expect("it can be read") {
+        let path = entry.expect("it can be read").path();
+        let to = to.join(path.file_name().expect("it has a name"));
+        if path.is_dir() {
+            copy(&path, &to);
+        } else {
+            std::fs::copy(path, to).expect("it can be copied");
+        }
+    }
 }
 
 /// The first line that differs, as it stands on the page and as it should be.
