@@ -8,7 +8,6 @@
 //!
 //! A divisor that vanishes at isolated points takes the value of one side there. Such a claim holds, and says except where.
 
-use crate::Result;
 use crate::formula::tree::Function;
 use crate::formula::{Expr, Node, text};
 use crate::scalar::{Interval, Ratio, RunningError};
@@ -57,17 +56,14 @@ struct Inside {
 }
 
 /// The finding on an equality that passed, tested again on both sides of its branch points.
-///
-/// # Errors
-/// If the mass matrix of the system is singular at all of their states.
 pub(crate) fn on_both_sides(
     link: &Link,
     context: &Context<'_>,
     ensemble: &mut Ensemble<'_>,
     finding: Finding,
-) -> Result<Finding> {
+) -> Finding {
     if !finding.verdict.holds() {
-        return Ok(finding);
+        return finding;
     }
     let mut insides = Vec::new();
     let mut of_sides = [0, 0];
@@ -79,15 +75,15 @@ pub(crate) fn on_both_sides(
         let branches = insides.iter().take(MOST_INSIDES);
         for inside in branches {
             let name = text::formula(&inside.formula, &context.model.symbols);
-            let states = beside(&inside.formula, context, ensemble)?;
+            let states = beside(&inside.formula, context, ensemble);
             let message = format!("the two sides agree on one side of {name} = 0 and differ on the other");
             let found = magnitudes::judged(link, context, (&ensemble.projection, &states), &message, &finding);
             if let Some(found) = found {
-                return Ok(found);
+                return found;
             }
         }
     }
-    Ok(excepted(link, context, ensemble, (&insides, of_sides[0]), finding))
+    excepted(link, context, ensemble, (&insides, of_sides[0]), finding)
 }
 
 /// What is inside of roots, absolute values, logarithms and inverse functions of a formula, and its divisors, through
@@ -144,13 +140,13 @@ fn beside<'m>(
     formula: &Expr,
     context: &Context<'_>,
     ensemble: &mut Ensemble<'m>,
-) -> Result<Vec<SampledState<'m, RunningError>>> {
+) -> Vec<SampledState<'m, RunningError>> {
     let mut bases: Vec<Vec<f64>> = Vec::new();
     {
-        let Some(ranges) = Ranges::of(&[formula], context.model, &ensemble.projection) else { return Ok(Vec::new()) };
+        let Some(ranges) = Ranges::of(&[formula], context.model, &ensemble.projection) else { return Vec::new() };
         let value = |values: &[Interval]| ranges.bounds(formula, values).unwrap_or(Interval::ALL);
         if !value(&ranges.whole()).contains(0.0) {
-            return Ok(Vec::new());
+            return Vec::new();
         }
         let lines = if ranges.unknowns.len() == 1 { 1 } else { FROM };
         for base in ensemble.bases.iter().take(lines) {
@@ -182,13 +178,14 @@ fn beside<'m>(
     let mut states = Vec::new();
     for base in bases.into_iter().take(JUDGED) {
         let slots = &ensemble.projection.slots;
+        // Some of these states have no motion, such as a particle with the speed of light: they say nothing.
         if slots.iter().zip(&base).all(|(slot, x)| contains(&slot.range, *x))
-            && let Some((_, state)) = ensemble.projection.project(base)?
+            && let Ok(Some((_, state))) = ensemble.projection.project(base)
         {
             states.push(state);
         }
     }
-    Ok(states)
+    states
 }
 
 /// Parts of a line that contain all roots of a function, in their order; narrow ones, as far as the budget suffices. A
