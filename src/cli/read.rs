@@ -69,13 +69,15 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
             lines.iter().map(|line| format!("{line}\n")).collect()
         }
         Format::Json => {
-            let output = json!({
+            let mut output = json!({
                 "schema": 1,
                 "statements": statements,
                 "assumed": assumed,
-                "inferred": inferred,
                 "errors": errors.iter().map(report::json::error).collect::<Vec<_>>(),
             });
+            if !inferred.is_empty() {
+                output["inferred"] = json!(inferred);
+            }
             format!("{output:#}\n")
         }
     };
