@@ -131,12 +131,15 @@ fn ways(used: &[Usage], known: &Names, declared: &HashMap<Name, Name>) -> Vec<Ha
         let fits = |role: Role| match (usage.moves, usage.introduced.is_some()) {
             (true, false) => role == Role::Moving,
             (true, true) => role != Role::Constant,
-            (false, true) => true,
-            (false, false) => role != Role::Determined,
+            (false, _) => true,
         };
+        // A name without a line of its own is more likely a constant than a result that the hand-in uses early.
+        let is_late = |role: Role| usage.introduced.is_none() && role == Role::Determined;
+        let mut names: Vec<&&(Name, Role)> = free.iter().filter(|(_, role)| fits(*role)).collect();
+        names.sort_by_key(|(_, role)| is_late(*role));
         let mut next: Vec<HashMap<Name, Name>> = Vec::new();
         for way in &found {
-            for (name, _) in free.iter().filter(|(_, role)| fits(*role)) {
+            for (name, _) in &names {
                 if !way.values().any(|other| other == name) {
                     let mut way: HashMap<Name, Name> = way.clone();
                     way.insert(usage.name.clone(), name.clone());

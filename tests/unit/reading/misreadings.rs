@@ -150,6 +150,7 @@ fn what_stands_above_need_not_be_a_power() {
 fn letters_that_spell_a_function_or_a_word_are_no_factors() {
     refused_openly(&[
         ("sin x", "sin"),
+        ("sqrt{x}", "sqrt"),
         ("2sin x", "sin"),
         ("mgsin x", "mgsin"),
         ("sin^2 x", "sin"),
