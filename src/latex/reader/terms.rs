@@ -1,5 +1,7 @@
 //! Sums, the terms of a sum, and the factors of a term with the operators between them.
 
+use std::collections::{HashMap, HashSet};
+
 use crate::formula::shape::Shape;
 use crate::formula::symbols::{Entry, Kind};
 use crate::formula::tree::{Expr, Node, Sign, Term};
@@ -203,11 +205,15 @@ impl Reader<'_> {
             }
         };
         let of_each: Vec<Vec<String>> = factors.iter().map(letters).collect();
-        let is_free = |letter: &&String| !self.bound.contains(letter);
-        let shares =
-            |a: &Vec<String>, b: &Vec<String>| a.len() > 1 && a.iter().filter(is_free).any(|letter| b.contains(letter));
-        let implied = (0..of_each.len())
-            .find(|at| (0..of_each.len()).any(|other| other != *at && shares(&of_each[*at], &of_each[other])));
+        // In one pass, since a product may be long.
+        let mut factors_with: HashMap<&String, usize> = HashMap::new();
+        for letters in &of_each {
+            for letter in letters.iter().collect::<HashSet<_>>() {
+                *factors_with.entry(letter).or_default() += 1;
+            }
+        }
+        let is_shared = |letter: &String| factors_with[letter] > 1 && !self.bound.contains(letter);
+        let implied = of_each.iter().position(|letters| letters.len() > 1 && letters.iter().any(is_shared));
         match implied {
             Some(at) => {
                 Err(Fault::ambiguous(factors[at].span, "a letter that two factors have as an index may mean a sum")
