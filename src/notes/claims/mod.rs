@@ -22,7 +22,9 @@ pub use super::json::Spanned;
 pub use claim::{Claim, Conserved, Erratum, Expect, Expected, Holds, Solved};
 pub use continua::{Continuum, SolidKind};
 pub use range::{Count, Range};
-pub use rubric::{Lost, Rubric, Share};
+pub use rubric::Rubric;
+#[cfg(feature = "cli")]
+pub use rubric::{Lost, Share};
 pub use sentence::{Property, Sentence, Sign, Test};
 pub use vectors::{Axes, Components};
 
