@@ -105,7 +105,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some((source, span)) = &self.0.place {
             let (line, column) = source.line_column(span.start);
-            write!(f, "{}:{line}:{column}: ", source.path)?;
+            write!(f, "{}:{line}:{column}: ", source.path_at(span.start))?;
         }
         f.write_str(&self.0.message)?;
         if let Some(help) = &self.0.help {

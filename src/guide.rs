@@ -8,6 +8,8 @@
 /// [notation-indices]: notation#indices
 /// [glossary]: glossary
 /// [glossary-verdicts]: glossary#verdicts
+/// [teaching]: teaching
+/// [teaching-rubric]: teaching#the-rubric
 #[cfg_attr(doc, doc = include_str!("../docs/claims.md"))]
 pub mod claims {}
 
@@ -26,6 +28,14 @@ pub mod notation {}
 /// [claims]: claims
 #[cfg_attr(doc, doc = include_str!("../docs/glossary.md"))]
 pub mod glossary {}
+
+/// For teachers: marking a class.
+///
+/// [claims]: claims
+/// [claims-addresses]: claims#addresses
+/// [glossary-verdicts]: glossary#verdicts
+#[cfg_attr(doc, doc = include_str!("../docs/teaching.md"))]
+pub mod teaching {}
 
 /// How onshell works: the way of one equation, and the map of folders.
 ///

@@ -135,6 +135,8 @@ mod formula;
 mod formulas;
 pub mod guide;
 mod latex;
+#[cfg(feature = "cli")]
+mod lecture;
 pub mod mechanics;
 #[cfg(feature = "notes")]
 pub mod notes;
@@ -142,6 +144,8 @@ pub mod notes;
 mod page;
 #[cfg(feature = "notes")]
 mod parallel;
+#[cfg(feature = "cli")]
+mod plot;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scalar;
@@ -159,6 +163,8 @@ pub use code::Code;
 pub use error::{Error, Result};
 #[cfg(feature = "notes")]
 pub use formulas::{Formula, compare};
+#[cfg(feature = "notes")]
+pub use source::{FileEdit, Place};
 pub use source::{Source, Span};
 
 /// The Rust code of the README, so that it is tested.

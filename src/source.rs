@@ -3,11 +3,27 @@
 //! A [`Source`] is a file as it was read. A [`Span`] is a half-open range of bytes in it. A [`Fault`] is something
 //! wrong at a span. A fault does not know its file; [`crate::Error`] adds that.
 
+#[cfg(feature = "notes")]
+mod builder;
+#[cfg(feature = "notes")]
+mod encoding;
+#[cfg(feature = "notes")]
+mod origin;
+mod text;
+
 use std::fmt;
 use std::ops::Range;
 
 use crate::code::Code;
 use crate::suggest;
+
+#[cfg(feature = "notes")]
+pub(crate) use builder::Builder;
+#[cfg(feature = "notes")]
+pub(crate) use encoding::Encoding;
+pub use text::Source;
+#[cfg(feature = "notes")]
+pub use text::{FileEdit, Place};
 
 /// A half-open range of bytes in a text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -139,44 +155,5 @@ impl Fault {
     pub fn shifted(mut self, offset: usize) -> Self {
         self.span = self.span.shifted(offset);
         self
-    }
-}
-
-/// A text and its path.
-#[derive(Debug, PartialEq, Eq)]
-pub struct Source {
-    /// The path as the user gave it, for messages.
-    pub path: String,
-    /// The whole text.
-    pub text: String,
-}
-
-impl Source {
-    /// A text known as `path`.
-    pub fn new(path: impl Into<String>, text: impl Into<String>) -> Self {
-        Source { path: path.into(), text: text.into() }
-    }
-
-    /// The line and the column of a byte, both counted from 1. A column is a character, not a byte.
-    pub fn line_column(&self, offset: usize) -> (usize, usize) {
-        let mut offset = offset.min(self.text.len());
-        while !self.text.is_char_boundary(offset) {
-            offset -= 1;
-        }
-        let before = &self.text[..offset];
-        let line = before.bytes().filter(|&b| b == b'\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |i| i + 1);
-        (line, before[start..].chars().count() + 1)
-    }
-
-    /// The text at `span`; empty if the span does not lie within the text.
-    pub fn slice(&self, span: Span) -> &str {
-        self.text.get(span.range()).unwrap_or("")
-    }
-}
-
-impl fmt::Display for Source {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.path)
     }
 }

@@ -45,7 +45,9 @@ pub fn declaration(name: &str, dots: u8) -> String {
     let role = if dots > 0 || is_vector { "varies with time" } else { "constants" };
     let add = format!("add {}: \"any\" under \"{role}\" in the claims file", in_json(name));
     match name {
-        "i" | "\\mathrm{i}" => format!("complex numbers are not supported; if {name} is a real number, {add}"),
+        "i" | "\\mathrm{i}" => format!(
+            "for √−1, declare \"{name}\": \"imaginary unit\" among the constants; if {name} is a real number, {add}"
+        ),
         _ => add,
     }
 }
@@ -60,7 +62,7 @@ mod tests {
         assert_eq!(declaration("\\omega_0", 0), r#"add "\\omega_0": "any" under "constants" in the claims file"#);
         assert!(declaration("x", 1).contains("\"varies with time\""));
         assert!(declaration("\\vec r", 0).contains("\"varies with time\""));
-        assert!(declaration("i", 0).contains("complex numbers are not supported"));
+        assert!(declaration("i", 0).contains("imaginary unit"));
         assert!(!declaration("i_1", 0).contains("complex"));
     }
 

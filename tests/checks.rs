@@ -3,6 +3,10 @@
 #[path = "checks/support.rs"]
 mod support;
 
+#[path = "checks/algebra.rs"]
+mod algebra;
+#[path = "checks/branches.rs"]
+mod branches;
 #[path = "checks/certified.rs"]
 mod certified;
 #[path = "checks/chains.rs"]
@@ -31,6 +35,8 @@ mod laws;
 mod names;
 #[path = "checks/own_system.rs"]
 mod own_system;
+#[path = "checks/rates.rs"]
+mod rates;
 #[path = "checks/repairs.rs"]
 mod repairs;
 #[path = "checks/rigid.rs"]

@@ -15,8 +15,12 @@ mod damage;
 mod derive;
 #[path = "cli/explain.rs"]
 mod explain;
+#[path = "cli/formats.rs"]
+mod formats;
 #[path = "cli/formulas.rs"]
 mod formulas;
+#[path = "cli/mark.rs"]
+mod mark;
 #[path = "cli/messages.rs"]
 mod messages;
 #[path = "cli/mutate.rs"]
@@ -27,6 +31,8 @@ mod printed_lagrangian;
 mod report;
 #[path = "cli/reprint.rs"]
 mod reprint;
+#[path = "cli/requests.rs"]
+mod requests;
 #[path = "cli/steps.rs"]
 mod steps;
 #[path = "cli/unaided.rs"]

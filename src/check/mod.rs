@@ -22,6 +22,7 @@
 //! | `steps` | derivations: false steps that follow from a false step before them |
 //! | `mutation` | mutation testing of a document |
 //! | `reprint`, `run` | a second print of the same equations; the check of one document |
+//! | `mark` | hand-ins: each line against a problem and the lines before it |
 //! | `unaided` | notes without a claims file: claims inferred, findings weighed |
 
 pub(crate) mod certificate;
@@ -30,6 +31,8 @@ pub(crate) mod equations;
 pub(crate) mod hypotheses;
 pub(crate) mod judge;
 pub(crate) mod kinds;
+#[cfg(feature = "cli")]
+pub(crate) mod mark;
 pub(crate) mod model;
 #[cfg(feature = "cli")]
 pub(crate) mod mutation;
@@ -50,7 +53,7 @@ pub(crate) mod verdict;
 /// The kinds of slip that a repair undoes.
 pub use crate::latex::slips::Slip;
 #[cfg(feature = "cli")]
-pub(crate) use document::setup::Run;
+pub(crate) use document::setup::{Run, define_macros};
 #[cfg(feature = "cli")]
 pub(crate) use reprint::check_reprint;
 pub use run::check_document;

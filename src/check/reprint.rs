@@ -123,7 +123,7 @@ fn apply(run: &Run<'_>, claims: &Claims, reference: &Notes, print: &Notes) -> Re
     }
     with_checker(run, claims, reference, |checker| {
         let mut macros = checker.model.macros.clone();
-        define_macros(print, &mut macros);
+        define_macros(&print.macros, &mut macros);
         let checker = Checker { source: &print.source, ..checker };
         let judged = work.par_iter().map(|(at, display)| {
             let equation = match display {

@@ -7,13 +7,14 @@ use rayon::prelude::*;
 
 use crate::check::document::setup;
 use crate::check::{Document, Options, Report, Run, Verdict, check_in, check_reprint, reprint, unaided};
+use crate::notes::Notes;
 use crate::report::{self, wrap};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
 use super::documents::{Job, Loaded, find, folder, load};
 use super::fix::{Fixed, Made, fix, not_passing};
-use super::outcome::{Format, Outcome, Screen, shown};
+use super::outcome::{Outcome, Screen, shown};
 use super::progress::ProgressLine;
 
 /// Checks the equations of notes against their claims
@@ -24,7 +25,7 @@ use super::progress::ProgressLine;
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  onshell check notes.md\n  onshell check derivations --only 6.73 --verbose")]
 pub struct Arguments {
-    /// Claims files (.json), notes with their claims beside them (.md, .tex), or folders of these
+    /// Claims files (.json), notes with their claims beside them (.md, .tex, .ipynb, .rst and others), or folders of these
     #[arg(required = true)]
     paths: Vec<PathBuf>,
     /// The claims file for the notes, if it is not beside them; may be repeated, or be a folder of claims files
@@ -42,8 +43,8 @@ pub struct Arguments {
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
+    format: ReportFormat,
     /// List every equation, how it was read, and what was inferred
     #[arg(short, long)]
     verbose: bool,
@@ -56,6 +57,21 @@ pub struct Arguments {
     /// Make them without asking
     #[arg(long, requires = "fix")]
     yes: bool,
+}
+
+/// The form of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum ReportFormat {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+    /// Workflow commands of GitHub Actions
+    Github,
+    /// SARIF 2.1.0, for code scanning, with the repairs as fixes
+    Sarif,
+    /// JUnit XML, for GitLab and Jenkins
+    Junit,
 }
 
 pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
@@ -88,9 +104,12 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
         false => 2,
     };
     let output = match arguments.format {
-        Format::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
-        Format::Text => report::text::report(&result, arguments.verbose, screen.out),
-        Format::Json => format!("{:#}\n", report::json::report(&result, &errors)),
+        ReportFormat::Text if result.documents.is_empty() && !errors.is_empty() => String::new(),
+        ReportFormat::Text => report::text::report(&result, arguments.verbose, screen.out),
+        ReportFormat::Json => format!("{:#}\n", report::json::report(&result, &errors)),
+        ReportFormat::Github => report::requests::github::report(&result, &errors),
+        ReportFormat::Sarif => format!("{:#}\n", report::requests::sarif::report(&result, &errors)),
+        ReportFormat::Junit => report::requests::junit::report(&result, &errors),
     };
     let told: String = told.iter().map(|line| wrap("", line, 2, screen.err.width) + "\n").collect();
     Outcome { output, messages: told + &shown(&errors, screen), code }
@@ -115,7 +134,7 @@ pub(super) fn documents(paths: &[PathBuf], claims: &[PathBuf], registry: &Regist
         only: None,
         seed: 1,
         points: 24,
-        format: Format::Text,
+        format: ReportFormat::Text,
         verbose: false,
         strict: false,
         fix: false,
@@ -143,6 +162,7 @@ fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
     }
     let only = arguments.only.as_deref();
     let loaded: Vec<Result<Loaded>> = jobs.par_iter().map(load).collect();
+    errors.extend(loaded.iter().flatten().flat_map(|loaded| loaded.notes().absent.iter().cloned()));
     let items = loaded.iter().flatten().map(|loaded| loaded.items(only)).sum();
     let progress = ProgressLine::start(items);
     let run = Run { registry, options, only, progress: &progress };
@@ -206,6 +226,12 @@ impl Loaded {
             Loaded::Own(claims, notes) => setup::items(claims, notes, only),
             Loaded::Reprint(sets, print) => reprint::items(sets, print, only),
             Loaded::Unclaimed(notes) => notes.equations.len(),
+        }
+    }
+
+    fn notes(&self) -> &Notes {
+        match self {
+            Loaded::Own(_, notes) | Loaded::Reprint(_, notes) | Loaded::Unclaimed(notes) => notes,
         }
     }
 

@@ -3,7 +3,9 @@
 use clap::ValueEnum;
 
 use crate::derive::{Derivation, Equation, Quantity};
-use crate::mechanics::System;
+use crate::lecture::{self, Lecture};
+use crate::mechanics::AnyLagrangian;
+use crate::page;
 use crate::report::wrap;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
@@ -12,15 +14,25 @@ use super::outcome::{Format, Outcome, Screen};
 
 /// Prints what follows from the Lagrangian of a system
 ///
-/// Without --as, it prints the Lagrangian, the momenta and the Euler–Lagrange equations.
+/// Without --as, it prints the Lagrangian, the momenta and the Euler–Lagrange equations. With --steps it prints the way
+/// there, each line certified against those before it, with its value at a sampled state.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  onshell derive heavy_top --as hamiltonian")]
+#[command(
+    after_help = "Examples:\n  onshell derive heavy_top --as hamiltonian\n  onshell derive heavy_top --steps\n  \
+                  onshell derive heavy_top --steps --format latex > top.md"
+)]
 pub struct Arguments {
     /// The system, e.g. heavy_top
     system: String,
     /// What to derive
     #[arg(long = "as", value_enum, value_name = "QUANTITY")]
     quantity: Option<Wanted>,
+    /// Print the derivation line by line, from the parts of the system on
+    #[arg(long, conflicts_with = "quantity")]
+    steps: bool,
+    /// The seed of the sampled states of --steps
+    #[arg(long, default_value_t = 1, requires = "steps")]
+    seed: u64,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
@@ -50,6 +62,8 @@ enum Form {
     Json,
     /// The source of a Rust function that computes the accelerations
     Rust,
+    /// With --steps: a page to read in a browser
+    Html,
 }
 
 impl Wanted {
@@ -69,31 +83,55 @@ impl Wanted {
 
 pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let format = if arguments.format == Form::Json { Format::Json } else { Format::Text };
+    if arguments.steps {
+        return match steps(arguments, registry, screen.out.width) {
+            Ok((output, code)) => Outcome { output, code, ..Outcome::default() },
+            Err(error) => Outcome::failed(&error, format, screen),
+        };
+    }
     match derived(arguments, registry, screen.out.width) {
         Ok(output) => Outcome::done(output),
         Err(error) => Outcome::failed(&error, format, screen),
     }
 }
 
-/// The system of a name.
-fn traced(name: &str, registry: &Registry) -> Result<System> {
-    let lagrangian = registry.get(name).ok_or_else(|| {
+/// The derivation line by line, and the exit code.
+fn steps(arguments: &Arguments, registry: &Registry, width: usize) -> Result<(String, u8)> {
+    let lagrangian = named(&arguments.system, registry)?;
+    let lecture = Lecture::new(&lagrangian.trace()?, &Derivation::of(lagrangian)?, arguments.seed)?;
+    let output = match arguments.format {
+        Form::Text => lecture::text::text(&lecture, width),
+        Form::Latex => lecture.notes.clone(),
+        Form::Json => format!("{:#}\n", lecture::json::value(&lecture)),
+        Form::Html => page::lecture(&lecture),
+        Form::Rust => {
+            return Err(Error::new("the steps cannot be written as Rust").help("leave out --steps, or --format"));
+        }
+    };
+    Ok((output, lecture.exit_code()))
+}
+
+/// The Lagrangian of a name.
+pub(super) fn named<'r>(name: &str, registry: &'r Registry) -> Result<&'r dyn AnyLagrangian> {
+    registry.get(name).ok_or_else(|| {
         let unknown = Error::new(format!("there is no system \"{name}\""));
         match suggest::nearest(name, registry.names()) {
             Some(near) => unknown.help(format!("did you mean {near}?")),
             None => unknown.help(format!("the systems are {}", registry.names().collect::<Vec<_>>().join(", "))),
         }
-    })?;
-    lagrangian.trace()
+    })
 }
 
 fn derived(arguments: &Arguments, registry: &Registry, width: usize) -> Result<String> {
-    let system = traced(&arguments.system, registry)?;
+    let system = named(&arguments.system, registry)?.trace()?;
     if arguments.format == Form::Rust {
         return match arguments.quantity {
             None | Some(Wanted::Accelerations) => Ok(system.rust_source()),
             Some(_) => Err(Error::new("only the accelerations can be written as Rust").help("leave out --as")),
         };
+    }
+    if arguments.format == Form::Html {
+        return Err(Error::new("only the steps of a derivation are written as a page").help("add --steps"));
     }
     let derivation = Derivation::new(&system)?;
     let usual = [Quantity::Lagrangian, Quantity::Momenta, Quantity::EulerLagrange];
@@ -124,6 +162,6 @@ fn derived(arguments: &Arguments, registry: &Registry, width: usize) -> Result<S
             });
             format!("{output:#}\n")
         }
-        Form::Rust => system.rust_source(),
+        Form::Rust | Form::Html => system.rust_source(),
     })
 }

@@ -1,10 +1,12 @@
 //! From paths to documents: which files belong together, and their texts.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use crate::code::Code;
 use crate::error::reason;
-use crate::notes::{Claims, Notes, claims_beside, json};
+use crate::notes::formats::Format;
+use crate::notes::{Claims, Kind, Notes, claims_beside, json};
 use crate::{Error, Result};
 
 /// The files of a document.
@@ -25,6 +27,7 @@ pub(super) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
         }
         let mut jobs = Vec::new();
         folder(path, &mut jobs)?;
+        without_parts(&mut jobs);
         if jobs.is_empty() {
             return Err(Error::new(format!("there is nothing to check in {}", path.display()))
                 .help("a document is a notes file (.md, .tex) with a claims file (.json) of the same name beside it"));
@@ -49,7 +52,9 @@ pub(super) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     Ok(vec![Job::Pair { notes: path.to_owned(), claims }])
 }
 
-/// The documents of a folder and of those in it, in the order of their names.
+/// The documents of a folder and of those in it, in the order of their names. A part of a TeX project is no document of its own.
+///
+/// Left out are hidden folders, those of packages, and those that a build marks as its own.
 pub(super) fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
     let unreadable =
         |error: std::io::Error| Error::new(format!("cannot read the folder {}: {}", path.display(), reason(&error)));
@@ -60,22 +65,45 @@ pub(super) fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         if path.is_dir() {
             // A link to a folder could lead back here.
-            if !path.is_symlink() {
+            let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
+            let is_foreign = name.starts_with('.') || name == "node_modules" || path.join("CACHEDIR.TAG").is_file();
+            if !path.is_symlink() && !is_foreign {
                 folder(path, jobs)?;
             }
         } else if !path.is_file() {
             continue;
         } else if extension == "json" && names_notes(path) {
             jobs.push(Job::Claims(path.clone()));
-        } else if matches!(extension, "md" | "tex") && !claims_beside(path).exists() && has_displays(path) {
+        } else if extension != "txt" && !claims_beside(path).exists() && has_displays(path) {
             jobs.push(Job::Notes(path.clone()));
         }
     }
     Ok(())
 }
 
-/// Whether notes without a claims file have displays. Those that cannot be read count, so that their error is reported.
+/// Removes the TeX files that are parts of others.
+fn without_parts(jobs: &mut Vec<Job>) {
+    let is_tex = |path: &Path| Format::of(path).is_some_and(|format| format.kind == Kind::Tex);
+    let canonical = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let mut parts = HashSet::new();
+    for job in jobs.iter() {
+        if let Job::Notes(path) = job
+            && is_tex(path)
+            && let Ok(notes) = Notes::read(path, &shown(path))
+        {
+            parts.extend(notes.source.files().iter().skip(1).map(|part| canonical(Path::new(&part.path))));
+        }
+    }
+    jobs.retain(|job| !matches!(job, Job::Notes(path) if parts.contains(&canonical(path))));
+}
+
+/// Whether notes without a claims file have displays. Those that cannot be read count, so that their error is reported; but
+/// not programs, in whose comments a dollar sign may be anything.
 fn has_displays(path: &Path) -> bool {
+    let Some(format) = Format::of(path) else { return false };
+    if format.is_code {
+        return Notes::read(path, &shown(path)).is_ok_and(|notes| !notes.equations.is_empty());
+    }
     !Notes::read(path, &shown(path)).is_ok_and(|notes| notes.equations.is_empty())
 }
 

@@ -14,11 +14,12 @@ mod equal;
 mod eval;
 mod explain;
 mod fix;
+mod mark;
 mod mutate;
 mod outcome;
+mod plot;
 mod progress;
 mod read;
-mod replace_file;
 mod report;
 mod terminal;
 
@@ -51,7 +52,9 @@ enum Command {
     Equal(equal::Arguments),
     Eval(eval::Arguments),
     Explain(explain::Arguments),
+    Mark(mark::Arguments),
     Mutate(mutate::Arguments),
+    Plot(plot::Arguments),
     Read(read::Arguments),
     Report(report::Arguments),
 }
@@ -69,7 +72,9 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Equal(arguments)) => equal::run(&arguments, screen),
         Ok(Command::Eval(arguments)) => eval::run(&arguments, screen),
         Ok(Command::Explain(arguments)) => explain::run(&arguments, screen),
+        Ok(Command::Mark(arguments)) => mark::run(&arguments, registry, screen),
         Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
+        Ok(Command::Plot(arguments)) => plot::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
         Ok(Command::Report(arguments)) => report::run(&arguments, registry, screen),
         // Help and the version are no failure.

@@ -21,7 +21,7 @@ use super::progress::ProgressLine;
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  onshell mutate notes.md --only 6.73")]
 pub struct Arguments {
-    /// Claims files (.json), notes with their claims beside them (.md, .tex), or folders of these
+    /// Claims files (.json), notes with their claims beside them (.md, .tex, .ipynb, .rst and others), or folders of these
     #[arg(required = true)]
     paths: Vec<PathBuf>,
     /// Mutate only the equation with this number or label

@@ -5,8 +5,11 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::Error;
+use crate::check::define_macros;
+use crate::formula::symbols::Kind;
 use crate::formula::{Symbols, text};
 use crate::latex::{Macros, read_display};
+use crate::notes::{MacroDefinition, definitions};
 use crate::report::{self, wrap};
 use crate::source::Source;
 
@@ -16,7 +19,7 @@ use super::outcome::{Format, Outcome, Screen, shown};
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  onshell read '\\frac12 m v^2'")]
 pub struct Arguments {
-    /// The formula, in LaTeX
+    /// The formula, in LaTeX; definitions of macros may stand before it
     #[arg(allow_hyphen_values = true)]
     formula: String,
     /// The form of the output
@@ -26,7 +29,10 @@ pub struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let mut symbols = Symbols::open();
-    let reading = read_display(&arguments.formula, &mut symbols, &Macros::default());
+    let mut macros = Macros::default();
+    let definitions = definitions(&arguments.formula);
+    define_macros(&definitions, &mut macros);
+    let reading = read_display(&without(&definitions, &arguments.formula), &mut symbols, &macros);
     let source = Arc::new(Source::new("formula", arguments.formula.as_str()));
     let (mut statements, mut errors) = (Vec::new(), Vec::new());
     for statement in reading.statements {
@@ -36,26 +42,59 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         }
     }
     let assumed: Vec<String> = match errors.is_empty() {
-        true => symbols.iter().map(|(_, entry)| text::plain(&entry.name.to_string())).collect(),
+        true => named(&symbols, &|kind| kind == Kind::Scalar),
         false => Vec::new(),
     };
+    let mut inferred = symbols.inferred.said.clone();
+    let complex = named(&symbols, &|kind| kind == Kind::Complex);
+    let matrices = named(&symbols, &|kind| matches!(kind, Kind::Matrix(..)));
+    let vectors = named(&symbols, &|kind| kind == Kind::Vector);
+    for (what, names) in
+        [("vectors by their markup", vectors), ("matrices by their use", matrices), ("complex numbers", complex)]
+    {
+        if !names.is_empty() {
+            inferred.push(format!("{what}: {}", names.join(", ")));
+        }
+    }
+    if !errors.is_empty() {
+        inferred.clear();
+    }
     let output = match arguments.format {
         Format::Text => {
             let mut lines: Vec<String> = statements.iter().map(|line| wrap("", line, 4, screen.out.width)).collect();
             if !assumed.is_empty() {
                 lines.push(wrap("  assumed to be real numbers: ", &assumed.join(", "), 4, screen.out.width));
             }
+            lines.extend(inferred.iter().map(|line| wrap("  inferred: ", line, 4, screen.out.width)));
             lines.iter().map(|line| format!("{line}\n")).collect()
         }
         Format::Json => {
-            let output = json!({
+            let mut output = json!({
                 "schema": 1,
                 "statements": statements,
                 "assumed": assumed,
                 "errors": errors.iter().map(report::json::error).collect::<Vec<_>>(),
             });
+            if !inferred.is_empty() {
+                output["inferred"] = json!(inferred);
+            }
             format!("{output:#}\n")
         }
     };
     Outcome { output, messages: shown(&errors, screen), code: if errors.is_empty() { 0 } else { 2 } }
+}
+
+/// The quantities of one kind, without those that are no quantities: operators, letters of sums.
+fn named(symbols: &Symbols, of: &dyn Fn(Kind) -> bool) -> Vec<String> {
+    let quantities = symbols.iter().filter(|(_, entry)| of(entry.kind) && entry.operator.is_none() && !entry.hidden);
+    quantities.map(|(_, entry)| text::plain(&entry.name.to_string())).collect()
+}
+
+/// The text with spaces in the place of its definitions, so that every byte keeps its position.
+fn without(definitions: &[MacroDefinition], text: &str) -> String {
+    let mut text = text.to_owned();
+    for definition in definitions {
+        text.replace_range(definition.span.range(), &" ".repeat(definition.span.range().len()));
+    }
+    text
 }

@@ -17,13 +17,16 @@ pub mod difference;
 mod linear;
 mod names;
 mod normal;
+pub mod parts;
 mod polynomial;
 mod print;
 pub mod quantities;
 mod rational;
+mod recorded;
 mod shorten;
 
 pub use difference::{difference, equation_of_motion};
+pub use parts::{BodyFormulas, ParticleFormulas, Precession};
 pub use quantities::{Derivation, Equation, Quantity};
 
 use crate::formula::Expr;

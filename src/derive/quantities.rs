@@ -5,16 +5,17 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::{One, Zero};
+use num_traits::One;
 
 use super::algebra::{Algebra, Fraction};
 use super::names::{Inputs, Names, symbol};
 use super::polynomial::Polynomial;
 use super::print::Printer;
 use super::rational::Exact;
+use super::recorded::{Places, Recorded};
 use crate::formula::{Expr, Relation, Statement, Symbols, text};
 use crate::latex::typeset;
-use crate::mechanics::System;
+use crate::mechanics::{AnyLagrangian, Parts, System};
 use crate::scalar::{Graph, Symbol};
 use crate::source::Span;
 use crate::{Error, Result};
@@ -67,28 +68,9 @@ pub struct Equation {
 
 /// A system whose equations are to be typeset.
 pub struct Derivation {
-    names: Names,
-    graph: Graph,
-    recorded: Recorded,
-}
-
-/// The quantities of the system as symbols.
-struct Recorded {
-    lagrangian: Symbol,
-    momenta: Vec<Symbol>,
-    energy: Symbol,
-    forces: Vec<Symbol>,
-    residuals: Vec<Symbol>,
-    mass: Vec<Vec<Symbol>>,
-    at_rest: AtRest,
-}
-
-/// The same with all velocities, or accelerations, 0.
-struct AtRest {
-    lagrangian: Symbol,
-    momenta: Vec<Symbol>,
-    forces: Vec<Symbol>,
-    residuals: Vec<Symbol>,
+    pub(super) names: Names,
+    pub(super) graph: Graph,
+    pub(super) recorded: Recorded,
 }
 
 impl Derivation {
@@ -97,9 +79,23 @@ impl Derivation {
     /// # Errors
     /// When two of its names are the same, or a name cannot be read.
     pub fn new(system: &System) -> Result<Self> {
+        Derivation::of_parts(system, |_, _, _, _| Parts::default())
+    }
+
+    /// Prepares a system of a registry, with the parts that it consists of.
+    ///
+    /// # Errors
+    /// As [`Derivation::new`], and when the Lagrangian cannot be traced.
+    pub fn of(lagrangian: &dyn AnyLagrangian) -> Result<Self> {
+        let parts = |time, q: &[Symbol], v: &[Symbol], p: &[Symbol]| lagrangian.parts(time, q, v, p);
+        Derivation::of_parts(&lagrangian.trace()?, parts)
+    }
+
+    fn of_parts(system: &System, parts: impl FnOnce(Symbol, &[Symbol], &[Symbol], &[Symbol]) -> Parts) -> Result<Self> {
         let names = Names::new(system)?;
         let inputs = Inputs { n: system.coordinates().len(), parameters: system.parameters().len() };
-        let (graph, recorded) = Graph::record(|| record(system, &inputs))?;
+        let places = Places::record(&inputs, parts)?;
+        let (graph, recorded) = Graph::record(|| Recorded::new(system, &inputs, &places))?;
         let mut derivation = Derivation { names, graph, recorded };
         derivation.find_angles()?;
         Ok(derivation)
@@ -120,7 +116,10 @@ impl Derivation {
         let span = Span::default();
         let members = vec![equation.left.clone(), equation.right.clone()];
         let relations = vec![(Relation::Equal, span)];
-        text::statement(&Statement { members, relations, constant: None, branch: None, row: 1, span }, self.symbols())
+        text::statement(
+            &Statement { members, relations, conditions: Vec::new(), constant: None, branch: None, row: 1, span },
+            self.symbols(),
+        )
     }
 
     /// The equations for one quantity, in the order of the coordinates.
@@ -180,7 +179,7 @@ impl Derivation {
     /// Marks a coordinate as an angle for typesetting, if its sine or cosine occurs.
     fn find_angles(&mut self) -> Result<()> {
         let mut work = Work::new(self);
-        work.normal(&[self.recorded.lagrangian])?;
+        work.normal(&[&[self.recorded.lagrangian], self.recorded.places().as_slice()].concat())?;
         let coordinates = work.places(&self.names.inputs().coordinates());
         let angle = |i: &usize| {
             let own = coordinates[*i];
@@ -194,51 +193,27 @@ impl Derivation {
     }
 }
 
-fn record(system: &System, inputs: &Inputs) -> Recorded {
-    let symbols = |block: Vec<usize>| block.into_iter().map(Symbol::input).collect::<Vec<_>>();
-    let (q, v, parameters) =
-        (symbols(inputs.coordinates()), symbols(inputs.velocities()), symbols(inputs.parameters()));
-    let (time, a, still) = (Symbol::input(0), symbols(inputs.accelerations()), vec![Symbol::zero(); inputs.n]);
-    let moving = system.quantities(time, &q, &v, &parameters);
-    let resting = system.quantities(time, &q, &still, &parameters);
-    let mass = system.mass_matrix(time, &q, &v, &parameters);
-    Recorded {
-        lagrangian: moving.lagrangian,
-        momenta: moving.momenta,
-        energy: moving.energy,
-        forces: moving.forces,
-        residuals: system.euler_lagrange(time, &q, &v, &parameters, &a),
-        mass: mass.row_iter().map(|row| row.iter().copied().collect()).collect(),
-        at_rest: AtRest {
-            lagrangian: resting.lagrangian,
-            momenta: resting.momenta,
-            forces: resting.forces,
-            residuals: system.euler_lagrange(time, &q, &v, &parameters, &still),
-        },
-    }
-}
-
 /// One derivation with its own atoms.
-struct Work<'a> {
+pub(super) struct Work<'a> {
     of: &'a Derivation,
-    algebra: Algebra,
+    pub algebra: Algebra,
 }
 
 impl<'a> Work<'a> {
-    fn new(of: &'a Derivation) -> Self {
+    pub fn new(of: &'a Derivation) -> Self {
         Work { of, algebra: Algebra::of_inputs(of.names.letters.len()) }
     }
 
-    fn normal(&mut self, outputs: &[Symbol]) -> Result<Vec<Fraction>> {
+    pub fn normal(&mut self, outputs: &[Symbol]) -> Result<Vec<Fraction>> {
         let normal = self.algebra.normal(&self.of.graph, outputs)?;
         normal.iter().map(|fraction| self.algebra.presented(fraction)).collect()
     }
 
-    fn present(&mut self, output: Symbol) -> Result<Fraction> {
+    pub fn present(&mut self, output: Symbol) -> Result<Fraction> {
         Ok(self.normal(&[output])?.remove(0))
     }
 
-    fn printed(&self, value: &[Fraction]) -> Result<Expr> {
+    pub fn printed(&self, value: &[Fraction]) -> Result<Expr> {
         Printer { algebra: &self.algebra, letters: &self.of.names.letters }.sum(value)
     }
 
@@ -260,7 +235,7 @@ impl<'a> Work<'a> {
     }
 
     /// The velocities as functions of coordinates and momenta, and the momenta minus the momenta at rest.
-    fn velocities(&mut self) -> Result<(Vec<Fraction>, Vec<Fraction>)> {
+    pub fn velocities(&mut self) -> Result<(Vec<Fraction>, Vec<Fraction>)> {
         let mass = self.mass()?;
         let velocities = self.places(&self.of.names.inputs().velocities());
         if mass.iter().flatten().any(|entry| self.algebra.reads(entry, &velocities)) {
@@ -278,7 +253,7 @@ impl<'a> Work<'a> {
     }
 
     /// H = ½ Σ (pᵢ − bᵢ) q̇ᵢ − L at rest, where L = ½ Σ Mᵢⱼ q̇ᵢ q̇ⱼ + Σ bᵢ q̇ᵢ + L at rest.
-    fn hamiltonian(&mut self) -> Result<Vec<Fraction>> {
+    pub fn hamiltonian(&mut self) -> Result<Vec<Fraction>> {
         let (velocities, momenta) = self.velocities()?;
         let mut kinetic = Fraction::default();
         for (velocity, momentum) in velocities.iter().zip(&momenta) {
@@ -314,7 +289,7 @@ impl<'a> Work<'a> {
         Ok(equations)
     }
 
-    fn places(&self, inputs: &[usize]) -> Vec<u32> {
+    pub fn places(&self, inputs: &[usize]) -> Vec<u32> {
         inputs.iter().map(|&n| self.algebra.input_place(n)).collect()
     }
 }

@@ -6,7 +6,7 @@ use crate::scalar::{Number, Series, TERMS};
 
 use super::environment::{Environment, Unavailable};
 use super::ids::SymbolId;
-use super::symbols::Symbols;
+use super::symbols::{Kind, Symbols};
 use super::value::Value;
 
 /// The known values of each symbol and of its time derivatives.
@@ -36,7 +36,9 @@ impl<B: Number> Environment<Series<B>> for Assignment<'_, B> {
     }
 
     fn symbol(&self, id: SymbolId, _indices: &[u8]) -> Result<Value<Series<B>>, Unavailable> {
-        let known = self.values.get(id.0).ok_or(Unavailable::Symbol(id))?;
+        // One number is given for each name, so a vector or a matrix has no value.
+        let is_number = self.symbols.entry(id).kind == Kind::Scalar;
+        let known = self.values.get(id.0).filter(|_| is_number).ok_or(Unavailable::Symbol(id))?;
         let last = known.iter().rposition(Option::is_some).ok_or(Unavailable::Symbol(id))?;
         // A gap below a known derivative is not a number, and so shows wherever it is used.
         let derivatives: Vec<B> = known[..=last].iter().map(|value| value.unwrap_or(B::from(f64::NAN))).collect();

@@ -7,7 +7,7 @@
 use super::ids::{Index, SymbolId, Variable};
 use super::shape::{Shape, shape_of};
 use super::symbols::Symbols;
-use super::tree::{Expr, Function, Node, Sign, Term};
+use super::tree::{Expr, Function, MatrixFunction, Node, Sign, Term};
 use crate::source::Span;
 
 /// Why a formula has no derivative.
@@ -122,7 +122,13 @@ impl Differentiator<'_> {
         }
         let again = |inner: &Expr| self.of(inner, depth);
         Ok(match &expr.node {
-            Node::Number(_) | Node::Pi | Node::Euler | Node::Epsilon(_) | Node::Delta(_) => self.zero_like(expr),
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Identity
+            | Node::Imaginary
+            | Node::Epsilon(_)
+            | Node::Delta(_) => self.zero_like(expr),
             Node::Symbol { id, indices, dots } => return self.of_symbol(*id, indices, *dots, depth),
             Node::Sum(terms) => {
                 let terms = terms.iter().map(|term| Ok((term.sign, again(&term.expr)?)));
@@ -185,6 +191,13 @@ impl Differentiator<'_> {
                 self.node(Node::Matrix(rows.collect::<Result<_, _>>()?))
             }
             Node::Transpose(inner) => self.node(Node::Transpose(Box::new(again(inner)?))),
+            Node::OfMatrix(MatrixFunction::Trace, inner) => {
+                self.node(Node::OfMatrix(MatrixFunction::Trace, Box::new(again(inner)?)))
+            }
+            Node::Commutator(a, b) => self.bilinear(Node::Commutator, (a, b), expr, depth)?,
+            Node::Complex(part, inner) => self.node(Node::Complex(*part, Box::new(again(inner)?))),
+            Node::OfMatrix(..) => return Err(NoDerivative::Operation("a determinant")),
+            Node::Cases(_) => return Err(NoDerivative::Operation("a function given by cases")),
             Node::Entry(inner, a, b) => self.node(Node::Entry(Box::new(again(inner)?), *a, *b)),
             Node::Component(inner, a) => self.node(Node::Component(Box::new(again(inner)?), *a)),
             Node::SumOver { index, implied, except, within: None, body } => {
@@ -199,6 +212,9 @@ impl Differentiator<'_> {
                         body: Box::new(body),
                     }),
                 }
+            }
+            Node::Apply(id, _) if self.symbols.entry(*id).operator.is_some() => {
+                return Err(NoDerivative::Operation("a function or an operator without a formula"));
             }
             Node::Apply(..) => return Err(NoDerivative::Operation("a rotation")),
             Node::Inverse(_) => return Err(NoDerivative::Operation("the inverse of a matrix")),
@@ -261,10 +277,10 @@ impl Differentiator<'_> {
             return Ok(self.product(vec![own, up]));
         }
         let down = self.of(base, depth)?;
-        if self.shape(base)? != Shape::Scalar {
+        if !self.shape(base)?.is_number() {
             // The square of a vector is the square of its norm.
             return match exponent.as_digits() {
-                Some("2") => {
+                Some("2") if self.shape(base)? == Shape::Vector => {
                     let dot = self.node(Node::Dot(Box::new(self.copy(base)), Box::new(down)));
                     Ok(self.product(vec![self.number(2), dot]))
                 }
@@ -351,7 +367,7 @@ impl Differentiator<'_> {
         let zero = || self.number(0);
         match shape_of(expr, self.symbols) {
             Ok(Shape::Vector) => self.node(Node::Matrix((0..3).map(|_| vec![zero()]).collect())),
-            Ok(Shape::Matrix(rows, columns)) => {
+            Ok(Shape::Matrix(rows, columns)) if rows > 0 => {
                 self.node(Node::Matrix((0..rows).map(|_| (0..columns).map(|_| zero()).collect()).collect()))
             }
             _ => zero(),

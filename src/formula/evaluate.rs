@@ -9,6 +9,8 @@ use crate::scalar::{Number, Ratio};
 
 pub use super::environment::{Body, Differentiable, Environment, Unavailable, differentiate};
 use super::ids::{Index, IndexId, SymbolId};
+use super::numbers::complex::Complex;
+use super::numbers::matrices;
 use super::symbols::Kind;
 use super::tree::{Excluded, Expr, Function, Node, Sign, Term};
 use super::value::Value;
@@ -56,7 +58,7 @@ pub fn constant_exponent(expr: &Expr) -> Option<Ratio> {
     }
 }
 
-struct Evaluator<'a, D, E> {
+pub(super) struct Evaluator<'a, D, E> {
     environment: &'a E,
     indices: Vec<(IndexId, u8)>,
     /// The number of terms of the result that are used.
@@ -64,10 +66,10 @@ struct Evaluator<'a, D, E> {
     number: std::marker::PhantomData<D>,
 }
 
-type Evaluated<T> = Result<T, Unavailable>;
+pub(super) type Evaluated<T> = Result<T, Unavailable>;
 
 impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
-    fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
+    pub(super) fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         Ok(match &expr.node {
             Node::Number(digits) => Value::Scalar(D::decimal(digits).ok_or(Unavailable::Operation("a number"))?),
             Node::Pi => Value::Scalar(D::pi()),
@@ -76,10 +78,22 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
             Node::Sum(terms) => return self.sum(terms),
             Node::Product(factors) => return self.product(factors),
             Node::Quotient(a, b) => {
-                let divisor = self.scalar(b)?;
-                self.value(a)?.map(|x| x / divisor)
+                let above = self.value(a)?;
+                match (self.value(b)?, above) {
+                    (Value::Scalar(divisor), above) => above.map(|x| x / divisor),
+                    (Value::Complex(divisor), Value::Scalar(above)) => {
+                        Value::Complex(Complex::real(above).over(divisor))
+                    }
+                    (Value::Complex(divisor), Value::Complex(above)) => Value::Complex(above.over(divisor)),
+                    _ => return Err(Unavailable::Operation("a quotient of these shapes")),
+                }
             }
-            Node::Power(base, exponent) => Value::Scalar(self.power(base, exponent)?),
+            Node::Power(base, exponent) => return self.power(base, exponent),
+            Node::Identity => Value::Scalar(D::one()),
+            Node::Imaginary => Value::Complex(Complex::i()),
+            Node::OfMatrix(..) | Node::Commutator(..) | Node::Complex(..) | Node::Cases(_) => {
+                return self.operator(expr);
+            }
             Node::Root(degree, radicand) => {
                 let x = self.scalar(radicand)?;
                 Value::Scalar(match degree {
@@ -88,9 +102,15 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
                     n => x.rational_power(Ratio { numerator: 1, denominator: u64::from(*n) }),
                 })
             }
-            Node::Call(function, argument) => {
-                let x = self.scalar(argument)?;
-                Value::Scalar(call(*function, x))
+            Node::Call(function, argument) => match self.value(argument)? {
+                Value::Scalar(x) => Value::Scalar(call(*function, x)),
+                Value::Complex(z) => Value::Complex(
+                    z.call(*function).ok_or(Unavailable::Operation("this function of a complex number"))?,
+                ),
+                _ => return Err(Unavailable::Operation("a scalar where there is none")),
+            },
+            Node::Apply(id, _) if self.environment.symbols().entry(*id).operator.is_some() => {
+                return Err(Unavailable::Operation("a function or an operator without a formula"));
             }
             Node::Apply(id, arguments) => match arguments.as_slice() {
                 [angle] => {
@@ -126,20 +146,18 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
                 for entry in rows.iter().flatten() {
                     entries.push(self.scalar(entry)?);
                 }
-                match (rows.len(), entries.as_slice()) {
-                    (3, [x, y, z]) => Value::Vector(Vector3::new(*x, *y, *z)),
-                    (count, entries) => {
-                        Value::Matrix(DMatrix::from_row_slice(count, entries.len() / count.max(1), entries))
-                    }
-                }
+                Value::of_matrix(DMatrix::from_row_slice(rows.len(), entries.len() / rows.len().max(1), &entries))
             }
-            Node::Transpose(inner) => match self.value(inner)? {
-                Value::Matrix(m) => Value::Matrix(m.transpose()),
+            Node::Transpose(inner) => match self.value(inner)?.as_matrix() {
+                Some(m) => Value::of_matrix(m.transpose()),
                 _ => return Err(Unavailable::Operation("the transpose of something that is no matrix")),
             },
-            Node::Inverse(inner) => {
-                self.value(inner)?.inverse().ok_or(Unavailable::Operation("the inverse of this matrix"))?
-            }
+            Node::Inverse(inner) => match self.value(inner)? {
+                Value::Matrix(m) => {
+                    Value::Matrix(matrices::inverse(&m).ok_or(Unavailable::Operation("the inverse of this matrix"))?)
+                }
+                _ => return Err(Unavailable::Operation("the inverse of something that is no matrix")),
+            },
             Node::Entry(inner, row, column) => match (self.value(inner)?, self.index(*row)?, self.index(*column)?) {
                 (Value::Matrix(m), i, j)
                     if usize::from(i.max(1)) <= m.nrows() && usize::from(j.max(1)) <= m.ncols() =>
@@ -258,7 +276,7 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
         Ok((first, last, out))
     }
 
-    fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {
+    pub(super) fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {
         match self.value(expr)? {
             Value::Scalar(value) => Ok(value),
             _ => Err(Unavailable::Operation("a scalar where there is none")),
@@ -349,21 +367,42 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
         match self.value(inner)? {
             Value::Scalar(x) => Ok(if sign_matters { x.abs() } else { x }),
             Value::Vector(v) => Ok((v.x * v.x + v.y * v.y + v.z * v.z).sqrt()),
+            Value::Complex(z) => Ok(z.square().sqrt()),
             Value::Matrix(_) => Err(Unavailable::Operation("the norm of a matrix")),
         }
     }
 
-    fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<D> {
+    fn power(&mut self, base: &Expr, exponent: &Expr) -> Evaluated<Value<D>> {
         if base.node == Node::Euler {
-            return Ok(self.scalar(exponent)?.exp());
+            return match self.value(exponent)? {
+                Value::Scalar(x) => Ok(Value::Scalar(x.exp())),
+                Value::Complex(z) => Ok(Value::Complex(z.exp())),
+                _ => Err(Unavailable::Operation("a scalar where there is none")),
+            };
         }
         let constant = constant_exponent(exponent);
         let x = match (&base.node, constant) {
             // An even power of an absolute value asks for no sign.
-            (Node::Norm(inner), Some(n)) if n.is_whole() && n.numerator % 2 == 0 => self.norm(inner, false)?,
-            _ => self.scalar(base)?,
+            (Node::Norm(inner), Some(n)) if n.is_whole() && n.numerator % 2 == 0 => {
+                match (self.value(inner)?, n.numerator) {
+                    // The square of the length of a complex number needs no root.
+                    (Value::Complex(z), n @ -64..=64) => return Ok(Value::Scalar(z.square().powi((n / 2) as i32))),
+                    _ => self.norm(inner, false)?,
+                }
+            }
+            _ => match (self.value(base)?, constant) {
+                (Value::Scalar(x), _) => x,
+                (Value::Complex(z), Some(n)) if n.is_whole() && n.numerator.abs() <= 64 => {
+                    return Ok(Value::Complex(z.power(n.numerator as i32)));
+                }
+                (Value::Matrix(m), Some(n)) if n.is_whole() && (1..=64).contains(&n.numerator) => {
+                    let power = matrices::power(&m, n.numerator as u32);
+                    return power.map(Value::Matrix).ok_or(Unavailable::Operation("a power of this matrix"));
+                }
+                _ => return Err(Unavailable::Operation("this power")),
+            },
         };
-        Ok(match constant {
+        Ok(Value::Scalar(match constant {
             Some(n) if n.is_whole() && n.numerator.abs() <= 64 => x.powi(n.numerator as i32),
             Some(Ratio { numerator: 1, denominator: 2 }) => x.sqrt(),
             Some(n) => x.rational_power(n),
@@ -379,7 +418,7 @@ impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
                     _ => (x.ln() * n).exp(),
                 }
             }
-        })
+        }))
     }
 }
 

@@ -9,6 +9,7 @@
 //! | [`assignment`] | an environment with values given by hand |
 //! | [`derivative`] | the derivative of a formula as a formula |
 //! | [`text`] | the formula in readable Unicode |
+//! | `operator` | functions and operators that have no formula |
 //! | [`units`] | dimensional analysis: the term whose unit does not fit |
 //!
 //! This folder may import [`crate::scalar`], [`crate::source`] and [`crate::suggest`]. It knows nothing of LaTeX, of
@@ -23,6 +24,14 @@ pub mod environment;
 #[cfg(feature = "notes")]
 pub mod evaluate;
 mod ids;
+#[cfg(feature = "notes")]
+pub mod numbers;
+#[cfg(feature = "notes")]
+mod operations;
+mod operator;
+#[cfg(feature = "notes")]
+mod operator_shapes;
+pub mod operators;
 #[cfg(feature = "notes")]
 pub mod shape;
 pub mod symbols;

@@ -17,7 +17,8 @@
 
 use crate::source::{Fault, Span};
 
-use super::symbols::{Kind, Symbols};
+use super::numbers::complex::Complex;
+use super::symbols::{Kind, Operator, Symbols};
 use super::tree::{Expr, Index, IndexId, Node};
 
 /// The shape of a formula's value, for each value of its free indices.
@@ -27,13 +28,22 @@ pub enum Shape {
     Scalar,
     /// A vector in three dimensions.
     Vector,
-    /// A matrix: its number of rows and of columns.
+    /// A matrix: its number of rows and of columns; a square matrix of an unknown size has 0 of both.
     Matrix(usize, usize),
+    /// A complex number.
+    Complex,
 }
 
 impl Shape {
-    fn noun(self) -> String {
+    /// Whether it is a real or a complex number.
+    pub fn is_number(self) -> bool {
+        matches!(self, Shape::Scalar | Shape::Complex)
+    }
+
+    pub(super) fn noun(self) -> String {
         match self {
+            Shape::Complex => "a complex number".to_owned(),
+            Shape::Matrix(0, 0) => "a matrix".to_owned(),
             Shape::Scalar => "a scalar".to_owned(),
             Shape::Vector => "a vector".to_owned(),
             Shape::Matrix(rows, columns) => format!("a {rows}×{columns} matrix"),
@@ -83,7 +93,7 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
         }
     }
     let span = a.0.span.to(b.0.span);
-    if a.1.shape != b.1.shape {
+    if of_sum(a.1.shape, b.1.shape).is_none() {
         let message = format!("{} cannot be compared with {}", a.1.shape.noun(), b.1.shape.noun());
         return Err(Fault::shape(span, message));
     }
@@ -131,7 +141,7 @@ pub fn entries_of(matrix: (&Expr, &Type), other: (&Expr, &Type), symbols: &Symbo
     Some((Expr::new(node, span), Type { shape: Shape::Scalar, free }))
 }
 
-struct Binder<'a> {
+pub(super) struct Binder<'a> {
     symbols: &'a Symbols,
     /// The indices of the enclosing Σ.
     summed: Vec<IndexId>,
@@ -143,7 +153,7 @@ impl Binder<'_> {
     }
 
     /// The free labels of a scalar, which may have no other free index.
-    fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
+    pub(super) fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
         let found = self.bind(expr)?;
         if found.shape != Shape::Scalar {
             return Err(Fault::shape(
@@ -165,11 +175,13 @@ impl Binder<'_> {
         letters.collect()
     }
 
-    fn bind(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
+    pub(super) fn bind(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
         let span = expr.span;
         let scalar = Type { shape: Shape::Scalar, free: Vec::new() };
         match &mut expr.node {
             Node::Number(_) | Node::Pi | Node::Euler => Ok(scalar),
+            Node::Identity => Ok(Type { shape: Shape::Matrix(0, 0), ..scalar }),
+            Node::Imaginary => Ok(Type { shape: Shape::Complex, ..scalar }),
             Node::Symbol { id, indices, .. } => {
                 let entry = self.symbols.entry(*id);
                 let extents = self.symbols.extents(*id);
@@ -180,7 +192,10 @@ impl Binder<'_> {
                         Shape::Matrix(extents[0].into(), extents[1].into())
                     }
                     (Kind::Vector, slots, given) if slots == given => Shape::Vector,
-                    (Kind::Matrix, slots, given) if slots == given => Shape::Matrix(3, 3),
+                    (Kind::Complex, slots, given) if slots == given => Shape::Complex,
+                    (Kind::Matrix(rows, columns), slots, given) if slots == given => {
+                        of_size(rows.into(), columns.into())
+                    }
                     (Kind::Rotation, ..) => {
                         return Err(Fault::new(span, format!("{} needs its angle in parentheses", entry.name)));
                     }
@@ -207,7 +222,7 @@ impl Binder<'_> {
                     match &first {
                         _ if term.expr.is_zero() => {}
                         None => first = Some(found),
-                        Some(first) if first.shape != found.shape => {
+                        Some(first) if of_sum(first.shape, found.shape).is_none() => {
                             let (a, b) = (found.shape.noun(), first.shape.noun());
                             return Err(Fault::shape(term.expr.span, format!("{a} cannot be added to {b}")));
                         }
@@ -219,7 +234,10 @@ impl Binder<'_> {
                                 "this term has other free indices than the terms before it",
                             ));
                         }
-                        Some(known) => first = Some(Type { free: union(&known.free, &found.free), ..*known }),
+                        Some(known) => {
+                            let shape = of_sum(known.shape, found.shape).unwrap_or(known.shape);
+                            first = Some(Type { free: union(&known.free, &found.free), shape });
+                        }
                     }
                 }
                 Ok(first.unwrap_or(scalar))
@@ -229,7 +247,11 @@ impl Binder<'_> {
                 let mut letters = Vec::new();
                 for factor in factors {
                     let found = self.bind(factor)?;
-                    shape = product(shape, found.shape).ok_or_else(|| {
+                    let has_complex = [shape, found.shape].contains(&Shape::Complex);
+                    shape = of_product(shape, found.shape).ok_or_else(|| {
+                        if has_complex {
+                            return self.no_complex(factor.span);
+                        }
                         Fault::shape(
                             factor.span,
                             format!("{} cannot be multiplied by {}", shape.noun(), found.shape.noun()),
@@ -243,28 +265,44 @@ impl Binder<'_> {
             }
             Node::Quotient(a, b) => {
                 let found = self.bind(a)?;
-                let labels = self.scalar(b, "a denominator")?;
-                Ok(Type { free: union(&found.free, &labels), ..found })
+                let below = self.number(b, "a denominator")?;
+                let shape = of_product(found.shape, below.shape).ok_or_else(|| self.no_complex(a.span))?;
+                Ok(Type { free: union(&found.free, &below.free), shape })
             }
-            Node::Power(a, b) => {
-                let labels = self.scalar(b, "an exponent")?;
-                let found = self.bind(a)?;
-                if found.shape != Shape::Scalar {
-                    return Err(Fault::shape(span, format!("{} cannot have this power", found.shape.noun())));
-                }
-                if found.free.iter().any(|letter| !self.is_label(*letter)) {
-                    return Err(Fault::ambiguous(
-                        span,
-                        "v_a^2 may be the square of one component or the sum of all squares, v_a v_a",
-                    )
-                    .help("write the sum, \\sum_a, or both factors"));
-                }
-                Ok(Type { free: union(&found.free, &labels), ..found })
-            }
+            Node::Power(..)
+            | Node::Transpose(_)
+            | Node::Inverse(_)
+            | Node::OfMatrix(..)
+            | Node::Commutator(..)
+            | Node::Complex(..)
+            | Node::Cases(_) => self.operator(expr),
             Node::Root(_, a) => self.scalar(a, "the radicand").map(|free| Type { free, ..scalar }),
             Node::Call(function, a) => {
                 let what = format!("the argument of \\{}", function.name());
-                self.scalar(a, &what).map(|free| Type { free, ..scalar })
+                let found = self.number(a, &what)?;
+                match found.shape == Shape::Complex && !Complex::<f64>::knows(*function) {
+                    true => Err(Fault::unsupported(
+                        span,
+                        format!("\\{} of a complex number has several values, and is not supported", function.name()),
+                    )),
+                    false => Ok(found),
+                }
+            }
+            Node::Apply(id, arguments) if self.symbols.entry(*id).operator.is_some() => {
+                let entry = self.symbols.entry(*id);
+                let (kind, operator) = (entry.kind, entry.operator);
+                let (mut free, mut last) = (Vec::new(), Shape::Scalar);
+                for argument in arguments {
+                    let found = self.bind(argument)?;
+                    free = union(&free, &found.free);
+                    last = found.shape;
+                }
+                let shape = match (operator, kind) {
+                    (Some(Operator::Same), _) => last,
+                    (Some(Operator::ToVector), _) | (Some(Operator::Function), Kind::Vector) => Shape::Vector,
+                    _ => Shape::Scalar,
+                };
+                Ok(Type { shape, free })
             }
             Node::Apply(_, arguments) => {
                 let mut free = Vec::new();
@@ -306,8 +344,7 @@ impl Binder<'_> {
                         free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
                     }
                 }
-                let shape = if (count, columns) == (3, 1) { Shape::Vector } else { Shape::Matrix(count, columns) };
-                Ok(Type { shape, free })
+                Ok(Type { shape: of_size(count, columns), free })
             }
             Node::Integral(_, a) | Node::Shrinking(_, a) => self.bind(a),
             Node::Component(a, index) => {
@@ -319,13 +356,6 @@ impl Binder<'_> {
                 let letters = found.free.into_iter().chain(self.letters(&indices)).collect();
                 let free = self.contract(letters, expr)?;
                 Ok(Type { free, ..scalar })
-            }
-            Node::Transpose(a) | Node::Inverse(a) => {
-                let found = self.bind(a)?;
-                match found.shape {
-                    Shape::Matrix(rows, columns) => Ok(Type { shape: Shape::Matrix(columns, rows), free: found.free }),
-                    other => Err(Fault::shape(span, format!("{} has no transpose or inverse", other.noun()))),
-                }
             }
             Node::Entry(a, row, column) => {
                 let indices = [*row, *column];
@@ -360,7 +390,7 @@ impl Binder<'_> {
     }
 
     /// Whether a letter is a label of particles, which is never summed over by repetition.
-    fn is_label(&self, letter: IndexId) -> bool {
+    pub(super) fn is_label(&self, letter: IndexId) -> bool {
         self.symbols.indices[letter.0].labels
     }
 
@@ -404,12 +434,65 @@ pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     all
 }
 
-/// The shape of a product of two factors; `None` if it is not defined.
-fn product(a: Shape, b: Shape) -> Option<Shape> {
+/// The shape of a matrix with these rows and columns.
+pub fn of_size(rows: usize, columns: usize) -> Shape {
+    match (rows, columns) {
+        (1, 1) => Shape::Scalar,
+        (3, 1) => Shape::Vector,
+        _ => Shape::Matrix(rows, columns),
+    }
+}
+
+/// The rows and columns of a matrix, or of a vector as a column.
+fn size(shape: Shape) -> Option<(usize, usize)> {
+    match shape {
+        Shape::Scalar | Shape::Complex => None,
+        Shape::Vector => Some((3, 1)),
+        Shape::Matrix(rows, columns) => Some((rows, columns)),
+    }
+}
+
+/// The shape of the sum of two shapes, where it is defined.
+pub fn of_sum(a: Shape, b: Shape) -> Option<Shape> {
+    match (a, b) {
+        _ if a == b => Some(a),
+        (Shape::Scalar, Shape::Complex) | (Shape::Complex, Shape::Scalar) => Some(Shape::Complex),
+        (Shape::Matrix(0, 0), Shape::Matrix(n, m)) | (Shape::Matrix(n, m), Shape::Matrix(0, 0)) if n == m => {
+            Some(Shape::Matrix(n, n))
+        }
+        _ => None,
+    }
+}
+
+/// The shape of a product of two factors in this order; `None` where it is not defined. Two vectors have none: they need
+/// a sign between them.
+pub fn of_product(a: Shape, b: Shape) -> Option<Shape> {
     match (a, b) {
         (Shape::Scalar, other) | (other, Shape::Scalar) => Some(other),
-        (Shape::Matrix(n, m), Shape::Matrix(k, l)) if m == k => Some(Shape::Matrix(n, l)),
-        (Shape::Matrix(3, 3), Shape::Vector) => Some(Shape::Vector),
-        _ => None,
+        (Shape::Complex, Shape::Complex) => Some(Shape::Complex),
+        (Shape::Vector, Shape::Vector) => None,
+        (Shape::Matrix(0, 0), other) => Some(other),
+        (other, Shape::Matrix(0, 0)) => (other != Shape::Vector).then_some(other),
+        _ => {
+            let ((rows, inner), (other, columns)) = (size(a)?, size(b)?);
+            (inner == other).then(|| of_size(rows, columns))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_have_the_shape_of_their_values() {
+        let (row, column, square) = (Shape::Matrix(1, 2), Shape::Matrix(2, 1), Shape::Matrix(2, 2));
+        assert_eq!(of_product(row, column), Some(Shape::Scalar));
+        assert_eq!(of_product(column, row), Some(square));
+        assert_eq!(of_product(square, column), Some(column));
+        assert_eq!(of_product(column, square), None);
+        assert_eq!(of_product(Shape::Vector, Shape::Vector), None);
+        assert_eq!(of_product(Shape::Matrix(1, 3), Shape::Vector), Some(Shape::Scalar));
+        assert_eq!(of_product(Shape::Vector, Shape::Matrix(1, 3)), Some(Shape::Matrix(3, 3)));
     }
 }

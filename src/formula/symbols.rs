@@ -5,13 +5,14 @@
 //! `\hat e_2` and `\hat e_b` are found as well. The meaning of a symbol (a coordinate, the Lagrangian, …) is not stored
 //! here; `check` stores it by [`SymbolId`].
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fmt;
 use std::sync::Arc;
 
 use crate::suggest;
 
 use super::ids::{Index, IndexId, Variable};
+pub use super::operator::Operator;
 use super::tree::{Expr, Node};
 
 pub use super::ids::SymbolId;
@@ -23,10 +24,36 @@ pub enum Kind {
     Scalar,
     /// A vector in three dimensions.
     Vector,
-    /// A matrix of three rows and columns.
-    Matrix,
+    /// A matrix with these numbers of rows and columns.
+    Matrix(u8, u8),
+    /// A complex number.
+    Complex,
     /// A rotation about one axis: a function of one angle whose value is a 3×3 matrix.
     Rotation,
+}
+
+impl Kind {
+    /// What it is, with its article.
+    pub fn noun(self) -> String {
+        match self {
+            Kind::Scalar => "a real number".to_owned(),
+            Kind::Complex => "a complex number".to_owned(),
+            Kind::Vector => "a vector in space".to_owned(),
+            Kind::Matrix(0, 0) => "a square matrix".to_owned(),
+            Kind::Matrix(rows, columns) => format!("a {rows}×{columns} matrix"),
+            Kind::Rotation => "a rotation".to_owned(),
+        }
+    }
+
+    /// The number of numbers that one value of this kind has.
+    pub fn numbers(self) -> usize {
+        match self {
+            Kind::Scalar | Kind::Rotation => 1,
+            Kind::Complex => 2,
+            Kind::Vector => 3,
+            Kind::Matrix(rows, columns) => usize::from(rows) * usize::from(columns),
+        }
+    }
 }
 
 /// A name as printed, which identifies a symbol.
@@ -111,6 +138,8 @@ pub struct Entry {
     pub density: Option<SymbolId>,
     /// The axes of a vector's components, if they are declared.
     pub components: Option<Components>,
+    /// What it makes of the arguments after it, where it is a function or an operator without a formula.
+    pub operator: Option<Operator>,
 }
 
 impl Entry {
@@ -142,6 +171,25 @@ pub struct IndexEntry {
     pub labels: bool,
 }
 
+/// What was inferred from the use of letters.
+#[derive(Clone, Debug, Default)]
+pub struct Inferred {
+    /// The functions, without primes, with their arguments as LaTeX where those are names.
+    pub functions: HashMap<Name, Option<String>>,
+    /// Whether d before a letter is a differential.
+    pub differentials: bool,
+    /// Whether δ before a letter is a variation.
+    pub variations: bool,
+    /// Letters that stand with a prime for another quantity, as r′ beside r.
+    pub letters: HashSet<Name>,
+    /// The letters that are matrices.
+    pub matrices: HashSet<String>,
+    /// Whether letters are inferred at all: where a display is read without declarations.
+    pub active: bool,
+    /// Each inference in words.
+    pub said: Vec<String>,
+}
+
 /// The symbol table of a document.
 #[derive(Clone, Debug, Default)]
 pub struct Symbols {
@@ -151,6 +199,10 @@ pub struct Symbols {
     pub indices: Vec<IndexEntry>,
     /// The name of the independent variable, `t` unless declared.
     pub time: Option<Name>,
+    /// The names that are declared as √−1.
+    pub imaginary: Vec<Name>,
+    /// Whether the display that is being read shows that i is √−1.
+    pub imaginary_here: bool,
     /// Whether an unknown name is added as a real number (formulas without a file). If false, it is a fault
     /// (documents).
     pub open: bool,
@@ -158,6 +210,8 @@ pub struct Symbols {
     pub for_each: Option<IndexId>,
     /// Names that were understood without a declaration, with their meaning: `r_i` for |r⃗_i|.
     pub derived: BTreeMap<String, String>,
+    /// What the use of letters shows, in formulas without declarations.
+    pub inferred: Inferred,
 }
 
 impl Symbols {
@@ -169,6 +223,11 @@ impl Symbols {
     /// An empty table that adds every unknown letter as a real number. The independent variable is `t`.
     pub fn open() -> Self {
         Symbols { open: true, ..Symbols::new() }
+    }
+
+    /// Whether the use of letters shows what they are, since nothing declares them.
+    pub fn infers(&self) -> bool {
+        self.open && self.inferred.active
     }
 
     /// Declares a component index from 1 to `upper`, which is summed over where a product repeats it.
@@ -245,8 +304,19 @@ impl Symbols {
             measure: None,
             density: None,
             components: None,
+            operator: None,
         });
         Some(id)
+    }
+
+    /// Adds a function or an operator that has no formula, under a name that is not taken.
+    pub fn add_operator(&mut self, name: Name, kind: Kind, operator: Operator) -> SymbolId {
+        let id = SymbolId(self.entries.len());
+        if let Some(added) = self.add_family(name.clone(), kind, Vec::new()) {
+            self.entry_mut(added).operator = Some(operator);
+            return added;
+        }
+        self.exact.get(&name).copied().unwrap_or(id)
     }
 
     /// The index letters of a subscript, with their positions. A declared letter inside a word is no index: `r_{cm}`,

@@ -3,7 +3,7 @@
 //! The author reads it to see whether the formula was understood: `λ_1·θ̈ = λ_1·φ̇²·sin(θ)·cos(θ) − …`.
 
 use super::symbols::Symbols;
-use super::tree::{Excluded, Expr, Index, Node, Sign, Statement};
+use super::tree::{Branch, Condition, Excluded, Expr, Index, Node, Sign, Statement};
 
 /// A statement as text.
 pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
@@ -17,6 +17,9 @@ pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
     if statement.constant.is_some() {
         text.push_str(" is constant");
     }
+    if !statement.conditions.is_empty() {
+        text.push_str(&format!(" for {}", Writer { symbols }.conditions(&statement.conditions)));
+    }
     text
 }
 
@@ -24,6 +27,9 @@ pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
 pub fn formula(expr: &Expr, symbols: &Symbols) -> String {
     Writer { symbols }.write(expr, 0)
 }
+
+/// Ends the name of an operator, which so differs from that of a quantity; it is not shown.
+pub const APPLICATION: char = '\u{2061}';
 
 struct Writer<'a> {
     symbols: &'a Symbols,
@@ -95,7 +101,13 @@ impl Writer<'_> {
             Node::Call(function, a) => format!("{}({})", function.name(), self.bare(a)),
             Node::Apply(id, arguments) => {
                 let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
-                format!("{}({})", plain(&self.symbols.entry(*id).name.to_string()), arguments.join(", "))
+                let entry = self.symbols.entry(*id);
+                let name = plain(&entry.name.to_string().replace(APPLICATION, ""));
+                match (arguments.as_slice(), entry.operator) {
+                    ([], Some(_)) => name,
+                    ([inner], Some(_)) if name.starts_with('|') => format!("({inner}){name}"),
+                    _ => format!("{name}({})", arguments.join(", ")),
+                }
             }
             Node::TimeDerivative(1, a) => format!("d/dt({})", self.bare(a)),
             Node::TimeDerivative(n, a) => format!("d^{n}/dt^{n}({})", self.bare(a)),
@@ -111,6 +123,18 @@ impl Writer<'_> {
             }
             Node::Transpose(a) => format!("{}ᵀ", self.write(a, 3)),
             Node::Inverse(a) => format!("{}⁻¹", self.write(a, 3)),
+            Node::Identity => "𝟙".into(),
+            Node::Imaginary => "i".into(),
+            Node::OfMatrix(function, a) => format!("{}({})", function.name(), self.bare(a)),
+            Node::Complex(part, a) => format!("{}({})", part.name(), self.bare(a)),
+            Node::Commutator(a, b) => format!("[{}, {}]", self.bare(a), self.bare(b)),
+            Node::Cases(branches) => {
+                let branch = |branch: &Branch| match branch.conditions.as_slice() {
+                    [] => format!("{} otherwise", self.bare(&branch.value)),
+                    conditions => format!("{} if {}", self.bare(&branch.value), self.conditions(conditions)),
+                };
+                format!("{{{}}}", branches.iter().map(branch).collect::<Vec<_>>().join("; "))
+            }
             Node::Entry(a, i, j) => format!("({})_{}{}", self.bare(a), self.index(*i), self.index(*j)),
             Node::Epsilon([a, b, c]) => format!("ε_{}{}{}", self.index(*a), self.index(*b), self.index(*c)),
             Node::Delta([a, b]) => format!("δ_{}{}", self.index(*a), self.index(*b)),
@@ -130,6 +154,21 @@ impl Writer<'_> {
             }
             Node::Component(a, index) => format!("({})_{}", self.bare(a), self.index(*index)),
         }
+    }
+
+    /// Conditions that must all hold.
+    fn conditions(&self, conditions: &[Condition]) -> String {
+        let one = |condition: &Condition| {
+            let mut text = String::new();
+            for (at, member) in condition.members.iter().enumerate() {
+                if at > 0 {
+                    text.push_str(&format!(" {} ", condition.relations[at - 1].glyph()));
+                }
+                text.push_str(&self.write(member, 0));
+            }
+            text
+        };
+        conditions.iter().map(one).collect::<Vec<_>>().join(" and ")
     }
 
     fn left_out(&self, left_out: Excluded) -> String {
@@ -194,10 +233,17 @@ pub fn plain(latex: &str) -> String {
                 text.push(letter);
                 rest = rest.strip_prefix(' ').unwrap_or(rest);
             }
-            None => {
-                text.push('\\');
-                text.push_str(name);
-            }
+            None => match name {
+                "neq" => text.push('≠'),
+                "times" => text.push('×'),
+                "rightarrow" => text.push('→'),
+                "in" => text.push('∈'),
+                "lim" => text.push_str("lim"),
+                _ => {
+                    text.push('\\');
+                    text.push_str(name);
+                }
+            },
         }
     }
     text.push_str(rest);
@@ -258,7 +304,16 @@ fn mark(command: &str) -> Option<&'static str> {
 }
 
 fn letter(command: &str) -> Option<char> {
-    const LETTERS: [(&str, char); 41] = [
+    const LETTERS: [(&str, char); 50] = [
+        ("sum", 'Σ'),
+        ("prod", 'Π'),
+        ("int", '∫'),
+        ("oint", '∮'),
+        ("iint", '∬'),
+        ("nabla", '∇'),
+        ("partial", '∂'),
+        ("dots", '…'),
+        ("cdot", '·'),
         ("alpha", 'α'),
         ("beta", 'β'),
         ("gamma", 'γ'),

@@ -9,6 +9,7 @@ use crate::source::Span;
 #[cfg(feature = "notes")]
 pub use super::ids::Variable;
 pub use super::ids::{Index, IndexId};
+pub use super::operators::{ComplexPart, Function, MatrixFunction, Relation};
 
 use super::ids::SymbolId;
 
@@ -74,6 +75,18 @@ pub enum Node {
     Transpose(Box<Expr>),
     /// `M⁻¹` of a matrix.
     Inverse(Box<Expr>),
+    /// The unit matrix, of the size that its place asks for.
+    Identity,
+    /// The determinant or the trace of a square matrix.
+    OfMatrix(MatrixFunction, Box<Expr>),
+    /// `[A, B]`, which is A B − B A.
+    Commutator(Box<Expr>, Box<Expr>),
+    /// √−1
+    Imaginary,
+    /// The conjugate, the real part or the imaginary part of a number.
+    Complex(ComplexPart, Box<Expr>),
+    /// `\begin{cases} … \end{cases}`: the value of the first row whose conditions hold.
+    Cases(Vec<Branch>),
     /// One entry of a matrix that is no plain symbol, `(R^{-1})_{bc}`: the matrix, the row and the column.
     Entry(Box<Expr>, Index, Index),
     /// The Levi-Civita symbol ε.
@@ -167,90 +180,35 @@ impl Excluded {
     }
 }
 
-/// The elementary functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "each is the function of its name")]
-pub enum Function {
-    Sin,
-    Cos,
-    Tan,
-    Cot,
-    Sec,
-    Csc,
-    Arcsin,
-    Arccos,
-    Arctan,
-    Sinh,
-    Cosh,
-    Tanh,
-    Exp,
-    Ln,
+/// A chain of comparisons, `0 \le x < 1`: one relation fewer than members.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition {
+    /// What is compared.
+    pub members: Vec<Expr>,
+    /// The relations between neighbours.
+    pub relations: Vec<Relation>,
 }
 
-impl Function {
-    /// Every function, with the LaTeX command that names it.
-    pub const ALL: [(Function, &'static str); 14] = [
-        (Function::Sin, "sin"),
-        (Function::Cos, "cos"),
-        (Function::Tan, "tan"),
-        (Function::Cot, "cot"),
-        (Function::Sec, "sec"),
-        (Function::Csc, "csc"),
-        (Function::Arcsin, "arcsin"),
-        (Function::Arccos, "arccos"),
-        (Function::Arctan, "arctan"),
-        (Function::Sinh, "sinh"),
-        (Function::Cosh, "cosh"),
-        (Function::Tanh, "tanh"),
-        (Function::Exp, "exp"),
-        (Function::Ln, "ln"),
-    ];
+/// One row of `cases`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// The value in this case.
+    pub value: Expr,
+    /// The comparisons that must all hold; empty for "otherwise".
+    pub conditions: Vec<Condition>,
+}
 
-    /// The function that a command (without its backslash) names.
-    pub fn named(command: &str) -> Option<Function> {
-        Self::ALL.iter().find(|(_, name)| *name == command).map(|(function, _)| *function)
+impl Branch {
+    /// The value, and what its conditions compare.
+    pub fn parts(&self) -> Vec<&Expr> {
+        let compared = self.conditions.iter().flat_map(|condition| &condition.members);
+        std::iter::once(&self.value).chain(compared).collect()
     }
 
-    /// The usual name, which is also the LaTeX command without its backslash.
-    pub fn name(self) -> &'static str {
-        Self::ALL.iter().find(|(function, _)| *function == self).map_or("", |(_, name)| *name)
-    }
-}
-
-/// The relation between two members of a chain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "each is the relation of its name")]
-pub enum Relation {
-    Equal,
-    /// `\equiv`, `:=`: a definition, unless the symbol is known.
-    Identical,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    NotEqual,
-    /// `\approx`, `\simeq`.
-    Approximately,
-    Proportional,
-}
-
-impl Relation {
-    /// Every relation, as one character.
-    const ALL: &[(Relation, &str)] = &[
-        (Relation::Equal, "="),
-        (Relation::Identical, "≡"),
-        (Relation::Less, "<"),
-        (Relation::LessEqual, "≤"),
-        (Relation::Greater, ">"),
-        (Relation::GreaterEqual, "≥"),
-        (Relation::NotEqual, "≠"),
-        (Relation::Approximately, "≈"),
-        (Relation::Proportional, "∝"),
-    ];
-
-    /// The relation as one character.
-    pub fn glyph(self) -> &'static str {
-        Self::ALL.iter().find(|(relation, _)| *relation == self).map_or("", |(_, glyph)| *glyph)
+    /// As [`Branch::parts`], mutable.
+    pub fn parts_mut(&mut self) -> Vec<&mut Expr> {
+        let compared = self.conditions.iter_mut().flat_map(|condition| &mut condition.members);
+        std::iter::once(&mut self.value).chain(compared).collect()
     }
 }
 
@@ -263,6 +221,8 @@ pub struct Statement {
     pub relations: Vec<(Relation, Span)>,
     /// The place of "is constant" after the last member, if the display says so.
     pub constant: Option<Span>,
+    /// The conditions under which it is said: `\text{for } x > 0`.
+    pub conditions: Vec<Condition>,
     /// The sign that `±` stands for in this reading.
     pub branch: Option<Sign>,
     /// The row of the display, from 1.
@@ -328,19 +288,31 @@ impl Expr {
     /// The formulas directly inside this one, in reading order.
     pub fn children(&self) -> Vec<&Expr> {
         match &self.node {
-            Node::Number(_) | Node::Pi | Node::Euler | Node::Symbol { .. } | Node::Epsilon(_) | Node::Delta(_) => {
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Identity
+            | Node::Imaginary
+            | Node::Symbol { .. }
+            | Node::Epsilon(_)
+            | Node::Delta(_) => {
                 vec![]
             }
             Node::Sum(terms) => terms.iter().map(|term| &term.expr).collect(),
             Node::Product(factors) | Node::Apply(_, factors) => factors.iter().collect(),
-            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) => vec![a, b],
+            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) | Node::Commutator(a, b) => {
+                vec![a, b]
+            }
             Node::Matrix(rows) => rows.iter().flatten().collect(),
+            Node::Cases(branches) => branches.iter().flat_map(Branch::parts).collect(),
             Node::Root(_, a)
             | Node::Call(_, a)
             | Node::TimeDerivative(_, a)
             | Node::Norm(a)
             | Node::Transpose(a)
             | Node::Inverse(a)
+            | Node::OfMatrix(_, a)
+            | Node::Complex(_, a)
             | Node::Entry(a, _, _)
             | Node::Integral(_, a)
             | Node::Shrinking(_, a)
@@ -352,19 +324,31 @@ impl Expr {
     /// As [`Expr::children`], mutable.
     pub fn children_mut(&mut self) -> Vec<&mut Expr> {
         match &mut self.node {
-            Node::Number(_) | Node::Pi | Node::Euler | Node::Symbol { .. } | Node::Epsilon(_) | Node::Delta(_) => {
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Identity
+            | Node::Imaginary
+            | Node::Symbol { .. }
+            | Node::Epsilon(_)
+            | Node::Delta(_) => {
                 vec![]
             }
             Node::Sum(terms) => terms.iter_mut().map(|term| &mut term.expr).collect(),
             Node::Product(factors) | Node::Apply(_, factors) => factors.iter_mut().collect(),
-            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) => vec![a, b],
+            Node::Quotient(a, b) | Node::Power(a, b) | Node::Cross(a, b) | Node::Dot(a, b) | Node::Commutator(a, b) => {
+                vec![a, b]
+            }
             Node::Matrix(rows) => rows.iter_mut().flatten().collect(),
+            Node::Cases(branches) => branches.iter_mut().flat_map(Branch::parts_mut).collect(),
             Node::Root(_, a)
             | Node::Call(_, a)
             | Node::TimeDerivative(_, a)
             | Node::Norm(a)
             | Node::Transpose(a)
             | Node::Inverse(a)
+            | Node::OfMatrix(_, a)
+            | Node::Complex(_, a)
             | Node::Entry(a, _, _)
             | Node::Integral(_, a)
             | Node::Shrinking(_, a)

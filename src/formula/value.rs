@@ -4,7 +4,9 @@ use nalgebra::{DMatrix, Vector3};
 
 use crate::scalar::Number;
 
+use super::numbers::complex::Complex;
 use super::shape::Shape;
+use super::symbols::Kind;
 use super::tree::Sign;
 
 /// The value of a formula.
@@ -16,6 +18,8 @@ pub enum Value<D: Number> {
     Vector(Vector3<D>),
     /// A matrix.
     Matrix(DMatrix<D>),
+    /// A complex number.
+    Complex(Complex<D>),
 }
 
 // Derived, it would copy a vector number after number.
@@ -25,18 +29,51 @@ impl<D: Number> Clone for Value<D> {
             Value::Scalar(value) => Value::Scalar(*value),
             Value::Vector(vector) => Value::Vector(*vector),
             Value::Matrix(matrix) => Value::Matrix(matrix.clone()),
+            Value::Complex(z) => Value::Complex(*z),
         }
     }
 }
 
 impl<D: Number> Value<D> {
-    /// The numbers of the value: one, three, or a matrix row by row.
+    /// A matrix as a value: one entry is a number, and three rows of one column are a vector.
+    pub fn of_matrix(m: DMatrix<D>) -> Self {
+        match m.shape() {
+            (1, 1) => Value::Scalar(m[(0, 0)]),
+            (3, 1) => Value::Vector(Vector3::new(m[(0, 0)], m[(1, 0)], m[(2, 0)])),
+            _ => Value::Matrix(m),
+        }
+    }
+
+    /// The value as a matrix; a vector is a column. `None` for a number.
+    pub fn as_matrix(&self) -> Option<DMatrix<D>> {
+        match self {
+            Value::Scalar(_) | Value::Complex(_) => None,
+            Value::Vector(v) => Some(DMatrix::from_column_slice(3, 1, &[v.x, v.y, v.z])),
+            Value::Matrix(m) => Some(m.clone()),
+        }
+    }
+
+    /// The numbers of the value: one, three, a matrix row by row, or the real and the imaginary part.
     pub fn entries(&self) -> Vec<D> {
         match self {
             Value::Scalar(value) => vec![*value],
             Value::Vector(vector) => vector.iter().copied().collect(),
             Value::Matrix(matrix) => matrix.transpose().iter().copied().collect(),
+            Value::Complex(z) => vec![z.re, z.im],
         }
+    }
+
+    /// The value of a symbol of this kind, from its numbers in their order; `None` if one is missing.
+    pub fn of_numbers(kind: Kind, mut pick: impl FnMut(usize) -> Option<D>) -> Option<Self> {
+        Some(match kind {
+            Kind::Scalar | Kind::Rotation => Value::Scalar(pick(0)?),
+            Kind::Vector => Value::Vector(Vector3::new(pick(0)?, pick(1)?, pick(2)?)),
+            Kind::Complex => Value::Complex(Complex { re: pick(0)?, im: pick(1)? }),
+            Kind::Matrix(rows, columns) => {
+                let entries = (0..kind.numbers()).map(pick).collect::<Option<Vec<D>>>()?;
+                Value::of_matrix(DMatrix::from_row_slice(rows.into(), columns.into(), &entries))
+            }
+        })
     }
 
     /// The shape of the value.
@@ -45,6 +82,7 @@ impl<D: Number> Value<D> {
             Value::Scalar(_) => Shape::Scalar,
             Value::Vector(_) => Shape::Vector,
             Value::Matrix(matrix) => Shape::Matrix(matrix.nrows(), matrix.ncols()),
+            Value::Complex(_) => Shape::Complex,
         }
     }
 
@@ -53,6 +91,7 @@ impl<D: Number> Value<D> {
         match shape {
             Shape::Scalar => None,
             Shape::Vector => Some(format!("component {}", k + 1)),
+            Shape::Complex => Some(if k == 0 { "real part" } else { "imaginary part" }.to_owned()),
             Shape::Matrix(_, columns) => Some(format!("entry ({},{})", k / columns + 1, k % columns + 1)),
         }
     }
@@ -63,6 +102,7 @@ impl<D: Number> Value<D> {
             Value::Scalar(value) => Value::Scalar(f(value)),
             Value::Vector(vector) => Value::Vector(vector.map(f)),
             Value::Matrix(matrix) => Value::Matrix(matrix.map(f)),
+            Value::Complex(z) => Value::Complex(Complex { re: f(z.re), im: f(z.im) }),
         }
     }
 
@@ -74,6 +114,7 @@ impl<D: Number> Value<D> {
             Value::Matrix(matrix) => {
                 Value::Matrix(DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| f(&matrix[(i, j)])))
             }
+            Value::Complex(z) => Value::Complex(Complex { re: f(&z.re), im: f(&z.im) }),
         }
     }
 
@@ -83,17 +124,13 @@ impl<D: Number> Value<D> {
             Value::Scalar(value) => std::iter::once(value).for_each(f),
             Value::Vector(vector) => vector.iter_mut().for_each(f),
             Value::Matrix(matrix) => matrix.iter_mut().for_each(f),
+            Value::Complex(z) => [&mut z.re, &mut z.im].into_iter().for_each(f),
         }
     }
 
     /// The sum; `None` if the shapes differ.
-    pub fn plus(self, other: Self) -> Option<Self> {
-        match (self, other) {
-            (Value::Scalar(a), Value::Scalar(b)) => Some(Value::Scalar(a + b)),
-            (Value::Vector(a), Value::Vector(b)) => Some(Value::Vector(a + b)),
-            (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => Some(Value::Matrix(a + b)),
-            _ => None,
-        }
+    pub fn plus(mut self, other: Self) -> Option<Self> {
+        self.add(&other, Sign::Plus).then_some(self)
     }
 
     /// Adds or subtracts another value in place. Returns false and changes nothing if the shapes differ.
@@ -107,6 +144,28 @@ impl<D: Number> Value<D> {
             (Value::Vector(a), Value::Vector(b)) => a.iter_mut().zip(b.iter()).for_each(|(a, b)| put(a, *b)),
             (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => {
                 a.iter_mut().zip(b.iter()).for_each(|(a, b)| put(a, *b));
+            }
+            (Value::Complex(a), Value::Complex(b)) => {
+                put(&mut a.re, b.re);
+                put(&mut a.im, b.im);
+            }
+            (Value::Complex(a), Value::Scalar(b)) => put(&mut a.re, *b),
+            (scalar @ Value::Scalar(_), Value::Complex(b)) => {
+                let Value::Scalar(a) = scalar else { return false };
+                let mut total = Complex::real(*a);
+                put(&mut total.re, b.re);
+                put(&mut total.im, b.im);
+                *scalar = Value::Complex(total);
+            }
+            // Beside a matrix, a number is that multiple of the unit matrix.
+            (Value::Matrix(a), Value::Scalar(b)) if a.nrows() == a.ncols() => {
+                (0..a.nrows()).for_each(|k| put(&mut a[(k, k)], *b));
+            }
+            (scalar @ Value::Scalar(_), Value::Matrix(b)) if b.nrows() == b.ncols() => {
+                let Value::Scalar(a) = scalar else { return false };
+                let mut total = DMatrix::from_diagonal_element(b.nrows(), b.ncols(), *a);
+                total.iter_mut().zip(b.iter()).for_each(|(a, b)| put(a, *b));
+                *scalar = Value::Matrix(total);
             }
             _ => return false,
         }
@@ -122,61 +181,16 @@ impl<D: Number> Value<D> {
                 *self = other;
             }
             (product, Value::Scalar(b)) => product.for_each(|a| *a *= b),
-            (Value::Matrix(a), Value::Matrix(b)) if a.ncols() == b.nrows() => *a = &*a * b,
             (Value::Matrix(a), Value::Vector(b)) if a.shape() == (3, 3) => {
                 *self = Value::Vector(a.fixed_view::<3, 3>(0, 0) * b);
             }
-            _ => return false,
+            (Value::Complex(a), Value::Complex(b)) => *a = a.times(b),
+            (Value::Vector(_), Value::Vector(_)) => return false,
+            (a, b) => match (a.as_matrix(), b.as_matrix()) {
+                (Some(a), Some(b)) if a.ncols() == b.nrows() => *self = Value::of_matrix(a * b),
+                _ => return false,
+            },
         }
         true
-    }
-
-    /// The inverse of a square matrix of up to three rows, by Cramer's rule; `None` for any other value.
-    pub fn inverse(&self) -> Option<Self> {
-        let Value::Matrix(m) = self else { return None };
-        let n = m.nrows();
-        if n != m.ncols() || n > 3 {
-            return None;
-        }
-        let determinant = determinant(m);
-        let cofactor = |i: usize, j: usize| {
-            let minor = m.clone().remove_row(i).remove_column(j);
-            let value = if n == 1 { D::one() } else { self::determinant(&minor) };
-            if (i + j).is_multiple_of(2) { value } else { -value }
-        };
-        Some(Value::Matrix(DMatrix::from_fn(n, n, |i, j| cofactor(j, i) / determinant)))
-    }
-}
-
-fn determinant<D: Number>(m: &DMatrix<D>) -> D {
-    match m.nrows() {
-        1 => m[(0, 0)],
-        2 => m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)],
-        _ => (0..3)
-            .map(|j| {
-                let (a, b) = ((j + 1) % 3, (j + 2) % 3);
-                m[(0, j)] * (m[(1, a)] * m[(2, b)] - m[(1, b)] * m[(2, a)])
-            })
-            .sum(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_matrix_times_its_inverse_is_the_unit_matrix() {
-        let m = DMatrix::from_row_slice(3, 3, &[2.0, 1.0, 0.5, -1.0, 3.0, 0.2, 0.7, 0.1, -1.5]);
-        let product = |other: Value<f64>| {
-            let mut product = Value::Matrix(m.clone());
-            assert!(product.multiply(other));
-            let Value::Matrix(product) = product else { panic!() };
-            product
-        };
-        let inverse = Value::Matrix(m.clone()).inverse().unwrap();
-        approx::assert_relative_eq!(product(inverse), DMatrix::identity(3, 3), epsilon = 1e-14);
-        let transpose = Value::Matrix(m.transpose());
-        approx::assert_relative_ne!(product(transpose), DMatrix::identity(3, 3), epsilon = 1e-3);
     }
 }

@@ -253,7 +253,10 @@ fn one(
     let kind = match of_source.shape {
         Shape::Scalar if left == right => Some((Kind::Scalar, Shape::Scalar)),
         Shape::Vector if left == right => Some((Kind::Vector, Shape::Vector)),
-        Shape::Matrix(3, 3) if left == right => Some((Kind::Matrix, Shape::Matrix(3, 3))),
+        Shape::Complex if left == right => Some((Kind::Complex, Shape::Complex)),
+        Shape::Matrix(rows, columns) if left == right && (1..=255).contains(&rows.min(columns)) => {
+            Some((Kind::Matrix(rows as u8, columns as u8), of_source.shape))
+        }
         // `R_{ab} = (…)` means the entries of the matrix.
         Shape::Matrix(3, 3) if right.is_empty() && left.len() == 2 => Some((Kind::Scalar, Shape::Scalar)),
         _ => None,
@@ -263,7 +266,7 @@ fn one(
     }
     let Some((kind, shape)) = kind else {
         return Err(match left == right {
-            true => undeclared(&name, span, symbols).help(only_three_by_three(&name, of_source.shape)),
+            true => undeclared(&name, span, symbols),
             false => Fault::index(span, format!("{name} is not declared, and its definition has other indices")),
         });
     };
@@ -280,16 +283,6 @@ fn one(
     let indices = letters.into_iter().map(Index::Letter).collect();
     let member = Expr::new(Node::Symbol { id, indices, dots: 0 }, span);
     Ok((member, Type { shape, free }, New { name, kind, slots, squared: false, arguments: Vec::new(), formula }))
-}
-
-/// The advice for a name that stands for a matrix of another size than 3×3.
-fn only_three_by_three(name: &Name, shape: Shape) -> String {
-    match shape {
-        Shape::Matrix(rows, columns) => format!(
-            "{name} would be a {rows}×{columns} matrix, and only 3×3 matrices can be defined; write an equation for each entry"
-        ),
-        _ => declaration(&name.to_string(), 0),
-    }
 }
 
 /// Rejects a vector with the name of a number, and a number with the name of a vector.

@@ -8,8 +8,11 @@
 //! | [`layout`] | tokens to groups, fences, fractions, scripts, rows; cannot fail |
 //! | `overdots` | `\dot x` and its kin: the order of a time derivative |
 //! | [`names`] | which name a typeset item is |
+//! | `inference` | what a display without declarations shows about its letters |
 //! | [`reader`] | layout to a formula; the rules of reading are in its documentation |
 //! | `rows`, `pieces` | the rows of a display, and its parts that are statements |
+//! | `rename` | a text with other names |
+//! | `lines` | the lines of a display, as a reader counts them |
 //! | [`statements`], [`definitions`] | a whole display; the names that it defines |
 //! | [`mod@typeset`] | a formula back to LaTeX that reads as the same formula |
 //! | [`slips`] | small edits of a display: mutations, and candidate corrections |
@@ -18,8 +21,12 @@
 
 #[cfg(feature = "notes")]
 pub mod definitions;
+#[cfg(feature = "notes")]
+mod inference;
 pub mod layout;
 pub mod lexer;
+#[cfg(feature = "cli")]
+pub mod lines;
 #[cfg(feature = "notes")]
 pub mod macros;
 #[cfg(feature = "notes")]
@@ -31,6 +38,8 @@ mod overdots;
 mod pieces;
 #[cfg(feature = "notes")]
 pub mod reader;
+#[cfg(feature = "cli")]
+pub mod rename;
 #[cfg(feature = "notes")]
 mod rows;
 #[cfg(feature = "notes")]

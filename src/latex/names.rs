@@ -64,7 +64,10 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
             if let Some(sup) = sup {
                 match prime_marks(sup) {
                     Some(marks) => printed.name.primes = printed.name.primes.saturating_add(marks),
-                    None => printed.sup = Some(sup),
+                    None => match label(sup).filter(|_| printed.dots == 0 && !is_euler(&printed.name.base)) {
+                        Some(label) => printed.name.base = format!("{}^{{{label}}}", printed.name.base),
+                        None => printed.sup = Some(sup),
+                    },
                 }
             }
             Some(printed)
@@ -117,6 +120,40 @@ fn word_letter(item: &Item) -> Option<char> {
         Layout::Letter(c) => Some(c),
         _ => None,
     }
+}
+
+/// A mark above a name that is no power: a word, `^{\text{ext}}`; a sign, `^+`; a number in parentheses, `^{(0)}`.
+fn label(sup: &Item) -> Option<String> {
+    let items: Vec<&Item> = match &sup.layout {
+        Layout::Group(items) => items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect(),
+        _ => vec![sup],
+    };
+    match items.as_slice() {
+        [Item { layout: Layout::Other(c @ ('+' | '-')), .. }] => Some(c.to_string()),
+        [Item { layout: Layout::Text(word), .. }] if is_label(word) => Some(format!("\\text{{{word}}}")),
+        [Item { layout: Layout::Style(style, inner), .. }] if style == "\\mathrm" => match &inner.layout {
+            Layout::Group(letters) => {
+                let word: Option<String> = letters.iter().map(word_letter).collect();
+                word.filter(|word| is_label(word)).map(|word| format!("\\text{{{word}}}"))
+            }
+            _ => None,
+        },
+        [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] => match inside.as_slice() {
+            [Item { layout: Layout::Number(digits), .. }] if digits.len() == 1 => Some(format!("({digits})")),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether a base may be Euler's number, above which a sign is a forgotten exponent.
+fn is_euler(base: &str) -> bool {
+    base == "e" || base == "\\mathrm{e}"
+}
+
+/// Whether a word above a name is a label: no ending of an ordinal number.
+fn is_label(word: &str) -> bool {
+    word.len() > 1 && word.chars().all(|c| c.is_ascii_alphabetic()) && !["th", "st", "nd", "rd"].contains(&word)
 }
 
 /// `^\prime`, `^{\prime\prime}`.

@@ -26,6 +26,8 @@ pub(super) fn pieces(items: &[Item]) -> Vec<Piece<'_>> {
 pub(super) struct Piece<'a> {
     pub(super) links: Vec<Link<'a>>,
     pub(super) constant: Option<Span>,
+    /// What stands after "for", "if" or "when", from that word on; and what stands in parentheses after a wide space.
+    pub(super) conditions: Vec<Vec<&'a Item>>,
     pub(super) row: usize,
     /// Why it cannot be read, whatever its items say.
     pub(super) fault: Option<Fault>,
@@ -41,7 +43,7 @@ pub(super) struct Link<'a> {
 
 impl Piece<'_> {
     fn new(row: usize) -> Self {
-        Piece { links: Vec::new(), constant: None, row, fault: None }
+        Piece { links: Vec::new(), constant: None, conditions: Vec::new(), row, fault: None }
     }
 
     /// Where it stands.
@@ -69,6 +71,32 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>) {
         let is_wide = matches!(item.layout, Layout::Space(Space::Wide));
         // Before a row it indents what goes on.
         if is_wide && starts_row {
+            at += 1;
+            continue;
+        }
+        let of_condition = current.as_mut().filter(|piece| !piece.conditions.is_empty() && !ends_condition(&items, at));
+        if let Some(condition) = of_condition.and_then(|piece| piece.conditions.last_mut()) {
+            condition.push(item);
+            at += 1;
+            continue;
+        }
+        let before = current.as_mut().filter(|piece| piece.links.len() > 1);
+        if let (Some(piece), true) = (before, begins_condition(item)) {
+            piece.conditions.push(vec![item]);
+            at += 1;
+            continue;
+        }
+        // A wide space may stand before the condition: `x = 1 \quad \text{if } …`, `x = 1 \qquad (t > 0)`.
+        let is_stop = is_wide || item.layout == Layout::Other(',');
+        let pauses = || items[at..].iter().take_while(|next| is_pause(next));
+        let has_wide = pauses().any(|next| next.layout == Layout::Space(Space::Wide));
+        let next = items.get(at + pauses().count());
+        let goes_on = next.is_some_and(|next| begins_condition(next) || has_wide && is_comparison(next));
+        if let (true, true, Some(piece)) = (is_stop, goes_on, current.as_mut().filter(|piece| piece.links.len() > 1)) {
+            while items.get(at).is_some_and(|item| is_pause(item)) {
+                at += 1;
+            }
+            piece.conditions.push(vec![items[at]]);
             at += 1;
             continue;
         }
@@ -197,6 +225,47 @@ fn joins(items: &[&Item], at: usize) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether an item begins a condition: `\text{for}`, `\text{if}`, `\forall`.
+fn begins_condition(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Command(name) => name == "\\forall",
+        Layout::Text(word) => matches!(
+            word.trim_matches(|c: char| c == ',' || c == '.').to_ascii_lowercase().as_str(),
+            "for"
+                | "if"
+                | "when"
+                | "whenever"
+                | "provided"
+                | "providedthat"
+                | "forall"
+                | "forevery"
+                | "foreach"
+                | "forany"
+        ),
+        _ => false,
+    }
+}
+
+/// Whether a condition ends here: at a wide space, or at a comma or a word before something that compares nothing.
+fn ends_condition(items: &[&Item], at: usize) -> bool {
+    match &items[at].layout {
+        Layout::Space(Space::Wide) => items[at + 1..].iter().any(|next| !is_pause(next)),
+        Layout::Other(';' | '.') => separates(items[at]) && !joins(items, at),
+        Layout::Command(_) => separates(items[at]),
+        Layout::Text(word) => separates(items[at]) && word != "and",
+        _ => false,
+    }
+}
+
+fn is_pause(item: &Item) -> bool {
+    matches!(item.layout, Layout::Space(_) | Layout::Other(','))
+}
+
+/// Whether an item is a parenthesis with a comparison in it.
+fn is_comparison(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if inside.iter().any(|item| relation(item).is_some()))
 }
 
 /// Whether the item is a whole number in parentheses at the end of the row, after a space: `F = ma \quad (2)`.

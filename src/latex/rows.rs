@@ -33,7 +33,7 @@ pub(super) fn rows(items: &[Item]) -> Vec<Row<'_>> {
             if matches!(
                 name.trim_end_matches('*'),
                 "aligned" | "split" | "gathered" | "align" | "gather" | "alignedat" | "equation" | "eqnarray"
-            ) =>
+            ) || is_system(name, rows) =>
         {
             rows.iter().map(|row| row.iter().map(|cell| cell.iter().collect()).collect()).collect()
         }
@@ -54,6 +54,28 @@ pub(super) fn rows(items: &[Item]) -> Vec<Row<'_>> {
         rows.push(Row { items: side_by_side(cells), is_aligned, is_indented, follows_stop });
     }
     rows
+}
+
+/// Whether `cases` is a list of equations behind a brace: each row has a relation in its first column, or before its
+/// second.
+fn is_system(name: &str, rows: &[Vec<Vec<Item>>]) -> bool {
+    let has_relation = |cell: &[Item]| cell.iter().any(|item| relation(item).is_some());
+    let begins = |cell: &Vec<Item>| {
+        let first = cell.iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+        first.is_some_and(|item| relation(item).is_some())
+    };
+    let is_equation = |row: &Vec<Vec<Item>>| {
+        row.first().is_some_and(|cell| has_relation(before_condition(cell))) || row.get(1).is_some_and(begins)
+    };
+    matches!(name.trim_end_matches('*'), "cases" | "dcases" | "rcases")
+        && !rows.is_empty()
+        && rows.iter().all(is_equation)
+}
+
+/// The items before a comma, a wide space or a word, after which a condition may stand.
+fn before_condition(cell: &[Item]) -> &[Item] {
+    let ends = |item: &Item| matches!(item.layout, Layout::Space(Space::Wide) | Layout::Other(',') | Layout::Text(_));
+    &cell[..cell.iter().position(ends).unwrap_or(cell.len())]
 }
 
 fn is_blank(cell: &[&Item]) -> bool {

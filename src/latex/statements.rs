@@ -5,15 +5,17 @@
 //! whole member is defined by the statement ([`super::definitions`]).
 
 use crate::formula::shape::{self, Shape, Type};
-use crate::formula::symbols::Symbols;
+use crate::formula::symbols::{Kind, Symbols};
 use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
 use super::definitions::{DefinedSymbol, New, Place, Unknown};
+use super::inference::infer;
 use super::layout::{Item, Layout, typeset_items};
 use super::macros::Macros;
 use super::pieces::{Piece, Printed, pieces};
 use super::reader::Reader;
+use super::reader::algebra::evidence;
 
 /// The result of reading a display.
 #[derive(Clone, Debug, Default)]
@@ -37,7 +39,15 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
             return reading;
         }
     };
-    let pieces = pieces(&items);
+    evidence::note(&items, symbols);
+    if symbols.open {
+        symbols.inferred.active = true;
+        infer(&items, symbols);
+    }
+    let mut pieces = pieces(&items);
+    if symbols.open {
+        without_ranges(&mut pieces);
+    }
     if pieces.is_empty() {
         let fault = Fault::new(Span::new(0, text.len()), "this display is empty");
         reading.statements.push(Err(fault));
@@ -78,6 +88,29 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
     reading
 }
 
+/// Leaves out the range of an index beside other statements, `k = 1, \dots, n`, which states nothing.
+fn without_ranges(pieces: &mut Vec<Piece<'_>>) {
+    let is_dots = |piece: &Piece<'_>| {
+        let mut items = piece.links.iter().flat_map(|link| &link.items);
+        matches!((items.next(), items.next()), (Some(Item { layout: Layout::Command(name), .. }), None) if name == "\\dots")
+    };
+    let counts = |piece: &Piece<'_>| {
+        piece.links.len() == 2 && piece.links[1].items.iter().all(|item| matches!(item.layout, Layout::Number(_)))
+    };
+    while let Some(dots) = pieces.iter().position(is_dots) {
+        let Some(mut first) = dots.checked_sub(1) else { return };
+        while first > 0 && pieces[first].links.len() == 1 {
+            first -= 1;
+        }
+        let is_range =
+            first > 0 && counts(&pieces[first]) && pieces.get(dots + 1).is_some_and(|last| last.links.len() == 1);
+        if !is_range {
+            return;
+        }
+        pieces.drain(first..=dots + 1);
+    }
+}
+
 fn has_branch(item: &&Item) -> bool {
     fn inside(item: &Item) -> bool {
         match &item.layout {
@@ -112,6 +145,11 @@ impl Piece<'_> {
             let before = at.checked_sub(1).and_then(|before| relations.get(before));
             matches!(before, Some((Relation::Equal | Relation::Identical, _)))
         };
+        let mut conditions = Vec::new();
+        for condition in &self.conditions {
+            let items: Vec<Item> = condition.iter().map(|item| (*item).clone()).collect();
+            conditions.extend(Reader::new(symbols, branch).condition(&items, span)?.all(span)?);
+        }
         let mut unknown: Vec<Option<Unknown>> = Vec::with_capacity(links.len());
         let mut read: Vec<Option<(Expr, Type)>> = Vec::with_capacity(links.len());
         for (at, (relation, items)) in links.iter().enumerate() {
@@ -121,7 +159,9 @@ impl Piece<'_> {
                 (1.., Some((Relation::Identical, _))) => Some(Place::AfterIdentical),
                 _ => None,
             };
-            let found = place.and_then(|place| Unknown::of(items, place, symbols, branch));
+            // What holds under a condition defines nothing.
+            let found =
+                place.filter(|_| conditions.is_empty()).and_then(|place| Unknown::of(items, place, symbols, branch));
             read.push(match found {
                 Some(_) => None,
                 None => {
@@ -178,7 +218,22 @@ impl Piece<'_> {
                 return Err(Fault::index(place, message).help("write a Σ for each letter that is summed over"));
             }
         }
-        let statement = Statement { members, relations, constant: self.constant, branch, row: self.row, span };
+        note_complex(&members, &types, symbols);
+        let statement =
+            Statement { members, relations, conditions, constant: self.constant, branch, row: self.row, span };
         Ok((statement, news))
+    }
+}
+
+/// Without declarations: a name that equals a complex number is one.
+fn note_complex(members: &[Expr], types: &[Type], symbols: &mut Symbols) {
+    if !symbols.open || !types.iter().any(|found| found.shape == Shape::Complex) {
+        return;
+    }
+    for id in members.iter().filter_map(Expr::as_plain_symbol) {
+        let entry = symbols.entry_mut(id);
+        if entry.kind == Kind::Scalar {
+            entry.kind = Kind::Complex;
+        }
     }
 }

@@ -4,7 +4,8 @@
 //! angle. A thin space separates factors, and a product within a product keeps its parentheses.
 
 use crate::formula::symbols::Symbols;
-use crate::formula::tree::{Excluded, Expr, Index, Node, Sign};
+use crate::formula::text::APPLICATION;
+use crate::formula::tree::{Branch, ComplexPart, Condition, Excluded, Expr, Index, Node, Sign};
 
 use super::names::{self, unaccented};
 
@@ -36,6 +37,25 @@ impl Typesetter<'_> {
             _ => false,
         };
         if enclose { format!("\\left({text}\\right)") } else { text }
+    }
+
+    /// A row of `cases`.
+    fn branch(&self, branch: &Branch) -> String {
+        let value = self.bare(&branch.value);
+        let condition = |condition: &Condition| {
+            let mut text = String::new();
+            for (at, member) in condition.members.iter().enumerate() {
+                if at > 0 {
+                    text.push_str(condition.relations[at - 1].command());
+                }
+                text.push_str(&self.bare(member));
+            }
+            text
+        };
+        match branch.conditions.as_slice() {
+            [] => format!("{value} & \\text{{otherwise}}"),
+            all => format!("{value} & {}", all.iter().map(condition).collect::<Vec<_>>().join(" \\text{ and } ")),
+        }
     }
 
     fn bare(&self, expr: &Expr) -> String {
@@ -88,7 +108,13 @@ impl Typesetter<'_> {
             Node::Call(function, a) => format!("\\{}{}", function.name(), self.argument(a)),
             Node::Apply(id, arguments) => {
                 let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
-                format!("{}({})", self.symbols.entry(*id).name, arguments.join(", "))
+                let entry = self.symbols.entry(*id);
+                let name = entry.name.to_string().replace(APPLICATION, "");
+                match arguments.as_slice() {
+                    [] => name,
+                    [inner] if name.starts_with('|') => format!("\\left.{inner}\\right{name}"),
+                    _ => format!("{name}\\left({}\\right)", arguments.join(", ")),
+                }
             }
             Node::TimeDerivative(1, a) => format!("\\frac{{d}}{{dt}}\\left({}\\right)", self.bare(a)),
             Node::TimeDerivative(n, a) => format!("\\frac{{d^{n}}}{{dt^{n}}}\\left({}\\right)", self.bare(a)),
@@ -104,6 +130,16 @@ impl Typesetter<'_> {
             }
             Node::Transpose(a) => format!("{}^{{T}}", self.factor(a, true)),
             Node::Inverse(a) => format!("{}^{{-1}}", self.factor(a, true)),
+            Node::Identity => "\\mathbb{1}".into(),
+            Node::Imaginary => "\\mathrm{i}".into(),
+            Node::OfMatrix(function, a) => format!("{}\\left({}\\right)", function.command(), self.bare(a)),
+            Node::Complex(ComplexPart::Conjugate, a) => format!("\\overline{{{}}}", self.bare(a)),
+            Node::Complex(part, a) => format!("\\operatorname{{{}}}\\left({}\\right)", part.name(), self.bare(a)),
+            Node::Commutator(a, b) => format!("\\left[{}, {}\\right]", self.bare(a), self.bare(b)),
+            Node::Cases(branches) => {
+                let rows: Vec<String> = branches.iter().map(|branch| self.branch(branch)).collect();
+                format!("\\begin{{cases}} {} \\end{{cases}}", rows.join(" \\\\ "))
+            }
             Node::Entry(a, i, j) => match &a.node {
                 Node::Transpose(inner) | Node::Inverse(inner) => {
                     let above = if matches!(a.node, Node::Transpose(_)) { "T" } else { "-1" };

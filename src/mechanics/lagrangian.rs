@@ -41,6 +41,15 @@ impl<D: Number, const N: usize, const P: usize> State<D, N, P> {
     }
 }
 
+/// A point mass of a system.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Particle<D> {
+    /// Its mass.
+    pub mass: D,
+    /// Its Cartesian coordinates x, y, z along axes at rest.
+    pub place: [D; 3],
+}
+
 /// A mechanical system, given by its Lagrangian.
 ///
 /// ```
@@ -74,6 +83,17 @@ pub trait Lagrangian<const N: usize, const P: usize>: Send + Sync + 'static {
     }
     /// For a rigid body: R with êₐ = R_ab ê_b(0). The *rows* are the body's axes in space components.
     fn orientation<D: Number>(&self, at: &State<D, N, P>) -> Option<Matrix3<D>> {
+        let _ = at;
+        None
+    }
+    /// The point masses that the system consists of, for a system of particles whose kinetic energy is ½ Σ m v².
+    fn particles<D: Number>(&self, at: &State<D, N, P>) -> Vec<Particle<D>> {
+        let _ = at;
+        Vec::new()
+    }
+    /// The principal moments of a rigid body with an [orientation](Lagrangian::orientation), whose kinetic energy is
+    /// ½ Σ λₐ ωₐ².
+    fn principal_moments<D: Number>(&self, at: &State<D, N, P>) -> Option<[D; 3]> {
         let _ = at;
         None
     }

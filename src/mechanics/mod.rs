@@ -85,12 +85,12 @@ pub mod rigid_body;
 pub mod system;
 mod tape;
 
-pub use lagrangian::{Lagrangian, State};
+pub use lagrangian::{Lagrangian, Particle, State};
 #[cfg(feature = "notes")]
 pub(crate) use linear_solver::solve_with;
 pub use linear_solver::{LinearSolver, MAX_CONDITION, condition_number};
 pub use quadrature::{Body, Nodes, bodies};
 pub use rigid_body::frames::{Frame, axes_about};
 pub use rigid_body::{frames, inertia, rotations};
-pub use system::{AccelerationEvaluator, AnyLagrangian, Quantities, System, erased};
+pub use system::{AccelerationEvaluator, AnyLagrangian, Parts, Quantities, System, erased};
 pub use tape::{Op, Tape};

@@ -8,7 +8,7 @@ use super::display::{Display, Numbered};
 
 use super::rows;
 use super::tex_scanner::{self, Delimiter, Name, RawDisplay};
-use crate::source::{Fault, Span};
+use crate::source::{Fault, Source, Span};
 
 /// Overwrites `spans` by spaces, line ends kept.
 pub(super) fn blank<'a>(clean: &mut [u8], spans: impl IntoIterator<Item = &'a Span>) {
@@ -43,12 +43,13 @@ struct Piece {
 /// # Errors
 /// A display with two numbers, and a name without a display.
 pub(super) fn assemble(
-    source: &str,
+    file: &Source,
     clean: Vec<u8>,
     raws: Vec<RawDisplay>,
     names: Vec<Name>,
 ) -> Result<Vec<Display>, Fault> {
-    let mut work = Work { source, clean };
+    let source = file.text.as_str();
+    let mut work = Work { source, file, clean };
     let mut pieces = Vec::new();
     let mut names = names.into_iter().peekable();
     for (i, raw) in raws.iter().enumerate() {
@@ -71,6 +72,7 @@ pub(super) fn assemble(
 
 struct Work<'a> {
     source: &'a str,
+    file: &'a Source,
     clean: Vec<u8>,
 }
 
@@ -236,6 +238,12 @@ impl Work<'_> {
     fn number_after(&mut self, piece: &mut Piece, next: usize) {
         let after = piece.raw.span.end;
         let direct = tex_scanner::skip_space(&self.clean[..next], after);
+        if let Some((label, end)) = self.label_at(direct) {
+            blank(&mut self.clean, [&label.span]);
+            piece.labels.push(label);
+            piece.end = end;
+            return;
+        }
         if let Some(number) = self.number_ending_line(direct, next) {
             piece.end = number.span.end;
             piece.number = Some(number);
@@ -253,6 +261,25 @@ impl Work<'_> {
             piece.body.end = last.at;
         }
         piece.number = Some(number);
+    }
+
+    /// A label behind a display: `{#eq-energy}` of Quarto and pandoc, `(energy)` of MyST, at the end of its line.
+    fn label_at(&self, at: usize) -> Option<(Numbered, usize)> {
+        // A long line has displays behind this one, and no label at its end.
+        const LONGEST: usize = 200;
+        let bytes = self.source.as_bytes();
+        let end = tex_scanner::line_end(&bytes[..bytes.len().min(at.saturating_add(LONGEST))], at);
+        let line = self.source.get(at..end).filter(|_| bytes.get(end).is_none_or(|&b| b == b'\n'))?;
+        let line = line.trim_end();
+        let braced = line.strip_prefix("{#").and_then(|rest| rest.strip_suffix('}'));
+        let braced = braced.map(|inside| inside.split_whitespace().next().unwrap_or_default());
+        let bare =
+            || line.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).filter(|id| !tex_scanner::is_number(id));
+        let id = braced.or_else(bare)?;
+        let is_word =
+            !id.is_empty() && id.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b':' | b'.'));
+        let is_label = is_word && (braced.is_some() || id.bytes().any(|b| matches!(b, b'-' | b'_' | b':')));
+        is_label.then(|| (Numbered { id: id.to_owned(), span: Span::new(at, at + line.len()) }, at + line.len()))
     }
 
     /// The number at `at`, when its line ends with it.
@@ -385,7 +412,7 @@ impl Work<'_> {
         if text.trim().is_empty() && number.is_none() && labels.is_empty() {
             return None;
         }
-        let line = lines.line(self.source, span.start);
+        let line = lines.line(self.file, span.start);
         Some(Display { span, body, parts, text, number, labels, line })
     }
 }
@@ -400,17 +427,25 @@ fn is_digits(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// A counter of lines: the number of newlines before `at`.
+/// A counter of lines that goes on from the place before, so that all of them are found in linear time.
 #[derive(Default)]
 struct Lines {
+    /// The file, as the address of its text.
+    file: Option<*const u8>,
     at: usize,
     newlines: usize,
 }
 
 impl Lines {
-    /// The line of `at`, which must not be before the place of the last call.
-    fn line(&mut self, text: &str, at: usize) -> usize {
-        self.newlines += text.as_bytes()[self.at..at].iter().filter(|&&b| b == b'\n').count();
+    /// The line in its file of a byte of the view.
+    fn line(&mut self, view: &Source, at: usize) -> usize {
+        let place = view.place(Span::at(at));
+        let (file, at) = (place.file.text.as_ptr(), place.span.start);
+        if self.file != Some(file) || at < self.at {
+            *self = Lines { file: Some(file), ..Lines::default() };
+        }
+        let between = place.file.text.as_bytes().get(self.at..at).unwrap_or_default();
+        self.newlines += between.iter().filter(|&&b| b == b'\n').count();
         self.at = at;
         self.newlines + 1
     }

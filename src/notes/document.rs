@@ -6,6 +6,8 @@ use std::sync::Arc;
 
 pub use super::display::{Display, Numbered};
 use super::file::read_text;
+use super::formats::{self, Format};
+pub use super::kind::Kind;
 pub use super::macros::MacroDefinition;
 use super::references::{self, Reference};
 use super::{displays, macros, markdown, tex};
@@ -28,34 +30,17 @@ pub struct Notes {
     pub inline: Vec<Span>,
     /// Block-quote markers, which are not part of a sentence.
     markers: Vec<Span>,
-}
-
-/// The format of a document.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Markdown, or plain text with `$$…$$`.
-    Markdown,
-    /// TeX.
-    Tex,
-}
-
-impl Kind {
-    /// The format by the extension of a file.
-    pub fn of(path: &Path) -> Option<Kind> {
-        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
-            "md" | "markdown" | "txt" => Some(Kind::Markdown),
-            "tex" => Some(Kind::Tex),
-            _ => None,
-        }
-    }
+    /// Files that the document names and that are not there.
+    pub absent: Vec<Error>,
 }
 
 impl Notes {
     /// Reads the file at `path`, known in messages as `shown_as`.
     pub fn read(path: &Path, shown_as: &str) -> Result<Notes> {
-        let Some(kind) = Kind::of(path) else {
+        let Some(format) = Format::of(path) else {
+            let known: Vec<String> = formats::ALL.iter().map(|format| format!(".{}", format.extensions[0])).collect();
             return Err(Error::new(format!("{shown_as} does not have the extension of notes"))
-                .help("notes are .md, .markdown, .txt or .tex"));
+                .help(format!("notes are {} and others, which the documentation lists", known.join(", "))));
         };
         let source = read_text(path, shown_as)?;
         if source.text.trim_start_matches('\u{feff}').trim().is_empty() {
@@ -63,7 +48,10 @@ impl Notes {
                 .with_code(Code::NotesFile)
                 .help("it has no equations to check"));
         }
-        Notes::parse(source, kind)
+        let view = (format.view)(&source, path)?;
+        let mut notes = Notes::parse(view.source, format.kind)?;
+        notes.absent = view.absent;
+        Ok(notes)
     }
 
     /// Finds the displays of a text.
@@ -75,16 +63,24 @@ impl Notes {
         let scan = scan.map_err(|fault| Error::fault(&source, fault))?;
         let mut clean = source.text.clone().into_bytes();
         displays::blank(&mut clean, scan.blank.iter().chain(&scan.markers));
-        let macros = macros::all(&String::from_utf8_lossy(&clean));
+        let macros = macros::definitions(&String::from_utf8_lossy(&clean));
         displays::blank(&mut clean, macros.iter().map(|definition| &definition.span));
         let mut prose = clean.clone();
         displays::blank(&mut prose, scan.raws.iter().map(|raw| &raw.span).chain(&scan.inline));
-        let equations = displays::assemble(&source.text, clean, scan.raws, scan.names)
-            .map_err(|fault| Error::fault(&source, fault))?;
+        let equations =
+            displays::assemble(&source, clean, scan.raws, scan.names).map_err(|fault| Error::fault(&source, fault))?;
         let numbers = || equations.iter().filter_map(|display| display.number.as_ref());
         displays::blank(&mut prose, numbers().map(|number| &number.span));
         let references = references::all(&prose, &source, numbers().map(|number| number.id.as_str()));
-        Ok(Notes { source, equations, macros, references, inline: scan.inline, markers: scan.markers })
+        Ok(Notes {
+            source,
+            equations,
+            macros,
+            references,
+            inline: scan.inline,
+            markers: scan.markers,
+            absent: Vec::new(),
+        })
     }
 
     /// The references to numbers that no display carries. The prose may mean another document.

@@ -1,17 +1,17 @@
-//! Reading of text files, with an error for what is no readable UTF-8 text.
+//! Reading of text files, with an error for what is no readable text.
 
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::code::Code;
 use crate::error::reason;
-use crate::source::Source;
+use crate::source::{Encoding, Source};
 use crate::{Error, Result};
 
 /// The most bytes of a file.
 const LARGEST: u64 = 64 << 20;
 
-/// Reads a text file: too large, unreadable and not UTF-8 are errors.
+/// Reads a text file: too large, unreadable and bytes that are no text are errors.
 pub(super) fn read_text(path: &Path, shown_as: &str) -> Result<Arc<Source>> {
     let failed = |error: std::io::Error| Error::new(format!("cannot read {shown_as}: {}", reason(&error)));
     let about = std::fs::metadata(path).map_err(failed)?;
@@ -28,14 +28,29 @@ pub(super) fn read_text(path: &Path, shown_as: &str) -> Result<Arc<Source>> {
             .help("split the file"));
     }
     let bytes = std::fs::read(path).map_err(failed)?;
-    match String::from_utf8(bytes) {
-        Ok(text) => Ok(Arc::new(Source::new(shown_as, text))),
-        Err(error) => {
-            let at = error.utf8_error().valid_up_to();
-            let bytes = error.as_bytes();
-            let line = bytes[..at].iter().filter(|&&b| b == b'\n').count() + 1;
-            Err(Error::new(format!("{shown_as} is not UTF-8: byte {at} (0x{:02x}, line {line})", bytes[at]))
-                .help("save the file as UTF-8"))
-        }
-    }
+    let encoding = match bytes.as_slice() {
+        [0xff, 0xfe, ..] => Encoding::Utf16Little,
+        [0xfe, 0xff, ..] => Encoding::Utf16Big,
+        _ if declares_one_byte(&bytes) && std::str::from_utf8(&bytes).is_err() => Encoding::Windows1252,
+        _ => Encoding::Utf8,
+    };
+    encoding.decode(&bytes).map(|text| Arc::new(Source::new(shown_as, text).encoded(encoding))).map_err(|at| {
+        let line = bytes[..at].iter().filter(|&&b| b == b'\n').count() + 1;
+        let name = match encoding {
+            Encoding::Utf8 => "UTF-8",
+            Encoding::Windows1252 => "Windows-1252",
+            Encoding::Utf16Little | Encoding::Utf16Big => "UTF-16",
+        };
+        let byte = bytes.get(at).copied().unwrap_or_default();
+        Error::new(format!("{shown_as} is not {name}: byte {at} (0x{byte:02x}, line {line})"))
+            .help("save the file as UTF-8")
+    })
+}
+
+/// Whether a TeX file says that its characters are bytes of Latin-1 or Windows-1252.
+fn declares_one_byte(bytes: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(1 << 16)]);
+    let names = ["latin1", "ansinew", "cp1252"];
+    head.contains("inputenc") && names.iter().any(|name| head.contains(&format!("[{name}]")))
+        || names.iter().any(|name| head.contains(&format!("\\inputencoding{{{name}}}")))
 }

@@ -54,7 +54,8 @@ fn structure(text: &str) -> Structure {
         match event {
             Event::Code(_) => structure.blocks.push(Block { span, kind: BlockKind::Code }),
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => {
-                fence = Some((span, info.split_whitespace().next() == Some("math"), None));
+                let word = info.split_whitespace().next();
+                fence = Some((span, matches!(word, Some("math" | "{math}")), None));
             }
             Event::Text(_) => {
                 if let Some((_, _, inside)) = &mut fence {
@@ -83,12 +84,14 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
     let mut blocks = structure.blocks.iter().peekable();
     // Once no `\]` follows, none follows later: without this, many unclosed `\[` would be quadratic.
     let mut brackets_close = true;
+    let mut doubled_close = true;
     let mut i = 0;
     while i < bytes.len() {
         while blocks.next_if(|block| block.span.start < i).is_some() {}
         if let Some(block) = blocks.next_if(|block| block.span.start == i) {
             match block.kind {
                 BlockKind::Math(body) => {
+                    let body = found.options(text, body);
                     display(text, RawDisplay { span: block.span, body, delimiter: Delimiter::Whole }, found)?
                 }
                 _ => found.blank.push(block.span),
@@ -115,6 +118,21 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
                 found.names.extend(tex_scanner::name_in(text, Span::new(i + 4, close))?);
                 found.blank.push(Span::new(i, close + 3));
                 close + 3
+            }
+            b':' if bytes[i..].starts_with(b":::") && starts_line(bytes, i) => colons(text, i, found)?,
+            // mdBook writes `\\[`, because `\[` is a mere bracket in Markdown.
+            b'\\' if bytes[i..].starts_with(b"\\\\[") => {
+                match doubled_close.then(|| tex_scanner::find(text, i + 3, "\\\\]")).flatten() {
+                    Some(close) => {
+                        let (span, body) = (Span::new(i, close + 3), Span::new(i + 3, close));
+                        display(text, RawDisplay { span, body, delimiter: Delimiter::Whole }, found)?;
+                        span.end
+                    }
+                    None => {
+                        doubled_close = false;
+                        i + 2
+                    }
+                }
             }
             b'\\' if bytes[i..].starts_with(b"\\[") => {
                 match brackets_close.then(|| tex_scanner::find_unescaped(text, i + 2, b"\\]")).flatten() {
@@ -165,6 +183,31 @@ fn display(text: &str, raw: RawDisplay, found: &mut ScannedText) -> Result<(), F
     }
     found.raws.push(raw);
     Ok(())
+}
+
+/// The block of MyST between colons that opens at `at`: a display, if its name is `math`. Returns where to read on.
+fn colons(text: &str, at: usize, found: &mut ScannedText) -> Result<usize, Fault> {
+    let bytes = text.as_bytes();
+    let colons = bytes[at..].iter().take_while(|&&b| b == b':').count();
+    let end = tex_scanner::line_end(bytes, at);
+    let info = text[at + colons..end].trim();
+    if !info.starts_with("{math}") {
+        return Ok(end);
+    }
+    let closing = format!("\n{}", ":".repeat(colons));
+    let Some(close) = tex_scanner::find(text, end, &closing) else {
+        return Err(Fault::notes(Span::new(at, end), "this `{math}` is never closed")
+            .help(format!("add a line `{}` after the equation", ":".repeat(colons))));
+    };
+    let span = Span::new(at, close + closing.len());
+    let body = found.options(text, Span::new(end, close));
+    display(text, RawDisplay { span, body, delimiter: Delimiter::Whole }, found)?;
+    Ok(span.end)
+}
+
+/// Whether only spaces precede in the line of `at`.
+fn starts_line(bytes: &[u8], at: usize) -> bool {
+    bytes[..at].iter().rev().take_while(|&&b| b != b'\n').all(|&b| matches!(b, b' ' | b'\t' | b'>'))
 }
 
 /// Whether the two bytes at `at` are alone on their line.

@@ -1,6 +1,6 @@
 //! Documents: the notes as the author wrote them, and the claims file beside them.
 //!
-//! [`Notes`] are the display equations of a Markdown or TeX file, each with the byte range of the display, of its
+//! [`Notes`] are the display equations of a document in one of the [`formats`], each with the byte range of the display, of its
 //! number and of its labels. [`Claims`] are the contents of the JSON file that declares the symbols and states what the
 //! equations claim. An [`Address`] in the claims file names an equation of the notes. LaTeX stays text here; no
 //! mathematics is read.
@@ -16,7 +16,9 @@ mod display;
 mod displays;
 pub(crate) mod document;
 mod file;
+pub mod formats;
 pub(crate) mod json;
+mod kind;
 mod macros;
 mod markdown;
 pub(crate) mod normalize;
@@ -29,5 +31,5 @@ pub use address::{Address, Item, Place, Point, Target};
 pub use claims::{Claim, Claims, Sentence, Spanned, claims_beside};
 pub use display::{Display, Numbered};
 pub use document::{Kind, Notes};
-pub use macros::MacroDefinition;
+pub use macros::{Form, MacroDefinition, definitions};
 pub use references::Reference;

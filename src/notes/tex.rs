@@ -30,6 +30,17 @@ pub(super) fn scan(text: &str) -> Result<ScannedText, Fault> {
     Ok(found)
 }
 
+/// The position after the verbatim text or the definition that begins at `at`.
+pub(super) fn verbatim_end(text: &str, at: usize) -> Option<usize> {
+    if let Some((name, inside)) = tex_scanner::begin(text, at) {
+        let closing = format!("\\end{{{name}}}");
+        // What is never closed hides the rest; the scan of the displays reports it.
+        let end = || tex_scanner::find(text, inside, &closing).unwrap_or(text.len());
+        return VERBATIM.contains(&name).then(end);
+    }
+    macros::definition(text, at).map(|definition| definition.span.end)
+}
+
 /// Reads the command at `at`. Returns the position after it, or `None` at the end of the document.
 fn command(text: &str, at: usize, found: &mut ScannedText) -> Result<Option<usize>, Fault> {
     let bytes = text.as_bytes();

@@ -32,6 +32,28 @@ impl ScannedText {
         end
     }
 
+    /// Records the options in the first lines of a fence, as `:label: energy`. Returns the rest of its body.
+    pub fn options(&mut self, text: &str, body: Span) -> Span {
+        let mut start = body.start;
+        for line in text[body.range()].split_inclusive('\n') {
+            let own = line.trim();
+            let option = own.strip_prefix(':').and_then(|rest| rest.split_once(':'));
+            let Some((name, value)) = option.filter(|(name, _)| !name.contains(char::is_whitespace)) else {
+                if own.is_empty() {
+                    start += line.len();
+                    continue;
+                }
+                break;
+            };
+            if matches!(name, "label" | "name") {
+                let span = Span::new(start, start + line.trim_end().len());
+                self.names.push(Name { id: value.trim().to_owned(), span });
+            }
+            start += line.len();
+        }
+        Span::new(start.min(body.end), body.end)
+    }
+
     /// Records the TeX comment at `at`. Returns the end of its line.
     pub fn comment(&mut self, text: &str, at: usize) -> Result<usize, Fault> {
         let end = line_end(text.as_bytes(), at);

@@ -2,11 +2,12 @@
 
 use maud::{Markup, html};
 
-use super::{badge, counts, equation_anchor, prefix};
+use super::{badge, counts, equation_anchor, lecture_anchor, prefix};
 use crate::check::{Equation, Report};
+use crate::lecture::Lecture;
 
 /// The index. `link` gives the address of each document.
-pub(super) fn index(report: &Report, link: &dyn Fn(usize) -> String, single: bool) -> Markup {
+pub(super) fn index(report: &Report, lectures: &[Lecture], link: &dyn Fn(usize) -> String, single: bool) -> Markup {
     let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
     let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();
     let is_found = |item: &&Equation| !item.ok || !item.finding.verdict.passes();
@@ -36,6 +37,19 @@ pub(super) fn index(report: &Report, link: &dyn Fn(usize) -> String, single: boo
                         @for (at, document) in report.documents.iter().enumerate() {
                             tr { td { a href=(link(at)) { (document.path) } } td { (counts(document)) } }
                         }
+                    }
+                }
+            }
+        }
+        @if !lectures.is_empty() {
+            section aria-labelledby="derivations" {
+                h2 id="derivations" { "Derivations" }
+                p { "The way from the parts of a system to its equations of motion, each line certified:" }
+                ul {
+                    @for lecture in lectures {
+                        @let name = lecture_anchor(lecture);
+                        @let address = if single { format!("#{name}") } else { format!("{name}.html") };
+                        li { a href=(address) { (lecture.name) } ", " (lecture.lines().count()) " lines" }
                     }
                 }
             }

@@ -5,17 +5,22 @@
 //! nothing; it shows what [`crate::check`] found. [`pages`] gives the texts, and `cli` writes them. It may know `check`,
 //! `notes`, `report`, `formula` and level 0.
 
+mod derivation;
 mod document;
 mod index;
 mod prose;
+mod student;
 mod style;
 mod typeset;
+
+pub use student::class_pages;
 
 use std::path::Path;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::check::{Document, Report, Verdict};
+use crate::lecture::Lecture;
 
 /// A file of the report.
 #[derive(Clone, Debug)]
@@ -27,19 +32,24 @@ pub struct Page {
 }
 
 /// The pages of a report: an index and a page for each document, or one page with all.
-pub fn pages(report: &Report, single: bool) -> Vec<Page> {
+pub fn pages(report: &Report, lectures: &[Lecture], single: bool) -> Vec<Page> {
     let names = names(report);
     let page = |name: &str, title: &str, body: &Markup| Page {
         name: name.to_owned(),
         text: framed(title, body, single).into_string(),
     };
     let link = |at: usize| if single { format!("#{}", anchor(&names[at])) } else { names[at].clone() };
-    let index = index::index(report, &link, single);
+    let index = index::index(report, lectures, &link, single);
     if single {
         let body = html! {
             (index)
             @for (document, name) in report.documents.iter().zip(&names) {
                 section id=(anchor(name)) { (document::document(document, &prefix(name))) }
+            }
+            @for lecture in lectures {
+                section id=(lecture_anchor(lecture)) {
+                    (derivation::lecture(lecture, &format!("{}-", lecture_anchor(lecture))))
+                }
             }
         };
         return vec![page("index.html", "onshell report", &body)];
@@ -52,8 +62,27 @@ pub fn pages(report: &Report, single: bool) -> Vec<Page> {
         };
         all.push(page(name, &document.path, &body));
     }
+    for lecture in lectures {
+        let body = html! {
+            nav { a href="index.html" { "All documents" } }
+            (derivation::lecture(lecture, ""))
+        };
+        all.push(page(&format!("{}.html", lecture_anchor(lecture)), &lecture.name, &body));
+    }
     all.push(Page { name: "style.css".to_owned(), text: style::STYLE.to_owned() });
     all
+}
+
+/// The page of a lecture by itself, with its style in it.
+pub fn lecture(lecture: &Lecture) -> String {
+    framed(&lecture.name, &derivation::lecture(lecture, ""), true).into_string()
+}
+
+/// The anchor of a lecture in a page with all documents, and the name of its own page. No document has it, because
+/// the name of its page has no dot in it.
+fn lecture_anchor(lecture: &Lecture) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '-' };
+    format!("derivation.{}", lecture.name.chars().map(plain).collect::<String>())
 }
 
 fn framed(title: &str, body: &Markup, single: bool) -> Markup {

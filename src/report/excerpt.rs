@@ -19,6 +19,9 @@ const PATH: &str = "\u{f0000}";
 
 /// The lines that a span touches.
 pub(super) struct Excerpt<'a> {
+    /// What the spans are in.
+    view: &'a Source,
+    /// The file that is shown.
     source: &'a Source,
     /// The bytes of the lines in the source.
     lines: Range<usize>,
@@ -39,6 +42,8 @@ pub(super) struct Mark {
 impl<'a> Excerpt<'a> {
     /// The lines of a span.
     pub(super) fn of(source: &'a Source, span: Span) -> Excerpt<'a> {
+        let place = source.place(span);
+        let (view, source, span) = (source, place.file, place.span);
         let text = &source.text;
         let (mut from, mut to) = (span.start.min(text.len()), span.end.min(text.len()));
         while !text.is_char_boundary(from) {
@@ -62,29 +67,40 @@ impl<'a> Excerpt<'a> {
         let start = text[..from].rfind('\n').map_or(0, |at| at + 1);
         let end = text[to..].find('\n').map_or(text.len(), |at| to + at);
         let (first, _) = source.line_column(start);
-        Excerpt { source, lines: start..end, first, span: from..to }
+        Excerpt { view, source, lines: start..end, first, span: from..to }
     }
 
     /// Whether a span lies within the lines that are shown.
     pub(super) fn has(&self, span: Span) -> bool {
+        let span = self.view.place(span).span;
         self.lines.start <= span.start && span.end <= self.lines.end
     }
 
     /// The lines with the span marked.
     pub(super) fn marked(&self, title: Title<'_>, below: Vec<Element<'_>>, style: Style) -> String {
-        let mark = Mark { span: Span::from(self.span.clone()), label: String::new() };
-        self.with_marks(title, &[mark], below, style)
+        self.drawn(title, &[self.inside(self.span.clone().into())], &[String::new()], below, style)
     }
 
     /// The lines with several marks.
     pub(super) fn with_marks(&self, title: Title<'_>, marks: &[Mark], below: Vec<Element<'_>>, style: Style) -> String {
         let spans: Vec<Range<usize>> = marks.iter().map(|mark| self.within(mark.span)).collect();
-        let label =
-            marks.iter().map(|mark| columns(&mark.label)).max().filter(|wide| *wide > 0).map_or(0, |wide| wide + 1);
-        let cropped = Cropped::new(self.text(), &spans, self.room(style).saturating_sub(label));
-        let annotations = marks.iter().zip(&spans).map(|(mark, span)| {
+        let labels: Vec<String> = marks.iter().map(|mark| mark.label.clone()).collect();
+        self.drawn(title, &spans, &labels, below, style)
+    }
+
+    fn drawn(
+        &self,
+        title: Title<'_>,
+        spans: &[Range<usize>],
+        labels: &[String],
+        below: Vec<Element<'_>>,
+        style: Style,
+    ) -> String {
+        let label = labels.iter().map(|label| columns(label)).max().filter(|wide| *wide > 0).map_or(0, |wide| wide + 1);
+        let cropped = Cropped::new(self.text(), spans, self.room(style).saturating_sub(label));
+        let annotations = labels.iter().zip(spans).map(|(label, span)| {
             let annotation: Annotation<'_> = AnnotationKind::Primary.span(cropped.shown(span));
-            if mark.label.is_empty() { annotation } else { annotation.label(mark.label.as_str()) }
+            if label.is_empty() { annotation } else { annotation.label(label.as_str()) }
         });
         let snippet = Snippet::source(cropped.text.as_str()).line_start(self.first).path(PATH).fold(false);
         let group = title.element(snippet.annotations(annotations)).elements(below);
@@ -93,7 +109,11 @@ impl<'a> Excerpt<'a> {
 
     /// The lines as they are, and as they are with a span of them replaced.
     pub(super) fn replaced(&self, title: Title<'_>, span: Span, replacement: &str, style: Style) -> String {
-        let span = self.within(span);
+        // Where the file cannot be edited so, the edit is shown as LaTeX.
+        let (span, replacement) = match self.view.edit(span, replacement) {
+            Ok(edit) => (self.inside(edit.place.span), edit.replacement),
+            Err(_) => (self.within(span), replacement.to_owned()),
+        };
         let room = self.room(style);
         let lines: Vec<String> = replacement.split('\n').map(|line| shortened(line, room / 2)).collect();
         let replacement = lines.join("\n");
@@ -109,8 +129,13 @@ impl<'a> Excerpt<'a> {
         &self.source.text[self.lines.clone()]
     }
 
-    /// A span of the source in the lines.
+    /// A span of the view in the lines.
     fn within(&self, span: Span) -> Range<usize> {
+        self.inside(self.view.place(span).span)
+    }
+
+    /// A span of the file in the lines.
+    fn inside(&self, span: Span) -> Range<usize> {
         let inside = |at: usize| at.clamp(self.lines.start, self.lines.end) - self.lines.start;
         inside(span.start)..inside(span.end)
     }

@@ -31,8 +31,8 @@ pub fn error(error: &Error) -> Value {
     fields.insert("help".to_owned(), json!(error.advice()));
     if let Some((source, span)) = error.place() {
         let (line, column) = source.line_column(span.start);
-        fields.insert("path".to_owned(), json!(source.path));
-        fields.insert("file".to_owned(), json!(source.path));
+        fields.insert("path".to_owned(), json!(source.path_at(span.start)));
+        fields.insert("file".to_owned(), json!(source.path_at(span.start)));
         fields.insert("line".to_owned(), json!(line));
         fields.insert("column".to_owned(), json!(column));
         fields.insert("span".to_owned(), self::span(source, span));
@@ -47,8 +47,8 @@ pub fn failure(error: &Error) -> Value {
 
 /// A range of bytes of a file, with the place of its first byte.
 fn span(source: &Source, span: Span) -> Value {
-    let (line, column) = source.line_column(span.start);
-    json!({ "start": span.start, "end": span.end, "line": line, "column": column })
+    let (bytes, (line, column)) = (source.place(span).bytes(), source.line_column(span.start));
+    json!({ "start": bytes.start, "end": bytes.end, "line": line, "column": column })
 }
 
 fn document(document: &Document) -> Value {
@@ -78,28 +78,32 @@ fn column(source: &Source, line: usize, latex: &str) -> usize {
 
 fn equation(document: &Document, equation: &Equation) -> Value {
     let source = &document.source;
-    let column = column(source, equation.line, &equation.latex);
+    let file = source.place(equation.finding.span).file;
+    let column = column(file, equation.line, &equation.latex);
     let placed = |mut fields: Map<String, Value>, finding: &Finding| {
         fields.insert("id".to_owned(), json!(equation.id));
         fields.insert("code".to_owned(), json!(code::of_finding(finding)));
-        fields.insert("file".to_owned(), json!(source.path));
+        fields.insert("file".to_owned(), json!(file.path));
         fields.insert("line".to_owned(), json!(equation.line));
         fields.insert("column".to_owned(), json!(column));
         fields.insert("span".to_owned(), span(source, finding.span));
         fields
     };
-    let fields = fields(&equation.latex, &equation.reading, &equation.finding, equation.ok);
+    let fields = fields(source, &equation.latex, &equation.reading, &equation.finding, equation.ok);
     let mut fields = placed(fields, &equation.finding);
     if let Some(because) = &equation.because {
         fields.insert("because".to_owned(), json!(because));
     }
     if !equation.ok {
-        fields.insert("repairs".to_owned(), equation.repairs.iter().map(repair).collect());
+        fields.insert(
+            "repairs".to_owned(),
+            equation.repairs.iter().filter_map(|repair| self::repair(source, repair)).collect(),
+        );
         fields.insert("elsewhere".to_owned(), json!(equation.elsewhere));
     }
     if !equation.parts.is_empty() {
         let parts = equation.parts.iter().map(|part| {
-            let fields = self::fields(&part.latex, &part.reading, &part.finding, part.ok);
+            let fields = self::fields(source, &part.latex, &part.reading, &part.finding, part.ok);
             Value::Object(placed(fields, &part.finding))
         });
         fields.insert("parts".to_owned(), parts.collect());
@@ -107,20 +111,23 @@ fn equation(document: &Document, equation: &Equation) -> Value {
     Value::Object(fields)
 }
 
-fn repair(repair: &Repair) -> Value {
-    json!({
-        "start": repair.span.start,
-        "end": repair.span.end,
-        "replacement": repair.replacement,
+/// An edit of a file; none, where the file cannot be edited so.
+fn repair(source: &Source, repair: &Repair) -> Option<Value> {
+    let edit = source.edit(repair.span, &repair.replacement).ok()?;
+    let bytes = edit.place.bytes();
+    Some(json!({
+        "start": bytes.start,
+        "end": bytes.end,
+        "replacement": edit.replacement,
         "slip": repair.slip.word(),
         "verdict": repair.verdict.word(),
         "step": repair.step,
         "of": repair.shared.as_ref().map(|shared| &shared.of),
         "mends": repair.shared.as_ref().map(|shared| &shared.mends),
-    })
+    }))
 }
 
-fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String, Value> {
+fn fields(source: &Source, latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String, Value> {
     let fields = json!({
         "latex": latex,
         "reading": reading,
@@ -136,7 +143,7 @@ fn fields(latex: &str, reading: &str, finding: &Finding, ok: bool) -> Map<String
         "difference": finding.difference.as_ref().map(formula),
         "derived": finding.derived.as_ref().map(formula),
         "carried": finding.carried,
-        "terms": finding.fit.iter().flat_map(|fit| &fit.terms).map(misfit).collect::<Vec<_>>(),
+        "terms": finding.fit.iter().flat_map(|fit| &fit.terms).map(|term| misfit(source, term)).collect::<Vec<_>>(),
         "missing": finding.fit.iter().flat_map(|fit| &fit.missing).map(formula).collect::<Vec<_>>(),
     });
     let Value::Object(mut fields) = fields else { return Map::new() };
@@ -157,8 +164,9 @@ fn counterexample(counterexample: &Counterexample) -> Value {
     })
 }
 
-fn misfit(misfit: &Misfit) -> Value {
-    json!({ "start": misfit.span.start, "end": misfit.span.end, "coefficient": misfit.coefficient.value() })
+fn misfit(source: &Source, misfit: &Misfit) -> Value {
+    let bytes = source.place(misfit.span).bytes();
+    json!({ "start": bytes.start, "end": bytes.end, "coefficient": misfit.coefficient.value() })
 }
 
 fn formula(formula: &Formula) -> Value {

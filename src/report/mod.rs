@@ -1,7 +1,8 @@
 //! Reports for people and for machines: text that fits a terminal, diagnostics with the lines of a file, and JSON.
 //!
 //! This folder decides nothing. It prints what [`crate::check`] found: [`text`] a check, [`mutants`] a run of mutation
-//! testing, [`answer`] a comparison of two formulas, each as JSON too ([`json`]); [`diagnostic`] one error, and
+//! testing, [`marks`] a marked class, [`requests`] a check for the programs of a pull request, [`answer`] a comparison of two
+//! formulas, each as JSON too ([`json`]); [`diagnostic`] one error, and
 //! [`explain`] a verdict or a code. A [`Style`] says how wide a line may be. It may know `check`, `formula`, `source`,
 //! `error` and `code`; nothing but `cli` and `testing` may know it.
 
@@ -12,7 +13,9 @@ pub mod diagnostic;
 mod excerpt;
 pub mod explain;
 pub mod json;
+pub mod marks;
 pub mod mutants;
+pub mod requests;
 pub mod style;
 pub mod suggestion;
 pub mod text;

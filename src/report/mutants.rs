@@ -126,7 +126,7 @@ fn slip(source: &Source, equation: &Mutants, fate: &str, survivor: &Survivor) ->
     format!(
         "({}) {fate} at {}:{line}:{column}: {change} ({}); {}",
         equation.id,
-        source.path,
+        source.path_at(survivor.span.start),
         survivor.slip.word(),
         survivor.because
     )

@@ -88,7 +88,7 @@ fn fit(fit: &Fit, source: &Source, style: Style) -> String {
         _ => {
             let places = fit.terms.iter().map(|misfit| {
                 let (line, column) = source.line_column(misfit.span.start);
-                note(format!("the term at {}:{line}:{column}: {}", source.path, label(misfit)))
+                note(format!("the term at {}:{line}:{column}: {}", source.path_at(misfit.span.start), label(misfit)))
             });
             notes.extend(places);
             alone(title.elements(notes), style)

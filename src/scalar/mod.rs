@@ -7,6 +7,7 @@
 //! - [`Primal`]: the value of a series without its derivatives;
 //! - [`RunningError`]: a value with a running bound on its rounding error;
 //! - [`Enclosure`]: a value of any precision between bounds;
+//! - [`Interval`]: the bounds of a formula over ranges, in doubles; no [`num_dual::DualNum`], since it has no value;
 //! - [`Symbol`]: a node of an expression graph, for tracing a function ([`Graph::record`]);
 //! - [`Modular`]: an element of a prime field, for polynomial identity testing ([`prime_field`]).
 //!
@@ -21,6 +22,8 @@ pub use num_dual::DualNum;
 mod arithmetic;
 #[cfg(feature = "notes")]
 pub mod enclosure;
+#[cfg(feature = "notes")]
+pub mod interval;
 mod number;
 mod primal;
 pub mod prime_field;
@@ -33,6 +36,8 @@ mod symbol;
 pub use arithmetic::{Arithmetic, Function};
 #[cfg(feature = "notes")]
 pub use enclosure::Enclosure;
+#[cfg(feature = "notes")]
+pub use interval::Interval;
 pub use number::Number;
 pub use primal::Primal;
 pub use prime_field::Modular;

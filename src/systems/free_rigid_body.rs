@@ -29,4 +29,7 @@ impl Lagrangian<3, 3> for FreeRigidBody {
         let [phi, theta, psi] = at.q;
         Some(euler_angles(phi, theta, psi))
     }
+    fn principal_moments<D: Number>(&self, at: &State<D, 3, 3>) -> Option<[D; 3]> {
+        Some(at.parameters)
+    }
 }

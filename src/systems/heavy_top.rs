@@ -37,6 +37,10 @@ impl Lagrangian<3, 5> for HeavyTop {
     fn orientation<D: Number>(&self, at: &State<D, 3, 5>) -> Option<Matrix3<D>> {
         Some(orientation(at))
     }
+    fn principal_moments<D: Number>(&self, at: &State<D, 3, 5>) -> Option<[D; 3]> {
+        let [lambda_1, lambda_3, ..] = at.parameters;
+        Some([lambda_1, lambda_1, lambda_3])
+    }
 }
 
 fn orientation<D: Number>(at: &State<D, 3, 5>) -> Matrix3<D> {

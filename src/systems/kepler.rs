@@ -2,7 +2,7 @@
 
 use num_dual::DualNum;
 
-use crate::mechanics::{Lagrangian, State};
+use crate::mechanics::{Lagrangian, Particle, State};
 use crate::scalar::Number;
 
 /// Coordinates r, φ; parameters m (planet), M (sun), G: U = −G M m / r.
@@ -28,5 +28,9 @@ impl Lagrangian<2, 3> for Kepler {
     fn potential_energy<D: Number>(&self, at: &State<D, 2, 3>) -> Option<D> {
         let [mass, sun, gravity] = at.parameters;
         Some(-gravity * sun * mass / at.q[0])
+    }
+    fn particles<D: Number>(&self, at: &State<D, 2, 3>) -> Vec<Particle<D>> {
+        let ([r, phi], [mass, _, _]) = (at.q, at.parameters);
+        vec![Particle { mass, place: [r * phi.cos(), r * phi.sin(), D::zero()] }]
     }
 }

@@ -1,6 +1,6 @@
 //! Plane pendulums: N point masses in a chain of light rods, from their positions (one: simple, two: double pendulum).
 
-use crate::mechanics::{Lagrangian, State};
+use crate::mechanics::{Lagrangian, Particle, State};
 use crate::scalar::Number;
 
 /// N equal masses m on rods of equal length l, gravity g; coordinates θ₁ … θ_N from the downward vertical (a single one
@@ -67,5 +67,9 @@ impl<const N: usize> Lagrangian<N, 3> for Pendulum<N> {
     fn potential_energy<D: Number>(&self, at: &State<D, N, 3>) -> Option<D> {
         let [mass, _, g] = at.parameters;
         Some(places(at).iter().fold(D::zero(), |u, &(_, y)| u + mass * g * y))
+    }
+    fn particles<D: Number>(&self, at: &State<D, N, 3>) -> Vec<Particle<D>> {
+        let [mass, _, _] = at.parameters;
+        places(at).iter().map(|&(x, y)| Particle { mass, place: [x, y, D::zero()] }).collect()
     }
 }

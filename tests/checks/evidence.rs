@@ -16,6 +16,18 @@ fn hypotheses_that_contradict_each_other_leave_nothing_to_check() {
 }
 
 #[test]
+fn hypotheses_are_solved_together() {
+    let claims = json!({ "constants": { "a, b, c, d, f, h": "> 0" } });
+    let claim = |latex: &str, assume| verdict(&claims, &[latex], json!({ "assume": assume }));
+    let squares = ["a c^2 = b f^2", "a d^2 = b h^2"];
+    assert_eq!(claim("c h = d f", squares), Verified);
+    assert_eq!(claim("c d = f h", squares), Refuted);
+    let cubes = ["a c^3 = b f^3", "a d^3 = b h^3"];
+    assert_eq!(claim("c h = d f", cubes), Verified);
+    assert_eq!(claim("c h = 2 d f", cubes), Refuted);
+}
+
+#[test]
 fn a_claim_that_is_its_own_hypothesis_is_not_checked() {
     let claim = |latex: &str| equation(&pendulum(), &[latex], json!({ "assume": r"\dot\theta = 0" })).finding;
     assert_eq!(claim(r"\dot\theta = 0").verdict, Undecided);

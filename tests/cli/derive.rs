@@ -67,3 +67,38 @@ fn as_rust_it_is_the_source_of_the_accelerations_and_of_nothing_else() {
     assert_eq!((refused.code, refused.out.as_str()), (2, ""));
     assert!(refused.err.contains("leave out --as"), "{}", refused.err);
 }
+
+#[test]
+fn the_steps_are_notes_that_check_themselves() {
+    let desk = Desk::new("derive-steps");
+    let json = desk.onshell(&["derive", "simple_pendulum", "--steps", "--format", "json"]).json();
+    let (notes, claims) = (json["notes"].as_str().unwrap(), json["claims"].as_str().unwrap());
+    desk.write("lecture.md", notes);
+    desk.write("lecture.json", claims);
+    assert_eq!(desk.onshell(&["check", "lecture.md"]).code, 0);
+    // must-fail case: the same notes with a slip
+    desk.write("lecture.md", notes.replace("p_\\theta^{2}", "p_\\theta^{3}"));
+    assert_eq!(desk.onshell(&["check", "lecture.md"]).code, 1);
+    let text = desk.onshell(&["derive", "simple_pendulum", "--steps"]);
+    let lines = [
+        "x = l·sin(θ)",
+        "T = (1/2)·m·(x\u{307}^2 + y\u{307}^2)",
+        "d/dt(∂L/∂θ\u{307}) = m·l^2·θ\u{308}",
+        "m·l^2·θ\u{308} = −m·l·g·sin(θ)",
+    ];
+    for line in lines {
+        assert!(text.out.contains(line), "{line}");
+    }
+    let page = desk.onshell(&["derive", "simple_pendulum", "--steps", "--format", "html"]).out;
+    assert!(page.starts_with("<!DOCTYPE html>") && page.contains("<math") && !page.contains("untypeset"));
+}
+
+#[test]
+fn steps_of_another_seed_have_other_values_and_the_same_lines() {
+    let desk = Desk::new("derive-seed");
+    let json = |seed: &str| desk.onshell(&["derive", "kepler", "--steps", "--format", "json", "--seed", seed]).json();
+    let (one, again, two) = (json("1"), json("1"), json("2"));
+    assert_eq!(one, again);
+    assert_eq!(one["notes"], two["notes"]);
+    assert_ne!(one["steps"], two["steps"]);
+}

@@ -1,10 +1,14 @@
 //! What many particles and continua are written with, and what it is read as, in plain words. Beside each formula that
 //! must be read stand near misses that must be refused, and where.
 
+#[path = "reading/algebra.rs"]
+mod algebra;
 #[path = "reading/derivatives.rs"]
 mod derivatives;
 #[path = "reading/derived.rs"]
 mod derived;
+#[path = "reading/inferred.rs"]
+mod inferred;
 #[path = "reading/introductions.rs"]
 mod introductions;
 #[path = "reading/lecture.rs"]

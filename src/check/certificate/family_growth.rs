@@ -24,6 +24,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::formula::evaluate::constant_exponent;
+use crate::formula::tree::MatrixFunction;
 use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
 
 use crate::check::certificate::growth::Growth;
@@ -136,7 +137,13 @@ impl<'a> GrowthAnalysis<'a> {
     fn of(&mut self, expr: &Expr, dots: u8) -> Option<Growth> {
         let plain = |inner: Growth| inner.is_none().then_some(inner);
         match &expr.node {
-            Node::Number(_) | Node::Pi | Node::Euler | Node::Epsilon(_) | Node::Delta(_) => Growth::of([0; 2]),
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Identity
+            | Node::Imaginary
+            | Node::Epsilon(_)
+            | Node::Delta(_) => Growth::of([0; 2]),
             // A family without an index has no value.
             Node::Symbol { id, indices, .. } if indices.is_empty() && self.is_counted(*id) => None,
             Node::Symbol { id, dots: own, .. } => self.of_symbol(*id, own.checked_add(dots)?),
@@ -170,6 +177,10 @@ impl<'a> GrowthAnalysis<'a> {
             Node::Apply(_, arguments) => plain(self.of_sum(arguments.iter(), dots)?),
             Node::TimeDerivative(order, inner) => self.of(inner, dots.checked_add(*order)?),
             Node::Transpose(inner) | Node::Entry(inner, ..) | Node::Component(inner, _) => self.of(inner, dots),
+            Node::Commutator(a, b) => self.of_product(&[a, b], dots),
+            Node::Complex(_, inner) | Node::OfMatrix(MatrixFunction::Trace, inner) => self.of(inner, dots),
+            Node::OfMatrix(_, inner) => plain(self.of(inner, dots)?),
+            Node::Cases(_) => None,
             Node::Inverse(inner) => plain(self.of(inner, dots)?),
             Node::SumOver { index, within: None, body, .. } => {
                 let growth = self.of(body, dots)?;

@@ -9,6 +9,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 
 use crate::formula::evaluate::{Environment, Unavailable, evaluate_to};
+use crate::formula::numbers::complex::Complex;
 use crate::formula::{Expr, IndexId, Kind, Node, SymbolId, Symbols, Value};
 use crate::scalar::prime_field::{FirstPrime, Modulus};
 use crate::scalar::{Modular, Series, TERMS};
@@ -179,7 +180,10 @@ impl<F: Modulus> Environment<Series<Modular<F>>> for RandomValues<'_, F> {
         let value = match entry.kind {
             Kind::Scalar => Value::Scalar(Self::number(varies)),
             Kind::Vector => Value::Vector(Vector3::from_fn(|_, _| Self::number(varies))),
-            Kind::Matrix => Value::Matrix(DMatrix::from_fn(3, 3, |_, _| Self::number(varies))),
+            Kind::Matrix(rows, columns) => {
+                Value::of_matrix(DMatrix::from_fn(rows.into(), columns.into(), |_, _| Self::number(varies)))
+            }
+            Kind::Complex => Value::Complex(Complex { re: Self::number(varies), im: Self::number(varies) }),
             Kind::Rotation => return Err(Unavailable::Symbol(id)),
         };
         self.values.borrow_mut().insert((id, indices.to_vec()), value.clone());

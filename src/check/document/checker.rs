@@ -73,12 +73,28 @@ impl Checker<'_> {
 
     /// The links of a statement that is a hypothesis; a = b = 0 gives a = 0 and b = 0.
     fn links(&self, statement: &Statement) -> Result<Vec<Link>> {
+        if !statement.conditions.is_empty() {
+            let message = "an equation that holds under a condition cannot be a hypothesis";
+            return Err(Error::new(message).with_code(Code::NotSupported));
+        }
         let (members, last) = (&statement.members, statement.members.len() - 1);
         let ends_in_zero =
             members[last].is_null() && statement.relations.iter().all(|(relation, _)| is_equality(*relation));
         let next = |at: usize| if ends_in_zero { last } else { at + 1 };
         let links = statement.relations.iter().enumerate();
         links.map(|(at, (relation, _))| self.link(&members[at], *relation, &members[next(at)])).collect()
+    }
+
+    /// The conditions under which a statement is said, as hypotheses.
+    pub(crate) fn conditions(&self, statement: &Statement) -> Result<Vec<Hypothesis>> {
+        let mut hypotheses = Vec::new();
+        for condition in &statement.conditions {
+            for (pair, relation) in condition.members.windows(2).zip(&condition.relations) {
+                let link = self.link(&pair[0], *relation, &pair[1])?;
+                hypotheses.push(Hypothesis::of(link, false));
+            }
+        }
+        Ok(hypotheses)
     }
 
     /// The hypotheses of a claim: its own and those of the whole file.

@@ -89,9 +89,21 @@ pub(crate) fn read_all(
                 && faults(reading).all(lacks_nothing)
                 && !pending.introduces_pending(symbols, reading)
         };
-        if let Some(first) = unread.iter().position(broken).filter(|_| model.tie_components()) {
-            let (at, symbols, reading) = unread.into_iter().nth(first).unwrap_or_default();
-            readings[at] = Some(accept((symbols, reading), model));
+        if unread.iter().any(broken) && model.tie_components() {
+            // The readings after one that gives no name are not changed by it.
+            let known = model.symbols.iter().count();
+            for (at, symbols, reading) in unread {
+                let reading = (at, symbols, reading);
+                if !broken(&reading) {
+                    continue;
+                }
+                let (at, symbols, reading) = reading;
+                let gives_names = !reading.introduced.is_empty() || symbols.iter().count() != known;
+                readings[at] = Some(accept((symbols, reading), model));
+                if gives_names {
+                    break;
+                }
+            }
         } else {
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
             let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
@@ -331,11 +343,12 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
     let kind = match found.shape {
         Shape::Scalar => Kind::Scalar,
         Shape::Vector => Kind::Vector,
-        Shape::Matrix(3, 3) => Kind::Matrix,
+        Shape::Matrix(rows, columns) if rows * columns > 0 && rows.max(columns) <= 255 => {
+            Kind::Matrix(rows as u8, columns as u8)
+        }
+        Shape::Complex => Kind::Complex,
         Shape::Matrix(..) => {
-            return Err(error(format!(
-                "the definition of {shown} is a matrix, and only 3×3 matrices are supported here"
-            )));
+            return Err(error(format!("the definition of {shown} is a matrix of an unknown size")));
         }
     };
     let id = symbols

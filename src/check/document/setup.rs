@@ -6,7 +6,7 @@ use crate::code::Code;
 use crate::latex::Macros;
 use crate::notes::address::Address;
 use crate::notes::claims::{Claim, Claims};
-use crate::notes::{Display, Notes};
+use crate::notes::{Display, Form, MacroDefinition, Notes};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
@@ -60,7 +60,7 @@ pub(crate) fn with_checker<T>(
     work: impl FnOnce(Checker<'_>) -> Result<T>,
 ) -> Result<T> {
     let mut macros = Macros::default();
-    define_macros(notes, &mut macros);
+    define_macros(&notes.macros, &mut macros);
     repeated_numbers(notes)?;
     let mut model = Model::new(claims, macros, run.registry)?;
     let assigned = assign(claims, notes)?;
@@ -88,10 +88,20 @@ pub(crate) fn with_checker<T>(
     work(checker)
 }
 
-/// Adds the commands that notes define.
-pub(crate) fn define_macros(notes: &Notes, macros: &mut Macros) {
-    for definition in &notes.macros {
-        macros.define(&definition.name, definition.arguments, &definition.body);
+/// Adds the commands that a text defines, in its order.
+pub(crate) fn define_macros(definitions: &[MacroDefinition], macros: &mut Macros) {
+    for MacroDefinition { name, arguments, form, body, .. } in definitions {
+        match form {
+            Form::Plain => macros.define(name, *arguments, body),
+            Form::Optional(default) => macros.define_optional(name, *arguments, default, body),
+            Form::Pattern(pattern) => macros.define_pattern(name, pattern, body),
+            // What is not supported stays unknown, and its uses are rejected.
+            Form::Types(types) => {
+                macros.define_document_command(name, types, body);
+            }
+            Form::Pair(left, right) => macros.define_pair(name, left, right),
+            Form::Alias => macros.alias(name, body),
+        }
     }
 }
 

@@ -199,6 +199,8 @@ impl Checker<'_> {
                 units_agree = false;
                 continue;
             }
+            let mut printed = printed.clone();
+            printed.extend(self.conditions(statement)?);
             let context = Context {
                 model: self.model,
                 options: self.options,

@@ -16,7 +16,7 @@ use crate::check::sample::context::Context;
 use crate::check::sample::enclosed;
 use crate::check::sample::enclosed::Decision;
 use crate::check::sample::ensemble::Ensemble;
-use crate::check::search::{boundary, branches, double_range, family_sizes, magnitudes, worst_state};
+use crate::check::search::{boundary, branch_points, branches, double_range, family_sizes, magnitudes, worst_state};
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual;
 use crate::check::state::residual::Point;
@@ -185,6 +185,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         finding = family_sizes::certified(link, context, &ensemble, finding)?;
         finding = family_sizes::at_other_sizes(link, context, ensemble.mode, finding)?;
         finding = magnitudes::at_all_magnitudes(link, context, ensemble.mode, finding)?;
+        finding = branch_points::on_both_sides(link, context, &mut ensemble, finding);
         finding = to_all_digits(link, &ensemble, finding);
     }
     let next = if finding.verdict == Verdict::Refuted { Next::OnShell } else { Next::Settled };

@@ -15,7 +15,7 @@
 
 use std::cell::Cell;
 
-use crate::formula::tree::{Function, Index, Sign};
+use crate::formula::tree::{ComplexPart, Function, Index, Sign};
 use crate::formula::{Expr, Kind, Node, SymbolId, text};
 
 use crate::check::model::Model;
@@ -247,6 +247,26 @@ impl Slips<'_> {
                     }
                 }
             }
+            Node::Commutator(a, b) => {
+                let change = format!("“{}” swapped", self.words(expr));
+                slips.push((Node::Commutator(b.clone(), a.clone()), Slip::Order, change));
+            }
+            Node::Complex(ComplexPart::Conjugate, inner) => {
+                let change = instead(&self.words(inner), &self.words(expr));
+                slips.push((inner.node.clone(), Slip::Structure, change));
+            }
+            Node::Complex(part, inner) => {
+                let other = match part {
+                    ComplexPart::Real => ComplexPart::Imaginary,
+                    _ => ComplexPart::Real,
+                };
+                let change = instead(other.name(), part.name());
+                slips.push((Node::Complex(other, inner.clone()), Slip::Structure, change));
+            }
+            Node::Imaginary => {
+                let change = instead("−i", "i");
+                slips.push((Node::Product(vec![Expr::integer(1, span).negated(), expr.clone()]), Slip::Sign, change));
+            }
             Node::Transpose(inner) | Node::Inverse(inner) => {
                 let change = instead(&self.words(inner), &self.words(expr));
                 slips.push((inner.node.clone(), Slip::Structure, change));
@@ -267,6 +287,9 @@ impl Slips<'_> {
             }
             Node::Entry(..)
             | Node::Pi
+            | Node::Identity
+            | Node::OfMatrix(..)
+            | Node::Cases(_)
             | Node::Euler
             | Node::Root(..)
             | Node::TimeDerivative(..)
@@ -326,7 +349,7 @@ impl Slips<'_> {
     fn is_matrix(&self, expr: &Expr) -> bool {
         match &expr.node {
             Node::Matrix(_) | Node::Apply(..) | Node::Transpose(_) | Node::Inverse(_) => true,
-            Node::Symbol { id, .. } => self.model.symbols.entry(*id).kind == Kind::Matrix,
+            Node::Symbol { id, .. } => matches!(self.model.symbols.entry(*id).kind, Kind::Matrix(..)),
             _ => false,
         }
     }

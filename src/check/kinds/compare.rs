@@ -63,12 +63,17 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     for (symbol, name) in letters {
         let given = ranges.iter().find(|(known, _)| *known == name).map(|(_, range)| range.clone());
         let shown = text::plain(&name.to_string());
+        let kind = model.symbols.entry(symbol).kind;
         assumed.push(match &given {
             Some(Range::Interval { low, high, .. }) => format!("{shown} is between {low} and {high}"),
-            _ => format!("{shown} is a real number"),
+            _ => format!("{shown} is {}", kind.noun()),
         });
+        if kind == Kind::Matrix(0, 0) {
+            let message = format!("the number of rows of the matrix {shown} is not known");
+            return Err((0, Fault::new(Span::default(), message).help("write the matrix out")));
+        }
         model.mean(symbol, Meaning::Varying(model.varying.len()));
-        model.varying.push(Variable::number(symbol, given.unwrap_or(Range::Any)));
+        model.varying.push(Variable { symbol, range: given.unwrap_or(Range::Any), numbers: kind.numbers() });
         model.symbols.entry_mut(symbol).varies = true;
     }
     let readings = [text::formula(&lhs, &model.symbols), text::formula(&rhs, &model.symbols)];

@@ -11,7 +11,8 @@
 //! last four above rounding. The claim is followed further, to 10⁻⁹, since √(1 + a) ≈ 1.0001 looks like an approach
 //! for long; if everything is over after the first step, as for tanh a ≈ 1 − 2e⁻²ᵃ, the steps are shorter. A power
 //! above 0.3 is an approach. That alone would accept 1 + a/3 for √(1 + a). So each printed term of the right side
-//! must improve the power by at least ½. The left side is free, since a limit drops its terms. A number is
+//! must improve the power by at least ½. Where nothing is solved, the error is also enclosed at distances such as 2⁻¹⁰⁰
+//! and 2⁻²⁰⁰: there an error that stays differs from one that falls slowly, as that of ln(2x)/ln x ≈ 1. The left side is free, since a limit drops its terms. A number is
 //! approached from both sides, since √(a²) ≈ a holds from one side only.
 
 use std::sync::Arc;
@@ -21,13 +22,15 @@ use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, SymbolId, Value};
 use crate::notes::claims::Range;
-use crate::scalar::{RunningError, Series};
+use crate::scalar::{Arithmetic, Enclosure, RunningError, Series};
 
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::mutants::{Slip, mutants_of};
+use crate::check::kinds::rate;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
+use crate::check::sample::projection::Projection;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::numbers::slots;
@@ -115,7 +118,14 @@ fn check_in(
     let mut used: Vec<Steps<'_>> = Vec::new();
     for base in &ensemble.bases {
         let steps = Steps { context, mode, base, rules: &ensemble.rules, variable, towards };
-        match steps.approach(link, FARTHEST) {
+        let approach = steps.approach(link, FARTHEST);
+        let approach = match approach {
+            Ok(approach) if used.len() < EXACT || matches!(approach, Approach::Fails(..)) => {
+                Ok(steps.exactly(link, &ensemble.projection, approach))
+            }
+            approach => approach,
+        };
+        match approach {
             Ok(Approach::Power(power)) => {
                 powers.push(power);
                 used.push(steps);
@@ -183,6 +193,17 @@ const FARTHEST: i32 = 26;
 
 /// The number of short steps before the first one, for an error that vanishes at once, such as that of tanh a ≈ 1 − 2e⁻²ᵃ.
 const BEFORE: i32 = 16;
+
+/// The number of states at which the approach is measured with many digits, and the number of bits.
+const EXACT: usize = 2;
+const BITS: usize = 1600;
+
+/// The powers of 2 of the distances at which it is measured, those farthest away first.
+const FAR: [[i32; 2]; 2] = [[100, 200], [12, 28]];
+
+/// The power below which an approach may be none, and the ratio of the errors above which it is none.
+const SLOW: f64 = 0.3;
+const STAYS: f64 = 0.8;
 
 /// The length of a short step.
 const SHORT: f64 = 0.25;
@@ -262,6 +283,51 @@ impl<'a> Steps<'a> {
             };
         }
         Ok(slowest)
+    }
+
+    /// The approach as many digits show it, where they are known: a difference that stays is no approach, however small,
+    /// and one that falls more slowly than any power is one.
+    fn exactly(&self, link: &Link, projection: &Projection<'_>, approach: Approach) -> Approach {
+        let Some(slot) = self.slot() else { return approach };
+        let mut slowest: Option<f64> = None;
+        for side in self.sides() {
+            let gaps = |k: i32| {
+                let numbers = || {
+                    let mut numbers: Vec<Enclosure> = self.base.iter().map(|x| Enclosure::exact(*x)).collect();
+                    let far = 2f64.powi(k);
+                    numbers[slot] = match self.towards {
+                        Towards::Infinity => Enclosure::exact(far),
+                        Towards::MinusInfinity => Enclosure::exact(-far),
+                        Towards::Number(a) => Enclosure::constant(a) + Enclosure::exact(side / far),
+                    };
+                    numbers
+                };
+                rate::gaps(link, projection, &numbers, (BITS, true))
+            };
+            // An exponential of a very large number is beyond these numbers too.
+            let found = FAR.iter().find_map(|[near, nearer]| {
+                Some(rate::slowest(&gaps(*near)?, &gaps(*nearer)?, f64::from(nearer - near)))
+            });
+            let Some((power, gaps)) = found else { return approach };
+            if let Some((near, nearer)) = gaps.filter(|_| power < SLOW)
+                && nearer.size > STAYS * near.size
+            {
+                let last = f64::from(FARTHEST);
+                let sides = |state: SampledState<'_, RunningError>| {
+                    let (a, b) = (state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?);
+                    let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return None };
+                    Some(Failure { lhs: a.value, rhs: b.value, residual: nearer.size, entry: None })
+                };
+                let failure = self.state(last, side).and_then(sides);
+                return failure.map_or(approach, |failure| Approach::Fails(failure, side, last));
+            }
+            slowest = Some(slowest.map_or(power, |slowest| slowest.min(power)));
+        }
+        match (approach, slowest) {
+            (Approach::Power(known), Some(power)) => Approach::Power(if power.is_finite() { power } else { known }),
+            (Approach::Fails(..), Some(power)) => Approach::Power(power),
+            (approach, _) => approach,
+        }
     }
 
     fn approach_from(&self, side: f64, link: &Link, last: i32) -> Result<Approach, Unavailable> {

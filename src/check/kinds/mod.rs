@@ -13,6 +13,7 @@ pub(crate) mod exactly_when;
 pub(crate) mod function_shape;
 pub(crate) mod generates;
 pub(crate) mod limit;
+pub(crate) mod rate;
 pub(crate) mod root_isolation;
 pub(crate) mod scan;
 pub(crate) mod shape;

@@ -406,7 +406,14 @@ fn grid(range: &Range, finer: u32) -> Vec<f64> {
         Range::Angle => interval(-pi, pi),
         Range::Positive => decades(finer),
         Range::Negative => decades(finer).into_iter().rev().map(|x| -x).collect(),
-        Range::Any | Range::Rigid { .. } | Range::Of(_) | Range::FixedDirection | Range::Labels { .. } => {
+        Range::Any
+        | Range::Rigid { .. }
+        | Range::Of(_)
+        | Range::FixedDirection
+        | Range::Labels { .. }
+        | Range::Matrix(..)
+        | Range::Complex
+        | Range::ImaginaryUnit => {
             let positive = decades(finer);
             positive.iter().rev().map(|x| -x).chain(positive.iter().copied()).collect()
         }

@@ -9,16 +9,20 @@
 //! They are scaled together by 2⁻², …, 2⁻⁸, and the rest of the state stays; on shell the motion follows. The power
 //! with which the difference falls is measured from the last three steps above rounding: order + ¾ or more is a
 //! pass, order + ¼ or less a counterexample, and the range between is `undecided`. It is measured to 2⁻²⁰ as well,
-//! as far as rounding allows: cos θ ≈ 1 − 10⁻⁵θ looks right for long. If the power is reached off shell too, the
+//! as far as rounding allows: cos θ ≈ 1 − 10⁻⁵θ looks right for long. Where nothing is solved it is measured with many
+//! digits at 2⁻²⁰⁰ and 2⁻⁴⁰⁰, which decides: x − x³/6.00001 is not sin x to order 3. If the power is reached off shell too, the
 //! claim is small whatever the motion and says nothing. Mutants are tried as for an identity.
+
+use std::sync::Arc;
 
 use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Node, Value};
-use crate::scalar::RunningError;
+use crate::scalar::{Enclosure, RunningError};
 
 use crate::check::judge::mutants::mutants_of;
+use crate::check::kinds::rate;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::model::sampling::{Mode, Spread};
@@ -40,6 +44,15 @@ const FURTHER: [i32; 4] = [11, 14, 17, 20];
 /// The number of families that have the further steps.
 const FOLLOWED: usize = 4;
 
+/// The number of families that are followed with many digits.
+const EXACT: usize = 2;
+
+/// The steps with many digits.
+const FAR: [i32; 2] = [200, 400];
+
+/// The number of bits beyond those in which the error shows.
+const SPARE: usize = 256;
+
 /// The number of families that screen texts in a trial.
 const SCREENED: usize = 3;
 
@@ -57,6 +70,15 @@ pub(crate) struct ShrinkingFamily<'m> {
     states: Vec<SampledState<'m, RunningError>>,
     /// The further states, each with its step.
     further: Vec<(i32, SampledState<'m, RunningError>)>,
+    /// What is needed to follow it with many digits.
+    exact: Option<Followed<'m>>,
+}
+
+/// A family that is followed with many digits.
+struct Followed<'m> {
+    family: Arc<PrescribedValues<'m>>,
+    base: Vec<f64>,
+    values: Vec<f64>,
 }
 
 /// A state and the failure there.
@@ -103,7 +125,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     }
     let (mut slowest, mut usable) = (f64::INFINITY, 0);
     for family in &families {
-        match family.power_further(link) {
+        match family.power_further(link, order) {
             Err(reason) => return Ok(context.unavailable(&reason)),
             Ok((power, failure)) if power < missed => {
                 return Ok(Finding {
@@ -251,7 +273,7 @@ fn families<'m>(
     let setting = context.setting(mode);
     let ensemble = context.ensemble_of(model, mode, points, "")?;
     let mut family = PrescribedValues::new(model, &setting, small);
-    let mut found = Vec::new();
+    let (mut found, mut followed_bases) = (Vec::new(), Vec::new());
     for (state, base) in ensemble.states.iter().zip(&ensemble.bases) {
         let value = |expr: &Expr| match state.now(expr, &[]) {
             Ok(Value::Scalar(value)) => Some(value.value),
@@ -269,8 +291,15 @@ fn families<'m>(
                 let scaled: Vec<f64> = values.iter().map(|value| value * 2f64.powi(-k)).collect();
                 further.extend(family.at(base, &scaled)?.map(|state| (*k, state)));
             }
-            found.push(ShrinkingFamily { states, further });
+            if further.len() == FURTHER.len() && followed_bases.len() < EXACT {
+                followed_bases.push((found.len(), base.clone(), values));
+            }
+            found.push(ShrinkingFamily { states, further, exact: None });
         }
+    }
+    let family = Arc::new(family);
+    for (at, base, values) in followed_bases {
+        found[at].exact = Some(Followed { family: family.clone(), base, values });
     }
     Ok(found)
 }
@@ -308,8 +337,35 @@ impl<'m> ShrinkingFamily<'m> {
         Ok(((tail[0] / tail[2]).log2() / 2.0, last))
     }
 
-    /// The same, or the power at the further steps, if that is smaller; and the last state that shows it.
-    fn power_further(&self, link: &Link) -> Result<(f64, Option<Shown<'_, 'm>>), Unavailable> {
+    /// The power that many digits show, as far as it decides an order; else that of the first and of the further steps,
+    /// whichever is smaller. And the last state that shows it.
+    fn power_further(&self, link: &Link, order: u32) -> Result<(f64, Option<Shown<'_, 'm>>), Unavailable> {
+        let (power, shown) = self.power_in_doubles(link)?;
+        Ok(match self.exact_power(link, order) {
+            Some(exact) if exact.is_finite() => (exact, shown),
+            Some(_) if power < f64::from(order + 1) => (f64::INFINITY, shown),
+            _ => (power, shown),
+        })
+    }
+
+    /// The power with which the difference falls; infinite where it falls by much more than the order.
+    fn exact_power(&self, link: &Link, order: u32) -> Option<f64> {
+        let Followed { family, base, values } = self.exact.as_ref()?;
+        let (projection, places) = family.moves_alone()?;
+        let [near, nearer] = FAR.map(|k| {
+            let mut scaled = base.clone();
+            for (at, value) in places.iter().zip(values) {
+                scaled[*at] = value * 2f64.powi(-k);
+            }
+            let numbers = || scaled.iter().map(|x| Enclosure::exact(*x)).collect();
+            let bits = FAR[1] as usize * (order as usize + 2) + SPARE;
+            rate::gaps(link, projection, &numbers, (bits, false))
+        });
+        Some(rate::slowest(&near?, &nearer?, f64::from(FAR[1] - FAR[0])).0)
+    }
+
+    /// The power in doubles, and the last state that shows it.
+    fn power_in_doubles(&self, link: &Link) -> Result<(f64, Option<Shown<'_, 'm>>), Unavailable> {
         let (mut slowest, failure) = self.power(link)?;
         let Some(end) = self.states.last() else { return Ok((slowest, None)) };
         let mut shown = failure.map(|failure| (end, failure));

@@ -93,7 +93,25 @@ impl Builder<'_> {
         }
         let range = declaration.range.value.clone();
         let vector = ["\\vec", "\\mathbf", "\\boldsymbol", "\\bm"].iter().any(|accent| latex.value.contains(accent));
-        let kind = if vector { Kind::Vector } else { Kind::Scalar };
+        if range == Range::ImaginaryUnit {
+            let name = self.name(latex)?;
+            self.model.symbols.imaginary.push(name);
+            return Ok(());
+        }
+        let kind = match range {
+            Range::Matrix(3, 1) => Kind::Vector,
+            Range::Matrix(rows, columns) => Kind::Matrix(rows, columns),
+            Range::Complex => Kind::Complex,
+            _ if vector => Kind::Vector,
+            _ => Kind::Scalar,
+        };
+        let range = match range {
+            Range::Matrix(..) | Range::Complex => Range::Any,
+            range => range,
+        };
+        if kind != Kind::Scalar && declaration.role == Role::Coordinate {
+            return Err(self.error(latex, "a coordinate must be a real number"));
+        }
         if vector && declaration.role == Role::Coordinate {
             return Err(self
                 .error(latex, "a coordinate must be a scalar")
@@ -127,7 +145,7 @@ impl Builder<'_> {
         if declaration.role == Role::Coordinate && !entry.slots.is_empty() {
             return Err(self.error(latex, "families of coordinates are not supported"));
         }
-        let variable = Variable { symbol: id, range, numbers: self.members(id) * if vector { 3 } else { 1 } };
+        let variable = Variable { symbol: id, range, numbers: self.members(id) * kind.numbers() };
         match declaration.role {
             Role::Coordinate => self.model.coordinates.push(variable),
             Role::Constant => self.model.constants.push(variable),

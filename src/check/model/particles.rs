@@ -71,7 +71,7 @@ pub(crate) fn declare(
     };
     let slots = name.subscript.iter().filter(|token| symbols.index(token).is_some()).count();
     let kind = match (quantity, slots) {
-        (ParticleQuantity::InertiaTensor, 0) => Kind::Matrix,
+        (ParticleQuantity::InertiaTensor, 0) => Kind::Matrix(3, 3),
         (ParticleQuantity::InertiaTensor, 2) | (ParticleQuantity::PrincipalMoments, 1) => Kind::Scalar,
         (ParticleQuantity::PrincipalAxes, 1) => Kind::Vector,
         _ => {

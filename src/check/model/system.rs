@@ -97,7 +97,7 @@ impl Builder<'_> {
             let name = self.name(latex)?;
             let slots = name.subscript.iter().filter(|token| self.model.symbols.index(token).is_some()).count();
             let kind = match (quantity, slots) {
-                (Quantity::RotationMatrix, 0) => Kind::Matrix,
+                (Quantity::RotationMatrix, 0) => Kind::Matrix(3, 3),
                 (Quantity::RotationMatrix, 2) | (Quantity::AngularVelocity, 1) => Kind::Scalar,
                 (Quantity::AngularVelocity, 0) => Kind::Vector,
                 (Quantity::BodyAxes | Quantity::SpaceAxes, 1) => Kind::Vector,

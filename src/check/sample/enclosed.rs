@@ -116,7 +116,7 @@ pub(crate) fn decided(link: &Link, state: &SampledState<'_, RunningError>, proje
 
 /// Whether a model has values that a double's digits end: a quadrature, eigenvectors, a Legendre transform by Newton's
 /// method.
-fn is_found_in_doubles(model: &Model) -> bool {
+pub(crate) fn is_found_in_doubles(model: &Model) -> bool {
     let is_in_doubles = |meaning: &Meaning| match meaning {
         Meaning::Particles(quantity, ..) => *quantity != ParticleQuantity::InertiaTensor,
         Meaning::System(quantity) => *quantity == Quantity::EffectivePotential,

@@ -179,7 +179,8 @@ impl<'m> Projection<'m> {
                 continue;
             }
             if self.is_linear(base, row, slot)? {
-                let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / value.eps);
+                // The planned numbers follow, so a number may go to 0 although the row alone leaves it elsewhere.
+                let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / change);
                 let vanishes = goes_to.abs() <= 1e-9 * base[slot].abs();
                 if !vanishes || contains(&self.slots[slot].range, 0.0) {
                     return Ok(Some(slot));

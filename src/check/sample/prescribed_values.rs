@@ -40,6 +40,12 @@ impl<'m> PrescribedValues<'m> {
         PrescribedValues { projection, places }
     }
 
+    /// The projection, if the quantities are numbers of a base and nothing is solved; and the places of the quantities.
+    pub(crate) fn moves_alone(&self) -> Option<(&Projection<'m>, Vec<usize>)> {
+        let places: Vec<usize> = self.places.iter().copied().collect::<Option<_>>()?;
+        Some((&self.projection, places))
+    }
+
     /// The state near a base at which the quantities have these values, if there is one.
     ///
     /// # Errors

@@ -96,9 +96,13 @@ impl Sampler {
                 if is_angle(range) { self.angle(low, high) } else { self.between(low, high) }
             }
             // Vectors and indices are drawn elsewhere.
-            Range::Rigid { .. } | Range::Of(_) | Range::FixedDirection | Range::Labels { .. } => {
-                self.value(&Range::Any, spread)
-            }
+            Range::Rigid { .. }
+            | Range::Of(_)
+            | Range::FixedDirection
+            | Range::Labels { .. }
+            | Range::Matrix(..)
+            | Range::Complex
+            | Range::ImaginaryUnit => self.value(&Range::Any, spread),
             Range::Integer { low, high } => {
                 let high = last(high, *low);
                 (*low as f64 + (self.unit() * (high - low + 1) as f64).floor()).min(high as f64)
@@ -162,7 +166,10 @@ pub fn contains(range: &Range, value: f64) -> bool {
         | Range::Rigid { .. }
         | Range::Of(_)
         | Range::FixedDirection
-        | Range::Labels { .. } => value.is_finite(),
+        | Range::Labels { .. }
+        | Range::Matrix(..)
+        | Range::Complex
+        | Range::ImaginaryUnit => value.is_finite(),
         Range::Interval { low, high, low_open, high_open } => {
             let above = if *low_open { value > *low } else { value >= *low };
             let below = if *high_open { value < *high } else { value <= *high };

@@ -1,6 +1,6 @@
 //! States at special places: zero, far larger or smaller than the rest, equal and opposite, at rest, parallel.
 
-use crate::formula::{Kind, SymbolId};
+use crate::formula::SymbolId;
 
 use crate::check::model::Model;
 use crate::check::sample::sampler::contains;
@@ -34,7 +34,7 @@ pub(crate) fn of_groups(model: &Model, slots: &[Slot]) -> Vec<Place> {
             None => groups.push((symbol, vec![at])),
         }
     }
-    let one = |symbol: SymbolId| if model.symbols.entry(symbol).kind == Kind::Vector { 3 } else { 1 };
+    let one = |symbol: SymbolId| model.symbols.entry(symbol).kind.numbers();
     let mut places = Vec::new();
     for (n, (symbol, group)) in groups.iter().enumerate() {
         let first = group[..one(*symbol)].to_vec();

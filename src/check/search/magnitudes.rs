@@ -29,6 +29,7 @@ use crate::check::sample::context::Context;
 use crate::check::sample::enclosed;
 use crate::check::sample::enclosed::Decision;
 use crate::check::sample::ensemble::Ensemble;
+use crate::check::sample::projection::Projection;
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual;
 use crate::check::state::residual::{Failure, Point};
@@ -73,12 +74,32 @@ pub(crate) fn at_all_magnitudes(link: &Link, context: &Context<'_>, mode: Mode, 
     }
     let setting = Context { spread: Spread::AllMagnitudes, ..*context }.setting(mode);
     let states = Ensemble::draw(context.model, &setting, STATES, &mut context.draw(mode, "wide"))?;
+    let message = "the two sides agree where all numbers are of order one, but differ at this state";
+    Ok(judged(link, context, (&states.projection, &states.states), message, &finding).unwrap_or(finding))
+}
+
+/// The finding that an equality which passed fails at one of these states, or that a side has no value there; `message`
+/// says that the sides differ.
+pub(crate) fn judged(
+    link: &Link,
+    context: &Context<'_>,
+    (projection, states): (&Projection<'_>, &[SampledState<'_, RunningError>]),
+    message: &str,
+    passed: &Finding,
+) -> Option<Finding> {
     // What an iteration finds in doubles is as accurate as the numbers are alike, which these are not.
-    let is_iterated = states.projection.equalities().next().is_some() || has_eigenvectors(link, context.model);
+    let is_iterated = projection.equalities().next().is_some() || has_eigenvectors(link, context.model);
     let mut ends = None;
-    for state in &states.states {
+    let found = |(code, verdict), message: &str, state, failure: Failure| Finding {
+        points: passed.points,
+        tried: passed.tried + states.len(),
+        max_residual: if verdict == Verdict::Refuted { Some(failure.residual) } else { passed.max_residual },
+        counterexample: Some(counterexample(link, state, &failure)),
+        ..context.finding(code, verdict, message)
+    };
+    for state in states {
         let point = residual::test(link, state).map(|point| match point {
-            Point::Fails(failure) => match enclosed::decided(link, state, &states.projection) {
+            Point::Fails(failure) => match enclosed::decided(link, state, projection) {
                 Decision::Agree => Point::Useless,
                 Decision::Differ(failure) => Point::Fails(failure),
                 Decision::Open if failure.residual > GROSS && !is_iterated && is_moderate(link, state) => {
@@ -90,45 +111,18 @@ pub(crate) fn at_all_magnitudes(link: &Link, context: &Context<'_>, mode: Mode, 
         });
         match point {
             Ok(Point::Fails(failure)) => {
-                let message = "the two sides agree where all numbers are of order one, but differ at this state";
-                return Ok(found(
-                    (Code::SidesDiffer, Verdict::Refuted),
-                    message,
-                    (link, state, failure),
-                    context,
-                    finding,
-                ));
+                return Some(found((Code::SidesDiffer, Verdict::Refuted), message, state, failure));
             }
             Ok(Point::OneSided(failure)) if ends.is_none() => {
                 let side = if failure.lhs.is_finite() { &link.rhs } else { &link.lhs };
-                ends = has_no_value(side, state).then_some((link, state, failure));
+                ends = has_no_value(side, state).then_some((state, failure));
             }
             _ => {}
         }
     }
-    Ok(match ends {
-        None => finding,
-        Some(place) => {
-            let message = place.2.domain_message();
-            found((Code::DomainDiffers, Verdict::Domain), &message, place, context, finding)
-        }
-    })
-}
-
-fn found(
-    (code, verdict): (Code, Verdict),
-    message: &str,
-    (link, state, failure): (&Link, &SampledState<'_, RunningError>, Failure),
-    context: &Context<'_>,
-    passed: Finding,
-) -> Finding {
-    Finding {
-        points: passed.points,
-        tried: passed.tried + STATES,
-        max_residual: if verdict == Verdict::Refuted { Some(failure.residual) } else { passed.max_residual },
-        counterexample: Some(counterexample(link, state, &failure)),
-        ..context.finding(code, verdict, message)
-    }
+    let (state, failure) = ends?;
+    let message = failure.domain_message();
+    Some(found((Code::DomainDiffers, Verdict::Domain), &message, state, failure))
 }
 
 /// Whether a claim contains eigenvalues or eigenvectors, through definitions too.

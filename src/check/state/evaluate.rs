@@ -10,7 +10,7 @@ use crate::check::state::particles::Particles;
 use crate::check::state::sampled_state::SampledState;
 use crate::check::state::values::{Valued, first};
 use crate::formula::evaluate::{ALL, Body, Environment, Unavailable, evaluate};
-use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
+use crate::formula::{Expr, IndexId, SymbolId, Symbols, Value};
 use crate::mechanics::rotations;
 use crate::notes::claims::Turning;
 use crate::scalar::{Number, Primal, Series};
@@ -23,14 +23,9 @@ impl<'m, B: Number> SampledState<'m, B> {
 
     /// A scalar or vector symbol, from its numbers in their order.
     fn numbers(&self, id: SymbolId, indices: &[u8], pick: impl Fn(usize) -> Option<Series<B>>) -> Valued<B> {
-        let place = self.place_of(id, indices);
-        if self.model.symbols.entry(id).kind != Kind::Vector {
-            return pick(place).map(Value::Scalar).ok_or(Unavailable::Symbol(id));
-        }
-        match (pick(3 * place), pick(3 * place + 1), pick(3 * place + 2)) {
-            (Some(x), Some(y), Some(z)) => Ok(Value::Vector(Vector3::new(x, y, z))),
-            _ => Err(Unavailable::Symbol(id)),
-        }
+        let kind = self.model.symbols.entry(id).kind;
+        let first = kind.numbers() * self.place_of(id, indices);
+        Value::of_numbers(kind, |at| pick(first + at)).ok_or(Unavailable::Symbol(id))
     }
 
     /// The value of a symbol by its meaning, before all rules, to this number of terms.

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use num_traits::{One, Zero};
 
 use crate::formula::evaluate::{Body, Environment, Unavailable, differentiate, evaluate_to};
-use crate::formula::{Expr, IndexId, Kind, SymbolId, Symbols, Value};
+use crate::formula::{Expr, IndexId, SymbolId, Symbols, Value};
 use crate::scalar::{Number, Primal, Series};
 
 use crate::check::model::meaning::{FrameQuantity, Meaning};
@@ -67,14 +67,9 @@ impl<B: Number> SampledState<'_, B> {
         }
         let place = || self.place_of(id, indices);
         let numbers = |pick: &dyn Fn(usize) -> Option<B>| {
-            let pick = |at: usize| pick(at).map(Primal);
-            Some(match model.symbols.entry(id).kind {
-                Kind::Vector => {
-                    let first = 3 * place();
-                    Value::Vector(Vector3::new(pick(first)?, pick(first + 1)?, pick(first + 2)?))
-                }
-                _ => Value::Scalar(pick(place())?),
-            })
+            let kind = model.symbols.entry(id).kind;
+            let first = kind.numbers() * place();
+            Value::of_numbers(kind, |at| pick(first + at).map(Primal))
         };
         match model.meaning(id)? {
             Meaning::Coordinate(i) => Some(Value::Scalar(Primal(self.coordinates().get(*i)?.rate(order)?))),

@@ -236,6 +236,7 @@ pub fn pair<B: Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, Vec<B>) {
         match shape {
             Shape::Scalar => vec![literal],
             Shape::Vector => vec![literal; 3],
+            Shape::Complex => vec![literal, B::zero()],
             Shape::Matrix(rows, columns) => {
                 (0..rows * columns).map(|k| if k / columns == k % columns { literal } else { B::zero() }).collect()
             }

@@ -120,7 +120,7 @@ impl<B: Number> SampledState<'_, B> {
                 *known = match known {
                     Value::Scalar(_) => Value::Scalar(take()?),
                     Value::Vector(_) => Value::Vector(Vector3::new(take()?, take()?, take()?)),
-                    Value::Matrix(_) => return Err(wrong()),
+                    Value::Matrix(_) | Value::Complex(_) => return Err(wrong()),
                 };
             }
         }

@@ -126,7 +126,7 @@ impl Checker<'_> {
         let together: Vec<usize> = true_ones.chain([from]).collect();
         let mut laws = Vec::new();
         if wrong {
-            laws = vec![(vec![from], false), (together, false), (vec![from], true)];
+            laws = vec![(vec![from], false), (together.clone(), false), (vec![from], true), (together, true)];
         } else if !is_world {
             laws = vec![(vec![from], false)];
         }

@@ -32,7 +32,7 @@ const ROUNDS: usize = 4;
 /// When not even a claims file without declarations fits the notes.
 pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let mut macros = Macros::default();
-    define_macros(notes, &mut macros);
+    define_macros(&notes.macros, &mut macros);
     let usages = names_of(&notes.equations, &macros);
     let lagrangian = lagrangian(notes, &usages);
     for printed in [lagrangian, None] {

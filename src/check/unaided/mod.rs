@@ -15,7 +15,7 @@
 
 mod gate;
 mod inference;
-mod names;
+pub(super) mod names;
 
 use crate::Result;
 use crate::check::document::setup::{Run, with_checker};

@@ -7,7 +7,7 @@ use crate::notes::Display;
 
 /// How a name stands in the displays of a document.
 #[derive(Clone, Debug)]
-pub(super) struct Usage {
+pub(in crate::check) struct Usage {
     /// The name.
     pub name: Name,
     /// Whether it stands somewhere with a dot, or after d in d/dt.
@@ -33,7 +33,7 @@ struct Place {
 }
 
 /// All names of some displays, in the order of their first occurrence.
-pub(super) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
+pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
     let mut found = Vec::new();
     for (at, display) in displays.iter().enumerate() {
         let Ok(items) = typeset_items(&display.text, macros) else { continue };

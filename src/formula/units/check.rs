@@ -8,6 +8,8 @@
 
 use std::collections::BTreeSet;
 
+use crate::formula::shape::{Shape, shape_of};
+use crate::formula::tree::MatrixFunction;
 use crate::formula::{Expr, Kind, Node, Relation, Sign, Statement, SymbolId, Symbols, text};
 use crate::source::Span;
 
@@ -51,6 +53,7 @@ struct Pooled<'e> {
 enum Pool<'r> {
     Terms,
     Entries,
+    Cases,
     Members(&'r [(Relation, Span)]),
 }
 
@@ -103,7 +106,13 @@ impl<'a> UnitCheck<'a> {
         let none = || Ok(Some(Affine::known(Dimension::NONE)));
         match &expr.node {
             Node::Number(_) if expr.is_zero() => Ok(None),
-            Node::Number(_) | Node::Pi | Node::Euler | Node::Epsilon(_) | Node::Delta(_) => none(),
+            Node::Number(_)
+            | Node::Pi
+            | Node::Euler
+            | Node::Identity
+            | Node::Imaginary
+            | Node::Epsilon(_)
+            | Node::Delta(_) => none(),
             Node::Symbol { id, dots, .. } => Ok(Some(self.per_time(Affine::of(*id), *dots))),
             Node::Sum(_) => {
                 let terms = self.terms(expr, 0)?;
@@ -124,7 +133,7 @@ impl<'a> UnitCheck<'a> {
                 }
                 Ok(product)
             }
-            Node::Cross(a, b) | Node::Dot(a, b) => {
+            Node::Cross(a, b) | Node::Dot(a, b) | Node::Commutator(a, b) => {
                 let (a, b) = (self.dimension(a)?, self.dimension(b)?);
                 Ok(a.zip(b).map(|(a, b)| a.times(&b)))
             }
@@ -156,9 +165,32 @@ impl<'a> UnitCheck<'a> {
                 if turns { none() } else { Ok(Some(Affine::of(*id))) }
             }
             Node::TimeDerivative(n, a) => Ok(self.dimension(a)?.map(|a| self.per_time(a, *n))),
+            Node::OfMatrix(MatrixFunction::Determinant, a) => {
+                let found = self.dimension(a)?;
+                match shape_of(a, self.symbols) {
+                    Ok(Shape::Matrix(rows @ 1.., _)) => Ok(found.map(|a| a.power(Ratio::whole(rows as i64)))),
+                    _ => Ok(None),
+                }
+            }
+            Node::Cases(branches) => {
+                let mut values = Vec::new();
+                for branch in branches {
+                    values.extend(self.pooled(&branch.value, 0, false)?);
+                    for condition in &branch.conditions {
+                        let mut compared = Vec::new();
+                        for member in &condition.members {
+                            compared.extend(self.pooled(member, 0, false)?);
+                        }
+                        self.agree(&compared, Pool::Cases)?;
+                    }
+                }
+                self.agree(&values, Pool::Cases)
+            }
             Node::Inverse(a) => Ok(self.dimension(a)?.map(|a| a.power(Ratio::whole(-1)))),
             Node::Integral(region, a) => Ok(self.dimension(a)?.map(|a| a.times(&Affine::of(*region)))),
             Node::Norm(a)
+            | Node::OfMatrix(MatrixFunction::Trace, a)
+            | Node::Complex(_, a)
             | Node::Transpose(a)
             | Node::Entry(a, _, _)
             | Node::Component(a, _)
@@ -231,6 +263,7 @@ impl<'a> UnitCheck<'a> {
         let (a, b) = (&pool[culprit.min(partner)], &pool[culprit.max(partner)]);
         let verb = match why {
             Pool::Entries => "be entries of one matrix",
+            Pool::Cases => "be compared, or stand in one list of cases",
             Pool::Members(relations) if a.member != b.member => match a.whole && b.whole {
                 true if relations[a.member..b.member].iter().all(|(relation, _)| is_equality(*relation)) => "be equal",
                 true => "be compared",

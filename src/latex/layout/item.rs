@@ -78,4 +78,6 @@ pub enum Delimiter {
     DoubleBar,
     /// `\langle \rangle`
     Angle,
+    /// `\left. \right|`, the bar of an evaluation
+    Evaluation,
 }

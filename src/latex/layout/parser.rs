@@ -142,6 +142,21 @@ impl<'a> Parser<'a> {
             self.next();
             let sign = self.peek().filter(|next| matches!(next.kind, TokenKind::Other('+' | '-')));
             *slot = Some(Box::new(match sign {
+                // `v^+`: a mark above, unless more touches it, as in `x^-1`, where braces are forgotten.
+                Some(sign) if token.kind == TokenKind::Super => {
+                    self.next();
+                    let touches = self.peek().is_some_and(|next| {
+                        next.span.start == sign.span.end
+                            && matches!(next.kind, TokenKind::Digit(_) | TokenKind::Letter(_) | TokenKind::Command(_))
+                    });
+                    match (touches, &sign.kind) {
+                        (false, TokenKind::Other(c)) => Item { layout: Layout::Other(*c), span: sign.span },
+                        _ => of_fault(
+                            Fault::ambiguous(sign.span, "only the sign stands above here")
+                                .help("put what stands above in braces, as in x^{-1}"),
+                        ),
+                    }
+                }
                 // `\Omega_+`: a sign as a subscript
                 Some(sign) if token.kind == TokenKind::Sub => {
                     self.next();
@@ -208,6 +223,8 @@ impl<'a> Parser<'a> {
             TokenKind::Command(name) => return self.command(name, span),
             TokenKind::Other('(') => return self.fence(Delimiter::Round, span),
             TokenKind::Other('[') => return self.fence(Delimiter::Square, span),
+            // `f|_{x=a}`: no bar that opens has a subscript.
+            TokenKind::Other('|') if self.peek().is_some_and(|next| next.kind == TokenKind::Sub) => Layout::Other('|'),
             TokenKind::Other('|') => return self.fence(Delimiter::PlainBar, span),
             TokenKind::Other(c) => Layout::Other(*c),
             TokenKind::Parameter(n) => return fault(span, format!("#{n} is allowed in a macro only")),
@@ -269,6 +286,7 @@ impl<'a> Parser<'a> {
                     Delimiter::PlainBar => "|",
                     Delimiter::DoubleBar => "\\|",
                     Delimiter::Angle => "\\langle",
+                    Delimiter::Evaluation => "\\left.",
                 };
                 self.unclosed(open, glyph, items)
             }
@@ -335,8 +353,18 @@ impl<'a> Parser<'a> {
             return fault(span, "the \\right of this \\left needs a delimiter");
         };
         let whole = span.to(close.span);
+        // A brace before rows alone is `cases`.
+        if let (Some(Delimiter::Curly), TokenKind::Other('.')) = (opening, &close.kind)
+            && let [only] = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect::<Vec<_>>()[..]
+            && let Layout::Environment(_, rows) = &only.layout
+        {
+            return Item { layout: Layout::Environment("cases".to_owned(), rows.clone()), span: whole };
+        }
         match (opening, closing(close)) {
             (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
+            (None, Some(Delimiter::Bar)) if token.kind == TokenKind::Other('.') => {
+                Item { layout: Layout::Fence(Delimiter::Evaluation, items), span: whole }
+            }
             _ => of_fault(Fault::unsupported(whole, "this pair of delimiters of \\left and \\right is not supported")),
         }
     }

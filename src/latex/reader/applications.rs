@@ -86,6 +86,12 @@ impl Reader<'_> {
             Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product"))
                 .help("for a product, put a thin space \\, before the parenthesis"))
         };
+        // The Lorentz factor is no function of the place or the time.
+        let is_lorentz =
+            self.symbols.open && name.base == "\\gamma" && inside.iter().skip(1).any(|item| self.is_sign(item));
+        if is_lorentz {
+            return Ok(());
+        }
         if self.shifts_the_time(&inside) && (entry.varies || self.symbols.open) {
             return ambiguous();
         }
@@ -93,7 +99,8 @@ impl Reader<'_> {
             return Ok(());
         }
         let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item));
-        let is_plain_product = is_sum || is_powered || inside.iter().any(|item| has_rate(item));
+        let is_plain_product =
+            is_sum || is_powered || inside.iter().any(|item| has_rate(item)) || is_product_of_vectors(&inside);
         match is_function(entry) || self.is_at_a_place(name, &inside) || !is_plain_product {
             true => ambiguous(),
             false => Ok(()),
@@ -222,4 +229,16 @@ fn has_rate(item: &Item) -> bool {
 
 fn differential_above(above: &Item) -> bool {
     super::items::contents(above).first().is_some_and(|first| differential(first).is_some())
+}
+
+/// Whether a product with × or · of names with an arrow or in bold stands in a parenthesis.
+fn is_product_of_vectors(inside: &[&Item]) -> bool {
+    let is_operator =
+        |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\times" || name == "\\cdot");
+    let is_vector = |item: &Item| {
+        names::printed(item, None).is_some_and(|printed| {
+            ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| printed.name.base.contains(mark))
+        })
+    };
+    inside.iter().any(|item| is_operator(item)) && inside.iter().filter(|item| is_vector(item)).count() > 1
 }

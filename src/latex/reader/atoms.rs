@@ -3,12 +3,13 @@
 use crate::code::Code;
 use crate::formula::shape::Shape;
 use crate::formula::symbols::Components;
-use crate::formula::tree::{Expr, Index, Node};
+use crate::formula::tree::{Expr, Index, MatrixFunction, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
 use super::super::overdots;
+use super::algebra::evidence::is_matrix;
 use super::items::{contents, is_number, starts_differential, whole_number};
 use super::state::{Read, Reader, unknown_command};
 
@@ -42,7 +43,11 @@ impl Reader<'_> {
                 if let Some(operator) = self.operator(numerator, denominator, span)? {
                     return self.apply(&operator, &[], &mut 0);
                 }
-                if starts_differential(numerator) || starts_differential(denominator) {
+                let is_element = self.symbols.infers()
+                    && self.symbols.inferred.differentials
+                    && !starts_differential(denominator)
+                    && !matches!(&contents(numerator)[0].layout, Layout::Command(name) if name == "\\partial");
+                if !is_element && (starts_differential(numerator) || starts_differential(denominator)) {
                     return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
                 }
                 let (a, b) = (self.item(numerator)?, self.item(denominator)?);
@@ -61,11 +66,42 @@ impl Reader<'_> {
                 };
                 Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
             }
+            Layout::Environment(name, rows) if is_cases(name) => self.cases(rows, span),
             Layout::Environment(name, rows) => self.matrix(name, rows, span),
+            // A unit matrix, `\mathbb{1}`.
+            Layout::Style(style, inner)
+                if matches!(style.as_str(), "\\mathbb" | "\\mathbf") && whole_number(inner) == Some(1) =>
+            {
+                Ok(Expr::new(Node::Identity, span))
+            }
+            Layout::Scripts { nucleus, sub, sup, primes: 0 }
+                if self.symbols.infers() && matches!(nucleus.layout, Layout::Fence(Delimiter::Evaluation, _)) =>
+            {
+                let Layout::Fence(_, inside) = &nucleus.layout else {
+                    return Err(Fault::new(span, "this bar is not supported"));
+                };
+                let inner = self.sum(inside, span)?;
+                self.evaluated(inner, (sub.as_deref(), sup.as_deref()), span)
+            }
+            // `[F]_a^b` is a difference.
+            Layout::Scripts { nucleus, sub: Some(sub), sup: Some(sup), primes: 0 }
+                if self.symbols.infers() && matches!(nucleus.layout, Layout::Fence(Delimiter::Square, _)) =>
+            {
+                let inner = self.item(nucleus)?;
+                self.evaluated(inner, (Some(sub), Some(sup)), span)
+            }
+            Layout::Command(name) if name == "\\dots" && self.symbols.infers() => Ok(self.ellipsis(span)),
             Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }
                 if matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _)) =>
             {
-                let part = self.part(nucleus, sub, span)?;
+                let is_held = self.symbols.infers() && is_derivative_in_parentheses(nucleus);
+                let part = match is_held {
+                    true => {
+                        let inner = self.item(nucleus)?;
+                        self.evaluated(inner, (Some(sub), None), span)?
+                    }
+                    false => self.part(nucleus, sub, span)?,
+                };
                 match sup {
                     Some(sup) => self.raised(part, sup, span),
                     None => Ok(part),
@@ -133,9 +169,16 @@ impl Reader<'_> {
                     inner.span = span;
                     return Ok(inner);
                 }
+                // Bars around a matrix print its determinant.
+                if delimiter != Delimiter::DoubleBar && matches!(self.shape_of(&inner)?, Shape::Matrix(..)) {
+                    return Ok(Expr::new(Node::OfMatrix(MatrixFunction::Determinant, Box::new(inner)), span));
+                }
                 Ok(Expr::new(Node::Norm(Box::new(inner)), span))
             }
             Delimiter::Angle => Err(Fault::unsupported(span, "angle brackets are not supported")),
+            Delimiter::Evaluation => {
+                Err(Fault::unsupported(span, "the bar of an evaluation needs its place, as in \\right|_{x=a}"))
+            }
         }
     }
 
@@ -188,14 +231,20 @@ impl Reader<'_> {
                 }
                 Ok(Expr::new(Node::Component(Box::new(inner), *a), span))
             }
-            (Shape::Matrix(3, 3), [a, b]) => Ok(Expr::new(Node::Entry(Box::new(inner), *a, *b), span)),
+            (Shape::Matrix(rows, columns), [a, b]) if within(*a, rows) && within(*b, columns) => {
+                Ok(Expr::new(Node::Entry(Box::new(inner), *a, *b), span))
+            }
             _ => Err(refused()),
         }
     }
 
     fn matrix(&mut self, name: &str, rows: &[Vec<Vec<Item>>], span: Span) -> Read<Expr> {
         match name {
-            "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" => {
+            "vmatrix" | "Vmatrix" => {
+                let inner = self.matrix("pmatrix", rows, span)?;
+                Ok(Expr::new(Node::OfMatrix(MatrixFunction::Determinant, Box::new(inner)), span))
+            }
+            _ if is_matrix(name) => {
                 for (at, row) in rows.iter().enumerate() {
                     let empty = |cell: &Vec<Item>| cell.iter().all(|item| matches!(item.layout, Layout::Space(_)));
                     if let Some(column) = row.iter().position(empty) {
@@ -214,5 +263,29 @@ impl Reader<'_> {
             }
             _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),
         }
+    }
+}
+
+/// Whether an environment lists cases.
+fn is_cases(name: &str) -> bool {
+    matches!(name.trim_end_matches('*'), "cases" | "dcases" | "rcases" | "drcases")
+}
+
+/// Whether an index fits rows or columns, of which 0 stands for an unknown number.
+fn within(index: Index, count: usize) -> bool {
+    match index {
+        Index::Fixed(value) => count == 0 || usize::from(value) <= count,
+        Index::Letter(_) => count == 3,
+    }
+}
+
+/// Whether a parenthesis holds one derivative: `(\partial S/\partial V)`.
+fn is_derivative_in_parentheses(fence: &Item) -> bool {
+    let Layout::Fence(_, inside) = &fence.layout else { return false };
+    match inside.as_slice() {
+        [Item { layout: Layout::Fraction(above, below), .. }] => {
+            [above, below].iter().all(|part| starts_differential(part))
+        }
+        _ => false,
     }
 }

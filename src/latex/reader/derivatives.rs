@@ -42,8 +42,9 @@ impl Reader<'_> {
     /// Whether these are a declared function and its arguments, and nothing else: `V(r)`.
     fn is_a_function_with_its_arguments<'i>(&self, mut items: impl Iterator<Item = &'i Item>) -> bool {
         let (Some(name), Some(arguments), None) = (items.next(), items.next(), items.next()) else { return false };
-        let is_function =
-            names::printed(name, self.branch).is_some_and(|printed| self.declared_function(&printed).is_some());
+        let is_function = names::printed(name, self.branch).is_some_and(|printed| {
+            self.declared_function(&printed).is_some() || self.is_inferred_function(&printed.name)
+        });
         is_function && matches!(arguments.layout, Layout::Fence(..))
     }
 

@@ -180,8 +180,11 @@ impl Reader<'_> {
         let sure = match run.symbols.as_slice() {
             [] | [_] | [.., (true, _)] => true,
             [(_, first), (_, second)] => {
-                let is_frequency = matches!(first.base.as_str(), "\\omega" | "\\Omega" | "\\nu");
-                is_frequency && Some(second) == self.symbols.time.as_ref()
+                let base = first.base.as_str();
+                // A rate times the time, and a wave number times a place.
+                let is_rate = ["\\omega", "\\Omega", "\\nu", "\\gamma", "\\lambda", "\\beta"].contains(&base);
+                let is_place = ["x", "y", "z", "r"].contains(&second.base.as_str()) && second.subscript.is_empty();
+                is_rate && Some(second) == self.symbols.time.as_ref() || base == "k" && is_place && self.symbols.open
             }
             _ => false,
         };

@@ -38,7 +38,7 @@ pub(super) fn joint(item: &Item) -> Option<Joint> {
 }
 
 /// The items inside a group, or the item itself.
-pub(super) fn contents(item: &Item) -> &[Item] {
+pub(in super::super) fn contents(item: &Item) -> &[Item] {
     match &item.layout {
         Layout::Group(items) => items,
         _ => std::slice::from_ref(item),
@@ -46,7 +46,7 @@ pub(super) fn contents(item: &Item) -> &[Item] {
 }
 
 /// The whole number that an item is.
-pub(super) fn whole_number(item: &Item) -> Option<u32> {
+pub(in super::super) fn whole_number(item: &Item) -> Option<u32> {
     match contents(item) {
         [Item { layout: Layout::Number(digits), .. }] => digits.parse().ok(),
         _ => None,
@@ -54,12 +54,12 @@ pub(super) fn whole_number(item: &Item) -> Option<u32> {
 }
 
 /// `-1`, as the mark of an inverse.
-pub(super) fn is_minus_one(item: &Item) -> bool {
+pub(in super::super) fn is_minus_one(item: &Item) -> bool {
     matches!(contents(item), [Item { layout: Layout::Other('-'), .. }, one] if whole_number(one) == Some(1))
 }
 
 /// `T` or `\top`, as the mark of a transpose.
-pub(super) fn is_transpose(item: &Item) -> bool {
+pub(in super::super) fn is_transpose(item: &Item) -> bool {
     match contents(item) {
         [Item { layout: Layout::Letter('T'), .. }] => true,
         [Item { layout: Layout::Command(name), .. }] => name == "\\top",
@@ -116,8 +116,18 @@ pub(super) fn is_big_sum(item: &Item) -> bool {
     }
 }
 
+/// `\prod`, with or without limits.
+pub(super) fn is_big_product(item: &Item) -> bool {
+    is_big(item, "\\prod")
+}
+
+/// An integral of any dimension, with or without limits.
+pub(super) fn is_any_integral(item: &Item) -> bool {
+    ["\\int", "\\oint", "\\iint", "\\iiint"].iter().any(|sign| is_big(item, sign))
+}
+
 /// `\int`, with or without limits.
-pub(super) fn is_integral(item: &Item) -> bool {
+pub(in super::super) fn is_integral(item: &Item) -> bool {
     is_big(item, "\\int")
 }
 
@@ -135,7 +145,7 @@ fn is_big(item: &Item, command: &str) -> bool {
 }
 
 /// The order of a differential d, `d^2`, `\mathrm{d}`.
-pub(super) fn differential(item: &Item) -> Option<u32> {
+pub(in super::super) fn differential(item: &Item) -> Option<u32> {
     let is_d = |item: &Item| {
         item.layout == Layout::Letter('d')
             || matches!(&item.layout, Layout::Style(style, inner) if style == "\\mathrm"
@@ -183,9 +193,14 @@ pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>
         return Err(Fault::unsupported(item.span, "a subscript or prime on a function is not supported"));
     }
     match sup.as_deref() {
+        // The usual name of the inverse function.
+        Some(sup) if is_minus_one(sup) && function.inverse().is_some() => {
+            Ok(function.inverse().map(|inverse| (inverse, None)))
+        }
         Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
-            Err(Fault::ambiguous(item.span, "\\sin^{-1} x may be \\arcsin x or 1/\\sin x")
-                .help("write \\arcsin or \\frac{1}{\\sin x}"))
+            let name = function.name();
+            Err(Fault::ambiguous(item.span, format!("\\{name}^{{-1}} x may be the inverse function or 1/\\{name} x"))
+                .help(format!("write the inverse function with ln or arctan, or \\frac{{1}}{{\\{name} x}}")))
         }
         sup => Ok(Some((function, sup))),
     }

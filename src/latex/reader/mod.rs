@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `terms` | sums, terms, factors, products |
 //! | `atoms` | one item: a number, a fraction, a root, a matrix |
+//! | `algebra` | matrices, complex numbers, cases, brackets |
 //! | `superscripts` | powers, transposes, and what looks like a power and is none |
 //! | `symbols` | a name |
 //! | `applications` | a name before a parenthesis: a product, or a function |
@@ -17,6 +18,7 @@
 //! | `integrals` | `\int` over a declared continuum, and `\lim` |
 //! | `state` | the reader itself: symbol table, branch of ±, open sums |
 //! | `items` | predicates on layout items |
+//! | `undeclared` | in formulas without declarations: functions, sums, integrals, ∇, bars |
 //!
 //! The grammar is recursive, hence all of them are methods of one `Reader`; each file imports only `state` and `items`.
 //!
@@ -33,7 +35,7 @@
 //!
 //! *Sums, limits, integrals.* Σ and lim reach to the end of the term that they stand in, an integral to its differential.
 //!
-//! *Rejected as ambiguous:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\sin^{-1}x`,
+//! *Rejected as ambiguous:* `a/bc`, `a/b/c`, `\cos\theta/2`, `\sin\theta^2`, `\cot^{-1}x`,
 //! `\log x`, `e^2`, a differential `dx` outside of `\frac{d}{dt}`.
 //!
 //! *One meaning by convention:* `-x^2` is −(x²); `\dot x^2` is (ẋ)²; `\Delta x` is one symbol; `\frac{d}{dt}` acts on
@@ -47,19 +49,21 @@
 //! and the message says how to write it. The list is in `docs/notation.md`. The tests have some 375 short formulas,
 //! each with the value that a person would compute or the word that it must be rejected.
 
+pub(super) mod algebra;
 mod applications;
 mod atoms;
 mod declared_functions;
 mod derivatives;
 mod functions;
 mod integrals;
-mod items;
+pub(super) mod items;
 mod partial_derivatives;
 mod state;
 mod sums;
 mod superscripts;
 mod symbols;
 mod terms;
+mod undeclared;
 mod vector_names;
 mod words;
 
@@ -79,6 +83,7 @@ pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Resul
     while items.last().is_some_and(|item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ',' | ';'))) {
         items.pop();
     }
+    algebra::evidence::note(&items, symbols);
     let mut reader = Reader::new(symbols, None);
     let expr = reader.sum(&items, Span::at(text.len()))?;
     shape::bind(expr, symbols).map(|(expr, _)| expr)

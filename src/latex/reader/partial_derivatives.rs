@@ -7,7 +7,7 @@
 //! symbol too.
 
 use crate::formula::derivative::{self, NoDerivative, Scope};
-use crate::formula::symbols::{Kind, Name, SymbolId};
+use crate::formula::symbols::{self, Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Node, Sign, Term, Variable};
 use crate::source::{Fault, Missing, Span};
 
@@ -120,6 +120,10 @@ impl Reader<'_> {
             }
             return Ok(Variable { id, indices, dots: printed.dots });
         }
+        if self.symbols.open && ["\\vec{", "\\mathbf{"].iter().any(|mark| printed.name.base.contains(mark)) {
+            return Err(Fault::unsupported(item.span, "a derivative by a vector or a matrix is not supported")
+                .help("write it for each component"));
+        }
         if self.symbols.open
             && let Some(id) = self.symbols.add(printed.name.clone(), Kind::Scalar)
         {
@@ -186,6 +190,16 @@ impl Reader<'_> {
             return self.item(first);
         }
         let significant = rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count();
+        if self.symbols.infers() && significant > 1 {
+            // One factor of several items: `\ln Z`, `f(x)`.
+            let mut end = *cursor;
+            let factor = self.factor(items, &mut end);
+            let is_all = items[end..].iter().all(|item| matches!(item.layout, Layout::Space(_)));
+            if let (Ok((factor, _)), true) = (factor, is_all) {
+                *cursor = items.len();
+                return Ok(factor);
+            }
+        }
         if significant > 1 || joint(first) == Some(Joint::Slash) {
             return Err(Fault::ambiguous(
                 operator.to(first.span),
@@ -205,7 +219,11 @@ impl Reader<'_> {
         let mut formula = operand;
         // The variable that stands last acts first.
         for (item, by) in by.iter().rev() {
-            formula = self.derivative_by(&formula, (item, by), mark, span)?;
+            let next = self.derivative_by(&formula, (item, by), mark, span);
+            formula = match next {
+                Err(_) if self.symbols.infers() => self.unformed(by, mark, formula, span),
+                next => next?,
+            };
         }
         formula.span = span;
         // As a sum of one term it differs from its own text, because to carry out a derivative is a step.
@@ -213,19 +231,45 @@ impl Reader<'_> {
         Ok(Expr::new(Node::Sum(vec![term]), span))
     }
 
+    /// A derivative that is not formed, since nothing says what the letters depend on.
+    fn unformed(&mut self, by: &Variable, mark: Mark, formula: Expr, span: Span) -> Expr {
+        let below = names::with_dots(&self.symbols.entry(by.id).name, by.dots);
+        let below = below.map_or_else(|| self.symbols.entry(by.id).name.to_string(), |name| name.to_string());
+        let d = if mark == Mark::Partial { "\\partial " } else { "d" };
+        self.operate(&format!("{d}/{d}{below}"), symbols::Operator::Same, vec![formula], span)
+    }
+
     /// The symbol for the derivative of a name that no formula defines.
     fn named_derivative(&mut self, operand: &Expr, by: &[(&Item, Variable)], span: Span) -> Option<Expr> {
         let id = operand.as_plain_symbol()?;
         let entry = self.symbols.entry(id);
-        let (above, is_open) = (entry.name.to_string(), self.symbols.open && entry.definition.is_none());
+        let (above, kind) = (entry.name.to_string(), entry.kind);
+        let is_open = self.symbols.open && entry.definition.is_none();
         let is_itself = by.iter().any(|(_, by)| by.id == id);
-        let [(_, variable)] = by else { return None };
-        let below = names::with_dots(&self.symbols.entry(variable.id).name, variable.dots)?;
-        let name = derivative_name(&above, &below.to_string());
+        let name = match by {
+            [(_, variable)] => {
+                let below = names::with_dots(&self.symbols.entry(variable.id).name, variable.dots)?;
+                derivative_name(&above, &below.to_string())
+            }
+            _ if !is_open || !self.symbols.infers() => return None,
+            several => {
+                let below: Option<Vec<String>> = several
+                    .iter()
+                    .map(|(_, by)| Some(names::with_dots(&self.symbols.entry(by.id).name, by.dots)?.to_string()))
+                    .collect();
+                let runs = below?;
+                let runs = runs.chunk_by(|a, b| a == b).map(|run| match run.len() {
+                    1 => format!("\\partial {}", run[0]),
+                    times => format!("\\partial {}^{times}", run[0]),
+                });
+                let below = runs.collect::<Vec<_>>().join(" ");
+                Name::plain(format!("\\partial^{}{above}/{below}", several.len()))
+            }
+        };
         let symbol = |id: SymbolId| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span);
         match self.symbols.find(&name) {
             Some((id, _)) => Some(symbol(id)),
-            None if is_open && !is_itself => self.symbols.add(name, Kind::Scalar).map(symbol),
+            None if is_open && !is_itself => self.symbols.add(name, kind).map(symbol),
             None => None,
         }
     }
@@ -249,6 +293,11 @@ impl Reader<'_> {
             .help("write the formula in coordinates and velocities, or in coordinates and momenta"));
         }
         let is_by = |other: &Variable| other == by;
+        let is_composed = |other: &Variable| self.symbols.open && self.symbols.entry(other.id).is_composed();
+        if others.iter().any(is_composed) || self.symbols.infers() && !others.iter().all(is_by) {
+            return Err(Fault::ambiguous(item.span, "a letter may depend on this variable or not")
+                .help("say in a claims file what the letters are"));
+        }
         match mark {
             Mark::Total if others.iter().any(|other| !is_by(other)) => Err(Fault::ambiguous(
                 span,
@@ -323,8 +372,9 @@ fn mark(item: &Item) -> Option<(Mark, u32)> {
 
 /// The items before and after the slash of `\partial L/\partial q` typed on one line.
 fn on_one_line(items: &[Item]) -> Option<(&[Item], &[Item])> {
-    let slash = items.iter().position(|item| joint(item) == Some(Joint::Slash))?;
-    let (above, below) = (&items[..slash], items.get(slash + 1..slash + 3)?);
+    // Only the items that it would consist of are looked at, since a term may be long.
+    let slash = items.get(2).filter(|item| joint(item) == Some(Joint::Slash));
+    let (above, below) = (items.get(..2)?, items.get(3..5).filter(|_| slash.is_some())?);
     let is_partial = |item: &Item| mark(item).is_some_and(|(mark, _)| mark == Mark::Partial);
     let is_name = |item: &Item| names::printed(item, None).is_some();
     let fits = matches!((above, below), ([first, name], [d, by])

@@ -17,12 +17,14 @@ pub(in super::super) struct Reader<'a> {
     pub branch: Option<Sign>,
     /// The indices of the sums that are being read, outermost first.
     pub(super) summed: Vec<IndexId>,
+    /// The undeclared letters that the sums being read bind.
+    pub(super) bound: Vec<String>,
 }
 
 impl<'a> Reader<'a> {
     /// A reader of formulas; `branch` is the sign that `\pm` stands for.
     pub fn new(symbols: &'a mut Symbols, branch: Option<Sign>) -> Self {
-        Reader { symbols, branch, summed: Vec::new() }
+        Reader { symbols, branch, summed: Vec::new(), bound: Vec::new() }
     }
 }
 

@@ -10,20 +10,16 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::items::{contents, is_minus_one, is_transpose, whole_number};
+use super::items::{contents, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
     /// A base with a superscript: a power, a transpose, an inverse.
     pub(super) fn raised(&mut self, base: Expr, sup: &Item, span: Span) -> Read<Expr> {
         let shape = self.shape_of(&base)?;
-        if let Shape::Matrix(..) = shape {
-            if is_transpose(sup) {
-                return Ok(Expr::new(Node::Transpose(Box::new(base)), span));
-            }
-            if is_minus_one(sup) {
-                return Ok(Expr::new(Node::Inverse(Box::new(base)), span));
-            }
+        let found = self.above_a_matrix(&base, shape, sup, span).or_else(|| self.conjugate(&base, shape, sup, span));
+        if let Some(found) = found {
+            return Ok(found);
         }
         self.is_a_power(&base, sup, span)?;
         let boxed = Box::new(base);

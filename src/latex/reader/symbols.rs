@@ -7,7 +7,7 @@ use crate::suggest::declaration;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{is_minus_one, is_transpose, whole_number};
+use super::items::{differential, is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -21,6 +21,9 @@ impl Reader<'_> {
     ) -> Read<Expr> {
         let printed = self.decorated(printed, span)?;
         let name = &printed.name;
+        if let Some(value) = self.inferred_function(span, &printed, items, cursor)? {
+            return Ok(value);
+        }
         if name.base == "e" || name.base == "\\mathrm{e}" {
             let declared = self.symbols.find(name).is_some();
             if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots) {
@@ -31,18 +34,26 @@ impl Reader<'_> {
                     )
                     .help(format!("write \\exp(2) for the exponential, or {}", declaration("e", 0))));
                 }
-                if self.symbols.open && mentions_j(sup) {
+                if self.symbols.open && !self.symbols.imaginary.contains(&Name::plain("j")) && mentions_j(sup) {
                     return Err(Fault::ambiguous(sup.span, "j in an exponent of e may be √−1 or a symbol")
-                        .help("complex numbers are not supported; for a symbol, use another letter"));
+                        .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file; for a symbol, use another letter"));
                 }
                 let exponent = self.item(sup)?;
                 let euler = Expr::new(Node::Euler, span);
                 return Ok(Expr::new(Node::Power(Box::new(euler), Box::new(exponent)), span));
             }
-            if !declared && name.subscript.is_empty() {
+            let is_eccentricity = self.symbols.open && name.base == "e" && items.get(*cursor).is_some_and(is_cosine);
+            if !declared && name.subscript.is_empty() && !is_eccentricity {
                 return Err(Fault::ambiguous(span, "e may be Euler’s number, 2.718…, or a symbol")
                     .help(format!("write \\exp(1) for the number, or {}", declaration("e", 0))));
             }
+        }
+        if printed.dots == 0 && self.is_imaginary_unit(name) {
+            let unit = Expr::new(Node::Imaginary, span);
+            return match printed.sup {
+                Some(sup) => self.raised(unit, sup, span),
+                None => Ok(unit),
+            };
         }
         if let Some(special) = self.special(&printed, span)? {
             return match printed.sup {
@@ -82,6 +93,13 @@ impl Reader<'_> {
         {
             let whole = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, span);
             return self.applied(whole, id, printed.sup, items, cursor);
+        }
+        let other = self.conjugate_by_a_bar(name, dots, span);
+        if let Some(found) = other.or_else(|| self.of_declared_matrix(name, span).filter(|_| dots == 0)) {
+            return match printed.sup {
+                Some(sup) => self.raised(found, sup, span),
+                None => Ok(found),
+            };
         }
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
@@ -149,6 +167,7 @@ impl Reader<'_> {
     fn undeclared(&mut self, printed: Printed<'_>, span: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let name = &printed.name;
         let next = items.get(*cursor).filter(|item| names::printed(item, self.branch).is_some());
+        let is_bound = self.bound.contains(&name.to_string());
         if matches!(name.base.as_str(), "d" | "\\mathrm{d}") && name.subscript.is_empty() && next.is_some() {
             return Err(Fault::ambiguous(span, "d x may be a differential or the product of d and x")
                 .help("write \\frac{d}{dt} for a derivative, or use another letter for the factor"));
@@ -160,10 +179,14 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, format!("{name} may be a sum, a product or a symbol"))
                 .help("write \\sum_i or \\prod_i for the operation, and put a thin space \\, after a symbol"));
         }
-        if name.subscript.is_empty() && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str()) {
+        if !is_bound && name.subscript.is_empty() && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str()) {
             return Err(Fault::ambiguous(span, "i may be √−1 or a symbol").help(
-                "complex numbers are not supported; for a symbol, use another letter or declare i in a claims file",
+                "for √−1 write \\mathrm{i}, or declare i as \"imaginary unit\" in a claims file; for a symbol, use another letter",
             ));
+        }
+        if name.base == "j" && name.subscript.is_empty() && items.get(*cursor).is_some_and(mentions_a_frequency) {
+            return Err(Fault::ambiguous(span, "j before a frequency may be √−1 or a symbol")
+                .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file"));
         }
         if name.base.starts_with("\\mathrm{") {
             return Err(Fault::ambiguous(span, format!("{name} may be a unit, a word or a symbol")).help(
@@ -171,22 +194,52 @@ impl Reader<'_> {
             ));
         }
         let twin = |primes: u8| Name { primes, ..name.clone() };
+        let is_other = self.markup_of_a_vector(name)
+            || self.symbols.inferred.letters.contains(&Name { primes: 0, ..name.clone() });
         let other =
             [0, 1].map(twin).into_iter().find(|twin| twin.primes != name.primes && self.symbols.find(twin).is_some());
-        if name.primes > 1 || other.is_some() {
+        if name.primes > 1 || other.is_some() && !is_other {
             return Err(Fault::ambiguous(span, "a prime may be a derivative or a part of a name").help(
                 "write \\dot x or \\frac{dx}{dt} for a derivative by the time; for another symbol use \\tilde x or x_1",
             ));
         }
-        if ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark)) {
-            return Err(Fault::unsupported(span, format!("{name} looks like a vector, and is not declared"))
-                .help("declare vectors and matrices in a claims file"));
+        // A hat on another letter marks an operator as often as a direction.
+        let has_hat = name.base.starts_with("\\hat{");
+        let is_vector = self.markup_of_a_vector(name)
+            && (!has_hat
+                || is_unit_vector(&name.base)
+                || name.base.contains("\\vec{")
+                || name.base.contains("\\mathbf{"));
+        let has_markup = ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark));
+        if !is_vector && has_markup {
+            return Err(Fault::ambiguous(span, format!("{name} may be an operator, a unit vector or a number"))
+                .help("operators are not supported; declare vectors in a claims file"));
         }
-        let Some(id) = self.symbols.add(name.clone(), Kind::Scalar) else {
+        // Wave functions are complex where anything is.
+        let is_wave = self.symbols.imaginary_here && ["\\psi", "\\Psi"].contains(&name.base.as_str());
+        let kind = match is_vector {
+            true => Kind::Vector,
+            false if is_wave => Kind::Complex,
+            false => Kind::Scalar,
+        };
+        let Some(id) = self.symbols.add(name.clone(), kind) else {
             return Err(Fault::new(span, format!("{name} has the name of another symbol")));
         };
+        // The letter of a sum is no quantity.
+        self.symbols.entry_mut(id).hidden = is_bound;
         let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: printed.dots }, span);
         self.applied(symbol, id, printed.sup, items, cursor)
+    }
+
+    /// Whether the markup of a name makes it a vector: an arrow, bold type, a hat over a small letter.
+    fn markup_of_a_vector(&self, name: &Name) -> bool {
+        let inferred = &self.symbols.inferred;
+        let is_bold = name.base.contains("\\vec{") || name.base.contains("\\mathbf{");
+        let small = name
+            .base
+            .strip_prefix("\\hat{")
+            .is_some_and(|inner| inner.trim_start_matches('\\').starts_with(|c: char| c.is_lowercase()));
+        inferred.active && !inferred.matrices.contains(&name.base) && (is_bold || small)
     }
 
     /// π, ε_abc and δ_ab, unless they are declared.
@@ -244,20 +297,35 @@ impl Reader<'_> {
 
     /// `\Delta x` as one symbol, unless Δ itself is declared.
     pub(super) fn compound(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
-        let (Some(first), Some(second)) = (items.get(*cursor), items.get(*cursor + 1)) else {
-            return Ok(None);
-        };
+        let Some(first) = items.get(*cursor) else { return Ok(None) };
+        let order = differential(first).filter(|_| self.symbols.infers() && self.symbols.inferred.differentials);
+        if let Some(varied) = self.varied(items, cursor)? {
+            return Ok(Some(varied));
+        }
+        let spaces = items[*cursor + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_)));
+        let ahead = 1 + if order.is_some() { spaces.count() } else { 0 };
+        let Some(second) = items.get(*cursor + ahead) else { return Ok(None) };
         let is_difference = matches!(&first.layout, Layout::Command(name) if name == "\\Delta" || name == "\\delta");
-        let Some(mut printed) = names::printed(second, self.branch).filter(|_| is_difference) else {
+        let Some(mut printed) = names::printed(second, self.branch).filter(|_| is_difference || order.is_some()) else {
             return Ok(None);
         };
-        let Layout::Command(command) = &first.layout else {
-            return Ok(None);
+        let command = match (&first.layout, order) {
+            (_, Some(1)) => "d".to_owned(),
+            (_, Some(order)) => format!("d^{{{order}}}"),
+            (Layout::Command(command), None) => command.clone(),
+            _ => return Ok(None),
         };
+        let command = &command;
+        if order.is_some() {
+            printed.name.base = format!("{command}{}", printed.name.base);
+            *cursor += 1 + ahead;
+            // A parenthesis after a differential is another factor: `dx (a + b)`.
+            return self.symbol(first.span.to(second.span), printed, &[], &mut 0).map(Some);
+        }
         if self.symbols.find(&Name::plain(command)).is_some() {
             return Ok(None);
         }
-        if command == "\\delta" && self.symbols.open {
+        if command == "\\delta" && self.symbols.open && !self.symbols.inferred.variations {
             return Err(Fault::ambiguous(
                 first.span.to(second.span),
                 "\\delta x may be a variation of x or the product of \\delta and x",
@@ -294,4 +362,29 @@ fn mentions_j(item: &Item) -> bool {
         Layout::Fraction(above, below) => mentions_j(above) || mentions_j(below),
         _ => false,
     }
+}
+
+/// Whether a name with a hat is one of the usual unit vectors: `\hat x`, `\hat r`, `\hat\theta`, `\hat e_x`, `\hat n`.
+fn is_unit_vector(base: &str) -> bool {
+    let letter = base.strip_prefix("\\hat{").and_then(|base| base.strip_suffix('}'));
+    letter.is_some_and(|letter| {
+        [
+            "e", "n", "r", "i", "j", "k", "x", "y", "z", "s", "\\theta", "\\phi", "\\varphi", "\\rho", "\\imath",
+            "\\jmath",
+        ]
+        .contains(&letter)
+    })
+}
+
+/// Whether an item is an angular frequency, or a parenthesis with one in it.
+fn mentions_a_frequency(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Fence(_, inside) => inside.iter().any(mentions_a_frequency),
+        _ => names::printed(item, None).is_some_and(|printed| printed.name.base == "\\omega"),
+    }
+}
+
+/// `\cos`, before which an e is an eccentricity.
+fn is_cosine(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Command(name) if name == "\\cos")
 }

@@ -1,5 +1,7 @@
 //! Sums, the terms of a sum, and the factors of a term with the operators between them.
 
+use std::collections::{HashMap, HashSet};
+
 use crate::formula::shape::Shape;
 use crate::formula::symbols::{Entry, Kind};
 use crate::formula::tree::{Expr, Node, Sign, Term};
@@ -8,9 +10,11 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, unaccented};
 use super::items::{
-    Joint, beside, extent, function_head, is_big_sum, is_integral, is_limit, is_number, is_numeric_item, joint,
+    Joint, beside, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit,
+    is_number, is_numeric_item, joint,
 };
 use super::state::{Read, Reader};
+use super::undeclared::bar;
 use super::words::are_no_words;
 
 impl Reader<'_> {
@@ -69,6 +73,9 @@ impl Reader<'_> {
 
     /// The number of items of the term that starts here: up to a sign that follows no operator.
     fn term_length(&self, items: &[Item]) -> Read<usize> {
+        if let Some(integral) = self.integral_length(items) {
+            return Ok(integral.max(integral + self.term_length(items.get(integral..).unwrap_or_default())?));
+        }
         let mut after_operator = false;
         for (at, item) in items.iter().enumerate() {
             if self.sign(item)?.is_some() {
@@ -129,6 +136,25 @@ impl Reader<'_> {
                 return Err(Fault::ambiguous(slash.to(item.span), "a/bc may be a/(bc) or (a/b)c")
                     .help("write \\frac{a}{bc} or \\frac{a}{b}c"));
             }
+            if let (true, Some(limits)) = (self.symbols.infers(), bar(item)) {
+                match runs.as_mut_slice() {
+                    [(_, run)] if run.len() == 1 => {
+                        let inner = run.remove(0);
+                        let span = inner.span.to(item.span);
+                        let found = self.evaluated(inner, limits, span)?;
+                        runs = vec![(Joint::Beside, vec![found])];
+                        cursor += 1;
+                        continue;
+                    }
+                    _ => {
+                        return Err(Fault::ambiguous(
+                            item.span,
+                            "this bar may belong to one factor or to all before it",
+                        )
+                        .help("write \\left. before what it belongs to, and \\right| for the bar"));
+                    }
+                }
+            }
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
@@ -179,9 +205,15 @@ impl Reader<'_> {
             }
         };
         let of_each: Vec<Vec<String>> = factors.iter().map(letters).collect();
-        let shares = |a: &Vec<String>, b: &Vec<String>| a.len() > 1 && a.iter().any(|letter| b.contains(letter));
-        let implied = (0..of_each.len())
-            .find(|at| (0..of_each.len()).any(|other| other != *at && shares(&of_each[*at], &of_each[other])));
+        // In one pass, since a product may be long.
+        let mut factors_with: HashMap<&String, usize> = HashMap::new();
+        for letters in &of_each {
+            for letter in letters.iter().collect::<HashSet<_>>() {
+                *factors_with.entry(letter).or_default() += 1;
+            }
+        }
+        let is_shared = |letter: &String| factors_with[letter] > 1 && !self.bound.contains(letter);
+        let implied = of_each.iter().position(|letters| letters.len() > 1 && letters.iter().any(is_shared));
         match implied {
             Some(at) => {
                 Err(Fault::ambiguous(factors[at].span, "a letter that two factors have as an index may mean a sum")
@@ -287,9 +319,10 @@ impl Reader<'_> {
             Node::Product(factors) => factors.first().is_some_and(has_letter),
             _ => has_letter(expr),
         };
-        let crossed = parts
-            .windows(2)
-            .find(|pair| self.symbols.open && pair[1].0 == Joint::Times && ends(&pair[0].1) && starts(&pair[1].1));
+        let crossed = parts.windows(2).find(|pair| {
+            let are_vectors = pair[0].2 && pair[1].2;
+            self.symbols.open && pair[1].0 == Joint::Times && !are_vectors && ends(&pair[0].1) && starts(&pair[1].1)
+        });
         match crossed {
             Some(pair) => {
                 let span = pair[0].1.span.to(pair[1].1.span);
@@ -317,11 +350,28 @@ impl Reader<'_> {
     }
 
     /// One factor. The flag is false for a function whose argument has no parentheses.
-    fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
+    pub(super) fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
         let item = &items[*cursor];
+        if self.symbols.infers() && (is_big_sum(item) || is_big_product(item) || is_limit(item)) {
+            let rest = &items[*cursor + 1..];
+            *cursor = items.len();
+            return Ok((self.unevaluated(item, rest)?, true));
+        }
+        if self.symbols.infers() && is_any_integral(item) {
+            *cursor += 1;
+            return Ok((self.unevaluated_integral(item, items, cursor)?, true));
+        }
+        if self.symbols.infers()
+            && let Some(field) = self.nabla(items, cursor)?
+        {
+            return Ok((field, true));
+        }
         if let Some((function, power)) = function_head(item)? {
             *cursor += 1;
             return self.call(function, power, item.span, items, cursor);
+        }
+        if let Some(found) = self.algebra(items, cursor)? {
+            return Ok((found, true));
         }
         if is_big_sum(item) {
             let rest = &items[*cursor + 1..];

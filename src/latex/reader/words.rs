@@ -11,7 +11,7 @@ use super::super::layout::{Item, Layout};
 use super::state::Read;
 
 /// Functions that may stand anywhere in a run, `mgsin`.
-const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "cot", "sec", "csc", "exp", "log"];
+const FUNCTIONS: [&str; 9] = ["sin", "cos", "tan", "cot", "sec", "csc", "exp", "log", "sqrt"];
 
 /// Functions and operators that begin or end a run, `xmax`.
 const OPERATORS: [&str; 14] =
@@ -70,9 +70,9 @@ fn is_no_word(word: &str, span: Span, open: bool) -> Read<()> {
     let apart = "for a product, put a space \\, between the letters";
     let function = FUNCTIONS.iter().find(|name| word.contains(**name));
     if let Some(name) = function.or(SHORT.iter().find(|name| word == **name)) {
-        let help = match Function::named(name) {
-            Some(_) => format!("write \\{name} for the function; {apart}"),
-            None => apart.to_owned(),
+        let help = match *name == "sqrt" || Function::named(name).is_some() {
+            true => format!("write \\{name} for the function; {apart}"),
+            false => apart.to_owned(),
         };
         return Err(Fault::ambiguous(span, format!("{word} may be a function or a product")).help(help));
     }

@@ -40,7 +40,8 @@ impl Finder<'_> {
             let slots: Vec<Vec<IndexId>> = entry.slots.iter().map(|(_, own)| like(*own).collect()).collect();
             let mut choices = choices(&slots);
             choices.retain(|choice| are_distinct(choice));
-            for letters in choices.iter().filter(|choice| !choice.is_empty() || entry.kind == Kind::Matrix) {
+            for letters in choices.iter().filter(|choice| !choice.is_empty() || matches!(entry.kind, Kind::Matrix(..)))
+            {
                 let wanted = is_wanted(letters);
                 // A whole vector beside a printed one makes a scalar product, which often holds by accident.
                 if entry.kind == Kind::Vector && !wanted {

@@ -205,7 +205,8 @@ impl Finder<'_> {
 
     pub(super) fn is_matrix(&self, factor: &Factor<'_>) -> bool {
         let item = &factor.items[0];
-        matches!(item.layout, Layout::Environment(..)) || matches!(self.kind(item), Some(Kind::Matrix | Kind::Rotation))
+        matches!(item.layout, Layout::Environment(..))
+            || matches!(self.kind(item), Some(Kind::Matrix(..) | Kind::Rotation))
     }
 
     /// Whether a factor is a matrix by its entries, `R_{ab}`. A single entry, `R_{12}`, has no inverse in print.

@@ -30,7 +30,7 @@ fn symbols() -> Symbols {
         add(vector, Kind::Vector, true, false);
     }
     for matrix in ["\\mathbf{R}", "\\mathbf{S}"] {
-        add(matrix, Kind::Matrix, true, false);
+        add(matrix, Kind::Matrix(3, 3), true, false);
     }
     let n = symbols.find(&names::parse("n").expect("it is a name").0).map(|(id, _)| id);
     for label in ["i", "j"] {

@@ -23,5 +23,5 @@ mod traced_system;
 mod tracing;
 
 pub use accelerations::AccelerationEvaluator;
-pub use any_lagrangian::{AnyLagrangian, erased};
+pub use any_lagrangian::{AnyLagrangian, Parts, erased};
 pub use traced_system::{Quantities, System};

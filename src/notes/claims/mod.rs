@@ -11,6 +11,7 @@ mod claim;
 mod continua;
 mod fields;
 mod range;
+mod rubric;
 mod sentence;
 mod vectors;
 
@@ -21,6 +22,9 @@ pub use super::json::Spanned;
 pub use claim::{Claim, Conserved, Erratum, Expect, Expected, Holds, Solved};
 pub use continua::{Continuum, SolidKind};
 pub use range::{Count, Range};
+pub use rubric::Rubric;
+#[cfg(feature = "cli")]
+pub use rubric::{Lost, Share};
 pub use sentence::{Property, Sentence, Sign, Test};
 pub use vectors::{Axes, Components};
 
@@ -75,6 +79,8 @@ pub struct Claims {
     pub equations: Vec<(Address, Claim)>,
     /// The claims about sentences.
     pub sentences: Vec<Sentence>,
+    /// `rubric`: what a hand-in is marked by.
+    pub rubric: Option<Rubric>,
 }
 
 /// A system by name, with the notes' names of its parameters.
@@ -144,6 +150,7 @@ const KEYS: &[&str] = &[
     "steps",
     "equations",
     "sentences",
+    "rubric",
 ];
 
 /// Keys that are planned and not supported yet.
@@ -213,6 +220,7 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         steps: fields.texts("steps")?.iter().map(|step| Address::parse(step, source)).collect::<Result<_, _>>()?,
         equations: equations(&fields, source)?,
         sentences: sentences(&fields, source)?,
+        rubric: rubric::rubric(&fields, source)?,
     })
 }
 

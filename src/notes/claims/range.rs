@@ -49,6 +49,12 @@ pub enum Range {
     },
     /// `of r`, `of x, y`: any smooth function of these names, in LaTeX. For functions only.
     Of(Vec<String>),
+    /// `2x3 matrix`: a matrix of arbitrary real entries, by its numbers of rows and columns.
+    Matrix(u8, u8),
+    /// `complex`: a complex number.
+    Complex,
+    /// `imaginary unit`: √−1.
+    ImaginaryUnit,
     /// `fixed direction`: a vector of which only the length varies. Under `varies with time` only.
     FixedDirection,
 }
@@ -77,6 +83,9 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
         "<0" => Range::Negative,
         "any" => Range::Any,
         "angle" => Range::Angle,
+        "complex" => Range::Complex,
+        "imaginaryunit" => Range::ImaginaryUnit,
+        _ if squeezed.ends_with("matrix") => matrix(written, squeezed.trim_end_matches("matrix"))?,
         _ if text.starts_with(['(', '[']) => interval(written)?,
         _ => match text.strip_prefix("integer").filter(|rest| rest.starts_with(char::is_whitespace)) {
             Some(rest) => integers(written, rest, false)?,
@@ -93,6 +102,17 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
         },
     };
     Ok(Spanned::new(range, written.span))
+}
+
+/// Reads the size of a matrix: `3x3`, `2×1`.
+fn matrix(written: &Spanned<String>, size: &str) -> Result<Range, Fault> {
+    let parts: Option<Vec<u8>> =
+        size.split(['x', '×']).map(|part| part.parse().ok().filter(|n| (1..=6).contains(n))).collect();
+    match parts.as_deref() {
+        Some([rows, columns]) if (*rows, *columns) != (1, 1) => Ok(Range::Matrix(*rows, *columns)),
+        _ => Err(Fault::claims(written.span, format!("\"{}\" is not the size of a matrix", written.value.trim()))
+            .help("write \"3x3 matrix\"; a matrix has up to six rows and six columns")),
+    }
 }
 
 /// Reads the range of a symbol that varies with time: values, or the motion of a vector.

@@ -39,7 +39,7 @@ pub fn table(open: bool) -> Symbols {
         add(r"\hat{e}_a", Kind::Vector);
         add(r"\omega_a", Kind::Scalar);
         add(r"R_{ab}", Kind::Scalar);
-        add(r"\mathbf{R}", Kind::Matrix);
+        add(r"\mathbf{R}", Kind::Matrix(3, 3));
         add(r"\mathbf{S}_z", Kind::Rotation);
         add(r"m_i", Kind::Scalar);
         add(r"\vec{r}_i", Kind::Vector);

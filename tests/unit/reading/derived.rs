@@ -93,7 +93,7 @@ fn components_are_taken_along_what_was_declared() {
 fn vectors_in_bold_have_norms_too() {
     let mut symbols = Symbols::new();
     add(&mut symbols, r"\mathbf{q}", Kind::Vector);
-    add(&mut symbols, r"\mathbf{R}", Kind::Matrix);
+    add(&mut symbols, r"\mathbf{R}", Kind::Matrix(3, 3));
     assert_eq!(read_with(r"q^2 - \hat q \cdot \hat{\mathbf q}", &mut symbols), "|q|^2 − (q/|q|) • (q/|q|)");
     assert_eq!(refused_with("R", &mut symbols), "R", "a matrix has no norm here");
 }

@@ -14,8 +14,10 @@
 //! These edits are made after asking only: an edit of an equation that uses a display which no passing equation uses; an
 //! edit outside of the part that fails; a sign, a number or a factor in a definition whose other side may be wrong.
 //! A display that cannot be read is never edited: what it says is not known. Nothing else in the file changes, and nothing
-//! at all if the file has changed since it was checked ([`super::replace_file`]). After the edits the file is checked again;
+//! at all if the file has changed since it was checked ([`replace_file`]). After the edits the file is checked again;
 //! an edited equation that does not pass then is named.
+
+mod replace_file;
 
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::Path;
@@ -25,7 +27,7 @@ use crate::latex::slips::Slip;
 use crate::report::{Style, mutants, suggestion, wrap};
 use crate::{Error, Result};
 
-use super::replace_file::replace;
+use replace_file::replace;
 
 /// What was done to the notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,6 +94,10 @@ fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) ->
                 other.span != repair.span
                     && (other.span.end <= repair.span.start || repair.span.end <= other.span.start)
             };
+            if let Some(reason) = unwritable(document, repair) {
+                fixed.told.push(format!("({}) was not edited: {reason}; edit it by hand", equation.id));
+                continue;
+            }
             let doubt = doubt(equation, repair);
             if let (true, Some(doubt)) = (yes, &doubt) {
                 fixed.told.push(format!("({}) was not edited: {doubt}", equation.id));
@@ -119,7 +125,7 @@ fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) ->
 fn sentence(document: &Document, equation: &Equation, repair: &Repair) -> String {
     let (line, column) = document.source.line_column(repair.span.start);
     let change = mutants::change(document.source.slice(repair.span).trim(), &repair.replacement);
-    format!("({}) was edited at {}:{line}:{column}: {change}", equation.id, document.path)
+    format!("({}) was edited at {}:{line}:{column}: {change}", equation.id, document.source.path_at(repair.span.start))
 }
 
 /// The edit of an equation that is the only one, or clearly the likeliest.
@@ -208,13 +214,30 @@ fn agreed(document: &Document, equation: &Equation, repair: &Repair, style: Styl
     Ok(matches!(answer.trim(), "y" | "Y" | "yes"))
 }
 
-/// Writes the notes with edits made, the last first, so that the places of the others stay.
+/// Writes the files of the notes with edits made, the last first, so that the places of the others stay.
 fn apply(document: &Document, repairs: &[&Repair]) -> Result<()> {
-    let mut text = document.source.text.clone();
-    let mut sorted = repairs.to_vec();
-    sorted.sort_by_key(|repair| std::cmp::Reverse(repair.span.start));
-    for repair in sorted {
-        text.replace_range(repair.span.range(), &repair.replacement);
+    let mut edits = Vec::new();
+    for repair in repairs {
+        let edit = document.source.edit(repair.span, &repair.replacement);
+        edits.push(edit.map_err(|reason| Error::new(format!("cannot edit {}: {reason}", document.path)))?);
     }
-    replace(Path::new(&document.path), &document.source.text, &text)
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit.place.span.start));
+    let mut paths: Vec<&str> = edits.iter().map(|edit| edit.place.file.path.as_str()).collect();
+    paths.sort_unstable();
+    paths.dedup();
+    for path in paths {
+        let mut own = edits.iter().filter(|edit| edit.place.file.path == path).peekable();
+        let Some(file) = own.peek().map(|edit| edit.place.file) else { continue };
+        let mut text = file.text.clone();
+        own.for_each(|edit| text.replace_range(edit.place.span.range(), &edit.replacement));
+        let unwritable = || Error::new(format!("cannot edit {path}: its encoding lacks a character of the edit"));
+        let before = file.encode(&file.text).ok_or_else(unwritable)?;
+        replace(Path::new(path), &before, &file.encode(&text).ok_or_else(unwritable)?)?;
+    }
+    Ok(())
+}
+
+/// Why the file cannot be edited so, if it cannot.
+fn unwritable(document: &Document, repair: &Repair) -> Option<String> {
+    document.source.edit(repair.span, &repair.replacement).err().map(str::to_owned)
 }

@@ -9,11 +9,11 @@ use std::path::Path;
 
 use crate::{Error, Result};
 
-/// Replaces the text of the file at `path`, if it still is `before`.
+/// Replaces the bytes of the file at `path`, if they still are `before`.
 ///
 /// # Errors
 /// When the file has changed, when its folder or it cannot be written, when there is no room. The file is then unchanged.
-pub(super) fn replace(path: &Path, before: &str, after: &str) -> Result<()> {
+pub(super) fn replace(path: &Path, before: &[u8], after: &[u8]) -> Result<()> {
     let shown = path.display();
     let failed = |error: std::io::Error| {
         Error::new(format!("cannot change {shown}: {error}")).help(
@@ -28,12 +28,12 @@ pub(super) fn replace(path: &Path, before: &str, after: &str) -> Result<()> {
         return Err(failed(std::io::ErrorKind::PermissionDenied.into()));
     }
     let mut beside = tempfile::Builder::new().prefix(".onshell-").tempfile_in(folder).map_err(failed)?;
-    beside.write_all(after.as_bytes()).map_err(failed)?;
+    beside.write_all(after).map_err(failed)?;
     beside.as_file().set_permissions(about.permissions()).map_err(failed)?;
     keep_owner(beside.path(), &about).map_err(failed)?;
     beside.as_file().sync_all().map_err(failed)?;
     // As late as possible: what an editor wrote in between would be lost.
-    if std::fs::read(&target).map_err(failed)? != before.as_bytes() {
+    if std::fs::read(&target).map_err(failed)? != before {
         return Err(Error::new(format!("{shown} has changed since it was checked"))
             .help("the file was not edited; run the command again"));
     }
@@ -82,12 +82,12 @@ mod tests {
     fn what_changed_meanwhile_is_not_overwritten() {
         let (desk, path) = desk();
         std::fs::write(&path, "edited by someone else").unwrap();
-        let error = replace(&path, "before", "after").unwrap_err();
+        let error = replace(&path, b"before", b"after").unwrap_err();
         assert!(error.to_string().contains("has changed since it was checked"), "{error}");
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "edited by someone else");
         assert_eq!(names(desk.path()), ["notes.md"], "nothing is left beside it");
         // The twin: what did not change is replaced.
-        replace(&path, "edited by someone else", "after").unwrap();
+        replace(&path, b"edited by someone else", b"after").unwrap();
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "after");
     }
 
@@ -95,7 +95,7 @@ mod tests {
     fn what_is_gone_is_not_made_again() {
         let (desk, path) = desk();
         std::fs::remove_file(&path).unwrap();
-        assert!(replace(&path, "before", "after").is_err());
+        assert!(replace(&path, b"before", b"after").is_err());
         assert_eq!(names(desk.path()), [""; 0]);
     }
 
@@ -105,7 +105,7 @@ mod tests {
         let mut permissions = path.metadata().unwrap().permissions();
         permissions.set_readonly(true);
         std::fs::set_permissions(&path, permissions).unwrap();
-        assert!(replace(&path, "before", "after").is_err());
+        assert!(replace(&path, b"before", b"after").is_err());
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "before");
     }
 
@@ -117,7 +117,7 @@ mod tests {
         std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
         let link = desk.path().join("link.md");
         symlink("notes.md", &link).unwrap();
-        replace(&link, "before", "after").unwrap();
+        replace(&link, b"before", b"after").unwrap();
         assert!(link.is_symlink(), "the link is still one");
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "after");
         assert_eq!(path.metadata().unwrap().permissions().mode() & 0o777, 0o640);

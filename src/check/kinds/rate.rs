@@ -1,0 +1,79 @@
+//! The rate at which two sides approach each other, measured with many digits.
+//!
+//! Where a quantity is scaled by ε, the difference of the sides is c·εᵖ with smaller terms after it. In doubles p must be
+//! read off before rounding exceeds the difference, and a small c is not seen. Here the difference is enclosed at
+//! ε = 2⁻²⁰⁰ and at 2⁻⁴⁰⁰, where the first term exceeds all others even if c is 10⁻⁴⁰ of theirs. The quotient of the two
+//! gives p to 1/100.
+
+use num_dual::DualStruct;
+
+use crate::formula::IndexId;
+use crate::scalar::enclosure::{Enclosure, evaluate_to};
+use crate::scalar::{Arithmetic, Primal};
+
+use crate::check::model::claim::Link;
+use crate::check::sample::enclosed;
+use crate::check::sample::projection::Projection;
+use crate::check::state::residual;
+
+/// The number of results that one evaluation may take.
+const STEPS: usize = 60_000;
+
+/// The difference of an entry of two sides at a state.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Gap {
+    /// An upper bound of log₂ of its size, exact to 1; −∞ where it may be 0.
+    pub(crate) log2: f64,
+    /// Its size, as a double.
+    pub(crate) size: f64,
+}
+
+/// The difference of the sides of a link, entry by entry, at the numbers that `numbers` gives, to this number of bits;
+/// relative to the right side with `is_relative`, where that is not 0. `None` where a side has no value that is known so
+/// well, or hypotheses must be solved.
+pub(crate) fn gaps(
+    link: &Link,
+    projection: &Projection<'_>,
+    numbers: &dyn Fn() -> Vec<Enclosure>,
+    (bits, is_relative): (usize, bool),
+) -> Option<Vec<Gap>> {
+    if enclosed::is_found_in_doubles(projection.model) || projection.equalities().next().is_some() {
+        return None;
+    }
+    evaluate_to(bits, STEPS, || {
+        let state = projection.state(&numbers(), projection.mode.order + 1).ok()?;
+        let mut indices: Vec<(IndexId, u8)> = link.free.iter().map(|id| (*id, 1)).collect();
+        let mut gaps = Vec::new();
+        loop {
+            let (lhs, rhs) = (state.instant(&link.lhs, &indices).ok()?, state.instant(&link.rhs, &indices).ok()?);
+            let (a, b) = residual::pair(lhs, rhs);
+            for (Primal(a), Primal(b)) in a.into_iter().zip(b) {
+                let difference = if is_relative && b.excludes_zero() { (a - b).over(b) } else { a - b };
+                if !difference.is_known() {
+                    return None;
+                }
+                let is_clear = difference.excludes_zero();
+                let log2 = if is_clear { difference.log2() } else { f64::NEG_INFINITY };
+                gaps.push(Gap { log2, size: if is_clear { difference.re().abs() } else { 0.0 } });
+            }
+            if !residual::advance(&mut indices, &state).ok()? {
+                return Some(gaps);
+            }
+        }
+    })
+}
+
+/// The smallest power with which the entries fall from one state to another, and the entry's gaps there; `steps` is log₂
+/// of the ratio of the distances. Infinite where no difference is left at the second state.
+pub(crate) fn slowest(near: &[Gap], nearer: &[Gap], steps: f64) -> (f64, Option<(Gap, Gap)>) {
+    let mut slowest = (f64::INFINITY, None);
+    for (a, b) in near.iter().zip(nearer) {
+        let power = if b.log2 == f64::NEG_INFINITY { f64::INFINITY } else { (a.log2 - b.log2) / steps };
+        // A difference that is larger nearer by, and none at the first state.
+        let power = if a.log2 == f64::NEG_INFINITY && power < f64::INFINITY { 0.0 } else { power };
+        if power < slowest.0 {
+            slowest = (power, Some((*a, *b)));
+        }
+    }
+    slowest
+}

@@ -1,0 +1,131 @@
+//! Follow-through: the false line before it from which a false line follows.
+
+use crate::Result;
+use crate::formula::{Expr, Node, Statement, SymbolId};
+use crate::latex::{Reading, read_formula};
+use crate::notes::claims::Claim;
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::model::meaning::Meaning;
+use crate::check::sample::context::Options;
+use crate::check::steps::entailment::{EarlierSteps, Entailment};
+
+use super::status::{Status, status};
+
+/// The number of false lines before it that a line is compared with, the nearest first.
+const LOOKED_BACK: usize = 6;
+
+/// The lines before a line, by their displays.
+pub(super) struct Before<'b> {
+    /// All.
+    pub all: &'b [usize],
+    /// Those that are false.
+    pub wrong: &'b [usize],
+    /// Those that hold.
+    pub sound: &'b [usize],
+}
+
+/// The false line from which a false line follows, by its display.
+///
+/// # Errors
+/// As for a check of the line.
+pub(super) fn origin(
+    checker: &Checker<'_>,
+    (at, own): (usize, &Reading),
+    before: &Before<'_>,
+) -> Result<Option<usize>> {
+    let pieces = checker.wrong_pieces(at, true)?;
+    let pieces: Vec<&Reading> = pieces.iter().collect();
+    for from in before.wrong.iter().rev().take(LOOKED_BACK) {
+        if redefines(checker, *from, (at, own)) || shares_a_misreading(checker, *from, (at, own)) {
+            return Ok(Some(*from));
+        }
+        if pieces.is_empty() {
+            continue;
+        }
+        let earlier = EarlierSteps { from: *from, before: before.all, sound: before.sound };
+        let entailments = checker.entailments(&earlier, (at, &pieces), true)?;
+        if entailments.iter().all(|entailment| *entailment == Entailment::Follows) {
+            return Ok(Some(*from));
+        }
+    }
+    Ok(None)
+}
+
+/// Whether a line holds where a name of the problem means what a false line says that it is.
+fn redefines(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading)) -> bool {
+    let Some((place, text)) = definition_in_place(checker, from) else { return false };
+    let options = Options { explain: false, ..checker.options };
+    let holds = |edited: &Checker<'_>| matches!(status(edited, at, own, &Claim::default()), Status::Holds(..));
+    checker.with_edited_text(options, place, &text, holds).unwrap_or(false)
+}
+
+/// The display that defines the name that a false line gives another formula, and what the line would make of it.
+fn definition_in_place(checker: &Checker<'_>, from: usize) -> Option<(usize, String)> {
+    let Some(Ok(Statement { members, .. })) = checker.readings[from].statements.first() else { return None };
+    let (first, last) = (members.first()?, members.last()?);
+    let name = first.as_plain_symbol()?;
+    if !matches!(checker.model.meaning(name), Some(Meaning::Defined(_) | Meaning::System(_))) {
+        return None;
+    }
+    let place = checker.readings.iter().position(|reading| {
+        matches!(reading.introduced.as_slice(), [only] if only.symbol == name && only.member == 0)
+            && reading.statements.len() == 1
+    })?;
+    let text = &checker.notes.equations[from].text;
+    let value = text.get(last.span.range())?;
+    (place != from).then(|| (place, format!("{} = {value}", checker.model.name(name))))
+}
+
+/// Whether two false lines hold if one constant is taken for another value: its negative, its double, its half; or an angle
+/// for what it lacks to a right angle. Then both have the same mistake.
+fn shares_a_misreading(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading)) -> bool {
+    let symbols = |reading: &Reading| -> Vec<SymbolId> {
+        let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        members.flat_map(Expr::symbols).map(|(id, _)| id).collect()
+    };
+    let first = &checker.readings[from];
+    let (mut shared, others) = (symbols(first), symbols(own));
+    shared.sort_unstable();
+    shared.dedup();
+    shared.retain(|id| others.contains(id) && matches!(checker.model.meaning(*id), Some(Meaning::Constant(_))));
+    let holds =
+        |at: usize, reading: &Reading| matches!(status(checker, at, reading, &Claim::default()), Status::Holds(..));
+    shared.into_iter().any(|id| {
+        misreadings(checker, id).iter().any(|value| {
+            let read = |reading: &Reading| substituted(reading, id, value);
+            holds(at, &read(own)) && holds(from, &read(first))
+        })
+    })
+}
+
+/// What a constant may have been taken for.
+fn misreadings(checker: &Checker<'_>, id: SymbolId) -> Vec<Expr> {
+    let span = Span::default();
+    let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span);
+    let times = |text: &str| {
+        let mut symbols = checker.model.symbols.clone();
+        let name = checker.model.name(id);
+        read_formula(&text.replace('#', &name), &mut symbols, &checker.model.macros).ok()
+    };
+    if checker.model.symbols.entry(id).angle {
+        return times(r"\frac{\pi}{2} - #").into_iter().collect();
+    }
+    let mut all = vec![symbol.negated()];
+    all.extend(times(r"2 \, #"));
+    all.extend(times(r"\frac{1}{2} \, #"));
+    all
+}
+
+fn substituted(reading: &Reading, id: SymbolId, value: &Expr) -> Reading {
+    let mut reading = reading.clone();
+    let other = |node: &Node| match node {
+        Node::Symbol { id: found, dots: 0, .. } if *found == id => Some(value.clone()),
+        _ => None,
+    };
+    for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+        member.substitute(&other);
+    }
+    reading
+}

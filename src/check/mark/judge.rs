@@ -1,0 +1,227 @@
+//! The mark of each line: whether it holds in the problem, and if not, whether it follows from a false line before it.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::{Statement, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::{Claim, Spanned};
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::document::setup::Run;
+use crate::check::sample::context::Options;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+use super::carried::{Before, origin};
+use super::conditions;
+use super::judged::Judged;
+use super::marked::{Line, Mark};
+use super::results;
+use super::slip;
+use super::status::{Status, approximate, composed, stated, status};
+use super::world::World;
+
+/// Judges the lines of a hand-in; with `details`, with the slips in wrong lines.
+///
+/// # Errors
+/// When the problem cannot be applied to the hand-in.
+pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<Judged> {
+    world.checked(run, |checker| {
+        let quiet =
+            Checker { options: Options { explain: false, ..checker.options }, units: checker.units.clone(), ..checker };
+        let mut judge = Judge {
+            world,
+            wanted: results::names(&checker, world.problem),
+            quiet: &quiet,
+            details,
+            premises: checker.readings.to_vec(),
+            conditions: Vec::new(),
+            lines: Vec::new(),
+        };
+        for at in 0..world.written.len() {
+            judge.line(at)?;
+        }
+        let (mut lines, premises) = (judge.lines, judge.premises);
+        let mut corrected = vec![None; lines.len()];
+        if details {
+            for at in 0..lines.len() {
+                if lines[at].mark == Mark::Wrong {
+                    let (edit, fitted, derived) = slip::found(run, &checker, world, at)?;
+                    lines[at].slip = edit.as_ref().map(|edit| edit.slip.clone()).or(fitted);
+                    lines[at].derived = derived;
+                    corrected[at] = edit.map(|edit| edit.text);
+                }
+            }
+        }
+        let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
+        Ok(Judged { lines, found })
+    })
+}
+
+struct Judge<'j, 'c> {
+    world: &'j World<'j>,
+    wanted: Vec<SymbolId>,
+    quiet: &'j Checker<'c>,
+    /// Whether a false line is compared with those before it; without that, numbers alone decide what holds.
+    details: bool,
+    /// The readings, in which a row of a chain says what it says of the first member.
+    premises: Vec<Reading>,
+    /// The conditions that were stated, as LaTeX, with the names of their lines.
+    conditions: Vec<(String, String)>,
+    lines: Vec<Line>,
+}
+
+impl Judge<'_, '_> {
+    fn line(&mut self, at: usize) -> Result<()> {
+        let written = &self.world.written[at];
+        let display = self.world.first + at;
+        let mut line = Line {
+            line: written.line,
+            name: written.name.clone(),
+            id: written.id.clone(),
+            span: written.span,
+            statement: written.text.split_whitespace().collect::<Vec<_>>().join(" "),
+            inline: written.inline,
+            mark: Mark::Right,
+            verdict: None,
+            follows_from: None,
+            because: String::new(),
+            slip: None,
+            derived: None,
+            result: None,
+            credit: None,
+        };
+        let reading = self.quiet.readings[display].clone();
+        let before = written.continues.map(|_| at - 1);
+        let broken = before.filter(|before| matches!(self.lines[*before].mark, Mark::Wrong | Mark::Carried));
+        if let (Some(start), Some(_)) = (written.continues, before)
+            && let Some(whole) = composed(&self.quiet.readings[self.world.first + start], &reading)
+        {
+            self.premises[display] = whole;
+        }
+        let (mut status, mut under) = self.status(display, &reading);
+        if let (Status::False(_), Some(_)) = (&status, broken) {
+            // The row before is wrong, and this one may have returned to what is true of the first member.
+            let whole = self.premises[display].clone();
+            let again = self.status(display, &whole);
+            if let Status::Holds(_) = again.0 {
+                (status, under) = again;
+                line.because = "true, though it does not follow from the row before".to_owned();
+            }
+        } else if let (Status::Holds(_), Some(from)) = (&status, broken) {
+            (line.mark, line.follows_from) = (Mark::Carried, Some(from));
+            line.because = carried(&self.lines, from);
+            line.verdict = Some(Verdict::Refuted);
+            self.lines.push(line);
+            return Ok(());
+        }
+        match status {
+            Status::Holds(verdict) => {
+                line.verdict = Some(verdict);
+                if line.because.is_empty() {
+                    line.because = under;
+                }
+                if line.because.is_empty() {
+                    line.because = "follows from the problem".to_owned();
+                }
+            }
+            Status::Given(verdict, what) => {
+                (line.mark, line.verdict, line.because) = (Mark::Given, Some(verdict), what.to_owned());
+            }
+            Status::Open(verdict, message) => {
+                (line.mark, line.verdict, line.because) = (Mark::Open, Some(verdict), message);
+            }
+            Status::Unread(message) => {
+                (line.mark, line.verdict, line.because) = (Mark::Unread, Some(Verdict::Unreadable), message);
+            }
+            Status::False(finding) => self.false_line(at, &reading, &mut line, &finding)?,
+        }
+        self.lines.push(line);
+        Ok(())
+    }
+
+    fn false_line(&mut self, at: usize, reading: &Reading, line: &mut Line, finding: &Finding) -> Result<()> {
+        let written = &self.world.written[at];
+        let display = self.world.first + at;
+        line.verdict = Some(finding.verdict);
+        let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
+        let is_condition = |statement: &&Statement| conditions::may_be(self.quiet, statement, &self.wanted);
+        let is_last = at + 1 == self.world.written.len();
+        let has_value = !statements.is_empty() && statements.iter().all(is_condition);
+        if written.continues.is_none() && has_value && (written.is_supposed || written.inline || !is_last) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = "a condition or a value, taken for granted".to_owned();
+            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
+            return Ok(());
+        }
+        let displays = |wanted: &dyn Fn(&Line) -> bool| -> Vec<usize> {
+            (0..self.lines.len()).filter(|n| wanted(&self.lines[*n])).map(|n| self.world.first + n).collect()
+        };
+        let all = displays(&|_| true);
+        let wrong = displays(&|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
+        let sound = displays(&|line| line.mark == Mark::Right);
+        let before = Before { all: &all, wrong: &wrong, sound: &sound };
+        let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
+        let from = if wrong.is_empty() || !self.details {
+            None
+        } else {
+            origin(&checker, (display, reading), &before).unwrap_or(None)
+        };
+        match from {
+            Some(from) => {
+                let from = from - self.world.first;
+                (line.mark, line.follows_from) = (Mark::Carried, Some(from));
+                line.because = carried(&self.lines, from);
+            }
+            None => {
+                line.mark = Mark::Wrong;
+                line.because = match wrong.is_empty() {
+                    true => "does not follow from the problem".to_owned(),
+                    false => "follows neither from the problem nor from the lines before it".to_owned(),
+                };
+            }
+        }
+        Ok(())
+    }
+
+    /// What a reading is in the problem, by itself, under the hypotheses of the problem's equations, or under conditions
+    /// that were stated; and what it needs.
+    fn status(&self, display: usize, reading: &Reading) -> (Status, String) {
+        let own = match !self.details && stated(reading).is_none() {
+            true if slip::fits(self.quiet, reading) => Status::Holds(Verdict::Verified),
+            true => Status::False(Box::new(Finding::new(Code::SidesDiffer, Verdict::Refuted, Span::default(), ""))),
+            false => status(self.quiet, display, reading, &Claim::default()),
+        };
+        if !matches!(own, Status::False(_) | Status::Open(..)) {
+            return (own, String::new());
+        }
+        for context in &self.world.problem.contexts {
+            let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));
+            let found = status(self.quiet, display, loose.as_ref().unwrap_or(reading), context);
+            if let Status::Holds(_) = found {
+                return (found, "follows from the problem, with its hypotheses".to_owned());
+            }
+        }
+        if let Some((_, name)) = self.conditions.last() {
+            let span = Span::default();
+            let assume = self.conditions.iter().map(|(text, _)| Spanned::new(text.clone(), span)).collect();
+            let found = status(self.quiet, display, reading, &Claim { assume, ..Claim::default() });
+            if let Status::Holds(_) = found {
+                return (found, format!("follows under the condition of {name}"));
+            }
+        }
+        (own, String::new())
+    }
+}
+
+fn carried(lines: &[Line], from: usize) -> String {
+    let mut root = from;
+    while let Some(next) = lines[root].follows_from {
+        root = next;
+    }
+    match root == from {
+        true => format!("right step, from the mistake in {}", lines[root].name),
+        false => format!("right step from {}, which carries the mistake in {}", lines[from].name, lines[root].name),
+    }
+}

@@ -1,0 +1,173 @@
+//! The problem: the claims and the notes of the teacher, prepared once for all hand-ins.
+
+use crate::notes::address::{self, Address, Point, Target};
+use crate::notes::claims::{Claim, Claims, Rubric, Share, Spanned};
+use crate::notes::{Display, Notes, Numbered};
+use crate::{Error, Result};
+
+use crate::check::document::setup::{Run, assign, with_checker};
+use crate::check::run::check_in;
+use crate::check::sample::context::Options;
+use crate::check::verdict::Verdict;
+
+use super::names::Names;
+
+/// A wanted result.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted {
+    /// The display of the problem, by its place.
+    pub display: usize,
+    /// Its number.
+    pub id: String,
+    /// What it is called.
+    pub name: Option<String>,
+    /// What it is worth.
+    pub points: f64,
+}
+
+/// A problem that hand-ins are marked by.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// The claims, with an address by number for each claim, and nothing that is not about equations.
+    pub(super) claims: Claims,
+    /// The notes, in which every display has a number.
+    pub(super) notes: Notes,
+    /// The rubric.
+    pub(super) rubric: Rubric,
+    /// Whether the rubric names the wanted results.
+    pub(super) names_results: bool,
+    /// The wanted results in order.
+    pub(super) wanted: Vec<Wanted>,
+    /// The hypotheses under which the equations of the problem hold, each set once.
+    pub(super) contexts: Vec<Claim>,
+    /// Its names.
+    pub(super) names: Names,
+}
+
+impl Problem {
+    /// Prepares a problem.
+    ///
+    /// # Errors
+    /// For claims that do not fit the notes, a result that the notes do not have, and a problem that is itself wrong.
+    pub fn prepare(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Problem> {
+        let rubric = claims.rubric.clone().unwrap_or_default();
+        let mut wanted = Vec::new();
+        for result in &rubric.results {
+            for display in result.address.resolve(notes, &claims.source)? {
+                let id = notes.equations[display].id().map_or_else(|| result.address.text.clone(), str::to_owned);
+                wanted.push(Wanted { display, id, name: result.name.clone(), points: result.points });
+            }
+        }
+        let notes = &numbered(notes);
+        let mut claims = by_number(claims, notes)?;
+        (claims.sentences, claims.steps) = (Vec::new(), Vec::new());
+        let verdicts = verdicts(run, &claims, notes)?;
+        if wanted.is_empty() {
+            wanted = unnamed(notes, &verdicts);
+        }
+        let failed = wanted.iter().find(|wanted| {
+            matches!(verdicts[wanted.display], Verdict::Refuted | Verdict::Domain | Verdict::Unreadable)
+        });
+        if let Some(failed) = failed {
+            let message = format!("({}) is a wanted result, and it is {} itself", failed.id, verdicts[failed.display]);
+            return Err(Error::at(&notes.source, notes.equations[failed.display].body, message)
+                .help("check the problem first with `onshell check`, and correct it"));
+        }
+        if wanted.is_empty() {
+            return Err(Error::new(format!("{} has no equation, so nothing is wanted", notes.source.path))
+                .help("write the wanted results as displays, and name them under \"rubric\""));
+        }
+        let mut contexts: Vec<Claim> = Vec::new();
+        for (_, claim) in &claims.equations {
+            let context = Claim {
+                assume: claim.assume.clone(),
+                throughout: claim.throughout.clone(),
+                small: claim.small.clone(),
+                order: claim.order.clone(),
+                limit: claim.limit.clone(),
+                meanings: claim.meanings.clone(),
+                for_each: claim.for_each.clone(),
+                ..Claim::default()
+            };
+            if context != Claim::default() && !contexts.contains(&context) {
+                contexts.push(context);
+            }
+        }
+        let names = with_checker(run, &claims, notes, |checker| Ok(Names::of(checker.model)))?;
+        let names_results = !rubric.results.is_empty();
+        Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts, names })
+    }
+
+    /// The share of the points for results without steps.
+    pub(super) fn without_steps(&self) -> f64 {
+        self.rubric.without_steps.unwrap_or(Share::Half).value()
+    }
+}
+
+/// The notes, in which each display without a number has the name `display` and its place.
+fn numbered(notes: &Notes) -> Notes {
+    let mut notes = notes.clone();
+    for (at, display) in notes.equations.iter_mut().enumerate() {
+        if display.id().is_none() {
+            display.number = Some(Numbered { id: format!("display {}", at + 1), span: display.body });
+        }
+    }
+    notes
+}
+
+/// The claims, in which each equation has one address: its number. A snippet could stand in a hand-in too.
+fn by_number(claims: &Claims, notes: &Notes) -> Result<Claims> {
+    let assigned = assign(claims, notes)?;
+    let number = |display: &Display| display.id().unwrap_or_default().to_owned();
+    let mut equations = Vec::new();
+    for (display, claim) in notes.equations.iter().zip(assigned) {
+        let Some(claim) = claim else { continue };
+        let span = claims.equations.first().map_or(claims.notes.span, |(address, _)| address.span);
+        let target = Target::Number(number(display));
+        let point = Point { target, row: None, part: None, step: None, span };
+        let address = Address { text: number(display), span, items: vec![address::Item::One(point)] };
+        equations.push((address, claim.clone()));
+    }
+    Ok(Claims { equations, ..claims.clone() })
+}
+
+/// The verdicts on the displays of the problem.
+fn verdicts(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Vec<Verdict>> {
+    let brief = Run { options: Options { explain: false, ..run.options }, only: None, ..*run };
+    let document = check_in(&brief, claims, notes)?;
+    let of = |display: &Display| {
+        let found = document.equations.iter().find(|equation| Some(equation.id.as_str()) == display.id());
+        found.map_or(Verdict::Unclaimed, |equation| {
+            if equation.ok && !equation.finding.verdict.passes() {
+                Verdict::Unclaimed
+            } else {
+                equation.finding.verdict
+            }
+        })
+    };
+    Ok(notes.equations.iter().map(of).collect())
+}
+
+/// The wanted results of a problem without a list of them: what follows, and the last display.
+fn unnamed(notes: &Notes, verdicts: &[Verdict]) -> Vec<Wanted> {
+    let is_stated = |at: usize| {
+        let display = &notes.equations[at];
+        display.number.as_ref().is_some_and(|number| !number.id.starts_with("display ")) || !display.labels.is_empty()
+    };
+    let any_number = (0..verdicts.len()).any(is_stated);
+    let may_be = |at: &usize| !any_number || is_stated(*at);
+    let unusable = |at: &usize| matches!(verdicts[*at], Verdict::Law | Verdict::Unreadable | Verdict::Refuted);
+    let candidates: Vec<usize> = (0..verdicts.len()).filter(may_be).filter(|at| !unusable(at)).collect();
+    let last = candidates.last().copied();
+    let is_wanted = |at: &usize| verdicts[*at].holds() || Some(*at) == last;
+    let wanted = |display: usize| {
+        let id = notes.equations[display].id().unwrap_or_default().to_owned();
+        Wanted { display, id, name: None, points: 1.0 }
+    };
+    candidates.into_iter().filter(is_wanted).map(wanted).collect()
+}
+
+/// The names that a rubric declares for those of the problem.
+pub(super) fn declared_letters(rubric: &Rubric) -> impl Iterator<Item = (&Spanned<String>, &Spanned<String>)> {
+    rubric.letters.iter().flat_map(|(own, others)| others.iter().map(move |other| (own, other)))
+}

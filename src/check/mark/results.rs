@@ -1,0 +1,310 @@
+//! The wanted results in a hand-in: recognised by what a line says, not by its number or its form.
+//!
+//! A true line reaches a result if the result follows from the line alone, without the motion and the laws, and not
+//! without the line. So any form of an equation of motion is the equation of motion. A line that names further quantities
+//! of the problem, as L = T − U, is a step on the way.
+
+use crate::Result;
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::{Claim, Lost};
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::judge::difference;
+use crate::check::model::Model;
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::{Meaning, Variable};
+use crate::check::model::sampling::Spread;
+use crate::check::sample::context::Context;
+use crate::check::sample::outcome;
+use crate::check::vacuity::restatement;
+use crate::notes::claims::Range;
+
+use super::judged::Found;
+use super::marked::{Line, Mark, Slipped};
+use super::problem::{Problem, Wanted};
+use super::status::composed;
+use super::world::World;
+
+/// The states at which two equations are compared, and how many of them must decide.
+const STATES: usize = 8;
+const FEWEST: usize = 3;
+
+/// The names that the wanted results give a formula for.
+pub(super) fn names(checker: &Checker<'_>, problem: &Problem) -> Vec<SymbolId> {
+    let statements =
+        problem.wanted.iter().flat_map(|wanted| checker.readings[wanted.display].statements.iter().flatten());
+    statements.filter_map(|statement| statement.members.first()?.as_plain_symbol()).collect()
+}
+
+/// For each wanted result, the line that reaches it: the first right one, or else the last one with a slip.
+///
+/// # Errors
+/// As for states of the problem.
+pub(super) fn found(
+    checker: &Checker<'_>,
+    world: &World<'_>,
+    lines: &mut [Line],
+    (premises, corrected): (&[Reading], Option<&[Option<String>]>),
+) -> Result<Vec<Option<Found>>> {
+    let mut all = Vec::new();
+    for wanted in &world.problem.wanted {
+        let Some(goal) = Goal::of(checker, wanted) else {
+            all.push(None);
+            continue;
+        };
+        let readings = |at: usize| {
+            let display = world.first + at;
+            let own = &checker.readings[display];
+            let mut both = vec![own];
+            if world.written[at].continues.is_some() {
+                both.push(&premises[display]);
+            }
+            both
+        };
+        let is_true = |line: &Line| matches!(line.mark, Mark::Right | Mark::Given);
+        let reached = |at: usize| {
+            let more = readings(at).into_iter().filter_map(|reading| goal.reached(checker, world, reading));
+            Some((more.min().filter(|_| is_true(&lines[at]))?, at))
+        };
+        // A line without names of the student's own says it best.
+        let right = (0..lines.len()).filter_map(reached).min().map(|(_, line)| line);
+        if let Some(line) = right {
+            all.push(Some(Found { line, is_right: true, lost: None }));
+            continue;
+        }
+        let Some(corrected) = corrected else {
+            all.push(None);
+            continue;
+        };
+        let mut with_slip = None;
+        for at in (0..lines.len()).rev().filter(|at| matches!(lines[*at].mark, Mark::Wrong | Mark::Carried)) {
+            let is_corrected = corrected[at].as_ref().is_some_and(|text| {
+                let reading = checker.as_printed(text, &Claim::default(), &checker.model.macros);
+                let whole = world.written[at]
+                    .continues
+                    .and_then(|start| composed(&checker.readings[world.first + start], &reading));
+                let whole = whole.as_ref().and_then(|whole| goal.reached(checker, world, whole));
+                whole.or_else(|| goal.reached(checker, world, &reading)).is_some()
+            });
+            let attempt = readings(at).iter().rev().find_map(|reading| goal.attempt(checker, world, reading));
+            if is_corrected || attempt.is_some() {
+                with_slip = Some((at, attempt.flatten()));
+                break;
+            }
+        }
+        let found = with_slip.map(|(at, off)| {
+            let mut root = at;
+            while let Some(before) = lines[root].follows_from {
+                root = before;
+            }
+            if let (None, Some(lost), Mark::Wrong) = (&lines[root].slip, off, lines[root].mark) {
+                let span = lines[root].span;
+                lines[root].slip = Some(Slipped { lost, span, replacement: None });
+            }
+            Found { line: at, is_right: false, lost: lines[root].slip.as_ref().map(|slip| slip.lost).or(off) }
+        });
+        all.push(found);
+    }
+    Ok(all)
+}
+
+/// A wanted result, and the model in which lines are compared with it.
+struct Goal {
+    model: Model,
+    links: Vec<Link>,
+    hypotheses: Vec<Hypothesis>,
+    symbols: Vec<(SymbolId, u8)>,
+}
+
+impl Goal {
+    fn of(checker: &Checker<'_>, wanted: &Wanted) -> Option<Goal> {
+        let reading = &checker.readings[wanted.display];
+        let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
+        let mut model = checker.without_system(false).model;
+        let mut links = Vec::new();
+        let mut symbols = Vec::new();
+        for statement in statements {
+            let (Some(first), Some(last)) = (statement.members.first(), statement.members.last()) else { continue };
+            if statement.members.len() < 2 {
+                continue;
+            }
+            if let Some(id) = first.as_plain_symbol()
+                && matches!(model.meaning(id), Some(Meaning::Defined(_)))
+            {
+                free(&mut model, id);
+            }
+            links.push(checker.link(first, Relation::Equal, last).ok()?);
+            // What stands between them is a way to the result.
+            symbols.extend([first, last].into_iter().flat_map(Expr::symbols));
+        }
+        let none = Claim::default();
+        let hypotheses = checker.hypotheses(checker.assigned[wanted.display].unwrap_or(&none)).ok()?;
+        symbols.sort_unstable();
+        symbols.dedup();
+        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols })
+    }
+
+    /// The number of names of the student's own in a reading that says what is wanted; `None`, if it does not say it.
+    fn reached(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<usize> {
+        let all = links(checker, reading);
+        let all: Vec<(usize, &Link)> =
+            all.iter().filter_map(|link| Some((self.own_names(checker, world, link)?, link))).collect();
+        let mut most = 0;
+        for wanted in &self.links {
+            let fewest =
+                all.iter().filter(|(_, link)| self.says(checker, link, wanted)).map(|(names, _)| *names).min()?;
+            most = most.max(fewest);
+        }
+        Some(most)
+    }
+
+    fn says(&self, checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool {
+        if restatement::same_but_for_letters(link, wanted) {
+            return true;
+        }
+        let own = Hypothesis::of(link.clone(), false);
+        match self.holds(checker, wanted, &[]) {
+            // What holds anyway is recognised by its sides.
+            Some(true) => {
+                let same = |a: &Expr, b: &Expr| {
+                    let link = checker.link(a, Relation::Equal, b);
+                    link.is_ok_and(|link| self.holds(checker, &link, &[]) == Some(true))
+                };
+                same(&link.lhs, &wanted.lhs) && same(&link.rhs, &wanted.rhs)
+            }
+            _ => self.holds(checker, link, &[]) == Some(false) && self.holds(checker, wanted, &[own]) == Some(true),
+        }
+    }
+
+    /// Whether a link holds at states that obey a hypothesis; `None`, if there are too few.
+    fn holds(&self, checker: &Checker<'_>, link: &Link, hypotheses: &[Hypothesis]) -> Option<bool> {
+        let with: Vec<Hypothesis> = self.hypotheses.iter().chain(hypotheses).cloned().collect();
+        let tried = |hypotheses: &[Hypothesis]| {
+            let context = Context {
+                model: &self.model,
+                options: checker.options,
+                hypotheses,
+                on_shell: Some(false),
+                topic: "a wanted result",
+                span: Span::default(),
+                spread: Spread::Declared,
+                local: &[],
+            };
+            let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+            let ensemble = context.ensemble(mode, false, STATES).ok()?;
+            let outcome = outcome::run(link, &ensemble.states).ok()?;
+            match (outcome.failure.is_some(), outcome.points >= FEWEST) {
+                (true, _) => Some(false),
+                (false, true) => Some(true),
+                (false, false) => None,
+            }
+        };
+        tried(&with).or_else(|| if self.hypotheses.is_empty() { None } else { tried(hypotheses) })
+    }
+
+    /// The number of names in a link that the student defined and the result does not have; `None`, if there are several, or
+    /// if one is a quantity of the problem: then the link is a step on the way.
+    fn own_names(&self, checker: &Checker<'_>, world: &World<'_>, link: &Link) -> Option<usize> {
+        let of_problem = |id: SymbolId| {
+            let readings = checker.readings[..world.first].iter();
+            readings.flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
+        };
+        let mut own = Vec::new();
+        for (id, _) in link.lhs.symbols().into_iter().chain(link.rhs.symbols()) {
+            if self.symbols.iter().any(|(known, _)| *known == id) || own.contains(&id) {
+                continue;
+            }
+            match checker.model.meaning(id) {
+                Some(Meaning::System(_)) => return None,
+                Some(Meaning::Defined(_)) if of_problem(id) => return None,
+                Some(Meaning::Defined(_)) => own.push(id),
+                _ => {}
+            }
+        }
+        (own.len() <= 1).then_some(own.len())
+    }
+
+    /// Whether a false reading was meant as the result: it has the same left side, or the same rates in it; and what it is
+    /// off by, if that is a number.
+    fn attempt(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<Option<Lost>> {
+        let [wanted] = self.links.as_slice() else { return None };
+        let varies = |symbols: &[(SymbolId, u8)]| {
+            let is_moving = |(id, dots): &&(SymbolId, u8)| {
+                *dots > 0 || !matches!(checker.model.meaning(*id), Some(Meaning::Constant(_)))
+            };
+            let mut all: Vec<(SymbolId, u8)> = symbols.iter().filter(is_moving).copied().collect();
+            all.sort_unstable();
+            all.dedup();
+            all
+        };
+        for link in links(checker, reading) {
+            if self.own_names(checker, world, &link).is_none() || self.holds(checker, &link, &[]) == Some(true) {
+                continue;
+            }
+            let is_name = matches!(wanted.lhs.node, Node::Symbol { .. });
+            if is_name && link.lhs == wanted.lhs {
+                return Some(self.off_by(checker, &link.rhs, &wanted.rhs));
+            }
+            let symbols: Vec<(SymbolId, u8)> = link.lhs.symbols().into_iter().chain(link.rhs.symbols()).collect();
+            let own: Vec<(SymbolId, u8)> = wanted.lhs.symbols().into_iter().chain(wanted.rhs.symbols()).collect();
+            let moving = varies(&own);
+            let highest = |all: &[(SymbolId, u8)]| all.iter().map(|(_, dots)| *dots).max();
+            let is_alike = varies(&symbols) == moving && highest(&moving).is_some_and(|dots| dots > 0);
+            if is_alike && !(is_name && matches!(link.lhs.node, Node::Symbol { .. })) {
+                return Some(None);
+            }
+        }
+        None
+    }
+
+    /// What a formula is off by: a sign or a number.
+    fn off_by(&self, checker: &Checker<'_>, is: &Expr, wanted: &Expr) -> Option<Lost> {
+        let context = Context {
+            model: &self.model,
+            options: checker.options,
+            hypotheses: &[],
+            on_shell: Some(false),
+            topic: "a wanted result",
+            span: Span::default(),
+            spread: Spread::Declared,
+            local: &[],
+        };
+        let ensemble = context.ensemble(context.mode(false, &[is, wanted]), false, STATES).ok()?;
+        let mut ratios = Vec::new();
+        for state in &ensemble.states {
+            let (Some(is), Some(wanted)) = (difference::value(is, state), difference::value(wanted, state)) else {
+                continue;
+            };
+            ratios.push(is.value / wanted.value);
+        }
+        let first = *ratios.first().filter(|first| first.is_finite() && ratios.len() >= FEWEST)?;
+        let is_constant = ratios.iter().all(|ratio| (ratio - first).abs() < 1e-9 * first.abs());
+        is_constant.then_some(if (first + 1.0).abs() < 1e-9 { Lost::Sign } else { Lost::Factor })
+    }
+}
+
+fn free(model: &mut Model, id: SymbolId) {
+    model.mean(id, Meaning::Varying(model.varying.len()));
+    model.varying.push(Variable::number(id, Range::Any));
+}
+
+/// The equalities that a reading states: each link, and the first member with the last.
+fn links(checker: &Checker<'_>, reading: &Reading) -> Vec<Link> {
+    let mut found = Vec::new();
+    for statement in reading.statements.iter().flatten() {
+        let equal = |relation: Relation| is_equality(relation) || relation == Relation::Approximately;
+        if !statement.relations.iter().all(|(relation, _)| equal(*relation)) || statement.members.len() < 2 {
+            continue;
+        }
+        let members = &statement.members;
+        let last = members.len() - 1;
+        let mut add = |a: usize, b: usize| found.extend(checker.link(&members[a], Relation::Equal, &members[b]).ok());
+        add(0, last);
+        if last > 1 {
+            (0..last).for_each(|at| add(at, at + 1));
+        }
+    }
+    found
+}

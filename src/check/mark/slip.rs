@@ -1,0 +1,146 @@
+//! The slip in a wrong line: what was lost, and the edit that corrects it.
+
+use crate::Result;
+use crate::latex::slips::{Edit, Pool, Slip};
+use crate::latex::{Reading, slips};
+use crate::notes::claims::{Claim, Lost};
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::document::setup::Run;
+use crate::check::model::sampling::Spread;
+use crate::check::sample::context::Context;
+use crate::check::sample::outcome;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::Equation;
+
+use super::marked::Slipped;
+use super::status::{Status, status};
+use super::world::World;
+
+/// The number of states that screen an edit.
+const STATES: usize = 6;
+
+/// The kind of slip that a rubric names, for a kind of edit.
+pub(super) fn lost(slip: Slip) -> Lost {
+    match slip {
+        Slip::Sign => Lost::Sign,
+        Slip::Doubled | Slip::Number | Slip::Fraction | Slip::Factor | Slip::Order => Lost::Factor,
+        Slip::Exponent => Lost::Power,
+        Slip::Function => Lost::Function,
+        Slip::Symbol | Slip::Index | Slip::Accent | Slip::Name | Slip::Relation => Lost::Symbol,
+        Slip::Dot => Lost::Dot,
+        Slip::Parenthesis | Slip::Term => Lost::Term,
+    }
+}
+
+/// A slip with the edit of the document that corrects it.
+pub(super) struct Corrected {
+    /// The slip, at its place in the hand-in.
+    pub slip: Slipped,
+    /// The corrected text of the line, with the letters of the problem.
+    pub text: String,
+}
+
+/// The most likely slip in a wrong line, and what the derivation says instead.
+///
+/// # Errors
+/// As for a check of the line.
+pub(super) fn found(
+    run: &Run<'_>,
+    checker: &Checker<'_>,
+    world: &World<'_>,
+    at: usize,
+) -> Result<(Option<Corrected>, Option<Slipped>, Option<String>)> {
+    let display = world.first + at;
+    let equation = checker.equation(display, None)?;
+    let equation: Equation = checker.with_repairs(run, display, equation, false)?;
+    let body = world.display(at).body;
+    let text = &world.display(at).text;
+    let own = equation.repairs.iter().filter(|repair| {
+        repair.verdict.holds() && !repair.idle && repair.shared.is_none() && body.contains(repair.span)
+    });
+    let corrected = own.filter_map(|repair| {
+        let inside = Span::new(repair.span.start - body.start, repair.span.end - body.start);
+        let mut new = text.clone();
+        new.get(inside.range())?;
+        new.replace_range(inside.range(), &repair.replacement);
+        let span = world.original(at, repair.span)?;
+        let slip =
+            Slipped { lost: lost(repair.slip), span, replacement: Some(world.in_own_letters(&repair.replacement)) };
+        Some(Corrected { slip, text: new })
+    });
+    let corrected = corrected.into_iter().next().or_else(|| edited(checker, world, at));
+    let fitted = fitted(&equation.finding, world, at);
+    let derived = equation.finding.derived.as_ref().or(equation.finding.difference.as_ref());
+    Ok((corrected, fitted, derived.map(|formula| world.in_own_letters(&formula.latex))))
+}
+
+/// The slip that the coefficients of the terms show, where no single edit corrects the line.
+fn fitted(finding: &Finding, world: &World<'_>, at: usize) -> Option<Slipped> {
+    let fit = finding.fit.as_ref()?;
+    match (fit.terms.as_slice(), fit.missing.is_empty()) {
+        ([only], true) => {
+            let value = only.coefficient.value();
+            let lost = if value == -1.0 {
+                Lost::Sign
+            } else if value == 0.0 {
+                Lost::Term
+            } else {
+                Lost::Factor
+            };
+            Some(Slipped { lost, span: world.original(at, only.span)?, replacement: None })
+        }
+        ([], false) => Some(Slipped { lost: Lost::Term, span: world.original(at, finding.span)?, replacement: None }),
+        _ => None,
+    }
+}
+
+/// The most likely edit with which a line holds, also where it then only repeats what the problem says.
+fn edited(checker: &Checker<'_>, world: &World<'_>, at: usize) -> Option<Corrected> {
+    let (display, line) = (world.first + at, world.display(at));
+    let model = checker.model;
+    let mut edits = slips::corrections(&line.text, &model.symbols, &model.macros, &Pool::default());
+    edits.sort_by_key(|edit| edit.slip);
+    let none = Claim::default();
+    let holds = |edit: &Edit| {
+        let reading = checker.as_printed(&edit.applied(&line.text), &none, &model.macros);
+        let is_read = reading.statements.iter().all(Result::is_ok);
+        is_read && !is_trivial(&reading) && fits(checker, &reading) && {
+            matches!(status(checker, display, &reading, &none), Status::Holds(_))
+        }
+    };
+    let edit = edits.iter().find(|edit| holds(edit))?;
+    let span = world.original(at, edit.span.shifted(line.body.start))?;
+    let slip = Slipped { lost: lost(edit.slip), span, replacement: Some(world.in_own_letters(&edit.replacement)) };
+    Some(Corrected { slip, text: edit.applied(&line.text) })
+}
+
+/// Whether a side of an equality is the other one.
+fn is_trivial(reading: &Reading) -> bool {
+    let mut pairs = reading.statements.iter().flatten().flat_map(|statement| statement.members.windows(2));
+    pairs.any(|pair| pair[0] == pair[1])
+}
+
+/// Whether the equalities of a reading hold at a few states.
+pub(super) fn fits(checker: &Checker<'_>, reading: &Reading) -> bool {
+    let context = Context {
+        model: checker.model,
+        options: checker.options,
+        hypotheses: &[],
+        on_shell: None,
+        topic: "a corrected line",
+        span: Span::default(),
+        spread: Spread::Declared,
+        local: &[],
+    };
+    reading.statements.iter().flatten().all(|statement| {
+        let mut links = statement.members.windows(2).zip(&statement.relations);
+        links.all(|(pair, (relation, _))| {
+            let Ok(link) = checker.link(&pair[0], *relation, &pair[1]) else { return false };
+            let mode = context.mode(checker.model.has_motion(), &[&link.lhs, &link.rhs]);
+            let Ok(ensemble) = context.ensemble(mode, false, STATES) else { return false };
+            outcome::run(&link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_none() && outcome.points > 0)
+        })
+    })
+}

@@ -1,0 +1,193 @@
+//! One document of a problem and a hand-in: the displays of the problem, and after them the lines of the hand-in.
+//!
+//! The text of the document is that of the lines, with the letters of the problem, one after the other, and then that of
+//! the problem. Places in it lead back to the hand-in.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use crate::Result;
+use crate::formula::symbols::Name;
+use crate::latex::rename::{Renamed, renamed};
+use crate::latex::{Macros, names};
+use crate::notes::claims::{Claims, Declaration, Range, Role, Spanned};
+use crate::notes::{Display, Form, MacroDefinition, Notes, Numbered};
+use crate::source::{Missing, Source, Span};
+
+use crate::check::document::checker::Checker;
+use crate::check::document::setup::{Run, define_macros, with_checker};
+use crate::check::document::unreadable::faults;
+use crate::check::unaided::names::{Usage, names_of};
+
+use super::problem::Problem;
+use super::written::Written;
+
+/// Commands for functions in other languages.
+const FOREIGN: [(&str, &str); 6] = [
+    ("\\sen", "\\sin"),
+    ("\\tg", "\\tan"),
+    ("\\ctg", "\\cot"),
+    ("\\arctg", "\\arctan"),
+    ("\\arcsen", "\\arcsin"),
+    ("\\sh", "\\sinh"),
+];
+
+/// How often the lines are read again with the names that were missing.
+const ROUNDS: usize = 4;
+
+/// A problem and a hand-in as one document.
+pub(super) struct World<'p> {
+    pub problem: &'p Problem,
+    pub written: &'p [Written],
+    pub claims: Claims,
+    pub notes: Notes,
+    /// The place of the first line among the displays.
+    pub first: usize,
+    /// The names that only the hand-in has, and that were declared for it.
+    pub declared: Vec<Name>,
+    lines: Vec<(usize, Renamed)>,
+    /// The letters of the problem, and those of the student that stand for them.
+    back: HashMap<Name, Name>,
+}
+
+impl<'p> World<'p> {
+    /// The document of a hand-in whose names are replaced by those of a table.
+    ///
+    /// # Errors
+    /// When no declaration makes sense of the hand-in.
+    pub fn new(
+        run: &Run<'_>,
+        problem: &'p Problem,
+        (notes, written): (&Notes, &'p [Written]),
+        table: &HashMap<Name, Name>,
+    ) -> Result<World<'p>> {
+        let mut macros = Macros::default();
+        define_macros(&notes.macros, &mut macros);
+        FOREIGN.iter().for_each(|(name, body)| macros.define(name, 0, body));
+        let mut text = String::new();
+        let mut lines = Vec::new();
+        let mut displays = Vec::new();
+        for line in written {
+            let new = renamed(&line.text, &macros, table);
+            let body = Span::new(text.len(), text.len() + new.text.len());
+            text.push_str(&new.text);
+            text.push('\n');
+            displays.push(Display {
+                span: body,
+                body,
+                parts: vec![body],
+                text: new.text.clone(),
+                number: Some(Numbered { id: line.name.clone(), span: body }),
+                labels: Vec::new(),
+                line: line.line,
+            });
+            lines.push((body.start, new));
+        }
+        let usages = names_of(&displays, &macros);
+        let offset = text.len();
+        text.push_str(&problem.notes.source.text);
+        let moved = |display: &Display| Display {
+            span: display.span.shifted(offset),
+            body: display.body.shifted(offset),
+            parts: display.parts.iter().map(|part| part.shifted(offset)).collect(),
+            number: display.number.clone().map(|n| Numbered { span: n.span.shifted(offset), ..n }),
+            labels: display
+                .labels
+                .iter()
+                .map(|l| Numbered { id: l.id.clone(), span: l.span.shifted(offset) })
+                .collect(),
+            ..display.clone()
+        };
+        let mut together = problem.notes.clone();
+        together.source = Arc::new(Source::new(notes.source.path.clone(), text));
+        together.equations = problem.notes.equations.iter().map(moved).chain(displays).collect();
+        let foreign = FOREIGN.iter().map(|(name, body)| MacroDefinition {
+            name: (*name).to_owned(),
+            arguments: 0,
+            form: Form::Plain,
+            body: (*body).to_owned(),
+            span: Span::default(),
+        });
+        together.macros.extend(foreign);
+        together.macros.extend(notes.macros.iter().cloned());
+        (together.inline, together.references) = (Vec::new(), Vec::new());
+        let first = problem.notes.equations.len();
+        let claims = problem.claims.clone();
+        let back = table.iter().map(|(own, other)| (other.clone(), own.clone())).collect();
+        let mut world = World { problem, written, claims, notes: together, first, declared: Vec::new(), lines, back };
+        world.declare_missing_names(run, &usages)?;
+        Ok(world)
+    }
+
+    /// Declares what the lines use and neither the problem nor the lines define.
+    fn declare_missing_names(&mut self, run: &Run<'_>, usages: &[Usage]) -> Result<()> {
+        for _ in 0..ROUNDS {
+            let first = self.first;
+            let missing: Vec<String> = with_checker(run, &self.claims, &self.notes, |checker: Checker<'_>| {
+                let of = |fault: &crate::source::Fault| match &fault.missing {
+                    Some(Missing::Name(name)) => Some(name.clone()),
+                    _ => None,
+                };
+                let readings = checker.readings[first..].iter();
+                Ok(readings.flat_map(|reading| faults(reading).filter_map(of).collect::<Vec<_>>()).collect())
+            })?;
+            let mut is_new = false;
+            for name in missing.iter().filter_map(|name| Some(names::parse(name)?.0)) {
+                is_new |= self.declare(&name, usages);
+            }
+            if !is_new {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn declare(&mut self, name: &Name, usages: &[Usage]) -> bool {
+        let shown = name.to_string();
+        let is_hat = shown.starts_with("\\hat") || shown.starts_with("\\mathrm");
+        if self.declared.contains(name) || is_hat {
+            return false;
+        }
+        let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| shown.starts_with(mark));
+        let usage = usages.iter().find(|usage| usage.name == *name);
+        let moves = usage.is_some_and(|usage| usage.moves);
+        let range = match usage {
+            Some(usage) if usage.positive && !is_vector && !usage.moves => Range::Positive,
+            Some(usage) if usage.angle && !is_vector => Range::Angle,
+            _ => Range::Any,
+        };
+        let span = self.claims.notes.span;
+        self.claims.declarations.push(Declaration {
+            role: if moves { Role::VariesWithTime } else { Role::Constant },
+            name: Spanned::new(shown, span),
+            range: Spanned::new(range, span),
+        });
+        self.declared.push(name.clone());
+        true
+    }
+
+    /// Makes the checker of the document, and passes it to `work`.
+    ///
+    /// # Errors
+    /// As [`with_checker`].
+    pub fn checked<T>(&self, run: &Run<'_>, work: impl FnOnce(Checker<'_>) -> Result<T>) -> Result<T> {
+        with_checker(run, &self.claims, &self.notes, work)
+    }
+
+    /// The bytes of the hand-in for bytes of the document, which lie in the `at`-th line.
+    pub fn original(&self, at: usize, span: Span) -> Option<Span> {
+        let (start, line) = &self.lines[at];
+        let inside = Span::new(span.start.checked_sub(*start)?, span.end.checked_sub(*start)?);
+        (inside.end <= line.text.len()).then(|| line.original(inside).shifted(self.written[at].body.start))
+    }
+
+    /// A formula with the letters of the student.
+    pub fn in_own_letters(&self, latex: &str) -> String {
+        renamed(latex, &Macros::default(), &self.back).text
+    }
+
+    /// The display of the `at`-th line.
+    pub fn display(&self, at: usize) -> &Display {
+        &self.notes.equations[self.first + at]
+    }
+}

@@ -1,0 +1,134 @@
+//! The lines of a hand-in: the statements of its displays, the rows of its chains, and the equations in its text.
+
+use crate::latex::Macros;
+use crate::latex::lines::{self, lines};
+use crate::notes::{Display, Notes};
+use crate::source::Span;
+
+/// A line as it was written.
+#[derive(Clone, Debug)]
+pub(super) struct Written {
+    /// Its line in the file, from 1.
+    pub line: usize,
+    /// Its name.
+    pub name: String,
+    /// The number or label of its display.
+    pub id: Option<String>,
+    /// Its bytes in the file.
+    pub span: Span,
+    /// The bytes that are read: with the member that it continues.
+    pub body: Span,
+    /// What is read.
+    pub text: String,
+    /// The line, by its place, of which it continues the chain.
+    pub continues: Option<usize>,
+    /// Whether it stands inside the text.
+    pub inline: bool,
+    /// Whether a word before it says that it is a condition.
+    pub is_supposed: bool,
+}
+
+/// Words before a display that make it a condition.
+const SUPPOSED: [&str; 14] = [
+    "assum",
+    "suppose",
+    "let ",
+    "given",
+    "initial",
+    "where ",
+    "at rest",
+    "condition",
+    "choose",
+    "set ",
+    "when ",
+    "if ",
+    "for small",
+    "limit",
+];
+
+/// All lines of a hand-in, in their order.
+pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
+    let text = &notes.source.text;
+    let displays = notes.equations.iter().map(|display| (display.body, display.text.clone(), Some(display)));
+    let inline = notes.inline.iter().filter_map(|span| {
+        let whole = text.get(span.range())?;
+        let marks = if whole.starts_with('$') { 1 } else { 2 };
+        let body = Span::new(span.start + marks, span.end.checked_sub(marks)?);
+        Some((body, text.get(body.range())?.to_owned(), None))
+    });
+    let mut all: Vec<(Span, String, Option<&Display>)> = displays.chain(inline).collect();
+    all.sort_by_key(|(body, ..)| body.start);
+    let mut found: Vec<Written> = Vec::new();
+    for (body, read, display) in all {
+        let statements: Vec<lines::Line> = match display {
+            Some(_) => lines(&read, macros),
+            None => lines(&read, macros).into_iter().filter(|line| line.is_statement).collect(),
+        };
+        let whole = || vec![lines::Line { span: Span::new(0, read.len()), from: None, is_statement: true }];
+        let is_cut =
+            |line: &lines::Line| balanced(&read[line.from.map_or(line.span, |from| from.to(line.span)).range()]);
+        let statements = match display {
+            Some(_) if statements.is_empty() || !statements.iter().all(is_cut) => whole(),
+            _ => statements,
+        };
+        let mut start = found.len();
+        for statement in statements {
+            let span = statement.span.shifted(body.start);
+            let of = statement.from.map_or(statement.span, |from| from.to(statement.span));
+            if statement.from.is_none() {
+                start = found.len();
+            }
+            let (line, _) = notes.source.line_column(span.start);
+            let before = found.iter().filter(|other| other.line == line).count();
+            let letter =
+                (b'a'..=b'z').nth(before).map_or_else(|| format!(".{before}"), |letter| char::from(letter).to_string());
+            found.push(Written {
+                line,
+                name: if before == 0 { format!("line {line}") } else { format!("line {line}{letter}") },
+                id: display.and_then(Display::id).map(str::to_owned),
+                span,
+                body: of.shifted(body.start),
+                text: read[of.range()].to_owned(),
+                continues: (statement.from.is_some() && start < found.len()).then_some(start),
+                inline: display.is_none(),
+                is_supposed: is_supposed(text, display.map_or(body.start, |display| display.span.start)),
+            });
+        }
+    }
+    found
+}
+
+/// Whether the clause before a place says that what follows is a condition.
+fn is_supposed(text: &str, at: usize) -> bool {
+    let before = text.get(..at).unwrap_or_default();
+    let start = before.rfind(['.', '\n', ';', ':']).map_or(0, |at| at + 1);
+    let clause = match before[start..].trim() {
+        // A line break before a display ends no clause.
+        "" => before.trim_end().rsplit(['.', ';', '\n']).next().unwrap_or_default(),
+        _ => &before[start..],
+    };
+    let clause = clause.to_lowercase();
+    SUPPOSED.iter().any(|word| clause.contains(word))
+}
+
+/// Whether braces, and the environments of a text, are closed in it.
+fn balanced(text: &str) -> bool {
+    let mut depth = 0i32;
+    let mut escaped = false;
+    for c in text.chars() {
+        match c {
+            '\\' if !escaped => {
+                escaped = true;
+                continue;
+            }
+            '{' if !escaped => depth += 1,
+            '}' if !escaped => depth -= 1,
+            _ => {}
+        }
+        escaped = false;
+        if depth < 0 {
+            return false;
+        }
+    }
+    depth == 0 && text.matches("\\begin{").count() == text.matches("\\end{").count()
+}

@@ -1,0 +1,155 @@
+//! `onshell mark`: a class of hand-ins against a problem.
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use crate::check::mark::{Marked, Problem};
+use crate::check::{Options, Run};
+use crate::error::reason;
+use crate::notes::{Claims, Notes};
+use crate::page;
+use crate::report::marks::{self, Hints};
+use crate::systems::Registry;
+use crate::{Error, Result};
+
+use super::outcome::{Outcome, Screen, shown};
+
+/// Marks hand-ins: each line against a problem, and against the lines before it
+///
+/// The problem is a claims file; its notes are the model solution. Students need no numbers and no particular letters.
+///
+/// A line is right (✓: it follows from the problem), wrong (✗), carried (→: a right step from a wrong line), given (a name, a
+/// condition, or what the problem gives), undecided or not read (?). Missing results are listed.
+///
+/// Exits with 0 if every line is right and no result is missing, 1 if a line is wrong or a result is missing, 2 if something
+/// was not read or not decided, or could not be marked.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  onshell mark class/*.md --claims problem.json\n  \
+                  onshell mark class --claims problem.json --format csv > marks.csv\n  \
+                  onshell mark anna.md --claims problem.json --hints 2")]
+pub struct Arguments {
+    /// Hand-ins (.md, .tex, .txt), or folders of these
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// The claims file of the problem
+    #[arg(long, value_name = "FILE")]
+    claims: PathBuf,
+    /// The form of the output
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    format: Form,
+    /// What a hint says: 0 that something is wrong, 1 where, 2 what kind of slip, 3 the correction
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=3))]
+    hints: u8,
+    /// Write a page for each student, and an index, into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// The seed of the sampled states
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+/// The form of the output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Form {
+    /// For people.
+    Text,
+    /// A table, one row for each student and line.
+    Csv,
+    /// The same rows as JSON.
+    Json,
+}
+
+pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+    let (class, errors) = match marked(arguments, registry) {
+        Ok(found) => found,
+        Err(error) => return Outcome { output: String::new(), messages: shown(&[error], screen), code: 2 },
+    };
+    let hints = Hints(arguments.hints);
+    let mut errors = errors;
+    if let Some(folder) = &arguments.out {
+        let pages = page::class_pages(&arguments.claims.display().to_string(), &class, hints);
+        errors.extend(super::report::write(folder, &pages).err());
+    }
+    let output = match arguments.format {
+        Form::Text if class.is_empty() => String::new(),
+        Form::Text => marks::text(&class, hints, screen.out),
+        Form::Csv => marks::csv(&class, hints),
+        Form::Json => format!("{:#}\n", marks::json(&arguments.claims.display().to_string(), &class, hints)),
+    };
+    let code = match () {
+        () if !errors.is_empty() => 2,
+        () if class.iter().any(Marked::is_wrong) => 1,
+        () if class.iter().any(Marked::is_open) => 2,
+        () => 0,
+    };
+    Outcome { output, messages: shown(&errors, screen), code }
+}
+
+/// The marked hand-ins, and the errors of those that cannot be opened.
+///
+/// # Errors
+/// For a problem that cannot be used.
+fn marked(arguments: &Arguments, registry: &Registry) -> Result<(Vec<Marked>, Vec<Error>)> {
+    let at = &arguments.claims;
+    let claims = Claims::read(at, &at.display().to_string())?;
+    let path = claims.notes_path();
+    let notes = Notes::read(&path, &path.display().to_string())?;
+    let options = Options { seed: arguments.seed, points: 24, explain: true };
+    let run = Run { registry, options, only: None, progress: &() };
+    let problem = Problem::prepare(&run, &claims, &notes)?;
+    let mut errors = Vec::new();
+    let mut files = Vec::new();
+    for path in &arguments.files {
+        match hand_ins(path, &claims.notes_path()) {
+            Ok(found) => files.extend(found),
+            Err(error) => errors.push(error),
+        }
+    }
+    let class: Vec<Result<Marked>> = files
+        .par_iter()
+        .with_max_len(1)
+        .map(|path| {
+            let bytes = std::fs::read(path)
+                .map_err(|error| Error::new(format!("cannot read {}: {}", path.display(), reason(&error))))?;
+            Ok(problem.mark(&run, path, &String::from_utf8_lossy(&bytes)))
+        })
+        .collect();
+    let mut marked = Vec::new();
+    for found in class {
+        match found {
+            Ok(found) => marked.push(found),
+            Err(error) => errors.push(error),
+        }
+    }
+    Ok((marked, errors))
+}
+
+/// The hand-ins that a path names: the file, or the notes in a folder, without the problem's own.
+fn hand_ins(path: &Path, own: &Path) -> Result<Vec<PathBuf>> {
+    if !path.is_dir() {
+        if let Err(error) = path.metadata() {
+            return Err(Error::new(format!("cannot read {}: {}", path.display(), reason(&error))));
+        }
+        return match crate::notes::document::Kind::of(path) {
+            Some(_) => Ok(vec![path.to_owned()]),
+            None => Err(Error::new(format!("{} is no hand-in", path.display())).help("a hand-in is .md, .tex or .txt")),
+        };
+    }
+    let failed =
+        |error: std::io::Error| Error::new(format!("cannot read the folder {}: {}", path.display(), reason(&error)));
+    let entries: std::io::Result<Vec<_>> = std::fs::read_dir(path).map_err(failed)?.collect();
+    let mut files: Vec<PathBuf> = entries.map_err(failed)?.into_iter().map(|entry| entry.path()).collect();
+    let own = own.canonicalize().ok();
+    files.retain(|file| {
+        let is_notes = crate::notes::document::Kind::of(file).is_some() && file.is_file();
+        is_notes && file.canonicalize().ok() != own
+    });
+    files.sort();
+    match files.is_empty() {
+        true => {
+            Err(Error::new(format!("there is no hand-in in {}", path.display())).help("hand-ins are .md, .tex or .txt"))
+        }
+        false => Ok(files),
+    }
+}

@@ -1,0 +1,76 @@
+//! The value of functions of matrices, of parts of complex numbers and of `cases`, and of powers.
+
+use super::environment::{Differentiable, Environment, Unavailable};
+use super::evaluate::{Evaluated, Evaluator};
+use super::numbers::complex::Complex;
+use super::tree::{Branch, Expr, Node, Relation, Sign};
+use super::value::Value;
+
+impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
+    /// Functions of matrices, parts of complex numbers, and cases.
+    #[inline(never)]
+    pub(super) fn operator(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
+        match &expr.node {
+            Node::OfMatrix(function, inner) => match self.value(inner)? {
+                Value::Matrix(m) => {
+                    let value = function.of(&m).ok_or(Unavailable::Operation("this function of this matrix"))?;
+                    Ok(Value::Scalar(value))
+                }
+                _ => Err(Unavailable::Operation("a function of a matrix of something that is none")),
+            },
+            Node::Commutator(a, b) => {
+                let (a, b) = (self.value(a)?, self.value(b)?);
+                let (mut first, mut second) = (a.clone(), b.clone());
+                let known = first.multiply(b) && second.multiply(a) && first.add(&second, Sign::Minus);
+                known.then_some(first).ok_or(Unavailable::Operation("a commutator of these shapes"))
+            }
+            Node::Complex(part, inner) => {
+                let number = match self.value(inner)? {
+                    Value::Scalar(x) => Complex::real(x),
+                    Value::Complex(z) => z,
+                    _ => return Err(Unavailable::Operation("a part of something that is no number")),
+                };
+                Ok(number.part(*part).map_or_else(Value::Complex, Value::Scalar))
+            }
+            Node::Cases(branches) => self.cases(branches),
+            _ => Err(Unavailable::Operation("this operation")),
+        }
+    }
+
+    /// The value of the first branch whose conditions hold.
+    fn cases(&mut self, branches: &[Branch]) -> Evaluated<Value<D>> {
+        for branch in branches {
+            let mut holds = true;
+            for condition in &branch.conditions {
+                let members =
+                    condition.members.iter().map(|member| self.scalar(member)).collect::<Evaluated<Vec<D>>>()?;
+                for (pair, relation) in members.windows(2).zip(&condition.relations) {
+                    holds &= compare(pair[0] - pair[1], *relation)?;
+                }
+            }
+            if holds {
+                return self.value(&branch.value);
+            }
+        }
+        Err(Unavailable::Operation("a value outside of all cases"))
+    }
+}
+
+/// Whether a relation holds between two numbers with this difference. A number without an order, of a prime field,
+/// notes that an order was asked for.
+fn compare<D: Differentiable>(difference: D, relation: Relation) -> Evaluated<bool> {
+    if difference.re().is_nan() {
+        return Err(Unavailable::Operation("a comparison of something that is no number"));
+    }
+    Ok(match relation {
+        Relation::Less => difference.is_negative(),
+        Relation::Greater => difference.is_positive(),
+        Relation::LessEqual => !difference.is_positive(),
+        Relation::GreaterEqual => !difference.is_negative(),
+        Relation::Equal | Relation::Identical => !difference.is_positive() && !difference.is_negative(),
+        Relation::NotEqual => difference.is_positive() || difference.is_negative(),
+        Relation::Approximately | Relation::Proportional => {
+            return Err(Unavailable::Operation("a comparison that is not exact"));
+        }
+    })
+}

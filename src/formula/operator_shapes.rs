@@ -1,0 +1,125 @@
+//! The shapes of powers, functions of matrices, parts of complex numbers and `cases`.
+
+use crate::source::{Fault, Span};
+
+use super::shape::{Binder, Shape, Type, of_size, of_sum, union};
+use super::tree::{Branch, ComplexPart, Expr, Node, Sign};
+
+impl Binder<'_> {
+    /// The type of a power, of a function of a matrix, of a part of a complex number, or of cases.
+    pub(super) fn operator(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
+        let span = expr.span;
+        match &mut expr.node {
+            Node::Power(a, b) => {
+                if a.node == Node::Euler {
+                    return self.number(b, "an exponent");
+                }
+                let labels = self.scalar(b, "an exponent")?;
+                let found = self.bind(a)?;
+                let is_whole =
+                    b.as_digits().is_some_and(|digits| digits.parse().is_ok_and(|n: u32| (1..=64).contains(&n)));
+                match found.shape {
+                    Shape::Scalar => {}
+                    Shape::Matrix(rows, columns) if rows == columns && is_whole => return Ok(found),
+                    Shape::Complex if is_whole || is_negative_whole(b) => return Ok(found),
+                    Shape::Complex => {
+                        return Err(Fault::unsupported(span, "this power of a complex number has several values")
+                            .help("write it with e^{…}"));
+                    }
+                    _ => return Err(Fault::shape(span, format!("{} cannot have this power", found.shape.noun()))),
+                }
+                if found.free.iter().any(|letter| !self.is_label(*letter)) {
+                    return Err(Fault::ambiguous(
+                        span,
+                        "v_a^2 may be the square of one component or the sum of all squares, v_a v_a",
+                    )
+                    .help("write the sum, \\sum_a, or both factors"));
+                }
+                Ok(Type { free: union(&found.free, &labels), ..found })
+            }
+            Node::Transpose(a) => {
+                let found = self.bind(a)?;
+                match found.shape {
+                    Shape::Vector => Ok(Type { shape: Shape::Matrix(1, 3), free: found.free }),
+                    Shape::Matrix(rows, columns) => Ok(Type { shape: of_size(columns, rows), free: found.free }),
+                    other => Err(Fault::shape(span, format!("{} has no transpose", other.noun()))),
+                }
+            }
+            Node::Inverse(a) => {
+                let found = self.bind(a)?;
+                match found.shape {
+                    Shape::Matrix(rows, columns) if rows == columns => Ok(found),
+                    other => Err(Fault::shape(span, format!("{} has no inverse matrix", other.noun()))),
+                }
+            }
+            Node::OfMatrix(function, a) => {
+                let found = self.bind(a)?;
+                match found.shape {
+                    Shape::Matrix(rows, columns) if rows == columns => Ok(Type { shape: Shape::Scalar, ..found }),
+                    other => {
+                        let message = format!("{} has no {}", other.noun(), function.word());
+                        Err(Fault::shape(span, message).help("it needs a square matrix, declared or written out"))
+                    }
+                }
+            }
+            Node::Commutator(a, b) => {
+                let (left, right) = (self.bind(a)?, self.bind(b)?);
+                match (left.shape, right.shape) {
+                    (Shape::Matrix(n, m), Shape::Matrix(k, l)) if n == m && k == l && (n == k || n * k == 0) => {
+                        Ok(Type { shape: Shape::Matrix(n.max(k), n.max(k)), free: union(&left.free, &right.free) })
+                    }
+                    _ => Err(Fault::shape(span, "the commutator needs two square matrices of one size")),
+                }
+            }
+            Node::Complex(part, a) => {
+                let found = self.number(a, "this")?;
+                let shape = if *part == ComplexPart::Conjugate { found.shape } else { Shape::Scalar };
+                Ok(Type { shape, ..found })
+            }
+            Node::Cases(branches) => self.cases(branches, span),
+            _ => Err(Fault::new(span, "this has no shape")),
+        }
+    }
+
+    /// The type of a real or complex number.
+    pub(super) fn number(&mut self, expr: &mut Expr, what: &str) -> Result<Type, Fault> {
+        let found = self.bind(expr)?;
+        match found.shape {
+            Shape::Complex if found.free.iter().all(|letter| self.is_label(*letter)) => Ok(found),
+            _ => self.scalar(expr, what).map(|free| Type { shape: Shape::Scalar, free }),
+        }
+    }
+
+    pub(super) fn no_complex(&self, span: Span) -> Fault {
+        Fault::unsupported(span, "vectors and matrices of complex numbers are not supported")
+            .help("write an equation for each component")
+    }
+
+    /// All rows of `cases` have one shape; their conditions compare numbers.
+    fn cases(&mut self, branches: &mut [Branch], span: Span) -> Result<Type, Fault> {
+        let mut all: Option<Type> = None;
+        for branch in branches {
+            let found = self.bind(&mut branch.value)?;
+            for member in branch.conditions.iter_mut().flat_map(|condition| &mut condition.members) {
+                self.scalar(member, "what a condition compares")?;
+            }
+            all = Some(match all {
+                None => found,
+                Some(known) => {
+                    let shape = of_sum(known.shape, found.shape)
+                        .ok_or_else(|| Fault::shape(branch.value.span, "the cases have different shapes"))?;
+                    Type { shape, free: union(&known.free, &found.free) }
+                }
+            });
+        }
+        all.ok_or_else(|| Fault::new(span, "there are no cases"))
+    }
+}
+
+/// Whether an exponent is a negative whole number.
+fn is_negative_whole(exponent: &Expr) -> bool {
+    match &exponent.node {
+        Node::Sum(terms) => terms.len() == 1 && terms[0].sign == Sign::Minus && terms[0].expr.as_digits().is_some(),
+        _ => false,
+    }
+}

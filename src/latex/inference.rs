@@ -1,0 +1,298 @@
+//! What a display shows about its letters before it is read: functions, differentials, variations, matrices.
+//!
+//! This is for formulas without declarations only. Each rule needs evidence that no other reading explains:
+//!
+//! | evidence | inferred |
+//! | --- | --- |
+//! | a name directly before a lone name, a 0 or a list in parentheses: `V(r)`, `x(0)`, `L(q, \dot q, t)` | a function |
+//! | a prime before an argument, `V'(r)`; two primes anywhere, `y''` | a function |
+//! | `d` before at least two names, and never alone; an upright d | differentials |
+//! | `\delta` before a name that is neither a rate nor the time, and never alone | variations |
+//! | `dr'` | r′ is another letter |
+//! | a bold letter with a transpose or an inverse, or two side by side | matrices, which are refused |
+//!
+//! A name that is a function in one place is one everywhere. Vectors are told by their markup alone.
+
+use crate::formula::symbols::{Inferred, Name, Symbols};
+use crate::formula::text;
+
+use super::layout::{Delimiter, Item, Layout};
+use super::names;
+use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
+
+/// Records in an open symbol table what the items of a display show.
+pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
+    let mut evidence = Evidence { time: symbols.time.clone(), ..Evidence::default() };
+    evidence.list(items);
+    evidence.at_the_same_place();
+    let Evidence { mut functions, primed, letters, differentials, variations, matrices, .. } = evidence;
+    symbols.inferred.letters.extend(letters);
+    functions.retain(|(name, _)| symbols.find(name).is_none());
+    for (name, arguments) in functions {
+        if let Some(arguments) = &arguments {
+            let shown = text::plain(&name.to_string());
+            symbols.inferred.said.push(format!("{shown} is a function of {}", text::plain(arguments)));
+        }
+        symbols.inferred.functions.insert(name, arguments);
+    }
+    for name in primed {
+        let shown = text::plain(&name.to_string());
+        if !symbols.inferred.functions.contains_key(&name) && symbols.find(&name).is_none() {
+            symbols.inferred.said.push(format!("{shown} is a function, and a prime is its derivative"));
+            symbols.inferred.functions.insert(name, None);
+        }
+    }
+    let Inferred { said, .. } = &mut symbols.inferred;
+    if differentials.are_sure(2) {
+        said.push("d before a letter is a differential".to_owned());
+        symbols.inferred.differentials = true;
+    }
+    let Inferred { said, .. } = &mut symbols.inferred;
+    if variations.are_sure(1) {
+        said.push("δ before a letter is a variation".to_owned());
+        symbols.inferred.variations = true;
+    }
+    symbols.inferred.matrices.extend(matrices);
+}
+
+/// How often a mark such as d stands before a name, and alone.
+#[derive(Default)]
+struct Marks {
+    names: Vec<Name>,
+    alone: bool,
+    upright: bool,
+}
+
+impl Marks {
+    fn are_sure(&self, least: usize) -> bool {
+        !self.alone && (self.names.len() >= least || self.upright && !self.names.is_empty())
+    }
+
+    fn note(&mut self, name: Option<Name>) {
+        match name {
+            Some(name) if !self.names.contains(&name) => self.names.push(name),
+            Some(_) => {}
+            None => self.alone = true,
+        }
+    }
+}
+
+#[derive(Default)]
+struct Evidence {
+    time: Option<Name>,
+    /// The functions, each with its arguments as they are printed where they are names.
+    functions: Vec<(Name, Option<String>)>,
+    primed: Vec<Name>,
+    /// Names that usually are functions before a parenthesis, and what stands in it.
+    possible: Vec<(Name, Vec<String>)>,
+    letters: Vec<Name>,
+    differentials: Marks,
+    variations: Marks,
+    matrices: Vec<String>,
+}
+
+impl Evidence {
+    /// `f(x - ct)` beside `u(x, t)`: what stands in the parenthesis is the argument of another function.
+    fn at_the_same_place(&mut self) {
+        let mut places: Vec<String> = Vec::new();
+        for arguments in self.functions.iter().filter_map(|(_, arguments)| arguments.as_ref()) {
+            places.extend(arguments.split(", ").map(str::to_owned));
+        }
+        for (name, inside) in std::mem::take(&mut self.possible) {
+            let is_new = self.functions.iter().all(|(known, _)| *known != name);
+            if is_new && inside.iter().any(|letter| places.contains(letter)) {
+                self.functions.push((name, None));
+            }
+        }
+    }
+
+    /// Looks at neighbours, then inside of each.
+    fn list(&mut self, items: &[Item]) {
+        let mut in_integral = false;
+        for (at, item) in items.iter().enumerate() {
+            let next = items.get(at + 1);
+            in_integral |= is_integral(item);
+            self.application(item, next);
+            if differential(item).is_some()
+                && let Some(found) =
+                    next.and_then(|next| names::printed(next, None)).filter(|found| found.name.primes > 0)
+            {
+                self.letters.push(Name { primes: 0, ..found.name });
+            }
+            let d = matches!(&item.layout, Layout::Letter('d'));
+            let upright = matches!(item.layout, Layout::Style(..)) && differential(item) == Some(1);
+            if (d || upright) && !in_integral {
+                let rest = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+                self.differentials.upright |= upright;
+                let is_alone = rest.and_then(|item| names::printed(item, None)).is_none();
+                let before_parenthesis = rest.is_some_and(|item| matches!(item.layout, Layout::Fence(..)));
+                if !(is_alone && (upright || before_parenthesis)) {
+                    self.differentials.note(rest.and_then(|item| names::printed(item, None)).map(|found| found.name));
+                }
+            }
+            if matches!(&item.layout, Layout::Command(name) if name == "\\delta") {
+                let rest = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+                let found = rest.and_then(|item| names::printed(item, None));
+                let is_rate =
+                    found.as_ref().is_some_and(|found| found.dots > 0 || Some(&found.name) == self.time.as_ref());
+                if !is_rate {
+                    let before_integral = rest.is_some_and(is_integral);
+                    match found {
+                        None if before_integral => {}
+                        found => self.variations.note(found.map(|found| found.name)),
+                    }
+                }
+            }
+            self.matrix(item, next);
+            self.inside(item);
+        }
+    }
+
+    fn inside(&mut self, item: &Item) {
+        match &item.layout {
+            Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
+            Layout::Fraction(above, below) => {
+                for part in [above, below] {
+                    // The d of a derivative says nothing about differentials elsewhere.
+                    let part = super::reader::items::contents(part);
+                    match part.first().is_some_and(|first| differential(first).is_some())
+                        && starts_derivative(above, below)
+                    {
+                        true => self.list(&part[1..]),
+                        false => self.list(part),
+                    }
+                }
+            }
+            Layout::Root(_, inner) => self.inside_of(inner),
+            Layout::Scripts { nucleus, sup, .. } => {
+                self.inside(nucleus);
+                if let Some(sup) = sup {
+                    self.inside_of(sup);
+                }
+            }
+            Layout::Environment(_, rows) => rows.iter().flatten().for_each(|cell| self.list(cell)),
+            _ => {}
+        }
+    }
+
+    fn inside_of(&mut self, item: &Item) {
+        self.list(super::reader::items::contents(item));
+    }
+
+    /// A name, and what follows it at once.
+    fn application(&mut self, item: &Item, next: Option<&Item>) {
+        let Some(found) = names::printed(item, None) else { return };
+        let primes = found.name.primes;
+        let name = Name { primes: 0, ..found.name };
+        if primes > 1 && !self.primed.contains(&name) {
+            self.primed.push(name.clone());
+        }
+        let Some((delimiter, inside)) = next.and_then(fence) else { return };
+        let usual = ["f", "G", "u", "\\psi", "\\Psi"].contains(&name.base.as_str()) && delimiter == Delimiter::Round;
+        if usual {
+            let inside =
+                inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name.to_string());
+            self.possible.push((name.clone(), inside.collect()));
+        }
+        let never = ["\\pi", "\\Delta", "\\delta", "d", "\\mathrm{d}", "e", "\\mathrm{e}", "\\epsilon"];
+        if never.contains(&name.base.as_str()) {
+            return;
+        }
+        let arguments: Vec<&[Item]> = inside.split(is_comma).collect();
+        let plain: Option<Vec<String>> = arguments.iter().map(|argument| self.plain(argument)).collect();
+        let is_zero =
+            matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if whole_number(zero) == Some(0)));
+        let is_remainder = ["O", "\\mathcal{O}"].contains(&name.base.as_str());
+        let is_call = match delimiter {
+            Delimiter::Round => plain.is_some() || is_zero || arguments.len() > 1 || is_remainder,
+            // `S[q]`, the value of a functional.
+            Delimiter::Square => {
+                arguments.len() == 1
+                    && plain.is_some()
+                    && name.base.chars().all(|c| c.is_uppercase() || !c.is_alphabetic())
+                    || name.base.starts_with("\\mathcal") && plain.is_some()
+            }
+            _ => false,
+        };
+        if !is_call {
+            return;
+        }
+        let time = self.time.as_ref().map(ToString::to_string);
+        let shown = plain.map(|plain| plain.join(", ")).filter(|_| !is_remainder);
+        match self.functions.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, known)) if known.is_none() || shown == time && shown.is_some() => *known = shown.or(known.take()),
+            Some(_) => {}
+            None => self.functions.push((name, shown)),
+        }
+    }
+
+    /// An argument that is one name, with the time after it perhaps, as it is printed.
+    fn plain(&self, argument: &[Item]) -> Option<String> {
+        let (only, rest) = trimmed(argument).split_first()?;
+        let follows = match rest {
+            [] => true,
+            [next] => fence(next).is_some_and(|(delimiter, inside)| {
+                delimiter == Delimiter::Round && inside.split(is_comma).all(|argument| self.plain(argument).is_some())
+            }),
+            _ => false,
+        };
+        if let (Layout::Fence(Delimiter::Bar | Delimiter::PlainBar, inside), true) = (&only.layout, follows) {
+            let names: Vec<String> = inside
+                .iter()
+                .filter_map(|item| names::printed(item, None))
+                .map(|found| found.name.to_string())
+                .collect();
+            return (!names.is_empty()).then(|| format!("|{}|", names.join(" − ")));
+        }
+        if matches!(&only.layout, Layout::Command(name) if name == "\\dots") {
+            return Some("\\dots".to_owned());
+        }
+        let found = names::printed(only, None).filter(|found| found.sup.is_none() && follows)?;
+        names::with_dots(&found.name, found.dots).map(|name| name.to_string())
+    }
+
+    /// A bold letter that is a matrix.
+    fn matrix(&mut self, item: &Item, next: Option<&Item>) {
+        let Some(found) = names::printed(item, None).filter(|found| found.name.base.contains("\\mathbf{")) else {
+            return;
+        };
+        let above = found.sup.is_some_and(|sup| is_transpose(sup) || is_minus_one(sup));
+        let beside = next
+            .and_then(|next| names::printed(next, None))
+            .is_some_and(|next| next.name.base.contains("\\mathbf{") || next.name.base.contains("\\vec{"));
+        if above || beside {
+            self.matrices.push(found.name.base);
+        }
+    }
+}
+
+/// Whether a fraction is a derivative: d or ∂ begins both of its parts.
+fn starts_derivative(above: &Item, below: &Item) -> bool {
+    [above, below]
+        .iter()
+        .all(|part| super::reader::items::contents(part).first().is_some_and(|first| differential(first).is_some()))
+}
+
+/// A parenthesis, with a script perhaps, and its contents.
+fn fence(item: &Item) -> Option<(Delimiter, &[Item])> {
+    match &item.layout {
+        Layout::Fence(delimiter, inside) => Some((*delimiter, inside)),
+        Layout::Scripts { nucleus, .. } => match &nucleus.layout {
+            Layout::Fence(delimiter, inside) => Some((*delimiter, inside)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn is_comma(item: &Item) -> bool {
+    matches!(item.layout, Layout::Other(',' | ';'))
+}
+
+/// The items without spaces at both ends.
+fn trimmed(items: &[Item]) -> &[Item] {
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    let start = items.iter().position(|item| !is_space(item)).unwrap_or(items.len());
+    let end = items.iter().rposition(|item| !is_space(item)).map_or(start, |at| at + 1);
+    &items[start..end]
+}

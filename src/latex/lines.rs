@@ -1,0 +1,86 @@
+//! The lines of a display, as a reader sees them: each statement, and each row of a chain that runs over several rows.
+
+use std::collections::HashMap;
+
+use crate::source::Span;
+
+use super::layout::{Item, typeset_items};
+use super::macros::Macros;
+use super::pieces::pieces;
+use super::rows::rows;
+
+/// A line of a display. All places are bytes of its text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// What is printed on this line.
+    pub span: Span,
+    /// The member on a line before it that this line continues.
+    pub from: Option<Span>,
+    /// Whether it has a relation, or says that something is constant.
+    pub is_statement: bool,
+}
+
+/// The lines of a display; none, if it cannot be typeset.
+pub fn lines(text: &str, macros: &Macros) -> Vec<Line> {
+    let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
+    let mut rows_of: HashMap<usize, usize> = HashMap::new();
+    for (number, row) in rows(&items).iter().enumerate() {
+        rows_of.extend(row.items.iter().map(|item| (item.span.start, number)));
+    }
+    let row = |at: usize| rows_of.get(&at).copied();
+    let span = |items: &[&Item]| items.iter().map(|item| item.span).reduce(Span::to);
+    let mut found = Vec::new();
+    for piece in pieces(&items) {
+        let is_statement = piece.links.len() > 1 || piece.constant.is_some();
+        let mut current: Option<(Line, Option<usize>)> = None;
+        let mut before: Option<Span> = None;
+        for link in &piece.links {
+            let member = span(&link.items);
+            let place = link.relation.map(|(_, span)| span);
+            let Some(own) = place.into_iter().chain(member).reduce(Span::to) else { continue };
+            let here = row(own.start);
+            match &mut current {
+                Some((line, known)) if *known == here || here.is_none() || before.is_none() => {
+                    line.span = line.span.to(own);
+                }
+                _ => {
+                    found.extend(current.take().map(|(line, _)| line));
+                    let from = before.filter(|_| place.is_some());
+                    current = Some((Line { span: own, from, is_statement }, here));
+                }
+            }
+            before = member.or(before);
+        }
+        if let (Some((line, _)), Some(constant)) = (&mut current, piece.constant) {
+            line.span = line.span.to(constant);
+        }
+        found.extend(current.map(|(line, _)| line));
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(text: &str) -> Vec<String> {
+        let of = |line: Line| {
+            let whole = line.from.map_or(line.span, |from| from.to(line.span));
+            text[whole.range()].to_owned()
+        };
+        lines(text, &Macros::default()).into_iter().map(of).collect()
+    }
+
+    #[test]
+    fn each_statement_and_each_row_of_a_chain_is_a_line() {
+        assert_eq!(texts("a = b = c"), ["a = b = c"]);
+        assert_eq!(texts(r"a &= b \\ &= c \\ &= d = e"), ["a &= b", r"b \\ &= c", r"c \\ &= d = e"]);
+        assert_eq!(texts(r"a = b, \quad c = d"), ["a = b", "c = d"]);
+        assert_eq!(texts(r"a = b \implies c = d"), ["a = b", "c = d"]);
+        assert_eq!(
+            texts(r"\begin{aligned} a &= b + c \\ &\quad + d \\ e &= f \end{aligned}"),
+            [r"a &= b + c \\ &\quad + d", "e &= f"]
+        );
+        assert_eq!(texts(r"a = b \text{ so } c = d"), ["a = b", "c = d"]);
+    }
+}

@@ -1,0 +1,149 @@
+//! `cases`: a value for each condition; and the conditions that stand after a statement.
+
+use crate::formula::tree::{Branch, Condition, Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::lexer::Space;
+use super::super::super::names;
+use super::super::super::rows::relation;
+use super::super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// The rows of `cases`: a value, and behind `&` or a wide space its condition.
+    pub(in super::super) fn cases(&mut self, rows: &[Vec<Vec<Item>>], span: Span) -> Read<Expr> {
+        let mut branches = Vec::new();
+        for row in rows {
+            let cells: Vec<&[Item]> = row.iter().map(Vec::as_slice).filter(|cell| !trimmed(cell).is_empty()).collect();
+            let (value, condition) = match cells.as_slice() {
+                [] => continue,
+                [only] => split_row(only).ok_or_else(|| no_condition(only, span))?,
+                [value, condition] => (*value, *condition),
+                _ => return Err(Fault::unsupported(span, "cases with more than two columns are not supported")),
+            };
+            let place = value.first().map_or(span, |item| item.span);
+            let value = self.sum(trimmed(value), place)?;
+            let conditions = match self.condition(trimmed(condition), place)? {
+                Stated::Otherwise => Vec::new(),
+                Stated::Holds(conditions) => conditions,
+            };
+            branches.push(Branch { value, conditions });
+        }
+        let last = branches.len().saturating_sub(1);
+        if branches.iter().take(last).any(|branch| branch.conditions.is_empty()) {
+            return Err(Fault::new(span, "“otherwise” must be the last of the cases"));
+        }
+        match branches.len() {
+            0 => Err(Fault::new(span, "there are no cases")),
+            _ => Ok(Expr::new(Node::Cases(branches), span)),
+        }
+    }
+
+    /// Comparisons that must all hold: `x > 0`, `\text{if } 0 \le x < L`, `\text{otherwise}`.
+    pub(in super::super::super) fn condition(&mut self, items: &[Item], place: Span) -> Read<Stated> {
+        let mut items = trimmed(items);
+        let mut said = false;
+        while let [Item { layout: Layout::Text(word), .. }, rest @ ..] = items {
+            match word.trim_matches(|c: char| c == ',' || c == '.').to_ascii_lowercase().as_str() {
+                "otherwise" | "else" | "elsewhere" if rest.iter().all(is_blank) => return Ok(Stated::Otherwise),
+                "forall" | "forevery" | "foreach" | "forany" | "all" | "any" | "every" => break,
+                "if" | "for" | "when" | "where" | "with" | "in" | "provided" | "providedthat" | "whenever" | "as"
+                | "" => {}
+                _ => return Err(Fault::unsupported(items[0].span, format!("the condition “{word}” is not supported"))),
+            }
+            said = true;
+            items = trimmed(rest);
+        }
+        if let [first, rest @ ..] = items
+            && says_all(first)
+        {
+            let rest = trimmed(rest);
+            return match rest.iter().all(|item| names::printed(item, None).is_some() || is_blank(item)) {
+                true => Ok(Stated::Holds(Vec::new())),
+                false => Err(Fault::unsupported(first.span, "“for all” is supported before names only")),
+            };
+        }
+        if let [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] = items
+            && inside.iter().any(|item| relation(item).is_some())
+        {
+            items = trimmed(inside);
+        }
+        let mut conditions = Vec::new();
+        for part in items.split(|item| {
+            item.layout == Layout::Other(',')
+                || matches!(&item.layout, Layout::Text(word) if word == "and")
+                || matches!(&item.layout, Layout::Command(name) if name == "\\land" || name == "\\wedge")
+        }) {
+            let part = trimmed(part);
+            let relations: Vec<_> = part.iter().filter_map(relation).collect();
+            if relations.is_empty() {
+                let span = part.iter().map(|item| item.span).reduce(Span::to).unwrap_or(place);
+                let message = if said { "this condition compares nothing" } else { "this is no condition" };
+                return Err(Fault::unsupported(span, message).help("write a comparison, such as x > 0"));
+            }
+            let mut members = Vec::new();
+            for member in part.split(|item| relation(item).is_some()) {
+                members.push(self.sum(trimmed(member), place)?);
+            }
+            conditions.push(Condition { members, relations });
+        }
+        Ok(Stated::Holds(conditions))
+    }
+}
+
+/// What a condition says.
+pub(in super::super::super) enum Stated {
+    /// All that is left.
+    Otherwise,
+    /// All of these; nothing for "for all t".
+    Holds(Vec<Condition>),
+}
+
+impl Stated {
+    /// The conditions of a statement, which has no others before it.
+    pub(in super::super::super) fn all(self, span: Span) -> Read<Vec<Condition>> {
+        match self {
+            Stated::Holds(conditions) => Ok(conditions),
+            Stated::Otherwise => {
+                Err(Fault::unsupported(span, "“otherwise” stands outside of cases, and is not supported there"))
+            }
+        }
+    }
+}
+
+fn no_condition(items: &[Item], span: Span) -> Fault {
+    let span = items.iter().map(|item| item.span).reduce(Span::to).unwrap_or(span);
+    Fault::new(span, "this case has no condition").help("write it after &, as in x & x > 0")
+}
+
+/// A row without `&`: the condition begins at a wide space, a comma or a word.
+fn split_row(items: &[Item]) -> Option<(&[Item], &[Item])> {
+    let at = items
+        .iter()
+        .position(|item| matches!(&item.layout, Layout::Space(Space::Wide) | Layout::Other(',') | Layout::Text(_)))?;
+    let (value, condition) = items.split_at(at);
+    (!trimmed(value).is_empty() && !trimmed(condition).is_empty()).then_some((value, condition))
+}
+
+fn is_blank(item: &Item) -> bool {
+    matches!(item.layout, Layout::Space(_) | Layout::Other(',' | ';' | '.'))
+}
+
+/// Without spaces and punctuation at both ends.
+fn trimmed(items: &[Item]) -> &[Item] {
+    let start = items.iter().position(|item| !is_blank(item)).unwrap_or(items.len());
+    let end = items.iter().rposition(|item| !is_blank(item)).map_or(start, |at| at + 1);
+    &items[start..end]
+}
+
+/// `\forall`, `\text{for all}`
+fn says_all(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Command(name) => name == "\\forall",
+        Layout::Text(word) => {
+            let word = word.trim_matches(',').to_ascii_lowercase();
+            ["forall", "forevery", "foreach", "forany", "all", "any", "every"].contains(&word.as_str())
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,307 @@
+//! Evidence in a display without declarations: letters that must be matrices, columns or complex numbers, and whether i is
+//! √−1.
+//!
+//! A name is a matrix if it equals a written matrix, if it stands under `\det` or `\operatorname{tr}` and is bold or a
+//! capital, if it is a bold capital that is transposed, inverted or followed by another bold letter, or if it stands
+//! between x^T and x. The letter i is √−1 in the exponent of e, beside ħ, squared, or upright, unless it is an index
+//! somewhere in the display.
+
+use crate::formula::symbols::{Kind, Name, Symbols};
+
+use super::super::super::layout::{Item, Layout};
+use super::super::super::names::{self, Printed};
+use super::super::super::rows::relation;
+use super::super::items::{contents, is_minus_one, is_transpose};
+use super::matrices::operator_word;
+
+/// Notes in the table what a display says of its letters.
+pub fn note(items: &[Item], symbols: &mut Symbols) {
+    symbols.imaginary_here = has_imaginary_unit(items);
+    if !symbols.open {
+        return;
+    }
+    let mut found = Vec::new();
+    collect(items, &mut found);
+    // `e = …` says what e is: no number is defined.
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    if let [first, second, ..] = solid.as_slice()
+        && first.layout == Layout::Letter('e')
+        && second.layout == Layout::Other('=')
+    {
+        found.push((Name::plain("e"), Kind::Scalar));
+    }
+    for (name, kind) in found {
+        if symbols.find(&name).is_none() {
+            symbols.add(name, kind);
+        }
+    }
+}
+
+/// A matrix of an unknown size.
+const SQUARE: Kind = Kind::Matrix(0, 0);
+
+fn name_of(item: &Item) -> Option<Printed<'_>> {
+    names::printed(item, None).filter(|printed| printed.name.primes == 0)
+}
+
+fn is_bold(name: &Name) -> bool {
+    name.base.starts_with("\\mathbf{")
+}
+
+/// A capital Latin letter, bold perhaps.
+fn is_capital(name: &Name) -> bool {
+    let letter = name.base.strip_prefix("\\mathbf{").and_then(|base| base.strip_suffix('}')).unwrap_or(&name.base);
+    matches!(letter.as_bytes(), [b'A'..=b'Z'])
+}
+
+fn collect(items: &[Item], found: &mut Vec<(Name, Kind)>) {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    for (at, item) in solid.iter().enumerate() {
+        if let Some(Printed { name, sup: Some(sup), .. }) = name_of(item)
+            && is_bold(&name)
+            && is_capital(&name)
+            && (is_transpose(sup) || is_minus_one(sup))
+        {
+            found.push((name, SQUARE));
+        }
+        let word = operator_word(item);
+        if let (Some("det" | "tr" | "Tr"), Some(argument)) = (word.as_deref(), solid.get(at + 1)) {
+            let inside = match &argument.layout {
+                Layout::Fence(_, inside) => inside.as_slice(),
+                _ => std::slice::from_ref(*argument),
+            };
+            let matrices = inside.iter().filter_map(name_of).filter(|printed| is_capital(&printed.name));
+            // `I` is the unit matrix beside another.
+            found.extend(matrices.filter(|printed| printed.name.base != "I").map(|printed| (printed.name, SQUARE)));
+        }
+        if let ([left, equal, right, rest @ ..], Some(Printed { name, sup: None, .. })) = (&solid[at..], name_of(item))
+            && left.span == item.span
+            && relation(equal).is_some()
+            && (at == 0 || is_break(solid[at - 1]))
+            && let Some((rows, columns)) = diagonal(right, rest).or_else(|| size_of_product(&solid[at + 2..]))
+        {
+            let kind = match (rows, columns) {
+                (1, 1) => Kind::Scalar,
+                (3, 1) => Kind::Vector,
+                _ => Kind::Matrix(rows, columns),
+            };
+            found.push((name, kind));
+        }
+        // `(K - \omega^2 M) a`: the bold capitals in the parenthesis are matrices.
+        if let (Layout::Fence(_, inside), Some(second)) =
+            (&item.layout, solid.get(at + 1).and_then(|next| name_of(next)))
+            && is_bold(&second.name)
+        {
+            let inside: Vec<Printed<'_>> =
+                inside.iter().filter_map(name_of).filter(|found| is_bold(&found.name)).collect();
+            if inside.iter().all(|found| is_capital(&found.name)) {
+                found.extend(inside.into_iter().filter(|found| found.sup.is_none()).map(|found| (found.name, SQUARE)));
+            }
+        }
+        if let (Some(first), Some(second)) = (name_of(item), solid.get(at + 1).and_then(|next| name_of(next)))
+            && first.sup.is_none()
+            && is_bold(&first.name)
+            && is_capital(&first.name)
+            && is_bold(&second.name)
+        {
+            found.push((first.name, SQUARE));
+        }
+        quadratic_form(&solid[at..], found);
+        if let (Some(first), Some(second)) = (name_of(item), solid.get(at + 1).and_then(|next| name_of(next)))
+            && ["z", "w"].contains(&first.name.base.as_str())
+            && second.name.base == format!("\\bar{{{}}}", first.name.base)
+        {
+            found.push((first.name, Kind::Complex));
+        }
+        if let (Some(Printed { name, dots: 0, sup: None }), Some(next)) = (name_of(item), solid.get(at + 1))
+            && let Some(Printed { name: other, dots: 0, sup: Some(sup) }) = name_of(next)
+            && name == other
+            && is_star(sup)
+        {
+            found.push((name, Kind::Complex));
+        }
+        if let (Some(Printed { name, dots: 0, sup: Some(sup) }), Some(next)) = (name_of(item), solid.get(at + 1))
+            && let Some(Printed { name: other, dots: 0, sup: None }) = name_of(next)
+            && name == other
+            && is_star(sup)
+        {
+            found.push((name, Kind::Complex));
+        }
+    }
+    for item in items {
+        for inside in parts(item) {
+            collect(inside, found);
+        }
+    }
+}
+
+/// The star of a conjugate.
+fn is_star(sup: &Item) -> bool {
+    match contents(sup) {
+        [Item { layout: Layout::Other('*'), .. }] => true,
+        [Item { layout: Layout::Command(name), .. }] => name == "\\ast" || name == "\\star",
+        _ => false,
+    }
+}
+
+/// `x^T M x`: x is a column and M a matrix.
+fn quadratic_form(items: &[&Item], found: &mut Vec<(Name, Kind)>) {
+    let Some(Printed { name, dots, sup: Some(sup) }) = items.first().and_then(|item| name_of(item)) else { return };
+    if !is_transpose(sup) {
+        return;
+    }
+    let middle: Vec<Printed<'_>> = items[1..].iter().map_while(|item| name_of(item)).collect();
+    let Some(end) = middle.iter().position(|printed| printed.name == name && printed.dots == dots) else { return };
+    let between = &middle[..end];
+    if between.len() <= 2 && between.iter().all(|printed| printed.sup.is_none() && is_capital(&printed.name)) {
+        // `A^T A` and `A^T J A` of capitals: all of them are matrices.
+        let kind = if is_capital(&name) { SQUARE } else { Kind::Vector };
+        found.push((name, kind));
+        found.extend(between.iter().map(|printed| (printed.name.clone(), SQUARE)));
+    }
+}
+
+fn is_break(item: &Item) -> bool {
+    matches!(item.layout, Layout::Other(',' | ';' | '.') | Layout::Text(_) | Layout::Row | Layout::Align)
+        || relation(item).is_some()
+}
+
+/// The size of `\operatorname{diag}(a, b)`, where nothing stands behind it.
+fn diagonal(head: &Item, rest: &[&Item]) -> Option<(u8, u8)> {
+    let [Item { layout: Layout::Fence(_, inside), .. }, after @ ..] = rest else { return None };
+    let is_lone = after.first().is_none_or(|next| is_break(next));
+    let entries = inside.split(|item| item.layout == Layout::Other(',')).count();
+    let entries = u8::try_from(entries).ok().filter(|_| is_lone)?;
+    (operator_word(head).as_deref() == Some("diag")).then_some((entries, entries))
+}
+
+/// The size of a written matrix with numbers before it, up to the next break.
+fn size_of_product(items: &[&Item]) -> Option<(u8, u8)> {
+    let end = items.iter().position(|item| is_break(item)).unwrap_or(items.len());
+    let (last, others) = items[..end].split_last()?;
+    let is_number = |item: &&Item| {
+        matches!(item.layout, Layout::Number(_) | Layout::Fraction(..) | Layout::Root(..))
+            || name_of(item).is_some_and(|printed| !is_bold(&printed.name) && !printed.name.base.contains("\\vec"))
+    };
+    size(last).filter(|_| others.iter().all(is_number))
+}
+
+/// The rows and columns of a written matrix, in parentheses perhaps.
+fn size(item: &Item) -> Option<(u8, u8)> {
+    match &item.layout {
+        Layout::Fence(_, inside) if inside.len() == 1 => size(&inside[0]),
+        Layout::Environment(name, rows) if is_matrix(name) => {
+            let columns = rows.first()?.len();
+            Some((u8::try_from(rows.len()).ok()?, u8::try_from(columns).ok()?))
+        }
+        _ => None,
+    }
+}
+
+/// Whether an environment is a matrix.
+pub fn is_matrix(name: &str) -> bool {
+    matches!(name, "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" | "Bmatrix")
+}
+
+/// The lists of items directly inside an item.
+fn parts(item: &Item) -> Vec<&[Item]> {
+    match &item.layout {
+        Layout::Group(items) | Layout::Fence(_, items) => vec![items],
+        Layout::Fraction(a, b) => vec![contents(a), contents(b)],
+        Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => vec![contents(a)],
+        Layout::Scripts { nucleus, .. } => vec![contents(nucleus)],
+        Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn is_i(item: &Item) -> bool {
+    item.layout == Layout::Letter('i') || item.layout == Layout::Command("\\imath".to_owned()) || is_upright_i(item)
+}
+
+fn is_upright_i(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Style(style, inner) if style == "\\mathrm"
+        && matches!(contents(inner), [Item { layout: Layout::Letter('i'), .. }]))
+}
+
+/// Whether the letter i must be √−1 here.
+fn has_imaginary_unit(items: &[Item]) -> bool {
+    is_evident(items) && !is_index(items)
+}
+
+fn is_evident(items: &[Item]) -> bool {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_hbar = |item: Option<&&Item>| {
+        item.is_some_and(|item| {
+            let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { *item };
+            nucleus.layout == Layout::Command("\\hbar".to_owned())
+        })
+    };
+    let here = solid.iter().enumerate().any(|(at, item)| match &item.layout {
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), .. } => {
+            let is_e = nucleus.layout == Layout::Letter('e')
+                || matches!(&nucleus.layout, Layout::Style(style, inner) if style == "\\mathrm"
+                    && matches!(contents(inner), [Item { layout: Layout::Letter('e'), .. }]));
+            is_e && mentions(contents(sup))
+        }
+        Layout::Command(name) if name == "\\exp" => {
+            solid.get(at + 1).is_some_and(|next| matches!(&next.layout, Layout::Fence(_, inside) if mentions(inside)))
+        }
+        _ => {
+            let next = solid.get(at + 1);
+            is_upright_i(item)
+                || is_i(item) && (is_hbar(next) || is_sine(next) || is_greek(next) || is_pair(&solid, at))
+        }
+    });
+    here || items.iter().any(|item| parts(item).into_iter().any(is_evident))
+}
+
+/// A sine after i, as in cos θ + i sin θ.
+fn is_sine(item: Option<&&Item>) -> bool {
+    item.is_some_and(|item| matches!(&item.layout, Layout::Command(name) if name == "\\sin" || name == "\\sinh"))
+}
+
+/// A Greek letter that stands after √−1 more often than after a current: a frequency, a rate, an angle.
+fn is_greek(item: Option<&&Item>) -> bool {
+    const LETTERS: [&str; 12] = [
+        "\\omega", "\\Omega", "\\gamma", "\\Gamma", "\\beta", "\\kappa", "\\theta", "\\phi", "\\varphi", "\\pi",
+        "\\mu", "\\sigma",
+    ];
+    item.and_then(|item| name_of(item)).is_some_and(|printed| LETTERS.contains(&printed.name.base.as_str()))
+}
+
+/// `x + iy`, `a - ib`, `v_x + iv_y`: a sum of two neighbours in the alphabet.
+fn is_pair(items: &[&Item], at: usize) -> bool {
+    let [.., first, sign] = &items[..at] else { return false };
+    let (Layout::Other('+' | '-'), Some(first), Some(second)) =
+        (&sign.layout, name_of(first), items.get(at + 1).and_then(|next| name_of(next)))
+    else {
+        return false;
+    };
+    let (a, b) = (&first.name, &second.name);
+    let pairs = [("x", "y"), ("a", "b"), ("u", "v"), ("p", "q"), ("A", "B"), ("X", "Y")];
+    let by_letter = a.subscript == b.subscript && pairs.contains(&(a.base.as_str(), b.base.as_str()));
+    let by_axis = a.base == b.base && a.subscript == ["x"] && b.subscript == ["y"];
+    first.dots == second.dots && (by_letter || by_axis)
+}
+
+/// Whether i stands among the factors of an exponent.
+fn mentions(items: &[Item]) -> bool {
+    items.iter().any(|item| is_i(item) || parts(item).into_iter().any(mentions))
+}
+
+/// Whether i is an index, in a subscript or beside a sum, or equals something.
+fn is_index(items: &[Item]) -> bool {
+    let names = |item: &Item| contents(item).iter().any(is_i);
+    let here = |item: &Item| match &item.layout {
+        Layout::Scripts { nucleus, sub, .. } => sub.as_deref().is_some_and(names) || is_i(nucleus) && sub.is_some(),
+        Layout::Accent(_, inner) => is_i(inner),
+        _ => false,
+    };
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_value = solid
+        .windows(2)
+        .enumerate()
+        .any(|(at, pair)| is_i(pair[0]) && relation(pair[1]).is_some() && (at == 0 || is_break(solid[at - 1])));
+    is_value || items.iter().any(|item| here(item) || parts(item).into_iter().any(is_index))
+}

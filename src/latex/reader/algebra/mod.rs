@@ -1,0 +1,33 @@
+//! Notation of algebra: matrices, complex numbers, cases, brackets.
+//!
+//! | file | what is read there |
+//! | --- | --- |
+//! | `matrices` | `\det`, `\operatorname{tr}`, `\operatorname{diag}`, unit matrices, entries `M_{12}`, what stands above a matrix |
+//! | `complex` | i, `\Re`, `\Im`, conjugates |
+//! | `cases` | `cases`, and the conditions of a statement |
+//! | `brackets` | `[A, B]` of matrices |
+//! | `evidence` | without declarations: which letters are vectors, matrices or complex, from what the display says |
+
+mod brackets;
+mod cases;
+mod complex;
+pub mod evidence;
+mod matrices;
+
+use crate::formula::tree::Expr;
+
+use super::super::layout::Item;
+use super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// A factor in the notation of algebra, if one begins here.
+    pub(super) fn algebra(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        if let Some(found) = self.of_matrix(items, cursor)? {
+            return Ok(Some(found));
+        }
+        if let Some(found) = self.complex_part(items, cursor)? {
+            return Ok(Some(found));
+        }
+        self.bracket(items, cursor)
+    }
+}

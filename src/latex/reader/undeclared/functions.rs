@@ -1,0 +1,86 @@
+//! Functions that the use of a name shows: `V(r)`, `V'(r)`, `x(0)`, `f(x + h)`, `L(q, \dot q, t)`.
+//!
+//! Each value is printed with its arguments. Dots and primes are a part of the name: V′(r) is the derivative of V.
+
+use crate::formula::symbols::{Kind, Name, Operator};
+use crate::formula::tree::{Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::names::{self, Printed};
+use super::super::items::whole_number;
+use super::super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// Whether the use of a name shows a function.
+    pub(in super::super) fn is_inferred_function(&self, name: &Name) -> bool {
+        self.symbols.infers() && self.symbols.inferred.functions.contains_key(&Name { primes: 0, ..name.clone() })
+    }
+
+    /// The value of a function that its use shows; the cursor moves behind its arguments.
+    pub(in super::super) fn inferred_function(
+        &mut self,
+        span: Span,
+        printed: &Printed<'_>,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Option<Expr>> {
+        if !self.is_inferred_function(&printed.name) {
+            return Ok(None);
+        }
+        let kind = if is_vectorial(&printed.name) { Kind::Vector } else { Kind::Scalar };
+        let next = items.get(*cursor).and_then(|item| match &item.layout {
+            Layout::Fence(Delimiter::Round | Delimiter::Square, inside) => Some((inside, None, item.span)),
+            Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => match &nucleus.layout {
+                Layout::Fence(Delimiter::Round | Delimiter::Square, inside) => Some((inside, Some(&**sup), item.span)),
+                _ => None,
+            },
+            _ => None,
+        });
+        if let Some(sup) = printed.sup
+            && next.is_some()
+            && whole_number(sup).is_none()
+        {
+            return Err(Fault::ambiguous(span, "what stands above a function may be a power or an order")
+                .help("put the power after the argument, f(x)^2"));
+        }
+        let mut above = None;
+        let mut whole = span;
+        let mut value = None;
+        if let Some((inside, sup, place)) = next {
+            whole = span.to(place);
+            above = sup;
+            *cursor += 1;
+            let mut arguments = Vec::new();
+            for given in inside.split(|item| matches!(item.layout, Layout::Other(',' | ';'))) {
+                arguments.push(self.sum(given, place)?);
+            }
+            let name = names::with_dots(&printed.name, printed.dots)
+                .ok_or_else(|| Fault::unsupported(span, "derivatives above the fifth order are not supported"))?;
+            value = Some(self.operate_by(name, kind, Operator::Function, arguments, whole));
+        }
+        let mut value = match value {
+            Some(value) => value,
+            None => {
+                let id = match self.symbols.find(&printed.name) {
+                    Some((id, _)) => id,
+                    None => {
+                        let taken = || Fault::new(span, format!("{} has the name of another symbol", printed.name));
+                        self.symbols.add(printed.name.clone(), kind).ok_or_else(taken)?
+                    }
+                };
+                self.symbols.entry_mut(id).varies = true;
+                Expr::new(Node::Symbol { id, indices: Vec::new(), dots: printed.dots }, whole)
+            }
+        };
+        for sup in [printed.sup, above].into_iter().flatten() {
+            value = self.raised(value, sup, whole)?;
+        }
+        Ok(Some(value))
+    }
+}
+
+/// Whether a name has the markup of a vector.
+pub(in super::super) fn is_vectorial(name: &Name) -> bool {
+    ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| name.base.contains(mark))
+}

@@ -1,0 +1,107 @@
+//! What is read in formulas without declarations, and has no value there: operators on what follows them.
+//!
+//! Such an operator is a name before its argument ([`Node::Apply`]): the text of a Σ with its limits, an integral sign, ∇,
+//! a bar with the place of an evaluation, a function at other arguments than its own. So the reading shows what was
+//! understood, and nothing is computed from it.
+//!
+//! | file | what is read there |
+//! | --- | --- |
+//! | `functions` | `V(r)`, `V'(r)`, `x(0)`, `f(x + h)`, where the use of the name shows a function |
+//! | `sums` | `\sum`, `\prod`, `\lim`, `\dots` |
+//! | `integrals` | `\int`, `\oint`, differentials in the integrand |
+//! | `fields` | `\nabla` |
+//! | `bars` | `\left. … \right|_{x=a}`, `(\partial S/\partial V)_T` |
+
+pub(super) use bars::bar;
+
+mod bars;
+mod fields;
+mod functions;
+mod integrals;
+mod sums;
+
+use crate::formula::symbols::{Kind, Name, Operator};
+use crate::formula::tree::{Expr, Node};
+use crate::source::Span;
+
+use super::super::layout::{Item, Layout};
+use super::super::names;
+use super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// An operator with this name on these arguments.
+    pub(super) fn operate(&mut self, name: &str, operator: Operator, arguments: Vec<Expr>, span: Span) -> Expr {
+        self.operate_by(Name::plain(name), Kind::Scalar, operator, arguments, span)
+    }
+
+    fn operate_by(&mut self, name: Name, kind: Kind, operator: Operator, arguments: Vec<Expr>, span: Span) -> Expr {
+        // A name that is a quantity too is another symbol than the operator.
+        let key = Name { base: format!("{}{}", name.base, crate::formula::text::APPLICATION), ..name };
+        let id = match self.symbols.find(&key) {
+            Some((id, _)) => id,
+            None => self.symbols.add_operator(key, kind, operator),
+        };
+        Expr::new(Node::Apply(id, arguments), span)
+    }
+
+    /// One factor that an operator acts on: all of the term, or the first factor of it if that is a parenthesis.
+    pub(super) fn acted_on(&mut self, operator: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(_))) {
+            *cursor += 1;
+        }
+        let missing = || crate::source::Fault::new(operator, "no formula follows this operator");
+        let first = items.get(*cursor).ok_or_else(missing)?;
+        if matches!(first.layout, Layout::Fence(..)) {
+            *cursor += 1;
+            return self.item(first);
+        }
+        let (inner, _) = self.factor(items, cursor)?;
+        let goes_on = items[*cursor..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+        let is_factor = |item: &&Item| {
+            names::printed(item, None).is_some() || matches!(item.layout, Layout::Fraction(..) | Layout::Fence(..))
+        };
+        let inner_span = inner.span;
+        match goes_on.filter(is_factor) {
+            Some(_) => Err(crate::source::Fault::ambiguous(
+                operator.to(inner_span),
+                "an operator before f g may act on f or on the product",
+            )
+            .help("put what it acts on in parentheses")),
+            None => Ok(inner),
+        }
+    }
+}
+
+/// The text of items that are names, numbers, relations and signs, as under a Σ; `None` for anything else.
+pub(super) fn simple_text(items: &[Item]) -> Option<String> {
+    let mut text = String::new();
+    for item in items {
+        match &item.layout {
+            Layout::Space(_) => continue,
+            Layout::Number(digits) => text.push_str(digits),
+            Layout::Other(c @ ('=' | '+' | '-' | '<' | '>' | ',' | '≠' | '/')) => text.push(*c),
+            Layout::Group(inner) => text.push_str(&simple_text(inner)?),
+            Layout::Fence(super::super::layout::Delimiter::Round, inner) => {
+                text.push('(');
+                text.push_str(&simple_text(inner)?);
+                text.push(')');
+            }
+            Layout::Command(name)
+                if ["\\neq", "\\in", "\\leq", "\\geq", "\\infty", "\\rightarrow", "\\dots"]
+                    .contains(&name.as_str()) =>
+            {
+                text.push_str(&format!(" {name} "));
+            }
+            Layout::Command(name) if name == "\\partial" => text.push_str("\\partial "),
+            Layout::Text(word) => text.push_str(word),
+            _ => {
+                let found = names::printed(item, None)?;
+                text.push_str(&names::with_dots(&found.name, found.dots)?.to_string());
+                if let Some(sup) = found.sup {
+                    text.push_str(&format!("^{{{}}}", simple_text(std::slice::from_ref(sup))?));
+                }
+            }
+        }
+    }
+    Some(text)
+}

@@ -1,0 +1,220 @@
+//! Other letters: a LaTeX text in which names are replaced by other names.
+
+use std::collections::HashMap;
+
+use crate::formula::symbols::Name;
+use crate::source::Span;
+
+use super::layout::{Item, Layout, typeset_items};
+use super::macros::Macros;
+use super::{names, overdots};
+
+/// A text with other names, and where its bytes come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Renamed {
+    /// The text.
+    pub text: String,
+    /// The pieces of the text in order: where each begins in the text, and the bytes of the original that it stands for.
+    places: Vec<(usize, Span)>,
+}
+
+impl Renamed {
+    /// The same text, with no name replaced.
+    pub fn unchanged(text: &str) -> Renamed {
+        Renamed { text: text.to_owned(), places: vec![(0, Span::new(0, text.len()))] }
+    }
+
+    /// The bytes of the original for bytes of the text.
+    pub fn original(&self, span: Span) -> Span {
+        let at = |offset: usize, is_end: bool| {
+            let mut pieces = self.places.iter().enumerate();
+            let within =
+                |(_, (start, _)): &(usize, &(usize, Span))| if is_end { *start < offset } else { *start <= offset };
+            let Some((n, (start, from))) = pieces.rfind(within) else { return 0 };
+            let length = self.places.get(n + 1).map_or(self.text.len(), |(next, _)| *next) - start;
+            match (length == from.end - from.start, is_end) {
+                (true, _) => (from.start + offset - start).min(from.end),
+                (false, true) => from.end,
+                (false, false) => from.start,
+            }
+        };
+        let start = at(span.start, false);
+        Span::new(start, if span.end > span.start { at(span.end, true).max(start) } else { start })
+    }
+}
+
+/// The functions as other languages write them.
+const FOREIGN: [(&str, &str); 14] = [
+    ("\\operatorname{sen}", "\\sin"),
+    ("\\operatorname{sin}", "\\sin"),
+    ("\\operatorname{cos}", "\\cos"),
+    ("\\operatorname{tg}", "\\tan"),
+    ("\\operatorname{tan}", "\\tan"),
+    ("\\operatorname{ctg}", "\\cot"),
+    ("\\operatorname{arctg}", "\\arctan"),
+    ("\\operatorname{arcsen}", "\\arcsin"),
+    ("\\mathrm{sen}", "\\sin"),
+    ("\\mathrm{sin}", "\\sin"),
+    ("\\mathrm{cos}", "\\cos"),
+    ("\\mathrm{tg}", "\\tan"),
+    ("\\mathrm{arctg}", "\\arctan"),
+    ("\\mathrm{sh}", "\\sinh"),
+];
+
+/// A text in which each name of a table is replaced, and each function that is written in another language. Overdots and
+/// powers stay.
+pub fn renamed(text: &str, macros: &Macros, table: &HashMap<Name, Name>) -> Renamed {
+    let Ok(items) = typeset_items(text, macros) else { return Renamed::unchanged(text) };
+    let mut edits = Vec::new();
+    for item in &items {
+        collect(item, text, table, &mut edits);
+    }
+    let is_subscript = |at: usize| text[..at].trim_end_matches('{').ends_with('_');
+    for (foreign, own) in FOREIGN {
+        let found = text.match_indices(foreign).filter(|(at, _)| !is_subscript(*at));
+        edits.extend(found.map(|(at, _)| (Span::new(at, at + foreign.len()), own.to_owned())));
+    }
+    edits.sort_by_key(|(span, _): &(Span, String)| (span.start, span.end));
+    edits.dedup();
+    let mut renamed = Renamed { text: String::new(), places: Vec::new() };
+    let mut from = 0;
+    for (span, replacement) in edits {
+        if span.start < from {
+            continue;
+        }
+        renamed.push(&text[from..span.start], Span::new(from, span.start));
+        let next = text[span.end..].chars().next();
+        let is_command = replacement.starts_with('\\') && replacement.ends_with(|c: char| c.is_ascii_alphabetic());
+        let space = if is_command && next.is_some_and(|c| c.is_ascii_alphabetic()) { " " } else { "" };
+        let before = renamed.text.ends_with(|c: char| c.is_ascii_alphabetic())
+            && ends_with_command(&renamed.text)
+            && replacement.starts_with(|c: char| c.is_ascii_alphabetic());
+        let replacement = format!("{}{replacement}{space}", if before { " " } else { "" });
+        renamed.push(&replacement, span);
+        from = span.end;
+    }
+    renamed.push(&text[from..], Span::new(from, text.len()));
+    renamed
+}
+
+impl Renamed {
+    fn push(&mut self, text: &str, from: Span) {
+        if !text.is_empty() {
+            self.places.push((self.text.len(), from));
+            self.text.push_str(text);
+        }
+    }
+}
+
+fn ends_with_command(text: &str) -> bool {
+    text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).ends_with('\\')
+}
+
+fn collect(item: &Item, text: &str, table: &HashMap<Name, Name>, edits: &mut Vec<(Span, String)>) {
+    if let Some(printed) = names::printed(item, None) {
+        let spelled = |span: Span| text.get(span.range()).and_then(names::parse).is_some();
+        if let Some(new) = table.get(&printed.name)
+            && let Some((core, rest)) = parts(item)
+            && spelled(core)
+        {
+            let new = new.to_string();
+            let is_composed = new.contains(['_', '{']);
+            edits.push((core, if is_composed { format!("{{{new}}}") } else { new }));
+            edits.extend(rest.map(|rest| (rest, String::new())));
+        }
+        if let Some(sup) = printed.sup {
+            collect(sup, text, table, edits);
+        }
+        return;
+    }
+    let mut inside = |items: &[Item]| items.iter().for_each(|item| collect(item, text, table, edits));
+    match &item.layout {
+        Layout::Group(items) | Layout::Fence(_, items) => inside(items),
+        Layout::Fraction(a, b) => {
+            inside(std::slice::from_ref(a));
+            inside(std::slice::from_ref(b));
+        }
+        Layout::Root(index, body) => {
+            index.iter().for_each(|index| inside(std::slice::from_ref(index)));
+            inside(std::slice::from_ref(body));
+        }
+        Layout::Accent(_, body) | Layout::Style(_, body) => inside(std::slice::from_ref(body)),
+        Layout::Scripts { nucleus, sub, sup, .. } => {
+            inside(std::slice::from_ref(nucleus));
+            sub.iter().chain(sup).for_each(|script| inside(std::slice::from_ref(script)));
+        }
+        Layout::Environment(_, rows) => rows.iter().flatten().for_each(|cell| inside(cell)),
+        _ => {}
+    }
+}
+
+/// The bytes of a name that its replacement takes, and those of its subscript, where that stands apart.
+fn parts(item: &Item) -> Option<(Span, Option<Span>)> {
+    match &item.layout {
+        Layout::Accent(command, inner) if overdots::order(command).is_some() => parts(inner),
+        Layout::Group(items) => match items.as_slice() {
+            [single] => parts(single),
+            _ => None,
+        },
+        Layout::Scripts { nucleus, sub, sup, primes: 0 } => {
+            let (core, rest) = parts(nucleus)?;
+            let Some(sub) = sub else { return Some((core, rest)) };
+            if rest.is_some() {
+                return None;
+            }
+            let from = match sup {
+                Some(sup) if sup.span.end <= sub.span.start => sup.span.end,
+                _ => nucleus.span.end,
+            };
+            Some((core, Some(Span::new(from, sub.span.end))))
+        }
+        Layout::Scripts { .. } => None,
+        _ => Some((item.span, None)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn with(text: &str, pairs: &[(&str, &str)]) -> Renamed {
+        let name = |text: &str| names::parse(text).unwrap().0;
+        let table = pairs.iter().map(|(a, b)| (name(a), name(b))).collect();
+        renamed(text, &Macros::default(), &table)
+    }
+
+    #[test]
+    fn names_are_replaced_with_their_dots_and_powers() {
+        let pairs = [("\\varphi", "\\theta"), ("R", "l"), ("m_1", "m")];
+        assert_eq!(with(r"\ddot\varphi = -\frac gR\sin\varphi", &pairs).text, r"\ddot\theta = -\frac gl\sin\theta");
+        assert_eq!(with(r"m_1R^2\dot\varphi^2", &pairs).text, r"ml^2\dot\theta^2");
+        assert_eq!(with(r"\frac{d\varphi}{dt}", &pairs).text, r"\frac{d\theta}{dt}");
+        assert_eq!(with("ab", &[("a", "\\theta")]).text, r"\theta b");
+        assert_eq!(with("a^2", &[("a", "v_0")]).text, "{v_0}^2");
+        // The twin: a name that only begins alike stays.
+        assert_eq!(with("m_2 R_1", &pairs).text, "m_2 R_1");
+    }
+
+    #[test]
+    fn functions_of_other_languages_are_read() {
+        assert_eq!(with(r"\operatorname{sen}\alpha", &[]).text, r"\sin\alpha");
+        assert_eq!(with(r"\mathrm{tg}x", &[]).text, r"\tan x");
+        assert_eq!(with(r"v_{\mathrm{sen}}", &[]).text, r"v_{\mathrm{sen}}");
+    }
+
+    #[test]
+    fn two_letters_may_change_places() {
+        assert_eq!(with("a b", &[("a", "b"), ("b", "a")]).text, "b a");
+    }
+
+    #[test]
+    fn places_lead_back_to_the_original() {
+        let text = r"\ddot\varphi = -\frac gR\sin\varphi";
+        let new = with(text, &[("\\varphi", "\\theta"), ("R", "l")]);
+        let at = new.text.find("- ").unwrap_or(new.text.find('-').unwrap());
+        let back = new.original(Span::new(at, at + 1));
+        assert_eq!(&text[back.range()], "-");
+        let at = new.text.find("\\sin").unwrap();
+        assert_eq!(&text[new.original(Span::new(at, new.text.len())).range()], r"\sin\varphi");
+    }
+}

@@ -1,0 +1,173 @@
+//! The pages of a marked class: an index, and a page for each student with every line typeset and its mark beside it.
+
+use maud::{Markup, html};
+
+use super::{Page, framed, prose, style, typeset};
+use crate::check::mark::{Line, Mark, Marked, Reached};
+use crate::notes::{Kind, MacroDefinition, Notes};
+use crate::report::marks::{Hints, called, correction, hint, number};
+
+/// The pages of a class.
+pub fn class_pages(problem: &str, class: &[Marked], hints: Hints) -> Vec<Page> {
+    let names = names(class);
+    let page = |name: &str, title: &str, body: &Markup| Page {
+        name: name.to_owned(),
+        text: framed(title, body, false).into_string(),
+    };
+    let mut all = vec![page("index.html", "Marks", &index(problem, class, &names))];
+    for (marked, name) in class.iter().zip(&names) {
+        all.push(page(name, &marked.student, &student(marked, hints)));
+    }
+    all.push(Page { name: "style.css".to_owned(), text: style::STYLE.to_owned() });
+    all
+}
+
+fn names(class: &[Marked]) -> Vec<String> {
+    let mut names: Vec<String> = vec!["index.html".to_owned()];
+    for marked in class {
+        let plain = |c: char| if c.is_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
+        let stem: String = marked.student.chars().map(plain).collect();
+        let all = std::iter::once(format!("{stem}.html")).chain((2..).map(|n| format!("{stem}-{n}.html")));
+        let name = all.into_iter().find(|name| !names.contains(name));
+        names.extend(name);
+    }
+    names.remove(0);
+    names
+}
+
+fn index(problem: &str, class: &[Marked], names: &[String]) -> Markup {
+    html! {
+        header {
+            h1 { "Marks" }
+            p { (class.len()) " hand-ins, marked by " (problem) "." }
+        }
+        div class="wide" tabindex="0" role="region" aria-label="Students and their points" {
+            table {
+                thead { tr {
+                    th scope="col" { "student" } th scope="col" { "points" } th scope="col" { "right" }
+                    th scope="col" { "wrong" } th scope="col" { "carried" } th scope="col" { "missing" }
+                    th scope="col" { "to look at" }
+                } }
+                tbody {
+                    @for (marked, name) in class.iter().zip(names) {
+                        tr {
+                            th scope="row" { a href=(name) { (marked.student) } }
+                            td { (number(marked.got())) " of " (number(marked.points())) }
+                            td { (marked.count(Mark::Right)) } td { (marked.count(Mark::Wrong)) } td { (marked.count(Mark::Carried)) }
+                            td { (marked.results.iter().filter(|result| result.reached == Reached::No).count()) }
+                            td { (marked.count(Mark::Unread) + marked.count(Mark::Open) + usize::from(marked.fault.is_some())) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn student(marked: &Marked, hints: Hints) -> Markup {
+    let kind = Kind::of(std::path::Path::new(&marked.source.path)).unwrap_or(Kind::Markdown);
+    let notes = Notes::parse(marked.source.clone(), kind);
+    let (displays, macros) = notes.map_or_else(|_| (Vec::new(), Vec::new()), |notes| (notes.equations, notes.macros));
+    let text = &marked.source.text;
+    let mut from = 0;
+    let mut blocks = Vec::new();
+    for display in &displays {
+        blocks.push(prose::prose(text.get(from..display.span.start).unwrap_or_default(), kind, &macros));
+        for (at, line) in marked.lines.iter().enumerate().filter(|(_, line)| display.span.contains(line.span)) {
+            blocks.push(shown(marked, (at, line), &macros, hints));
+        }
+        from = display.span.end;
+    }
+    blocks.push(prose::prose(text.get(from..).unwrap_or_default(), kind, &macros));
+    let inline: Vec<(usize, &Line)> = marked.lines.iter().enumerate().filter(|(_, line)| line.inline).collect();
+    html! {
+        nav { a href="index.html" { "All students" } }
+        header {
+            h1 { (marked.student) }
+            p class="path" { (marked.source.path) }
+            p { (number(marked.got())) " of " (number(marked.points())) " points" }
+        }
+        @if let Some(fault) = &marked.fault { p { "This file could not be read: " (fault) "." } }
+        @if hints.0 == 0 && marked.is_wrong() { p { "Something in this hand-in is wrong or missing." } }
+        @if !marked.letters.is_empty() {
+            p { "Letters: " @for (at, (own, other)) in marked.letters.iter().enumerate() {
+                @if at > 0 { ", " } (typeset::inline(own, &macros)) " stands for " (typeset::inline(other, &macros))
+            } "." }
+        }
+        article { @for block in &blocks { (block) } }
+        @if !inline.is_empty() {
+            section aria-labelledby="inline" {
+                h2 id="inline" { "Equations inside the text" }
+                @for (at, line) in inline { (shown(marked, (at, line), &macros, hints)) }
+            }
+        }
+        section aria-labelledby="results" {
+            h2 id="results" { "Results" }
+            div class="wide" tabindex="0" role="region" aria-label="Results and their points" {
+                table {
+                    thead { tr { th scope="col" { "result" } th scope="col" { "reached" } th scope="col" { "points" } } }
+                    tbody {
+                        @for result in &marked.results {
+                            tr {
+                                th scope="row" { (called(result)) }
+                                td {
+                                    (result.reached.word())
+                                    @if let Some(line) = result.line.filter(|_| hints.0 > 0) {
+                                        ", " a href={ "#line-" (line) } { (marked.lines[line].name) }
+                                    }
+                                }
+                                td { (number(result.got)) " of " (number(result.points)) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition], hints: Hints) -> Markup {
+    let class = match line.mark {
+        _ if hints.0 == 0 => "given",
+        Mark::Right => "verified",
+        Mark::Wrong => "refuted",
+        Mark::Carried | Mark::Open | Mark::Unread => "undecided",
+        Mark::Given => "given",
+    };
+    let badge = match line.mark {
+        Mark::Right | Mark::Given => "badge good",
+        Mark::Wrong => "badge bad",
+        Mark::Carried | Mark::Open | Mark::Unread => "badge known",
+    };
+    html! {
+        section class={ "equation " (class) } id={ "line-" (at) } aria-label=(line.name) {
+            div class="line" {
+                div class="wide" tabindex="0" role="region" aria-label={ "The equation of " (line.name) } {
+                    (typeset::block(&line.statement, macros))
+                }
+                span class="number" { (line.id.as_deref().unwrap_or(&line.name)) }
+                @if hints.0 > 0 { span class=(badge) { (line.mark.sign()) " " (line.mark.word()) } }
+            }
+            @if hints.0 > 0 {
+                p { (line.because)
+                    @if let Some(from) = line.follows_from { " " a href={ "#line-" (from) } { "See " (marked.lines[from].name) } }
+                    "." }
+                @if line.mark == Mark::Wrong { p { (hint(marked, line, hints)) "." } }
+                @if hints.0 >= 3 && line.mark == Mark::Wrong {
+                    @if let Some(text) = corrected(marked, line) {
+                        div class="wide" tabindex="0" role="region" aria-label="The corrected line" { (typeset::block(&text, macros)) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A wrong line with its correction.
+fn corrected(marked: &Marked, line: &Line) -> Option<String> {
+    let (_, should) = correction(marked, line)?;
+    let slip = line.slip.as_ref().filter(|slip| line.span.contains(slip.span))?;
+    let mut text = marked.source.slice(line.span).to_owned();
+    text.replace_range(slip.span.start - line.span.start..slip.span.end - line.span.start, &format!(" {should} "));
+    Some(text)
+}

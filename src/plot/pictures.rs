@@ -1,0 +1,474 @@
+//! What each kind of picture shows, as numbers.
+
+use nalgebra::Vector3;
+
+use super::figure::{Curve, Figure};
+use super::trajectory::{self, Moment, TOLERANCE};
+use crate::formula::text::{number, plain, with_dots};
+use crate::mechanics::System;
+use crate::{Error, Result};
+
+/// A kind of picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The coordinates against the time.
+    Motion,
+    /// The relative change of the energy along the integrated motion.
+    Drift,
+    /// The effective potential, with the energy and the turning points.
+    Potential,
+    /// The axis of a top on the sphere: steady precession and the three kinds of nutation.
+    Axis,
+    /// The rates of steady precession against the spin.
+    Rates,
+    /// The angular velocity of a free body on its ellipsoid of energy.
+    Polhodes,
+}
+
+/// A state, and for how long it moves.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// The coordinates.
+    pub q: Vec<f64>,
+    /// The velocities.
+    pub v: Vec<f64>,
+    /// The parameters.
+    pub parameters: Vec<f64>,
+    /// The time at which the motion ends.
+    pub end: f64,
+}
+
+/// A picture of a system.
+///
+/// # Errors
+/// When the system has no such picture, or its motion cannot be integrated.
+pub fn picture(kind: Kind, system: &System, start: &Start) -> Result<String> {
+    match kind {
+        Kind::Motion => motion(system, start),
+        Kind::Drift => drift(system, start),
+        Kind::Potential => potential(system, start),
+        Kind::Axis => axis(system, start),
+        Kind::Rates => rates(system, start),
+        Kind::Polhodes => polhodes(system, start),
+    }?
+    .svg()
+}
+
+fn name(latex: &str) -> String {
+    plain(latex)
+}
+
+fn motion(system: &System, start: &Start) -> Result<Figure> {
+    let moments = trajectory::motion(system, (&start.q, &start.v), &start.parameters, start.end, TOLERANCE)?;
+    let curve = |(i, latex): (usize, &String)| Curve {
+        name: name(latex),
+        look: i,
+        points: moments.iter().map(|moment| (moment.time, moment.q[i])).collect(),
+    };
+    Ok(Figure {
+        title: format!("The motion of {}", system.name()),
+        axes: ["t".to_owned(), system.coordinates().iter().map(|latex| name(latex)).collect::<Vec<_>>().join(", ")],
+        curves: system.coordinates().iter().enumerate().map(curve).collect(),
+        marks: Vec::new(),
+        is_square: false,
+    })
+}
+
+/// (E(t) − E(0)) / |E(0)| along a motion.
+///
+/// # Errors
+/// When the energy is not conserved, or the motion cannot be integrated.
+pub(super) fn energy_drift(system: &System, start: &Start, tolerance: f64) -> Result<Vec<(f64, f64)>> {
+    if system.depends_on_time() {
+        return Err(Error::new(format!("the energy of {} is not conserved", system.name())).help("plot the motion"));
+    }
+    let moments = trajectory::motion(system, (&start.q, &start.v), &start.parameters, start.end, tolerance)?;
+    let energy = |moment: &Moment| system.quantities(moment.time, &moment.q, &moment.v, &start.parameters).energy;
+    let first = moments.first().map_or(1.0, energy);
+    let scale = if first == 0.0 { 1.0 } else { first.abs() };
+    Ok(moments.iter().map(|moment| (moment.time, (energy(moment) - first) / scale)).collect())
+}
+
+fn drift(system: &System, start: &Start) -> Result<Figure> {
+    let drift = energy_drift(system, start, TOLERANCE)?;
+    let largest = drift.iter().map(|(_, change)| change.abs()).fold(0.0, f64::max);
+    let scale = 10_f64.powf(largest.max(1e-17).log10().floor());
+    Ok(Figure {
+        title: format!("The energy of {} changes by at most {}", system.name(), number(largest, 2)),
+        axes: ["t".to_owned(), format!("relative change of the energy / {scale:.0e}")],
+        curves: vec![Curve {
+            name: String::new(),
+            look: 0,
+            points: drift.into_iter().map(|(time, change)| (time, change / scale)).collect(),
+        }],
+        marks: Vec::new(),
+        is_square: false,
+    })
+}
+
+/// The coordinate that is not cyclic.
+fn single(system: &System) -> Result<usize> {
+    let moving: Vec<usize> = (0..system.coordinates().len()).filter(|&i| !system.is_cyclic(i)).collect();
+    match moving[..] {
+        [i] if !system.depends_on_time() => Ok(i),
+        _ => Err(Error::new(format!("{} has no effective potential of one coordinate", system.name()))
+            .help("name a system in which all coordinates but one are cyclic, such as heavy_top or kepler")),
+    }
+}
+
+/// U_eff at places of the coordinate that is not cyclic, from `low` to `high`, and the energy.
+pub(super) struct Well {
+    pub curve: Vec<(f64, f64)>,
+    pub energy: f64,
+    /// Where the energy is U_eff.
+    pub turning: Vec<f64>,
+}
+
+pub(super) fn well(system: &System, start: &Start) -> Result<Well> {
+    let i = single(system)?;
+    let parameters = &start.parameters;
+    let at = system.quantities(0.0, &start.q, &start.v, parameters);
+    let effective = |x: f64| {
+        let mut q = start.q.clone();
+        q[i] = x;
+        let still = vec![0.0; q.len()];
+        // the Routhian with the coordinate at rest, its cyclic momenta those of the start
+        system.routhian(0.0, &q, &still, &at.momenta, parameters).unwrap_or(f64::NAN)
+    };
+    // an angle goes once around, or half around if its ends are walls; a length starts at 0
+    let moments = trajectory::motion(system, (&start.q, &start.v), parameters, start.end, TOLERANCE)?;
+    let reached = |of: fn(f64, f64) -> f64, from: f64| moments.iter().map(|moment| moment.q[i]).fold(from, of);
+    let (least, most) = (reached(f64::min, f64::MAX), reached(f64::max, f64::MIN));
+    let width = (most - least).max(0.2);
+    let (low, high) = (least - 0.6 * width, most + 0.6 * width);
+    let points = 800;
+    let place = |k: usize| low + (high - low) * k as f64 / f64::from(points);
+    let over = |x: f64| effective(x) - at.energy;
+    let mut turning = Vec::new();
+    for k in 0..points as usize {
+        let (mut a, mut b) = (place(k), place(k + 1));
+        if over(a) * over(b) < 0.0 && over(a).abs().max(over(b).abs()) < 1e6 * at.energy.abs().max(1.0) {
+            for _ in 0..80 {
+                let middle = 0.5 * (a + b);
+                if over(a) * over(middle) <= 0.0 { b = middle } else { a = middle }
+            }
+            turning.push(0.5 * (a + b));
+        }
+    }
+    let curve = (0..=points as usize).map(|k| (place(k), effective(place(k)))).collect();
+    Ok(Well { curve, energy: at.energy, turning })
+}
+
+fn potential(system: &System, start: &Start) -> Result<Figure> {
+    let coordinate = name(&system.coordinates()[single(system)?]);
+    let well = well(system, start)?;
+    let bottom = well.curve.iter().map(|p| p.1).filter(|u| u.is_finite()).fold(f64::MAX, f64::min);
+    let top = well.energy + 2.0 * (well.energy - bottom).max(0.1 * well.energy.abs()).max(0.05);
+    let ends = [well.curve.first(), well.curve.last()].map(|point| point.map_or(0.0, |point| point.0));
+    let low = bottom.max(well.energy - 3.0 * (top - well.energy));
+    let shown = well.curve.iter().copied().filter(|&(_, u)| u <= top && u >= low).collect();
+    let places: Vec<String> = well.turning.iter().map(|x| number(*x, 4)).collect();
+    Ok(Figure {
+        title: format!("Turning points of {}: {coordinate} = {}", system.name(), places.join(", ")),
+        axes: [coordinate, "energy".to_owned()],
+        curves: vec![
+            Curve { name: "U_eff".to_owned(), look: 0, points: shown },
+            Curve { name: "E".to_owned(), look: 1, points: ends.map(|x| (x, well.energy)).to_vec() },
+        ],
+        marks: well.turning.iter().map(|&x| (x, well.energy)).collect(),
+        is_square: false,
+    })
+}
+
+/// A top: the coordinate of its tilt, the one that precesses, and the one that spins.
+const TOP: [usize; 3] = [1, 0, 2];
+
+fn is_top(system: &System) -> Result<()> {
+    let [tilt, turns, spins] = TOP;
+    let cyclic = |i: usize| system.is_cyclic(i);
+    let sound = system.coordinates().len() == 3 && system.has_orientation() && cyclic(turns) && cyclic(spins);
+    match sound && !cyclic(tilt) {
+        true => Ok(()),
+        false => Err(Error::new(format!("{} is no symmetric top", system.name())).help("name heavy_top")),
+    }
+}
+
+/// The velocities with a precession of `rate`, the tilt at rest, and a momentum of the spin.
+fn spinning(system: &System, start: &Start, rate: f64, momentum: f64) -> Vec<f64> {
+    let [_, turns, spins] = TOP;
+    let mut v = vec![0.0; 3];
+    v[turns] = rate;
+    let at = system.quantities(0.0, &start.q, &v, &start.parameters);
+    let mass = system.mass_matrix(0.0, &start.q, &v, &start.parameters);
+    v[spins] = (momentum - at.momenta[spins]) / mass[(spins, spins)];
+    v
+}
+
+/// The rates of steady precession, the slow one first: the roots of the Euler–Lagrange residual of the tilt, which is
+/// quadratic in the rate, from its values at three rates.
+pub(super) fn steady_rates(system: &System, start: &Start, momentum: f64) -> Option<[f64; 2]> {
+    let [tilt, ..] = TOP;
+    let residual = |rate: f64| {
+        let v = spinning(system, start, rate, momentum);
+        system.euler_lagrange(0.0, &start.q, &v, &start.parameters, &[0.0; 3])[tilt]
+    };
+    let (below, at, above) = (residual(-1.0), residual(0.0), residual(1.0));
+    let (a, b, c) = (0.5 * (above + below) - at, 0.5 * (above - below), at);
+    let square = b * b - 4.0 * a * c;
+    (square >= 0.0 && a.abs() > 1e-12 * b.abs()).then(|| {
+        // without cancellation
+        let q = -0.5 * (b + b.signum() * square.sqrt());
+        let (one, two) = (q / a, c / q);
+        if one.abs() < two.abs() { [one, two] } else { [two, one] }
+    })
+}
+
+fn rates(system: &System, start: &Start) -> Result<Figure> {
+    is_top(system)?;
+    let [.., spins] = TOP;
+    let mass = system.mass_matrix(0.0, &start.q, &[0.0; 3], &start.parameters)[(spins, spins)];
+    let gravity = system.quantities(0.0, &start.q, &[0.0; 3], &start.parameters);
+    let scale = (gravity.forces[TOP[0]].abs() / mass).sqrt().max(1e-3);
+    let mut found: [Vec<(f64, f64)>; 2] = [Vec::new(), Vec::new()];
+    let mut far: [Vec<(f64, f64)>; 2] = [Vec::new(), Vec::new()];
+    let tilt_force = gravity.forces[TOP[0]] / start.q[TOP[0]].sin();
+    for k in 1..=600 {
+        let spin = 8.0 * scale * f64::from(k) / 600.0;
+        if let Some([slow, fast]) = steady_rates(system, start, mass * spin) {
+            if fast.abs() < 8.0 * scale * mass.max(1.0) {
+                found[0].push((spin, fast));
+            }
+            found[1].push((spin, slow));
+        }
+        // the limits of a fast spin, from the same quadratic without its last and without its first term
+        let lambda = system.mass_matrix(0.0, &start.q, &[0.0; 3], &start.parameters)[(TOP[0], TOP[0])];
+        let limits = [mass * spin / (lambda * start.q[TOP[0]].cos()), tilt_force / (mass * spin)];
+        for (at, limit) in limits.into_iter().enumerate() {
+            if limit.abs() < 8.0 * scale * mass.max(1.0) && (at == 0 || limit < 3.0 * scale) {
+                far[at].push((spin, limit));
+            }
+        }
+    }
+    let [fast, slow] = found;
+    let [far_fast, far_slow] = far;
+    let curve = |name: &str, look: usize, points: Vec<(f64, f64)>| Curve { name: name.to_owned(), look, points };
+    Ok(Figure {
+        title: "Steady precession: two rates, and their limits for a fast spin".to_owned(),
+        axes: ["ω₃".to_owned(), "Ω".to_owned()],
+        curves: vec![
+            curve("Ω₊", 0, fast),
+            curve("Ω₊, fast spin", 1, far_fast),
+            curve("Ω₋", 3, slow),
+            curve("Ω₋, fast spin", 2, far_slow),
+        ],
+        marks: Vec::new(),
+        is_square: false,
+    })
+}
+
+/// A direction in space as it is seen from the side and a little from above: right and up, and whether it is in front.
+fn seen(direction: [f64; 3]) -> ((f64, f64), bool) {
+    let (turn, rise) = (0.6_f64, 0.42_f64);
+    let [x, y, z] = direction;
+    let (right, depth) = (y * turn.cos() - x * turn.sin(), x * turn.cos() + y * turn.sin());
+    ((right, z * rise.cos() - depth * rise.sin()), depth * rise.cos() + z * rise.sin() > 0.0)
+}
+
+fn axis(system: &System, start: &Start) -> Result<Figure> {
+    is_top(system)?;
+    let [_, _, spins] = TOP;
+    let momentum = system.quantities(0.0, &start.q, &start.v, &start.parameters).momenta[spins];
+    let Some([slow, _]) = steady_rates(system, start, momentum) else {
+        return Err(Error::new("the top does not spin fast enough for steady precession")
+            .help("give it a faster spin with --set"));
+    };
+    let kinds = [("steady", slow), ("cusps", 0.0), ("loops", -0.9 * slow), ("waves", 0.45 * slow)];
+    let mut curves = Vec::new();
+    let circle =
+        |of: &dyn Fn(f64) -> [f64; 3]| (0..=120).map(|k| seen(of(f64::from(k) * 0.052_359_877_559_83)).0).collect();
+    // the equator, and the outline of the sphere
+    curves.push(Curve { name: String::new(), look: 4, points: circle(&|t| [t.cos(), t.sin(), 0.0]) });
+    curves.push(Curve {
+        name: String::new(),
+        look: 4,
+        points: (0..=120).map(|k| (f64::from(k) * 0.052_359_877_559_83).sin_cos()).collect(),
+    });
+    for (look, (kind, rate)) in kinds.into_iter().enumerate() {
+        let v = spinning(system, start, rate, momentum);
+        let moments = trajectory::motion(system, (&start.q, &v), &start.parameters, start.end, TOLERANCE)?;
+        let tip = |moment: &Moment| {
+            let at = system.quantities(0.0, &moment.q, &moment.v, &start.parameters).orientation;
+            at.map_or((f64::NAN, f64::NAN), |rows| seen([rows[(2, 0)], rows[(2, 1)], rows[(2, 2)]]).0)
+        };
+        curves.push(Curve { name: kind.to_owned(), look, points: moments.iter().map(tip).collect() });
+    }
+    Ok(Figure {
+        title: "The axis of the top on the sphere".to_owned(),
+        axes: ["to the right".to_owned(), "up".to_owned()],
+        curves,
+        marks: Vec::new(),
+        is_square: true,
+    })
+}
+
+fn polhodes(system: &System, start: &Start) -> Result<Figure> {
+    let free = system.coordinates().len() == 3 && system.parameters().len() == 3 && system.has_orientation();
+    if !free {
+        return Err(Error::new(format!("{} is no free rigid body", system.name())).help("name free_rigid_body"));
+    }
+    let moments = Vector3::from_row_slice(&start.parameters);
+    // on the ellipsoid of energy 1/2: λ₁ω₁² + λ₂ω₂² + λ₃ω₃² = 1
+    let on = |direction: [f64; 3]| {
+        let size: f64 = (0..3).map(|i| moments[i] * direction[i] * direction[i]).sum::<f64>().sqrt();
+        direction.map(|x| x / size)
+    };
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+    let middle = order[1];
+    let along = |axis: usize, off: f64, other: usize, sign: f64| {
+        let mut direction = [0.0; 3];
+        direction[axis] = sign;
+        direction[other] = off;
+        on(direction)
+    };
+    let mut curves = Vec::new();
+    let mut draw = |name: String, look: usize, from: [f64; 3]| -> Result<()> {
+        let path = trajectory::polhode(system, &start.parameters, from, 60.0)?;
+        let points = path.iter().map(|omega| seen(*omega).0).collect();
+        curves.push(Curve { name, look, points });
+        Ok(())
+    };
+    let label = |axis: usize, kind: &str| format!("about axis {}, {kind}", axis + 1);
+    for (look, axis) in [(0, order[0]), (3, order[2])] {
+        for (off, sign) in [(0.25, 1.0), (0.55, 1.0), (0.25, -1.0), (0.55, -1.0)] {
+            let first = off == 0.25 && sign == 1.0;
+            draw(if first { label(axis, "stable") } else { String::new() }, look, along(axis, off, middle, sign))?;
+        }
+    }
+    for sign in [1.0, -1.0] {
+        let name = if sign > 0.0 { label(middle, "unstable") } else { String::new() };
+        draw(name, 1, along(middle, 0.02, order[0], sign))?;
+    }
+    Ok(Figure {
+        title: "Angular velocity of a free body on its ellipsoid of energy".to_owned(),
+        axes: ["ω to the right".to_owned(), "ω up".to_owned()],
+        curves,
+        marks: [1.0, -1.0].map(|sign| seen(along(middle, 0.0, order[0], sign)).0).to_vec(),
+        is_square: true,
+    })
+}
+
+impl Start {
+    /// A start for a system: its parameters 1, a body with a fast spin, lengths 1, angles 1/2, and cyclic coordinates
+    /// that turn. `given` are names with values, of parameters, coordinates and their rates.
+    ///
+    /// # Errors
+    /// For a name that the system does not have.
+    pub fn of(system: &System, given: &[(String, f64)], end: f64) -> Result<Start> {
+        let n = system.coordinates().len();
+        let body = system.has_orientation();
+        let free = body && system.is_cyclic(0) && !system.is_cyclic(2);
+        let parameters = (1..=system.parameters().len()).map(|k| if free { k as f64 } else { 1.0 }).collect();
+        let q = (0..n).map(|i| if body || !system.is_cyclic(i) { 0.9 } else { 0.0 }).collect();
+        let v = (0..n).map(|i| match (body, system.is_cyclic(i)) {
+            (true, _) if i == 2 => 4.0,
+            (false, true) => 1.2,
+            _ => 0.0,
+        });
+        let mut start = Start { q, v: v.collect(), parameters, end };
+        for (latex, value) in given {
+            let of =
+                |names: &[String], dots: u8| names.iter().position(|own| plain(&with_dots(own, dots)) == plain(latex));
+            if let Some(i) = of(system.parameters(), 0) {
+                start.parameters[i] = *value;
+            } else if let Some(i) = of(system.coordinates(), 0) {
+                start.q[i] = *value;
+            } else if let Some(i) = of(system.coordinates(), 1) {
+                start.v[i] = *value;
+            } else {
+                let all: Vec<&str> =
+                    system.coordinates().iter().chain(system.parameters()).map(String::as_str).collect();
+                return Err(Error::new(format!("{latex} is no coordinate, rate or parameter of {}", system.name()))
+                    .help(format!("its names are {}; a rate is \\dot and the coordinate", all.join(", "))));
+            }
+        }
+        Ok(start)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::systems::{FreeRigidBody, HeavyTop, Kepler, Pendulum};
+
+    fn start(system: &System, given: &[(&str, f64)]) -> Start {
+        let given: Vec<(String, f64)> = given.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
+        Start::of(system, &given, 30.0).unwrap()
+    }
+
+    #[test]
+    fn the_motion_turns_at_the_turning_points() {
+        let systems = [
+            System::new(&HeavyTop).unwrap(),
+            System::new(&Kepler).unwrap(),
+            System::new(&Pendulum::<1>::new()).unwrap(),
+        ];
+        for system in &systems {
+            let start = start(system, &[]);
+            let (i, well) = (single(system).unwrap(), well(system, &start).unwrap());
+            let moments = trajectory::motion(system, (&start.q, &start.v), &start.parameters, 30.0, TOLERANCE).unwrap();
+            let reached = moments.iter().map(|moment| moment.q[i]);
+            let (least, most) = (reached.clone().fold(f64::MAX, f64::min), reached.fold(f64::MIN, f64::max));
+            let near = |x: f64| well.turning.iter().any(|turning| (turning - x).abs() < 2e-3);
+            assert!(near(least) && near(most), "{}: {least} {most} {:?}", system.name(), well.turning);
+            // must-fail case
+            assert!(!near(0.5 * (least + most)), "{}", system.name());
+        }
+    }
+
+    #[test]
+    fn the_energy_drifts_less_with_a_tighter_tolerance() {
+        let system = System::new(&Pendulum::<2>::new()).unwrap();
+        let start = start(&system, &[("\\theta_1", 1.2), ("\\theta_2", -0.4)]);
+        let largest = |tolerance: f64| {
+            energy_drift(&system, &start, tolerance).unwrap().iter().map(|(_, change)| change.abs()).fold(0.0, f64::max)
+        };
+        assert!(largest(TOLERANCE) < 1e-8, "{}", largest(TOLERANCE));
+        assert!(largest(1e-4) > 100.0 * largest(TOLERANCE));
+    }
+
+    #[test]
+    fn the_rates_of_precession_are_those_of_the_lecture() {
+        let top = System::new(&HeavyTop).unwrap();
+        let start = start(
+            &top,
+            &[("\\lambda_1", 0.8), ("\\lambda_3", 1.3), ("M", 2.0), ("g", 0.7), ("R", 0.6), ("\\theta", 1.1)],
+        );
+        for spin in [2.0, 3.0, 10.0] {
+            let (l, c, w) = (0.8, 1.1_f64.cos(), 2.0 * 0.7 * 0.6);
+            let p = 1.3 * spin;
+            let root = (p * p - 4.0 * w * l * c).sqrt();
+            let expected = [(p - root) / (2.0 * l * c), (p + root) / (2.0 * l * c)];
+            let found = steady_rates(&top, &start, p).unwrap();
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-9 * expected.abs(), "{found} {expected}");
+                assert!((found - 1.01 * expected).abs() > 1e-9 * expected.abs());
+            }
+        }
+        assert!(steady_rates(&top, &start, 0.1).is_none());
+    }
+
+    #[test]
+    fn a_polhode_keeps_the_energy_and_the_angular_momentum() {
+        let body = System::new(&FreeRigidBody).unwrap();
+        let moments = [1.0, 2.0, 3.0];
+        let path = trajectory::polhode(&body, &moments, [0.02, 0.7, 0.01], 40.0).unwrap();
+        let energy = |w: &[f64; 3]| (0..3).map(|i| moments[i] * w[i] * w[i]).sum::<f64>();
+        let square = |w: &[f64; 3]| (0..3).map(|i| (moments[i] * w[i]).powi(2)).sum::<f64>();
+        for of in [&energy as &dyn Fn(&[f64; 3]) -> f64, &square] {
+            assert!(path.iter().all(|w| (of(w) - of(&path[0])).abs() < 1e-7), "not kept");
+        }
+        // about the middle axis it turns over: ω itself is not kept
+        assert!(path.iter().any(|w| w[1] < -0.5));
+    }
+}

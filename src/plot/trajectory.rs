@@ -1,0 +1,128 @@
+//! Motions of a traced system, integrated with error control.
+
+use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
+use num_dual::Dual;
+
+use crate::mechanics::System;
+use crate::{Error, Result};
+
+/// The relative tolerance of an integration.
+pub const TOLERANCE: f64 = 1e-11;
+
+/// A state of a motion.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// The time.
+    pub time: f64,
+    /// The coordinates.
+    pub q: Vec<f64>,
+    /// The velocities.
+    pub v: Vec<f64>,
+}
+
+struct Motion<'a> {
+    system: &'a System,
+    parameters: &'a [f64],
+}
+
+impl ODE<f64, Vec<f64>> for Motion<'_> {
+    fn diff(&self, t: f64, y: &Vec<f64>, rate: &mut Vec<f64>) {
+        let (q, v) = y.split_at(y.len() / 2);
+        // where there are no accelerations, the step is not finite and is refused
+        let a = self.system.accelerations(t, q, v, self.parameters).unwrap_or_else(|_| vec![f64::NAN; q.len()]);
+        rate.clear();
+        rate.extend(v.iter().chain(&a));
+    }
+}
+
+/// The motion from a state, at even times from 0 to `end`.
+///
+/// # Errors
+/// When the integration ends before, as at a collision.
+pub fn motion(
+    system: &System,
+    start: (&[f64], &[f64]),
+    parameters: &[f64],
+    end: f64,
+    tolerance: f64,
+) -> Result<Vec<Moment>> {
+    const POINTS: u32 = 600;
+    let motion = Motion { system, parameters };
+    let lost =
+        || Error::new("the motion cannot be integrated to the end").help("give another start, or a shorter time");
+    let states = integrated(&motion, [start.0, start.1].concat(), end, POINTS, tolerance).ok_or_else(lost)?;
+    let n = start.0.len();
+    let moment = |(time, y): (f64, Vec<f64>)| Moment { time, q: y[..n].to_vec(), v: y[n..].to_vec() };
+    Ok(states.into_iter().map(moment).collect())
+}
+
+/// The states at even times. Each stretch ends where a step ends, since what is interpolated between steps is less
+/// accurate than the steps; `None` if the integration ends before.
+fn integrated<E: ODE<f64, Vec<f64>>>(
+    equation: &E,
+    start: Vec<f64>,
+    end: f64,
+    points: u32,
+    tolerance: f64,
+) -> Option<Vec<(f64, Vec<f64>)>> {
+    let time = |k: u32| end * f64::from(k) / f64::from(points);
+    let mut states = vec![(0.0, start)];
+    for k in 0..points {
+        let (from, state) = states.last()?.clone();
+        let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance);
+        let solution = IVP::ode(equation, from, time(k + 1), state).method(method).solve().ok()?;
+        let last = solution.y.last()?.clone();
+        if last.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        states.push((time(k + 1), last));
+    }
+    Some(states)
+}
+
+/// ω along the axes of a free body, from a value on, at even times.
+struct Turning<'a> {
+    system: &'a System,
+    parameters: &'a [f64],
+}
+
+impl Turning<'_> {
+    /// The rate of ω: the body is looked at in an orientation at which its angles are sound.
+    fn rate(&self, omega: &[f64]) -> Option<[f64; 3]> {
+        let q = [0.0, std::f64::consts::FRAC_PI_2, 0.3];
+        let rates = |v: &[f64]| self.system.quantities(0.0, &q, v, self.parameters).body_rates;
+        let mut columns = nalgebra::Matrix3::zeros();
+        for i in 0..3 {
+            let mut unit = [0.0; 3];
+            unit[i] = 1.0;
+            columns.set_column(i, &rates(&unit)?);
+        }
+        let v = columns.lu().solve(&nalgebra::Vector3::from_row_slice(omega))?;
+        let a = self.system.accelerations(0.0, &q, v.as_slice(), self.parameters).ok()?;
+        let moving = |x: &[f64], rate: &[f64]| x.iter().zip(rate).map(|(&x, &r)| Dual::new(x, r)).collect::<Vec<_>>();
+        let still = |x: &[f64]| x.iter().map(|&x| Dual::from_re(x)).collect::<Vec<_>>();
+        let (q, v, p) = (moving(&q, v.as_slice()), moving(v.as_slice(), &a), still(self.parameters));
+        let along = self.system.quantities(Dual::from_re(0.0), &q, &v, &p).body_rates?;
+        Some([along[0].eps, along[1].eps, along[2].eps])
+    }
+}
+
+impl ODE<f64, Vec<f64>> for Turning<'_> {
+    fn diff(&self, _: f64, y: &Vec<f64>, rate: &mut Vec<f64>) {
+        rate.clear();
+        rate.extend(self.rate(y).unwrap_or([f64::NAN; 3]));
+    }
+}
+
+/// The angular velocity along the axes of a body without torque, from a value on.
+///
+/// # Errors
+/// When the system has no orientation, or the integration ends before.
+pub fn polhode(system: &System, parameters: &[f64], omega: [f64; 3], end: f64) -> Result<Vec<[f64; 3]>> {
+    let turning = Turning { system, parameters };
+    let states = integrated(&turning, omega.to_vec(), end, 400, TOLERANCE).ok_or_else(|| {
+        Error::new("a polhode cannot be integrated")
+            .help("polhodes are drawn of a free rigid body, such as free_rigid_body")
+    })?;
+    Ok(states.iter().map(|(_, y)| [y[0], y[1], y[2]]).collect())
+}

@@ -1,0 +1,259 @@
+//! Marks for people and for machines: text, and one table as CSV and JSON.
+//!
+//! Every table has the same columns, [`COLUMNS`]: one row for each student and line, and one for each missing result. What
+//! a hint may say depends on its level; nothing else here says what the right line is.
+
+use serde_json::{Value, json};
+
+use crate::check::mark::{Line, Mark, Marked, Reached, ResultMark};
+use crate::notes::claims::Lost;
+
+use super::style::Style;
+use super::wrap::wrap;
+
+/// The columns of a table.
+pub const COLUMNS: [&str; 13] = [
+    "student",
+    "file",
+    "line",
+    "id",
+    "statement",
+    "mark",
+    "credit",
+    "verdict",
+    "follows_from",
+    "hint",
+    "result",
+    "points",
+    "because",
+];
+
+/// The most that a hint says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Hints(pub u8);
+
+/// The kind of a slip in words.
+pub fn kind(lost: Lost) -> &'static str {
+    match lost {
+        Lost::Sign => "a sign is wrong",
+        Lost::Factor => "a factor or a number is wrong",
+        Lost::Power => "a power is wrong",
+        Lost::Function => "a function is wrong, such as a sine for a cosine",
+        Lost::Symbol => "a symbol stands for another one",
+        Lost::Dot => "a dot is lost or stands there too often",
+        Lost::Term => "a term is lost, or does not belong there",
+    }
+}
+
+/// The hint for a wrong line; empty, if the level allows none.
+pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
+    if marked.count(Mark::Wrong) == 0 {
+        return String::new();
+    }
+    if hints.0 == 0 {
+        return "something in this hand-in is wrong".to_owned();
+    }
+    if line.mark != Mark::Wrong {
+        return String::new();
+    }
+    let slip = line.slip.as_ref();
+    let mut text = "look at this line".to_owned();
+    if hints.0 >= 2 {
+        let kind = slip.map_or("no single slip explains it", |slip| kind(slip.lost));
+        text += &format!(": {kind}");
+    }
+    if hints.0 >= 3 {
+        if let Some((is, should)) = correction(marked, line) {
+            text += &match (is.as_str(), should.as_str()) {
+                ("", should) => format!("; add {should}"),
+                (is, "") => format!("; leave out {is}"),
+                (is, should) => format!("; {should} in place of {is}"),
+            };
+        } else if let Some(derived) = &line.derived {
+            text += &format!("; it is off by, or should read: {derived}");
+        }
+    }
+    text
+}
+
+/// What a wrong line has, and what should stand there.
+pub fn correction(marked: &Marked, line: &Line) -> Option<(String, String)> {
+    let slip = line.slip.as_ref()?;
+    let replacement = slip.replacement.as_ref()?;
+    Some((marked.source.slice(slip.span).trim().to_owned(), replacement.trim().to_owned()))
+}
+
+/// The rows of a class, as texts under [`COLUMNS`].
+pub fn rows(class: &[Marked], hints: Hints) -> Vec<[String; 13]> {
+    let mut rows = Vec::new();
+    for marked in class {
+        let row = || {
+            let mut row: [String; 13] = Default::default();
+            (row[0], row[1]) = (marked.student.clone(), marked.source.path.clone());
+            row
+        };
+        if let Some(fault) = &marked.fault {
+            let mut row = row();
+            (row[5], row[12]) = (Mark::Unread.word().to_owned(), fault.clone());
+            rows.push(row);
+        }
+        for line in &marked.lines {
+            let mut row = row();
+            row[2] = line.line.to_string();
+            row[3] = line.id.clone().unwrap_or_else(|| line.name.clone());
+            row[4].clone_from(&line.statement);
+            row[5] = line.mark.word().to_owned();
+            row[6] = line.credit.map(number).unwrap_or_default();
+            row[7] = line.verdict.map(|verdict| verdict.word().to_owned()).unwrap_or_default();
+            row[8] = line.follows_from.map(|from| marked.lines[from].name.clone()).unwrap_or_default();
+            row[9] = hint(marked, line, hints);
+            if let Some(result) = line.result.and_then(|at| marked.results.get(at)) {
+                (row[10], row[11]) = (result.id.clone(), number(result.points));
+            }
+            row[12].clone_from(&line.because);
+            rows.push(row);
+        }
+        for result in marked.results.iter().filter(|result| result.reached == Reached::No) {
+            let mut row = row();
+            (row[5], row[6]) = ("missing".to_owned(), number(0.0));
+            (row[10], row[11]) = (result.id.clone(), number(result.points));
+            row[12] = format!("no line says {}", called(result));
+            rows.push(row);
+        }
+    }
+    rows
+}
+
+/// A number of points, without needless digits.
+pub fn number(points: f64) -> String {
+    let text = format!("{points:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// The name of a result.
+pub fn called(result: &ResultMark) -> String {
+    match &result.name {
+        Some(name) => format!("({}), {name}", result.id),
+        None => format!("({})", result.id),
+    }
+}
+
+/// The table as CSV.
+pub fn csv(class: &[Marked], hints: Hints) -> String {
+    let quoted = |text: &str| match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
+    };
+    let mut out = COLUMNS.join(",") + "\r\n";
+    for row in rows(class, hints) {
+        // A spreadsheet would take such a text for a formula of its own.
+        let safe =
+            row.iter().map(|text| match text.starts_with(['=', '+', '@']) || text.starts_with('-') && text.len() > 1 {
+                true => quoted(&format!(" {text}")),
+                false => quoted(text),
+            });
+        out += &(safe.collect::<Vec<_>>().join(",") + "\r\n");
+    }
+    out
+}
+
+/// The class as JSON: the same rows, and the students with their results.
+pub fn json(problem: &str, class: &[Marked], hints: Hints) -> Value {
+    let row = |row: [String; 13]| {
+        let value = |(name, text): (&&str, String)| {
+            let value = match *name {
+                "line" => text.parse::<usize>().map_or(Value::Null, Value::from),
+                "credit" | "points" => text.parse::<f64>().map_or(Value::Null, Value::from),
+                _ if text.is_empty() => Value::Null,
+                _ => Value::from(text),
+            };
+            ((*name).to_owned(), value)
+        };
+        Value::Object(COLUMNS.iter().zip(row).map(value).collect())
+    };
+    let result = |marked: &Marked, result: &ResultMark| {
+        json!({
+            "id": result.id, "name": result.name, "points": result.points, "credit": result.got,
+            "reached": result.reached.word(), "line": result.line.map(|at| marked.lines[at].name.clone()),
+        })
+    };
+    let student = |marked: &Marked| {
+        let letters: serde_json::Map<String, Value> =
+            marked.letters.iter().map(|(own, other)| (own.clone(), Value::from(other.clone()))).collect();
+        json!({
+            "student": marked.student, "file": marked.source.path, "credit": marked.got(), "points": marked.points(),
+            "right": marked.count(Mark::Right), "wrong": marked.count(Mark::Wrong), "carried": marked.count(Mark::Carried),
+            "letters": letters, "fault": marked.fault,
+            "results": marked.results.iter().map(|found| result(marked, found)).collect::<Vec<_>>(),
+        })
+    };
+    json!({
+        "schema": 1,
+        "problem": problem,
+        "students": class.iter().map(student).collect::<Vec<_>>(),
+        "rows": rows(class, hints).into_iter().map(row).collect::<Vec<_>>(),
+    })
+}
+
+/// The class as text: each student with the lines, and the points of all.
+pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
+    let mut out = String::new();
+    for marked in class {
+        let head = format!("{}: {} of {} points", marked.source.path, number(marked.got()), number(marked.points()));
+        out += &(wrap("", &head, 2, style.width) + "\n");
+        if let Some(fault) = &marked.fault {
+            out += &(wrap("  ? not read: ", fault, 6, style.width) + "\n");
+        }
+        if !marked.letters.is_empty() {
+            let letters: Vec<String> = marked.letters.iter().map(|(own, other)| format!("{own} for {other}")).collect();
+            out += &(wrap("  letters: ", &letters.join(", "), 4, style.width) + "\n");
+        }
+        let width = marked.lines.iter().map(|line| line.name.len()).max().unwrap_or(0);
+        for line in &marked.lines {
+            let first = format!("  {} {:width$}  ", line.mark.sign(), line.name);
+            out += &(wrap(&first, &line.statement, 4 + width + 2, style.width) + "\n");
+            let mut notes = Vec::new();
+            match line.mark {
+                Mark::Right if line.because == "follows from the problem" => {}
+                _ => notes.push(format!("{}: {}", line.mark.word(), line.because)),
+            }
+            if let (Some(at), Some(credit)) = (line.result, line.credit) {
+                let result = &marked.results[at];
+                let how =
+                    if result.reached == Reached::Yes { String::new() } else { format!(", {}", result.reached.word()) };
+                notes.push(format!("result {}{how}: {} of {}", called(result), number(credit), number(result.points)));
+            }
+            if line.mark == Mark::Wrong && hints.0 > 0 {
+                notes.push(hint(marked, line, hints));
+            }
+            let indent = " ".repeat(4 + width + 2);
+            for note in notes {
+                out += &(wrap(&indent, &note, 4 + width + 2, style.width) + "\n");
+            }
+        }
+        for result in marked.results.iter().filter(|result| result.reached == Reached::No) {
+            out += &(wrap("  missing: ", &called(result), 4, style.width) + "\n");
+        }
+        if marked.lines.is_empty() && marked.fault.is_none() {
+            out += "  there is no equation in this file\n";
+        }
+        out.push('\n');
+    }
+    let width = class.iter().map(|marked| marked.student.chars().count()).max().unwrap_or(0).max("student".len());
+    out += &format!(
+        "{:width$}  {:>7}  {:>5}  {:>5}  {:>7}  {:>7}\n",
+        "student", "points", "right", "wrong", "carried", "missing"
+    );
+    for marked in class {
+        let missing = marked.results.iter().filter(|result| result.reached == Reached::No).count();
+        let points = format!("{}/{}", number(marked.got()), number(marked.points()));
+        let (right, wrong, carried) =
+            (marked.count(Mark::Right), marked.count(Mark::Wrong), marked.count(Mark::Carried));
+        let open = if marked.is_open() { "  (look: something was not read)" } else { "" };
+        out += &format!(
+            "{:width$}  {points:>7}  {right:>5}  {wrong:>5}  {carried:>7}  {missing:>7}{open}\n",
+            marked.student
+        );
+    }
+    out
+}

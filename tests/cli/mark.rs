@@ -1,0 +1,171 @@
+//! `onshell mark`: hand-ins in `tests/mark`, each with the marks that a fair teacher gives in comments beside its lines.
+
+use std::path::Path;
+
+use crate::support::{Desk, Run};
+
+/// The words in the comments of a hand-in.
+fn expected(text: &str) -> Vec<String> {
+    let words = |comment: &str| comment.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    let tex = text.lines().filter_map(|line| Some(line.split_once('%')?.1));
+    let markdown = text.split("<!--").skip(1).filter_map(|rest| Some(rest.split_once("-->")?.0));
+    let is_tex = !text.contains("<!--");
+    if is_tex { tex.flat_map(words).collect() } else { markdown.flat_map(words).collect() }
+}
+
+/// The marks of a student in a table, the missing results, and the points.
+fn found(run: &Run, student: &str) -> Vec<String> {
+    let report = run.json();
+    let rows = report["rows"].as_array().unwrap().iter().filter(|row| row["student"] == student);
+    let mut found: Vec<String> = rows
+        .map(|row| match row["mark"].as_str().unwrap() {
+            "missing" => format!("missing:{}", row["result"].as_str().unwrap()),
+            mark => mark.to_owned(),
+        })
+        .collect();
+    let student = report["students"].as_array().unwrap().iter().find(|one| one["student"] == student).unwrap();
+    found.push(format!("points:{}", student["credit"].as_f64().unwrap()));
+    found
+}
+
+fn class(name: &str) {
+    let desk = Desk::new(&format!("mark-{name}"));
+    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mark");
+    for file in [format!("{name}.md"), format!("{name}.json")] {
+        desk.write(&file, std::fs::read_to_string(from.join(&file)).unwrap());
+    }
+    let (mut texts, mut files) = (Vec::new(), Vec::new());
+    for entry in std::fs::read_dir(from.join(name)).unwrap() {
+        let path = entry.unwrap().path();
+        let file = path.file_name().unwrap().to_string_lossy().into_owned();
+        let text = std::fs::read_to_string(&path).unwrap();
+        desk.write(&format!("{name}/{file}"), &text);
+        files.push(file);
+        texts.push((path.file_stem().unwrap().to_string_lossy().into_owned(), text));
+    }
+    assert!(texts.len() >= 12, "{name}: {}", texts.len());
+    texts.sort();
+    for (student, text) in texts {
+        let file = files.iter().find(|file| file.starts_with(&student)).unwrap();
+        let claims = format!("{name}.json");
+        let run = desk.onshell(&["mark", &format!("{name}/{file}"), "--claims", &claims, "--format", "json"]);
+        let mut wanted = expected(&text);
+        if text.trim().is_empty() {
+            let report = run.json();
+            let one = report["students"].as_array().unwrap().iter().find(|one| one["student"] == *student).unwrap();
+            let results = one["results"].as_array().unwrap().iter();
+            wanted = results.map(|result| format!("missing:{}", result["id"].as_str().unwrap())).collect();
+            wanted.push("points:0".to_owned());
+        }
+        assert_eq!(found(&run, &student), wanted, "{name}/{student}\n{text}");
+        let is_sound = !wanted.iter().any(|word| word == "wrong" || word.starts_with("missing"));
+        assert_eq!(run.code, i32::from(!is_sound), "{name}/{student}: {}", run.err);
+    }
+}
+
+#[test]
+fn hand_ins_about_a_pendulum_are_marked_as_a_fair_teacher_would() {
+    class("pendulum");
+}
+
+#[test]
+fn hand_ins_about_a_throw_are_marked_as_a_fair_teacher_would() {
+    class("throw");
+}
+
+const SMALL: (&str, &str) = (
+    r"$$ v = v_0 - g t $$
+
+$$ t_1 = \frac{v_0}{g} $$
+
+$$ H = v_0 t_1 - \frac12 g t_1^2 = \frac{v_0^2}{2g} \tag{1} $$
+",
+    r#"{ "notes": "p.md", "constants": { "v_0, g": "> 0" },
+         "rubric": { "results": { "1": 2 }, "half for": ["factor"], "letters": { "v_0": "w" } } }"#,
+);
+
+fn small(name: &str, hand_in: &str) -> Desk {
+    let desk = Desk::new(name);
+    desk.write("p.md", SMALL.0);
+    desk.write("p.json", SMALL.1);
+    desk.write("class/a.md", hand_in);
+    desk
+}
+
+const SLIP: &str = r"$$ t_1 = \frac{v_0}{g} $$
+
+$$ H = \frac12 g t_1^2 $$
+
+$$ H = \frac{v_0^2}{g} $$
+";
+
+#[test]
+fn hints_say_no_more_than_their_level() {
+    let desk = small("mark-hints", SLIP);
+    let said = |level: &str| {
+        let run = desk.onshell(&["mark", "class/a.md", "--claims", "p.json", "--hints", level, "--format", "csv"]);
+        assert_eq!(run.code, 1, "{}", run.err);
+        run.out
+    };
+    let without = desk.onshell(&["mark", "class/a.md", "--claims", "p.json", "--format", "csv"]).out;
+    assert_eq!(without, said("1"));
+    assert!(
+        said("0").contains("something in this hand-in is wrong") && !said("0").contains("look at"),
+        "{}",
+        said("0")
+    );
+    assert!(said("1").contains("look at this line") && !said("1").contains("factor"), "{}", said("1"));
+    assert!(said("2").contains("a factor or a number is wrong") && !said("2").contains("; "), "{}", said("2"));
+    assert!(said("3").contains("; "), "{}", said("3"));
+    assert_ne!(said("2"), said("3"));
+}
+
+#[test]
+fn a_table_has_its_columns_in_every_form() {
+    let desk = small("mark-table", SLIP);
+    let csv = desk.onshell(&["mark", "class", "--claims", "p.json", "--format", "csv"]).out;
+    let head = "student,file,line,id,statement,mark,credit,verdict,follows_from,hint,result,points,because";
+    assert_eq!(csv.lines().next(), Some(head));
+    assert_eq!(csv.lines().count(), 4, "{csv}");
+    assert!(csv.lines().nth(3).unwrap().contains(",wrong,1,refuted,"), "{csv}");
+    let json = desk.onshell(&["mark", "class", "--claims", "p.json", "--format", "json"]).json();
+    let rows = json["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 3);
+    let keys: Vec<&String> = rows[0].as_object().unwrap().keys().collect();
+    assert_eq!(keys.len(), head.split(',').count());
+    assert_eq!(json["students"][0]["credit"], 1.0);
+}
+
+#[test]
+fn a_declared_letter_stands_for_the_problems_own() {
+    let other = SLIP.replace("v_0", "w").replace(r"\frac{w^2}{g}", r"\frac{w^2}{2g}");
+    let desk = small("mark-letters", &other);
+    let run = desk.onshell(&["mark", "class", "--claims", "p.json", "--format", "json"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    assert_eq!(run.json()["students"][0]["letters"]["w"], "v_0");
+}
+
+#[test]
+fn pages_are_written_and_hide_what_a_hint_may_not_say() {
+    let desk = small("mark-pages", SLIP);
+    desk.onshell(&["mark", "class", "--claims", "p.json", "--out", "pages", "--hints", "0"]);
+    let index = desk.read("pages/index.html");
+    assert!(index.contains("a.html") && index.contains("1 of 2"), "{index}");
+    let page = desk.read("pages/a.html");
+    assert!(page.contains("<math") && page.contains("Something in this hand-in is wrong"), "{page}");
+    assert!(!page.contains("✗"), "{page}");
+    desk.onshell(&["mark", "class", "--claims", "p.json", "--out", "pages", "--hints", "3"]);
+    let page = desk.read("pages/a.html");
+    assert!(page.contains("✗ wrong") && page.contains("The corrected line"), "{page}");
+}
+
+#[test]
+fn a_problem_that_is_wrong_itself_marks_nobody() {
+    let desk = small("mark-wrong-problem", SLIP);
+    desk.change("p.md", (r"\frac{v_0^2}{2g}", r"\frac{v_0^2}{g}"));
+    let run = desk.onshell(&["mark", "class", "--claims", "p.json"]);
+    assert_eq!(run.code, 2, "{}", run.out);
+    assert!(run.err.contains("is a wanted result, and it is refuted itself"), "{}", run.err);
+    let none = desk.onshell(&["mark", "nobody.md", "--claims", "p.json"]);
+    assert_eq!(none.code, 2);
+}
