@@ -22,7 +22,7 @@ use super::value::Value;
 /// defined for the shapes at hand.
 pub fn evaluate<D: Differentiable>(
     expr: &Expr,
-    environment: &impl Environment<D>,
+    environment: &dyn Environment<D>,
     free: &[(IndexId, u8)],
 ) -> Result<Value<D>, Unavailable> {
     evaluate_to(ALL, expr, environment, free)
@@ -36,13 +36,13 @@ pub const ALL: usize = usize::MAX;
 pub fn evaluate_to<D: Differentiable>(
     terms: usize,
     expr: &Expr,
-    environment: &impl Environment<D>,
+    environment: &dyn Environment<D>,
     free: &[(IndexId, u8)],
 ) -> Result<Value<D>, Unavailable> {
     // Where there are indices, sums over more are likely.
     let mut indices = Vec::with_capacity(if free.is_empty() { 0 } else { free.len() + 2 });
     indices.extend_from_slice(free);
-    Evaluator { environment, indices, terms, number: std::marker::PhantomData }.value(expr)
+    Evaluator { environment, indices, terms }.value(expr)
 }
 
 /// The exact value of an exponent that holds numbers only, where it fits.
@@ -58,17 +58,16 @@ pub fn constant_exponent(expr: &Expr) -> Option<Ratio> {
     }
 }
 
-pub(super) struct Evaluator<'a, D, E> {
-    environment: &'a E,
+pub(super) struct Evaluator<'a, D> {
+    environment: &'a dyn Environment<D>,
     indices: Vec<(IndexId, u8)>,
     /// The number of terms of the result that are used.
     terms: usize,
-    number: std::marker::PhantomData<D>,
 }
 
 pub(super) type Evaluated<T> = Result<T, Unavailable>;
 
-impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
+impl<D: Differentiable> Evaluator<'_, D> {
     pub(super) fn value(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         Ok(match &expr.node {
             Node::Number(digits) => Value::Scalar(D::decimal(digits).ok_or(Unavailable::Operation("a number"))?),

@@ -1,12 +1,12 @@
 //! The value of functions of matrices, of parts of complex numbers and of `cases`, and of powers.
 
-use super::environment::{Differentiable, Environment, Unavailable};
+use super::environment::{Differentiable, Unavailable};
 use super::evaluate::{Evaluated, Evaluator};
 use super::numbers::complex::Complex;
 use super::tree::{Branch, Expr, Node, Relation, Sign};
 use super::value::Value;
 
-impl<D: Differentiable, E: Environment<D>> Evaluator<'_, D, E> {
+impl<D: Differentiable> Evaluator<'_, D> {
     /// Functions of matrices, parts of complex numbers, and cases.
     #[inline(never)]
     pub(super) fn operator(&mut self, expr: &Expr) -> Evaluated<Value<D>> {

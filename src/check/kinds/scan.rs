@@ -63,7 +63,7 @@ pub(crate) fn difference<D: Differentiable>(
     Some(value_of(&hypothesis.lhs, &still)? - value_of(&hypothesis.rhs, &still)?)
 }
 
-fn value_of<D: Differentiable>(expr: &Expr, environment: &impl Environment<D>) -> Option<D> {
+fn value_of<D: Differentiable>(expr: &Expr, environment: &dyn Environment<D>) -> Option<D> {
     match evaluate(expr, environment, &[]) {
         Ok(Value::Scalar(value)) => Some(value),
         _ => None,
