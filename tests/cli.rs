@@ -19,6 +19,8 @@ mod explain;
 mod formats;
 #[path = "cli/formulas.rs"]
 mod formulas;
+#[path = "cli/init.rs"]
+mod init;
 #[path = "cli/mark.rs"]
 mod mark;
 #[path = "cli/messages.rs"]

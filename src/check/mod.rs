@@ -23,9 +23,11 @@
 //! | `mutation` | mutation testing of a document |
 //! | `reprint`, `run` | a second print of the same equations; the check of one document |
 //! | `mark` | hand-ins: each line against a problem and the lines before it |
-//! | `unaided` | notes without a claims file: claims inferred, findings weighed |
+//! | `unaided` | notes without a claims file, or with guesses in it: claims inferred, findings weighed |
+//! | `checked` | the check of one document, whether its claims are guesses or not |
 
 pub(crate) mod certificate;
+pub(crate) mod checked;
 pub(crate) mod document;
 pub(crate) mod equations;
 pub(crate) mod hypotheses;
@@ -45,7 +47,6 @@ pub(crate) mod search;
 pub(crate) mod state;
 pub(crate) mod steps;
 pub(crate) mod trial;
-#[cfg(feature = "cli")]
 pub(crate) mod unaided;
 pub(crate) mod vacuity;
 pub(crate) mod verdict;
@@ -53,15 +54,15 @@ pub(crate) mod verdict;
 /// The kinds of slip that a repair undoes.
 pub use crate::latex::slips::Slip;
 #[cfg(feature = "cli")]
+pub(crate) use checked::check_claims;
+pub use checked::check_document;
+#[cfg(feature = "cli")]
 pub(crate) use document::setup::{Run, define_macros};
 #[cfg(feature = "cli")]
 pub(crate) use reprint::check_reprint;
-pub use run::check_document;
-#[cfg(feature = "cli")]
-pub(crate) use run::check_in;
 pub use sample::context::Options;
 #[cfg(feature = "cli")]
-pub(crate) use unaided::unaided;
+pub(crate) use unaided::{draft, unaided};
 pub use verdict::Verdict;
 pub use verdict::finding::{Counterexample, Finding, Fit, Formula, Fraction, Inherited, Misfit};
 #[cfg(feature = "cli")]

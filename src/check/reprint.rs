@@ -79,6 +79,7 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         format!("{claims} is about {own}; its {sentences} sentences are tested there")
     });
     Ok(Document {
+        is_guessed: false,
         path: print.source.path.clone(),
         claims: Some(paths.join(", ")),
         source: print.source.clone(),

@@ -1,37 +1,20 @@
-//! The check of one document: each equation and sentence, then the steps of derivations, then repairs.
+//! The check of one document by its claims: each equation and sentence, then the steps of derivations, then repairs.
 
 use rayon::prelude::*;
 
 use crate::Result;
 use crate::notes::Notes;
 use crate::notes::claims::Claims;
-use crate::parallel::on_deep_stacks;
-use crate::systems::Registry;
 
 use crate::check::document::names::is_wrong;
 use crate::check::document::setup::{Run, wanted, with_checker};
 use crate::check::equations::sentences;
-use crate::check::sample::context::Options;
 use crate::check::verdict::report::{Document, Equation};
-
-/// Checks a document; `only` restricts the check to the equation with this number, which the document may lack.
-///
-/// # Errors
-/// For claims that do not fit the notes or the system, each at its place in the claims file.
-pub fn check_document(
-    claims: &Claims,
-    notes: &Notes,
-    registry: &Registry,
-    options: Options,
-    only: Option<&str>,
-) -> Result<Document> {
-    on_deep_stacks(|| check_in(&Run { registry, options, only, progress: &() }, claims, notes))
-}
 
 /// Checks a document as part of a run.
 ///
 /// # Errors
-/// As [`check_document`].
+/// For claims that do not fit the notes or the system, each at its place in the claims file.
 pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     for sentence in &claims.sentences {
         sentences::unsupported(claims, sentence)?;
@@ -77,6 +60,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         Ok(Document {
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),
+            is_guessed: false,
             source: notes.source.clone(),
             // With only one equation checked, no other can confirm its premises.
             equations: if run.only.is_none() {

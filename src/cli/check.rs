@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use crate::check::document::setup;
-use crate::check::{Document, Options, Report, Run, Verdict, check_in, check_reprint, reprint, unaided};
+use crate::check::{Document, Options, Report, Run, Verdict, check_claims, check_reprint, reprint, unaided};
 use crate::notes::Notes;
 use crate::report::{self, wrap};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::documents::{Job, Loaded, find, folder, load};
+use super::files::documents::{Job, Loaded, find, folder, load};
 use super::fix::{Fixed, Made, fix, not_passing};
 use super::outcome::{Outcome, Screen, shown};
 use super::progress::ProgressLine;
@@ -48,7 +48,7 @@ pub struct Arguments {
     /// List every equation, how it was read, and what was inferred
     #[arg(short, long)]
     verbose: bool,
-    /// Exit with 2 where something was not decided or not read, and where notes have no claims file
+    /// Exit with 2 where something was not decided or not read, and where notes have no claims file or one with guesses
     #[arg(long)]
     strict: bool,
     /// Make the suggested edits that are clear, after asking, and check again
@@ -119,7 +119,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
 fn strict_exit_code(report: &Report) -> u8 {
     let is_open = |verdict: Verdict| matches!(verdict, Verdict::Undecided | Verdict::Unreadable | Verdict::Assumed);
     let undecided = report.items().any(|item| is_open(item.finding.verdict) && item.because.is_none());
-    let unaided = report.documents.iter().any(|document| document.claims.is_none());
+    let unaided = report.documents.iter().any(|document| document.is_guessed);
     match report.exit_code() {
         0 if undecided || unaided => 2,
         code => code,
@@ -237,7 +237,7 @@ impl Loaded {
 
     fn check(self, run: &Run<'_>) -> Result<Document> {
         match &self {
-            Loaded::Own(claims, notes) => check_in(run, claims, notes),
+            Loaded::Own(claims, notes) => check_claims(run, claims, notes),
             Loaded::Reprint(sets, print) => check_reprint(run, sets, print),
             Loaded::Unclaimed(notes) => unaided(run, notes),
         }

@@ -9,11 +9,12 @@
 
 mod check;
 mod derive;
-mod documents;
 mod equal;
 mod eval;
 mod explain;
+mod files;
 mod fix;
+mod init;
 mod mark;
 mod mutate;
 mod outcome;
@@ -52,6 +53,7 @@ enum Command {
     Equal(equal::Arguments),
     Eval(eval::Arguments),
     Explain(explain::Arguments),
+    Init(init::Arguments),
     Mark(mark::Arguments),
     Mutate(mutate::Arguments),
     Plot(plot::Arguments),
@@ -72,6 +74,7 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Equal(arguments)) => equal::run(&arguments, screen),
         Ok(Command::Eval(arguments)) => eval::run(&arguments, screen),
         Ok(Command::Explain(arguments)) => explain::run(&arguments, screen),
+        Ok(Command::Init(arguments)) => init::run(&arguments, registry, screen),
         Ok(Command::Mark(arguments)) => mark::run(&arguments, registry, screen),
         Ok(Command::Mutate(arguments)) => mutate::run(&arguments, registry, screen),
         Ok(Command::Plot(arguments)) => plot::run(&arguments, registry, screen),

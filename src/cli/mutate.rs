@@ -11,7 +11,7 @@ use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::documents::{Loaded, find, load};
+use super::files::documents::{Loaded, find, load};
 use super::outcome::{Format, Outcome, Screen, shown};
 use super::progress::ProgressLine;
 

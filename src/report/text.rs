@@ -95,7 +95,7 @@ fn counted(document: &Document, style: Style) -> String {
         let count = self::count(count, verdict) + &expectation.replace(' ', "\u{a0}");
         told.push(style.paint(&count, colour(verdict, ok)));
     }
-    if document.claims.is_none() && !told.is_empty() {
+    if document.is_guessed && !told.is_empty() {
         told = unaided_counts(&items(document).collect::<Vec<_>>());
     }
     if told.is_empty() {
@@ -248,12 +248,16 @@ fn details(item: &Equation, style: Style) -> String {
 }
 
 fn summary(report: &Report) -> String {
-    if !report.documents.is_empty() && report.documents.iter().all(|document| document.claims.is_none()) {
+    if !report.documents.is_empty() && report.documents.iter().all(|document| document.is_guessed) {
         let counts = unaided_counts(&report.items().collect::<Vec<_>>());
         let displays = report.items().count();
         let plural = if displays == 1 { "" } else { "s" };
         let counts = if counts.is_empty() { "nothing was checked".to_owned() } else { counts.join(", ") };
-        return format!("{displays} display{plural}, without a claims file: {counts}");
+        let basis = match report.documents.iter().all(|document| document.claims.is_none()) {
+            true => "without a claims file",
+            false => "by guesses",
+        };
+        return format!("{displays} display{plural}, {basis}: {counts}");
     }
     let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
     let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();

@@ -14,12 +14,12 @@ fn report(name: &str, file: &str, notes: &str) -> (Vec<Value>, i32) {
     (report["documents"][0]["equations"].as_array().expect("a list").clone(), run.code)
 }
 
-fn page(displays: &[&str]) -> String {
+pub fn page(displays: &[&str]) -> String {
     displays.iter().map(|latex| format!("$$ {latex} $$\n\n")).collect()
 }
 
 /// True of nature, of a system, or by definition, as physicists print it; none of it can be called wrong.
-const TRUE: [&[&str]; 10] = [
+pub const TRUE: [&[&str]; 10] = [
     &[
         r"F = m a",
         r"E = \frac12 m v^2 + m g h",
@@ -107,7 +107,7 @@ const TRUE: [&[&str]; 10] = [
 ];
 
 /// Laws, conditions and other motions beside a Lagrangian, and what follows from it.
-const BESIDE_A_LAGRANGIAN: [(&str, &[&str]); 2] = [
+pub const BESIDE_A_LAGRANGIAN: [(&str, &[&str]); 2] = [
     (
         "The Lagrangian of an oscillator is",
         &[
@@ -171,25 +171,25 @@ fn nothing_true_is_called_wrong() {
     }
 }
 
+/// Displays, which of them is looked at, and its verdict.
+pub const SLIPS: [(&[&str], usize, &str); 11] = [
+    (&[r"(a+b)^2 = a^2 + b^2"], 0, "refuted"),
+    (&[r"v^2 - u^2 = (v - u)(v - u)"], 0, "refuted"),
+    (&[r"\sin(a+b) = \sin a\cos b - \cos a\sin b"], 0, "refuted"),
+    (&[r"x = l\sin\theta", r"\dot x = l\dot\theta\sin\theta"], 1, "refuted"),
+    (&[r"x = l\sin\theta", r"y = -l\cos\theta", r"\dot x^2 + \dot y^2 = l\dot\theta^2"], 2, "refuted"),
+    (&[r"y = (x + a)^2 = x^2 + a x + a^2"], 0, "refuted"),
+    (&[r"\frac{1}{a} - \frac{1}{b} = \frac{a - b}{a b}"], 0, "refuted"),
+    // The same without the slip.
+    (&[r"(a+b)^2 = a^2 + 2 a b + b^2"], 0, "certified"),
+    (&[r"x = l\sin\theta", r"\dot x = l\dot\theta\cos\theta"], 1, "certified"),
+    (&[r"y = (x + a)^2 = x^2 + 2 a x + a^2"], 0, "certified"),
+    (&[r"\frac{1}{a} - \frac{1}{b} = \frac{b - a}{a b}"], 0, "certified"),
+];
+
 #[test]
 fn a_slip_in_what_follows_is_called_wrong_and_corrected() {
-    for (at, (displays, wrong, verdict)) in [
-        (&[r"(a+b)^2 = a^2 + b^2"][..], 0, "refuted"),
-        (&[r"v^2 - u^2 = (v - u)(v - u)"], 0, "refuted"),
-        (&[r"\sin(a+b) = \sin a\cos b - \cos a\sin b"], 0, "refuted"),
-        (&[r"x = l\sin\theta", r"\dot x = l\dot\theta\sin\theta"], 1, "refuted"),
-        (&[r"x = l\sin\theta", r"y = -l\cos\theta", r"\dot x^2 + \dot y^2 = l\dot\theta^2"], 2, "refuted"),
-        (&[r"y = (x + a)^2 = x^2 + a x + a^2"], 0, "refuted"),
-        (&[r"\frac{1}{a} - \frac{1}{b} = \frac{a - b}{a b}"], 0, "refuted"),
-        // The same without the slip.
-        (&[r"(a+b)^2 = a^2 + 2 a b + b^2"], 0, "certified"),
-        (&[r"x = l\sin\theta", r"\dot x = l\dot\theta\cos\theta"], 1, "certified"),
-        (&[r"y = (x + a)^2 = x^2 + 2 a x + a^2"], 0, "certified"),
-        (&[r"\frac{1}{a} - \frac{1}{b} = \frac{b - a}{a b}"], 0, "certified"),
-    ]
-    .into_iter()
-    .enumerate()
-    {
+    for (at, (displays, wrong, verdict)) in SLIPS.into_iter().enumerate() {
         let (equations, code) = report(&format!("slip-{at}"), "notes.md", &page(displays));
         let found = &equations[wrong];
         assert_eq!(found["verdict"], verdict, "{displays:?}: {}", found["message"]);
@@ -199,7 +199,7 @@ fn a_slip_in_what_follows_is_called_wrong_and_corrected() {
     }
 }
 
-const LECTURE: &str = r"
+pub const LECTURE: &str = r"
 # The pendulum
 
 \begin{align}

@@ -57,6 +57,8 @@ pub struct Document {
     pub path: String,
     /// The path of the claims file, if there is one.
     pub claims: Option<String>,
+    /// Whether nobody has confirmed what the symbols mean: there is no claims file, or it has guesses.
+    pub is_guessed: bool,
     /// The notes as read.
     pub source: Arc<Source>,
     /// The numbered equations in order.

@@ -14,10 +14,8 @@
 //! These edits are made after asking only: an edit of an equation that uses a display which no passing equation uses; an
 //! edit outside of the part that fails; a sign, a number or a factor in a definition whose other side may be wrong.
 //! A display that cannot be read is never edited: what it says is not known. Nothing else in the file changes, and nothing
-//! at all if the file has changed since it was checked ([`replace_file`]). After the edits the file is checked again;
+//! at all if the file has changed since it was checked ([`super::files::replace_file`]). After the edits the file is checked again;
 //! an edited equation that does not pass then is named.
-
-mod replace_file;
 
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::Path;
@@ -27,7 +25,7 @@ use crate::latex::slips::Slip;
 use crate::report::{Style, mutants, suggestion, wrap};
 use crate::{Error, Result};
 
-use replace_file::replace;
+use super::files::replace_file::replace;
 
 /// What was done to the notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -81,6 +81,9 @@ pub struct Claims {
     pub sentences: Vec<Sentence>,
     /// `rubric`: what a hand-in is marked by.
     pub rubric: Option<Rubric>,
+    /// `guesses`: declarations that nobody has confirmed, each with its reason. With this key, even if it is empty, the notes
+    /// are judged as notes without a claims file.
+    pub guesses: Option<Vec<(Spanned<String>, Spanned<String>)>>,
 }
 
 /// A system by name, with the notes' names of its parameters.
@@ -151,6 +154,7 @@ const KEYS: &[&str] = &[
     "equations",
     "sentences",
     "rubric",
+    "guesses",
 ];
 
 /// Keys that are planned and not supported yet.
@@ -221,6 +225,7 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         equations: equations(&fields, source)?,
         sentences: sentences(&fields, source)?,
         rubric: rubric::rubric(&fields, source)?,
+        guesses: fields.get("guesses").map(|_| fields.pairs("guesses")).transpose()?,
     })
 }
 

@@ -1,0 +1,6 @@
+//! Files that commands read and write.
+//!
+//! Offers [`documents`], from paths to documents, and [`replace_file`], which replaces a text as a whole or not at all.
+
+pub(super) mod documents;
+pub(super) mod replace_file;
