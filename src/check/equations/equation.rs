@@ -289,7 +289,12 @@ impl Checker<'_> {
             }
             let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
             let context = Context { span: from.to(to).shifted(context.span.start - statement.span.start), ..*context };
+            let solution = self.solution(&link, at, claim);
             let finding = match relation {
+                _ if solution.is_some() => match &solution {
+                    Some(solution) => self.of_the_motion(solution, &context)?,
+                    None => identity::check(&link, &context)?,
+                },
                 Relation::Approximately => self.approximation(&link, claim, *place, (from, &context))?,
                 Relation::Proportional => context.finding(
                     Code::NotSupported,
@@ -302,7 +307,8 @@ impl Checker<'_> {
                 _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
                 // A fit of single terms needs one equation: not two by ±, and none with dropped terms.
                 _ if statement.branch.is_none() && claim.dropping.is_none() => {
-                    term_fit::fitted(&link, &context, identity::check(&link, &context)?)
+                    let found = self.along_the_motion(&link, identity::check(&link, &context)?, &context)?;
+                    term_fit::fitted(&link, &context, found)
                 }
                 _ => identity::check(&link, &context)?,
             };

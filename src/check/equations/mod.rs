@@ -13,6 +13,7 @@ pub(crate) mod definition_tests;
 pub(crate) mod equation;
 pub(crate) mod laws;
 pub(crate) mod merge;
+pub(crate) mod motion;
 pub(crate) mod sentences;
 pub(crate) mod uses;
 pub(crate) mod whole;

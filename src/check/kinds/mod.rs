@@ -18,4 +18,5 @@ pub(crate) mod root_isolation;
 pub(crate) mod scan;
 pub(crate) mod shape;
 pub(crate) mod small;
+pub(crate) mod solution;
 pub(crate) mod solves;

@@ -260,7 +260,8 @@ impl<'d, 'a> Trial<'d, 'a> {
     }
 }
 
-/// The links of a statement that must hold at each state: not those that define a name, hold in a limit, or drop terms.
+/// The links of a statement that must hold at each state: not those that define a name, print a solution, hold in a limit, or drop
+/// terms.
 pub(crate) fn tested_links<'r>(
     checker: &'r Checker<'_>,
     (reading, n): (&'r Reading, usize),
@@ -284,8 +285,11 @@ fn links<'r>(
         let drops = |at: usize| at + 1 == count && claim.dropping.is_some();
         let link =
             |at: usize| checker.link(&statement.members[at], statement.relations[at].0, &statement.members[at + 1]);
+        let is_solution = |at: usize, link: &Link| checker.solution(link, at, claim).is_some();
         let checked = (0..count).filter(|at| wanted(statement.relations[*at].0) && !defines(*at));
-        checked.filter(|at| !solves(*at) && !drops(*at)).filter_map(|at| link(at).ok()).collect::<Vec<_>>()
+        let checked = checked.filter(|at| !solves(*at) && !drops(*at));
+        let checked = checked.filter_map(|at| link(at).ok().filter(|link| !is_solution(at, link)));
+        checked.collect::<Vec<_>>()
     })
 }
 

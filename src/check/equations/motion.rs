@@ -1,0 +1,120 @@
+//! The finding on displays that print a motion: solutions, their rates, orbits, and equations that hold along them.
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::Claim;
+
+use crate::check::document::checker::Checker;
+use crate::check::document::names::shown;
+use crate::check::judge::identity;
+use crate::check::kinds::solution;
+use crate::check::kinds::solution::Solution;
+use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::sample::context::{Context, Options};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+impl Checker<'_> {
+    /// The solution that the first link of a statement prints, if nothing else is claimed of it.
+    pub(crate) fn solution(&self, link: &Link, at: usize, claim: &Claim) -> Option<Solution> {
+        let is_claimed = claim.solves.is_some() || claim.dropping.is_some() || claim.continuum_limit_of.is_some();
+        if at > 0 || is_claimed || claim.holds.is_some() {
+            return None;
+        }
+        let found = Solution::of_link(link, self.model)?;
+        let is_printed = || self.solutions().iter().any(|(_, known)| known.coordinate == found.coordinate);
+        (found.dots < 2 || is_printed()).then_some(found)
+    }
+
+    /// The solutions for coordinates that the notes print, each with its display.
+    fn solutions(&self) -> Vec<(usize, Solution)> {
+        let all = self.readings.iter().enumerate().filter(|(at, _)| self.assigned[*at].is_none_or(|c| c.expect.is_none()));
+        let printed = |reading: &Reading| -> Vec<Solution> {
+            let statements = reading.statements.iter().flatten().filter(|statement| !statement.relations.is_empty());
+            let first = statements.filter_map(|statement| {
+                let link = self.link(&statement.members[0], statement.relations[0].0, &statement.members[1]).ok()?;
+                Solution::of_link(&link, self.model).filter(|found| found.dots == 0)
+            });
+            first.collect()
+        };
+        all.flat_map(|(at, reading)| printed(reading).into_iter().map(move |found| (at, found))).collect()
+    }
+
+    /// The solution for each coordinate but one that is printed nearest to a place: in the same display, else before it, else
+    /// after it.
+    fn solutions_beside(&self, but: Option<SymbolId>, context: &Context<'_>) -> Vec<(usize, Solution)> {
+        let here = self.notes.equations.iter().position(|display| display.body.contains(context.span)).unwrap_or(0);
+        let mut all = self.solutions();
+        all.sort_by_key(|(at, _)| if *at <= here { here - at } else { self.readings.len() + at });
+        let mut found: Vec<(usize, Solution)> = Vec::new();
+        for (at, solution) in all.into_iter().filter(|(_, solution)| Some(solution.coordinate) != but) {
+            if found.iter().all(|(_, known)| known.coordinate != solution.coordinate) {
+                found.push((at, solution));
+            }
+        }
+        found
+    }
+
+    /// The finding on a printed solution, or on a rate of one.
+    pub(crate) fn of_the_motion(&self, found: &Solution, context: &Context<'_>) -> Result<Finding> {
+        let of_itself = |(_, known): &(usize, Solution)| known.coordinate == found.coordinate;
+        if let Some((at, printed)) = self.solutions_beside(None, context).into_iter().find(of_itself)
+            && found.dots > 0
+        {
+            let span = found.formula.span;
+            let rate = Expr::new(Node::TimeDerivative(found.dots, Box::new(printed.formula.clone())), span);
+            let link = Link { lhs: rate, relation: Relation::Equal, rhs: found.formula.clone(), free: Vec::new() };
+            let finding = identity::check(&link, context)?;
+            let number = shown(&self.notes.equations[at]);
+            let message = match finding.verdict {
+                verdict if verdict.holds() => format!("follows from the solution in ({number})"),
+                Verdict::Refuted => format!("this is not the derivative of the solution in ({number})"),
+                _ => return Ok(finding),
+            };
+            return Ok(Finding { message, ..finding });
+        }
+        let others = self.solutions_beside(Some(found.coordinate), context);
+        let others: Vec<Solution> = others.into_iter().map(|(_, solution)| solution).collect();
+        solution::check(found, &others, context)
+    }
+
+    /// What a link is that was refuted: an orbit of the motion, or an equation that holds along a printed solution; else the same
+    /// finding.
+    pub(crate) fn along_the_motion(&self, link: &Link, found: Finding, context: &Context<'_>) -> Result<Finding> {
+        if found.verdict != Verdict::Refuted {
+            return Ok(found);
+        }
+        if let Some(orbit) = solution::orbit(link, context)? {
+            return Ok(orbit);
+        }
+        let beside = self.solutions_beside(None, context);
+        if !beside.iter().any(|(_, solution)| solution.shares_a_constant_of_integration(link, self.model)) {
+            return Ok(found);
+        }
+        // Only what solves the equations of motion can be a hypothesis.
+        let quick = Context { options: Options { explain: false, ..context.options }, ..*context };
+        let all: Vec<Solution> = beside.iter().map(|(_, solution)| solution.clone()).collect();
+        for solution in &all {
+            let others: Vec<Solution> =
+                all.iter().filter(|other| other.coordinate != solution.coordinate).cloned().collect();
+            if !solution::check(solution, &others, &quick)?.verdict.holds() {
+                return Ok(found);
+            }
+        }
+        let hypotheses: Vec<Hypothesis> =
+            context.hypotheses.iter().cloned().chain(all.iter().flat_map(Solution::hypotheses)).collect();
+        let on_it = Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context };
+        let along = identity::check(link, &on_it)?;
+        let numbers: Vec<String> = beside.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
+        let of = format!("the solution in ({})", numbers.join("), ("));
+        match along.verdict {
+            verdict if verdict.holds() => Ok(Finding { message: format!("holds along {of}"), ..along }),
+            Verdict::Refuted => {
+                Ok(Finding { message: format!("the two sides differ along {of}"), code: Code::SidesDiffer, ..along })
+            }
+            _ => Ok(found),
+        }
+    }
+}

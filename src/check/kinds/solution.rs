@@ -1,0 +1,246 @@
+//! Solutions of the motion: a display that gives a coordinate as a function of the time and of constants, `x = A \cos \omega t`,
+//! or as a function of another coordinate, the orbit `r = p/(1 + e \cos \phi)`.
+//!
+//! q = f is a solution if the acceleration on shell is f̈ wherever q = f and q̇ = ḟ. So these two are hypotheses at one instant,
+//! and q̈ = f̈ is the claim. Nothing is integrated. It works for every system and for laws, in the numbers of a state and over the
+//! prime field alike. The solutions that other displays print for other coordinates are hypotheses too.
+//!
+//! A solution of the linear equation for small oscillations is often printed with = in place of ≈. So a formula that does not solve
+//! the equations of motion is put into their first order about the rest position, and passes if it solves that.
+
+use num_dual::Dual;
+
+use crate::Result;
+use crate::code::Code;
+use crate::formula::{Expr, Node, Relation, SymbolId, Value, text};
+use crate::scalar::RunningError;
+
+use crate::check::judge::identity;
+use crate::check::model::Model;
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::free_symbols;
+use crate::check::model::meaning::Meaning;
+use crate::check::sample::context::Context;
+use crate::check::sample::setting::FEWEST;
+use crate::check::state::residual;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// A coordinate, or a rate of it, as a function of the time and constants.
+#[derive(Clone, Debug)]
+pub(crate) struct Solution {
+    /// The coordinate.
+    pub coordinate: SymbolId,
+    /// The number of its dots.
+    pub dots: u8,
+    /// The function.
+    pub formula: Expr,
+}
+
+impl Solution {
+    /// The solution that a link prints: a coordinate on the left, and on the right the time and constants only.
+    pub(crate) fn of_link(link: &Link, model: &Model) -> Option<Solution> {
+        let Node::Symbol { id, indices, dots } = &link.lhs.node else { return None };
+        let is_coordinate = matches!(model.meaning(*id), Some(Meaning::Coordinate(_)));
+        let fits = is_equality(link.relation) && is_coordinate && indices.is_empty() && model.has_motion();
+        if !fits || !contains_time(&link.rhs, model) || !is_of_time_and_constants(&link.rhs, model) {
+            return None;
+        }
+        Some(Solution { coordinate: *id, dots: *dots, formula: link.rhs.clone() })
+    }
+
+    /// The k-th time derivative of its coordinate, and the derivative of the formula that must equal it.
+    fn sides(&self, order: u8) -> (Expr, Expr) {
+        let span = self.formula.span;
+        let node = Node::Symbol { id: self.coordinate, indices: Vec::new(), dots: order };
+        let formula = match order - self.dots {
+            0 => self.formula.clone(),
+            more => Expr::new(Node::TimeDerivative(more, Box::new(self.formula.clone())), span),
+        };
+        (Expr::new(node, span), formula)
+    }
+
+    fn link(&self, order: u8) -> Link {
+        let (lhs, rhs) = self.sides(order);
+        Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() }
+    }
+
+    /// Whether a link contains one of its constants of integration.
+    pub(crate) fn shares_a_constant_of_integration(&self, link: &Link, model: &Model) -> bool {
+        let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], model);
+        constants_of_integration(self, model).iter().any(|constant| drawn.contains(constant))
+    }
+
+    /// The hypotheses that a state lies on the solution: its coordinate and velocity, as far as the formula gives them.
+    pub(crate) fn hypotheses(&self) -> impl Iterator<Item = Hypothesis> + '_ {
+        (self.dots..2).map(|order| Hypothesis::of(self.link(order), false))
+    }
+}
+
+/// Whether a formula has no value that moves but the time.
+fn is_of_time_and_constants(formula: &Expr, model: &Model) -> bool {
+    formula.symbols().iter().all(|(id, _)| match model.meaning(*id) {
+        Some(Meaning::Constant(_) | Meaning::Time) => true,
+        Some(Meaning::Defined(formula)) => is_of_time_and_constants(formula, model),
+        _ => false,
+    })
+}
+
+/// Whether a formula contains the time, through definitions too.
+fn contains_time(formula: &Expr, model: &Model) -> bool {
+    formula.symbols().iter().any(|(id, _)| match model.meaning(*id) {
+        Some(Meaning::Time) => true,
+        Some(Meaning::Defined(formula)) => contains_time(formula, model),
+        _ => false,
+    })
+}
+
+/// Checks that a formula of the time solves the equations of motion; `others` are the solutions printed for other coordinates.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub(crate) fn check(solution: &Solution, others: &[Solution], context: &Context<'_>) -> Result<Finding> {
+    // Another display may be wrong: the equation of this coordinate alone decides, if it can.
+    let alone = on_the_solution(solution, &[], context)?;
+    let finding = match alone.verdict.holds() || others.is_empty() {
+        true => alone,
+        false => on_the_solution(solution, others, context)?,
+    };
+    let name = text::plain(&context.model.name(solution.coordinate));
+    if finding.verdict.holds() {
+        let constants = constants_of_integration(solution, context.model);
+        let names: Vec<String> = constants.iter().map(|id| text::plain(&context.model.name(*id))).collect();
+        let constants = match names.as_slice() {
+            [] => String::new(),
+            names => format!("; constants of integration: {}", names.join(", ")),
+        };
+        return Ok(Finding { message: format!("solves the equations of motion for {name}{constants}"), ..finding });
+    }
+    if finding.verdict != Verdict::Refuted {
+        return Ok(finding);
+    }
+    if let Some(found) = in_first_order(solution, others, context)? {
+        return Ok(found);
+    }
+    let message = format!("this does not satisfy the equations of motion for {name}");
+    Ok(Finding { message, code: Code::NotASolution, ..finding })
+}
+
+fn on_the_solution(solution: &Solution, others: &[Solution], context: &Context<'_>) -> Result<Finding> {
+    let hypotheses: Vec<Hypothesis> = context
+        .hypotheses
+        .iter()
+        .cloned()
+        .chain(solution.hypotheses())
+        .chain(others.iter().flat_map(Solution::hypotheses))
+        .collect();
+    identity::check(&solution.link(2), &Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context })
+}
+
+/// The constants of a solution that the motion does not depend on: those of integration.
+fn constants_of_integration(solution: &Solution, model: &Model) -> Vec<SymbolId> {
+    let lagrangian = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
+    let of_motion = match lagrangian {
+        Some((id, _)) => {
+            let node = Node::Symbol { id, indices: Vec::new(), dots: 0 };
+            free_symbols::drawn(&[&Expr::new(node, solution.formula.span)], model)
+        }
+        None => model.parameters.iter().map(|at| model.constants[*at].symbol).collect(),
+    };
+    let all = free_symbols::drawn(&[&solution.formula], model);
+    all.into_iter().filter(|id| !of_motion.contains(id)).collect()
+}
+
+/// The finding that the solutions satisfy the equations of motion to first order about the rest position at 0, if they do.
+fn in_first_order(solution: &Solution, others: &[Solution], context: &Context<'_>) -> Result<Option<Finding>> {
+    let model = context.model;
+    let Some(system) = model.system.as_deref().filter(|_| solution.dots == 0) else { return Ok(None) };
+    let all: Vec<Option<&Solution>> = model
+        .coordinates
+        .iter()
+        .map(|coordinate| {
+            let mut printed = std::iter::once(solution).chain(others);
+            printed.find(|known| known.coordinate == coordinate.symbol && known.dots == 0)
+        })
+        .collect();
+    let mode = context.mode(false, &[&solution.link(2).rhs]);
+    let ensemble = context.ensemble(mode, false, context.options.points)?;
+    let mut worst = 0.0_f64;
+    let mut points = 0;
+    for state in &ensemble.states {
+        let rate = |known: &Option<&Solution>, order: u8| match known {
+            None => Some(RunningError::new(0.0)),
+            Some(known) => match state.now(&known.sides(order).1, &[]) {
+                Ok(Value::Scalar(value)) => Some(value),
+                _ => None,
+            },
+        };
+        let jet = |order: u8| -> Option<Vec<Dual<RunningError>>> {
+            let small = |value| Dual::new(RunningError::new(0.0), value);
+            all.iter().map(|known| rate(known, order).map(small)).collect()
+        };
+        let (Some(q), Some(v), Some(a)) = (jet(0), jet(1), jet(2)) else { return Ok(None) };
+        let parameter = |at: &usize| state.base.constant(*at).first().copied().map(Dual::from_re);
+        let Some(parameters) = model.parameters.iter().map(parameter).collect::<Option<Vec<_>>>() else {
+            return Ok(None);
+        };
+        let left = system.euler_lagrange(Dual::from_re(state.base.time), &q, &v, &parameters, &a);
+        for (place, row) in left.iter().enumerate().filter(|(place, _)| all[*place].is_some()) {
+            let inertia = system.mass_matrix(Dual::from_re(state.base.time), &q, &v, &parameters)[(place, place)].re;
+            let size = (inertia * a[place].eps).value.abs();
+            if !residual::vanishes(row.re) || !residual::vanishes(row.eps) {
+                return Ok(None);
+            }
+            if size > 0.0 {
+                worst = worst.max((row.eps.value / size).abs());
+            }
+        }
+        points += 1;
+    }
+    if points < FEWEST.min(context.options.points) {
+        return Ok(None);
+    }
+    let name = text::plain(&model.name(solution.coordinate));
+    let message = format!("solves the equations of motion for {name} to first order, as for small oscillations");
+    let found = context.verified(message, "the equations of motion are replaced by their first order");
+    Ok(Some(Finding { points, tried: ensemble.tried, max_residual: Some(worst), ..found }))
+}
+
+/// The relation between coordinates that a link may print as an orbit: q, or 1/q, as a function of other coordinates.
+fn is_an_orbit(link: &Link, model: &Model) -> bool {
+    let moves = |(id, _): &(SymbolId, u8)| matches!(model.meaning(*id), Some(Meaning::Coordinate(_)));
+    let coordinates = |side: &Expr| side.symbols().into_iter().filter(|symbol| moves(symbol)).collect::<Vec<_>>();
+    let (left, right) = (coordinates(&link.lhs), coordinates(&link.rhs));
+    let is_still = |side: &[(SymbolId, u8)]| side.iter().all(|(_, dots)| *dots == 0);
+    let alone = match &link.lhs.node {
+        Node::Symbol { .. } => true,
+        Node::Quotient(above, below) => above.symbols().is_empty() && below.as_plain_symbol().is_some(),
+        _ => false,
+    };
+    alone
+        && is_equality(link.relation)
+        && left.len() == 1
+        && !right.is_empty()
+        && is_still(&left)
+        && is_still(&right)
+        && !right.contains(&left[0])
+        && link.free.is_empty()
+}
+
+/// The finding that a relation between coordinates is an orbit of the motion; `None`, if the link prints no such relation or it
+/// is no orbit.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub(crate) fn orbit(link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+    if !context.model.has_motion() || !is_an_orbit(link, context.model) {
+        return Ok(None);
+    }
+    let rate = |side: &Expr, order: u8| Expr::new(Node::TimeDerivative(order, Box::new(side.clone())), side.span);
+    let derived = |order: u8| Link { lhs: rate(&link.lhs, order), rhs: rate(&link.rhs, order), ..link.clone() };
+    let on_it = [link.clone(), derived(1)].map(|link| Hypothesis::of(link, false));
+    let hypotheses: Vec<Hypothesis> = context.hypotheses.iter().cloned().chain(on_it).collect();
+    let context = Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context };
+    let finding = identity::check(&derived(2), &context)?;
+    Ok(finding.verdict.holds().then(|| Finding { message: "is an orbit of the motion".to_owned(), ..finding }))
+}
