@@ -27,8 +27,10 @@ mod mark;
 mod messages;
 #[path = "cli/mutate.rs"]
 mod mutate;
-#[path = "cli/printed_lagrangian.rs"]
+#[path = "cli/printed/lagrangian.rs"]
 mod printed_lagrangian;
+#[path = "cli/printed/motions.rs"]
+mod printed_motions;
 #[path = "cli/report.rs"]
 mod report;
 #[path = "cli/reprint.rs"]

@@ -124,6 +124,8 @@ pub struct Entry {
     pub derived: bool,
     /// Whether it is a coefficient of an arbitrary function, which no author writes.
     pub hidden: bool,
+    /// Whether the display that defines it says that it is constant; a derivative by a symbol leaves it fixed.
+    pub conserved: bool,
     /// Whether it is a momentum, which a derivative of a Hamiltonian takes for a variable of its own.
     pub momentum: bool,
     /// The argument that may follow in parentheses without a change of meaning: the `\vec{r}` of `\rho(\vec r)`.
@@ -146,6 +148,11 @@ impl Entry {
     /// Whether no author writes the symbol as one: a coefficient of an arbitrary function, or a derivative.
     pub fn is_composed(&self) -> bool {
         self.hidden || self.name.base.starts_with("\\frac")
+    }
+
+    /// Whether it is a momentum, by its meaning or by its letter.
+    pub fn is_momentum(&self) -> bool {
+        self.momentum || matches!(self.name.base.as_str(), "p" | "P")
     }
 }
 
@@ -298,6 +305,7 @@ impl Symbols {
             definition: None,
             steady: false,
             derived: false,
+            conserved: false,
             momentum: false,
             hidden: false,
             members: Vec::new(),

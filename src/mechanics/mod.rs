@@ -92,5 +92,5 @@ pub use linear_solver::{LinearSolver, MAX_CONDITION, condition_number};
 pub use quadrature::{Body, Nodes, bodies};
 pub use rigid_body::frames::{Frame, axes_about};
 pub use rigid_body::{frames, inertia, rotations};
-pub use system::{AccelerationEvaluator, AnyLagrangian, Parts, Quantities, System, erased};
+pub use system::{AccelerationEvaluator, AnyLagrangian, Applied, Parts, Quantities, System, erased};
 pub use tape::{Op, Tape};

@@ -4,6 +4,7 @@
 //! [`checker::Checker`], all that the check of one equation needs. Knows `kinds` and below.
 
 pub(crate) mod checker;
+pub(crate) mod inferred_hamiltonian;
 pub(crate) mod names;
 pub(crate) mod printed_lagrangian;
 pub(crate) mod reading;

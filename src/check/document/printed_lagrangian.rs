@@ -7,16 +7,17 @@
 use std::sync::Arc;
 
 use crate::formula::{Expr, SymbolId, Value, text};
-use crate::latex::Reading;
-use crate::mechanics::{LinearSolver, System};
+use crate::latex::{Reading, name_search, read_formula};
+use crate::mechanics::{Applied, LinearSolver, System};
 use crate::notes::Notes;
-use crate::notes::claims::Claims;
+use crate::notes::claims::{Claims, Spanned};
 use crate::scalar::Symbol;
 use crate::source::Fault;
 use crate::{Error, Result};
 
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
+use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::Meaning;
 use crate::check::model::order::derivatives;
 use crate::check::model::sampling::Mode;
@@ -28,7 +29,7 @@ use crate::check::state::sampled_state::SampledState;
 /// # Errors
 /// At the name in the claims file, where no display defines it, or where its formula is not a Lagrangian.
 pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], model: &mut Model) -> Result<()> {
-    let Some(printed) = model.printed_lagrangian.clone() else { return Ok(()) };
+    let Some(printed) = model.printed_lagrangian.clone() else { return no_forces(claims) };
     let error = |message: String| Error::at(&claims.source, printed.place, message);
     let shown = text::plain(&printed.lagrangian.to_string());
     let found = model.symbols.find(&printed.lagrangian).map(|(id, _)| id);
@@ -66,6 +67,7 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
         return Err(error(format!("{shown} contains accelerations, which is not supported"))
             .help("subtract a total time derivative, so that only velocities are left"));
     }
+    applied_forces(claims, model)?;
     trace(model, symbol).map_err(|refused| {
         let help = refused.advice().map(str::to_owned);
         let error = error(format!("no motion follows from {shown}: {}", refused.message()));
@@ -79,6 +81,50 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
         "the system is the Lagrangian {shown} that the notes define, in the coordinates {}",
         coordinates.join(", ")
     ));
+    Ok(())
+}
+
+/// Rejects forces and a dissipation function where the notes print no Lagrangian.
+fn no_forces(claims: &Claims) -> Result<()> {
+    let force = claims.forces.first().map(|(name, _)| ("forces", name.span));
+    match force.or(claims.dissipation.as_ref().map(|function| ("dissipation", function.span))) {
+        None => Ok(()),
+        Some((key, span)) => {
+            let message = format!("\"{key}\" needs a Lagrangian that the notes print");
+            Err(Error::at(&claims.source, span, message)
+                .help("print it in a display, and write \"means\": { \"L\": \"Lagrangian\" } without a \"system\""))
+        }
+    }
+}
+
+/// Reads the forces and the dissipation function of the claims file.
+///
+/// # Errors
+/// For a name that is no coordinate, and a formula that cannot be read or contains accelerations.
+fn applied_forces(claims: &Claims, model: &mut Model) -> Result<()> {
+    let read = |latex: &Spanned<String>| {
+        let formula = read_formula(&latex.value, &mut model.symbols.clone(), &model.macros)
+            .map_err(|fault| formula_error(claims, latex, fault))?;
+        match derivatives(&formula, model) > 1 {
+            true => {
+                Err(Error::at(&claims.source, latex.span, "a force contains accelerations, which is not supported")
+                    .help("write it with coordinates, velocities and the time"))
+            }
+            false => Ok(formula),
+        }
+    };
+    let place = |name: &Spanned<String>| {
+        let is_it = |symbol: SymbolId| name_search::same(&model.name(symbol), &name.value);
+        model.coordinates.iter().position(|coordinate| is_it(coordinate.symbol)).ok_or_else(|| {
+            Error::at(&claims.source, name.span, format!("{} is not a coordinate", name.value))
+                .help("each force has the name of its coordinate: \"forces\": { \"x\": \"-b \\\\dot x\" }")
+        })
+    };
+    let dissipation = claims.dissipation.as_ref().map(read).transpose()?;
+    let forces = claims.forces.iter().map(|(name, force)| Ok((place(name)?, read(force)?))).collect::<Result<_>>()?;
+    if let Some(printed) = &mut model.printed_lagrangian {
+        (printed.dissipation, printed.forces) = (dissipation, forces);
+    }
     Ok(())
 }
 
@@ -98,6 +144,15 @@ pub(crate) fn retrace(model: &mut Model) -> Result<()> {
 pub(crate) fn is_part(model: &Model, symbol: SymbolId) -> bool {
     let printed = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
     printed.is_some_and(|(lagrangian, _)| lagrangian == symbol || chain(model, lagrangian).contains(&symbol))
+        || is_force(model, symbol)
+}
+
+/// Whether the dissipation function or a force beside the Lagrangian is this symbol, or is defined by it.
+pub(crate) fn is_force(model: &Model, symbol: SymbolId) -> bool {
+    let Some(printed) = &model.printed_lagrangian else { return false };
+    let formulas = printed.dissipation.iter().chain(printed.forces.iter().map(|(_, force)| force));
+    let mut roots = formulas.flat_map(Expr::symbols);
+    roots.any(|(root, _)| root == symbol || chain(model, root).contains(&symbol))
 }
 
 fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
@@ -110,15 +165,28 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
         let node = crate::formula::Node::Symbol { id, indices: Vec::new(), dots: 0 };
         Expr::new(node, crate::source::Span::default())
     };
-    let formulas: Vec<Expr> = std::iter::once(symbol).chain(potential).map(node).collect();
+    let applied = model.printed_lagrangian.clone().map(|printed| (printed.dissipation, printed.forces));
+    let (dissipation, forces) = applied.unwrap_or_default();
+    let has_potential = potential.is_some();
+    let mut formulas: Vec<Expr> = std::iter::once(symbol).chain(potential).map(node).collect();
+    let first_force = formulas.len();
+    formulas.extend(forces.iter().map(|(_, force)| force.clone()).chain(dissipation.clone()));
     let mut bare = model.clone();
     bare.system = None;
     let mut readable = true;
     let system = System::of_lagrangian("the notes", coordinates, parameters, |time, q, v, parameters| {
         let values = symbolic(&bare, time, (q, v), (&places, parameters), &formulas);
         readable = values.is_some();
-        let values = values.unwrap_or_else(|| vec![Symbol::from(f64::NAN)]);
-        (values[0], values.get(1).copied())
+        let values = values.unwrap_or_else(|| vec![Symbol::from(f64::NAN); formulas.len()]);
+        let mut applied = Applied::default();
+        if !forces.is_empty() {
+            applied.forces = vec![Symbol::from(0.0); q.len()];
+            for ((coordinate, _), value) in forces.iter().zip(&values[first_force..]) {
+                applied.forces[*coordinate] = applied.forces[*coordinate] + *value;
+            }
+        }
+        applied.dissipation = dissipation.as_ref().and_then(|_| values.last().copied());
+        (values[0], has_potential.then(|| values[1]), applied)
     })?;
     if !readable {
         return Err(Error::new("its formula has no value as a number made of coordinates and velocities")

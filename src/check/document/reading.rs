@@ -315,6 +315,12 @@ fn accept((symbols, reading): (Symbols, Reading), model: &mut Model) -> Reading 
     }
     for statement in reading.statements.iter().flatten() {
         note_formula(statement, model);
+        let first = statement.members.first().and_then(Expr::as_plain_symbol);
+        if let Some(id) =
+            first.filter(|id| statement.constant.is_some() && model.symbols.entry(*id).definition.is_some())
+        {
+            model.symbols.entry_mut(id).conserved = true;
+        }
     }
     reading
 }

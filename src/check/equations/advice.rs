@@ -28,8 +28,21 @@ impl Checker<'_> {
                 Expr::new(node, link.lhs.span)
             })
             .collect();
-        let alone = coordinates.chunks(1);
-        for small in alone.chain((coordinates.len() > 1).then_some(coordinates.as_slice())) {
+        // A small oscillation has a small velocity too.
+        let with_rates = |names: &[Expr]| -> Vec<Expr> {
+            let rate = |name: &Expr| match &name.node {
+                Node::Symbol { id, indices, dots } => {
+                    let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots + 1 };
+                    Some(Expr::new(node, name.span))
+                }
+                _ => None,
+            };
+            names.iter().cloned().chain(names.iter().filter_map(rate)).collect()
+        };
+        let mut tried: Vec<Vec<Expr>> = coordinates.chunks(1).map(<[Expr]>::to_vec).collect();
+        tried.extend((coordinates.len() > 1).then(|| coordinates.clone()));
+        tried.extend(tried.clone().iter().map(|names| with_rates(names)));
+        for small in &tried {
             let found = small::check(link, small, 1, context)?;
             if found.verdict.passes() {
                 let names: Vec<String> = small.iter().map(|name| text::formula(name, &model.symbols)).collect();

@@ -17,3 +17,4 @@ pub(crate) mod motion;
 pub(crate) mod sentences;
 pub(crate) mod uses;
 pub(crate) mod whole;
+pub(crate) mod whole_displays;

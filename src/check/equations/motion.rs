@@ -13,6 +13,7 @@ use crate::check::kinds::solution;
 use crate::check::kinds::solution::Solution;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::{Context, Options};
+use crate::check::sample::setting::FEWEST;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
@@ -30,7 +31,8 @@ impl Checker<'_> {
 
     /// The solutions for coordinates that the notes print, each with its display.
     fn solutions(&self) -> Vec<(usize, Solution)> {
-        let all = self.readings.iter().enumerate().filter(|(at, _)| self.assigned[*at].is_none_or(|c| c.expect.is_none()));
+        let all =
+            self.readings.iter().enumerate().filter(|(at, _)| self.assigned[*at].is_none_or(|c| c.expect.is_none()));
         let printed = |reading: &Reading| -> Vec<Solution> {
             let statements = reading.statements.iter().flatten().filter(|statement| !statement.relations.is_empty());
             let first = statements.filter_map(|statement| {
@@ -62,6 +64,7 @@ impl Checker<'_> {
         let of_itself = |(_, known): &(usize, Solution)| known.coordinate == found.coordinate;
         if let Some((at, printed)) = self.solutions_beside(None, context).into_iter().find(of_itself)
             && found.dots > 0
+            && self.is_solved_by(&printed, context)?
         {
             let span = found.formula.span;
             let rate = Expr::new(Node::TimeDerivative(found.dots, Box::new(printed.formula.clone())), span);
@@ -80,6 +83,20 @@ impl Checker<'_> {
         solution::check(found, &others, context)
     }
 
+    /// Whether a link may be an orbit, or may hold along a printed solution.
+    pub(crate) fn is_along_the_motion(&self, link: &Link) -> bool {
+        let shares = |(_, known): &(usize, Solution)| known.shares_a_constant_of_integration(link, self.model);
+        solution::is_an_orbit(link, self.model) || self.solutions().iter().any(shares)
+    }
+
+    /// Whether a printed solution passes.
+    fn is_solved_by(&self, printed: &Solution, context: &Context<'_>) -> Result<bool> {
+        let quick = Context { options: Options { explain: false, ..context.options }, ..*context };
+        let others = self.solutions_beside(Some(printed.coordinate), context);
+        let others: Vec<Solution> = others.into_iter().map(|(_, solution)| solution).collect();
+        Ok(solution::check(printed, &others, &quick)?.verdict.holds())
+    }
+
     /// What a link is that was refuted: an orbit of the motion, or an equation that holds along a printed solution; else the same
     /// finding.
     pub(crate) fn along_the_motion(&self, link: &Link, found: Finding, context: &Context<'_>) -> Result<Finding> {
@@ -94,18 +111,21 @@ impl Checker<'_> {
             return Ok(found);
         }
         // Only what solves the equations of motion can be a hypothesis.
-        let quick = Context { options: Options { explain: false, ..context.options }, ..*context };
         let all: Vec<Solution> = beside.iter().map(|(_, solution)| solution.clone()).collect();
         for solution in &all {
             let others: Vec<Solution> =
                 all.iter().filter(|other| other.coordinate != solution.coordinate).cloned().collect();
-            if !solution::check(solution, &others, &quick)?.verdict.holds() {
+            if solution::is_on_shell(solution, &others, context)? != Some(true) {
                 return Ok(found);
             }
         }
         let hypotheses: Vec<Hypothesis> =
             context.hypotheses.iter().cloned().chain(all.iter().flat_map(Solution::hypotheses)).collect();
         let on_it = Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context };
+        let few = Options { points: FEWEST, explain: false, ..context.options };
+        if !context.options.explain && !identity::check(link, &Context { options: few, ..on_it })?.verdict.holds() {
+            return Ok(found);
+        }
         let along = identity::check(link, &on_it)?;
         let numbers: Vec<String> = beside.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
         let of = format!("the solution in ({})", numbers.join("), ("));

@@ -39,7 +39,8 @@ impl Checker<'_> {
         }
         let (uses, restated) = self.uses(introduced)?;
         let approximations = ApproximateUses::of(self, symbol)?;
-        if uses.is_empty() && !restated.is_empty() && approximations.is_empty() {
+        let whole = self.whole_displays(introduced)?;
+        if uses.is_empty() && !restated.is_empty() && approximations.is_empty() && whole.is_empty() {
             let name = text::plain(&self.model.name(symbol));
             let message = format!(
                 "defines {name}, but {} only repeats the definition, so it was not tested; use {name} in an equation that can fail",
@@ -50,7 +51,7 @@ impl Checker<'_> {
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
         let by_law: Vec<User<'_>> = by_law.iter().map(|used| used.by(context)).collect();
-        definitions::check(symbol, &introduced.formula, (&mut users, &by_law, &approximations), context)
+        definitions::check(symbol, &introduced.formula, (&mut users, &by_law, &[&approximations, &whole]), context)
     }
 
     /// The finding on a definition from which the motion follows, since the Lagrangian is made of it.
@@ -60,6 +61,7 @@ impl Checker<'_> {
         let lagrangian = lagrangian.unwrap_or_default();
         let what = match name == lagrangian {
             true => "the Lagrangian".to_owned(),
+            false if printed_lagrangian::is_force(model, symbol) => "from which forces follow".to_owned(),
             false => format!("a part of the Lagrangian {lagrangian}"),
         };
         let message = format!("defines {name}, {what}; it is not checked, and the equations of motion follow from it");

@@ -37,7 +37,7 @@ pub struct User<'a> {
     pub context: Context<'a>,
 }
 
-/// The statements with ≈ that use a defined symbol.
+/// The statements with ≈, or the displays judged as a whole, that use a defined symbol.
 pub trait Approximations {
     /// The names of those that hold.
     ///
@@ -50,18 +50,19 @@ pub trait Approximations {
 }
 
 /// The finding on `symbol = formula`. `users` contain the symbol; equations in `by_law` may hold by a law that contains it,
-/// and `approximations` are the statements with ≈ that use it.
+/// and `others` are the statements with ≈ and the displays judged as a whole.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
 pub fn check(
     symbol: SymbolId,
     formula: &Expr,
-    (users, by_law, approximations): (&mut [User<'_>], &[User<'_>], &dyn Approximations),
+    (users, by_law, others): (&mut [User<'_>], &[User<'_>], &[&dyn Approximations]),
     context: &Context<'_>,
 ) -> Result<Finding> {
     let name = text::plain(&context.model.name(symbol));
-    if users.is_empty() && by_law.is_empty() && approximations.holding()?.is_empty() {
+    let is_unused = users.is_empty() && by_law.is_empty();
+    if is_unused && others.iter().map(|other| other.holding()).collect::<Result<Vec<_>>>()?.iter().all(Vec::is_empty) {
         return Ok(context.finding(
             Code::DefinitionUnused,
             Verdict::Undecided,
@@ -123,14 +124,12 @@ pub fn check(
             names.push(user.id.clone());
         }
     }
-    // Approximations take many states, so they are asked only about what nothing else detects.
-    if !surviving.is_empty() {
-        for id in approximations.holding()? {
-            if !names.contains(&id) {
-                names.push(id);
-            }
+    // These take many states, so they are asked only about what nothing else detects.
+    for other in others {
+        if !surviving.is_empty() {
+            names.extend(other.holding()?.into_iter().filter(|id| !names.contains(id)).collect::<Vec<_>>());
+            surviving.retain(|(mutant, _)| !other.detect(mutant));
         }
-        surviving.retain(|(mutant, _)| !approximations.detect(mutant));
     }
     // An equivalent mutant makes nothing fail.
     let mode = context.mode(false, &[formula]);

@@ -13,16 +13,17 @@ use num_dual::Dual;
 use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, SymbolId, Value, text};
-use crate::scalar::RunningError;
+use crate::scalar::{RunningError, Series};
 
 use crate::check::judge::identity;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::free_symbols;
-use crate::check::model::meaning::Meaning;
+use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::sample::context::Context;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::residual;
+use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
@@ -100,13 +101,23 @@ fn contains_time(formula: &Expr, model: &Model) -> bool {
 /// # Errors
 /// When the system's mass matrix is singular.
 pub(crate) fn check(solution: &Solution, others: &[Solution], context: &Context<'_>) -> Result<Finding> {
+    let name = text::plain(&context.model.name(solution.coordinate));
+    let refuted = format!("this does not satisfy the equations of motion for {name}");
+    let exact = is_on_shell(solution, others, context)?;
+    if exact == Some(false) {
+        if let Some(found) = in_first_order(solution, others, context)? {
+            return Ok(found);
+        }
+        if !context.options.explain {
+            return Ok(context.finding(Code::NotASolution, Verdict::Refuted, refuted));
+        }
+    }
     // Another display may be wrong: the equation of this coordinate alone decides, if it can.
     let alone = on_the_solution(solution, &[], context)?;
     let finding = match alone.verdict.holds() || others.is_empty() {
         true => alone,
         false => on_the_solution(solution, others, context)?,
     };
-    let name = text::plain(&context.model.name(solution.coordinate));
     if finding.verdict.holds() {
         let constants = constants_of_integration(solution, context.model);
         let names: Vec<String> = constants.iter().map(|id| text::plain(&context.model.name(*id))).collect();
@@ -116,14 +127,59 @@ pub(crate) fn check(solution: &Solution, others: &[Solution], context: &Context<
         };
         return Ok(Finding { message: format!("solves the equations of motion for {name}{constants}"), ..finding });
     }
-    if finding.verdict != Verdict::Refuted {
-        return Ok(finding);
+    // Without acceleration both sides of the claim are 0, which says nothing about factors in an identity.
+    if exact == Some(true) && finding.code == Code::SideAlwaysZero {
+        let message = format!("solves the equations of motion for {name}");
+        let points = FEWEST.min(context.options.points);
+        let found = context.verified(message, "the acceleration is 0");
+        return Ok(Finding { points, tried: points, ..found });
     }
-    if let Some(found) = in_first_order(solution, others, context)? {
-        return Ok(found);
+    match finding.verdict {
+        Verdict::Refuted => Ok(Finding { message: refuted, code: Code::NotASolution, ..finding }),
+        _ => Ok(finding),
     }
-    let message = format!("this does not satisfy the equations of motion for {name}");
-    Ok(Finding { message, code: Code::NotASolution, ..finding })
+}
+
+/// Whether the accelerations on shell are those of the formula at a few states, with the printed solutions of the other
+/// coordinates or with any values of these. `None` without a system, and where no state gives a number.
+///
+/// # Errors
+/// When no state can be drawn.
+pub(crate) fn is_on_shell(solution: &Solution, others: &[Solution], context: &Context<'_>) -> Result<Option<bool>> {
+    let model = context.model;
+    let Some(system) = model.system.as_deref().filter(|_| solution.dots == 0) else { return Ok(None) };
+    let mode = context.mode(false, &[&solution.link(2).rhs]);
+    let ensemble = context.ensemble(mode, false, FEWEST)?;
+    let Some(place) = model.coordinates.iter().position(|c| c.symbol == solution.coordinate) else { return Ok(None) };
+    let agrees = |others: &[Solution], state: &SampledState<'_, RunningError>| {
+        let jet = |order: u8| -> Option<Vec<RunningError>> {
+            let known = |(coordinate, jet): (&Variable, &Series<RunningError>)| {
+                let printed = std::iter::once(solution).chain(others);
+                match printed.into_iter().find(|known| known.coordinate == coordinate.symbol && known.dots == 0) {
+                    None => jet.nth_derivative_value(usize::from(order)),
+                    Some(known) => match state.now(&known.sides(order).1, &[]) {
+                        Ok(Value::Scalar(value)) => Some(value),
+                        _ => None,
+                    },
+                }
+            };
+            model.coordinates.iter().zip(state.coordinates()).map(known).collect()
+        };
+        let parameters = model.parameters.iter().map(|at| state.base.constant(*at).first().copied());
+        let parameters = parameters.collect::<Option<Vec<RunningError>>>()?;
+        let on_shell = system.accelerations(state.base.time, &jet(0)?, &jet(1)?, &parameters).ok()?;
+        let printed = jet(2)?[place];
+        printed.value.is_finite().then(|| residual::vanishes(on_shell[place] - printed))
+    };
+    let all = |others: &[Solution]| {
+        let found: Vec<bool> = ensemble.states.iter().filter_map(|state| agrees(others, state)).collect();
+        (!found.is_empty()).then(|| found.into_iter().all(|agrees| agrees))
+    };
+    Ok(match (all(&[]), others.is_empty()) {
+        (Some(true), _) => Some(true),
+        (alone, true) => alone,
+        (_, false) => all(others),
+    })
 }
 
 fn on_the_solution(solution: &Solution, others: &[Solution], context: &Context<'_>) -> Result<Finding> {
@@ -206,8 +262,8 @@ fn in_first_order(solution: &Solution, others: &[Solution], context: &Context<'_
     Ok(Some(Finding { points, tried: ensemble.tried, max_residual: Some(worst), ..found }))
 }
 
-/// The relation between coordinates that a link may print as an orbit: q, or 1/q, as a function of other coordinates.
-fn is_an_orbit(link: &Link, model: &Model) -> bool {
+/// Whether a link may print an orbit: q, or 1/q, as a function of other coordinates.
+pub(crate) fn is_an_orbit(link: &Link, model: &Model) -> bool {
     let moves = |(id, _): &(SymbolId, u8)| matches!(model.meaning(*id), Some(Meaning::Coordinate(_)));
     let coordinates = |side: &Expr| side.symbols().into_iter().filter(|symbol| moves(symbol)).collect::<Vec<_>>();
     let (left, right) = (coordinates(&link.lhs), coordinates(&link.rhs));
@@ -218,6 +274,7 @@ fn is_an_orbit(link: &Link, model: &Model) -> bool {
         _ => false,
     };
     alone
+        && model.has_motion()
         && is_equality(link.relation)
         && left.len() == 1
         && !right.is_empty()
@@ -233,7 +290,7 @@ fn is_an_orbit(link: &Link, model: &Model) -> bool {
 /// # Errors
 /// When the system's mass matrix is singular.
 pub(crate) fn orbit(link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
-    if !context.model.has_motion() || !is_an_orbit(link, context.model) {
+    if !is_an_orbit(link, context.model) {
         return Ok(None);
     }
     let rate = |side: &Expr, order: u8| Expr::new(Node::TimeDerivative(order, Box::new(side.clone())), side.span);

@@ -43,6 +43,10 @@ pub struct PrintedLagrangian {
     pub lagrangian: Name,
     /// The name of the potential energy U, where L = T − U.
     pub potential: Option<Name>,
+    /// Rayleigh's dissipation function.
+    pub dissipation: Option<Expr>,
+    /// The generalized forces beside what L gives: the place of the coordinate, and the force.
+    pub forces: Vec<(usize, Expr)>,
     /// The place in the claims file.
     pub place: Span,
 }

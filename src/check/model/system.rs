@@ -135,7 +135,9 @@ impl Builder<'_> {
                 let potential = self.claims.means.iter().find(|(_, meaning)| meaning.value == "potential energy");
                 let potential = potential.map(|(latex, _)| self.name(latex)).transpose()?;
                 let place = latex.span;
-                self.model.printed_lagrangian = Some(PrintedLagrangian { lagrangian: name, potential, place });
+                let (dissipation, forces) = (None, Vec::new());
+                self.model.printed_lagrangian =
+                    Some(PrintedLagrangian { lagrangian: name, potential, dissipation, forces, place });
                 self.derivatives_of_the_lagrangian(latex)?;
                 Ok(true)
             }

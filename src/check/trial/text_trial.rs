@@ -24,6 +24,7 @@ use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::difference;
 use crate::check::kinds::small;
 use crate::check::kinds::small::ShrinkingFamily;
+use crate::check::kinds::solution;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::{Context, Options};
@@ -285,7 +286,9 @@ fn links<'r>(
         let drops = |at: usize| at + 1 == count && claim.dropping.is_some();
         let link =
             |at: usize| checker.link(&statement.members[at], statement.relations[at].0, &statement.members[at + 1]);
-        let is_solution = |at: usize, link: &Link| checker.solution(link, at, claim).is_some();
+        let is_solution = |at: usize, link: &Link| {
+            checker.solution(link, at, claim).is_some() || solution::is_an_orbit(link, checker.model)
+        };
         let checked = (0..count).filter(|at| wanted(statement.relations[*at].0) && !defines(*at));
         let checked = checked.filter(|at| !solves(*at) && !drops(*at));
         let checked = checked.filter_map(|at| link(at).ok().filter(|link| !is_solution(at, link)));

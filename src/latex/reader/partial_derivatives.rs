@@ -279,8 +279,9 @@ impl Reader<'_> {
         let fixed = self.momenta(formula);
         let scope = Scope { symbols: self.symbols, fixed: &fixed };
         let others = derivative::variables(formula, scope).map_err(refused)?;
+        let is_momentum = |other: &&Variable| fixed.contains(&other.id) && self.symbols.entry(other.id).is_momentum();
         let velocity = others.iter().find(|other| other.dots > 0 && !fixed.contains(&other.id));
-        if let (Some(velocity), Some(momentum)) = (velocity, others.iter().find(|other| fixed.contains(&other.id))) {
+        if let (Some(velocity), Some(momentum)) = (velocity, others.iter().find(|other| is_momentum(other))) {
             let name = |id: SymbolId| self.symbols.entry(id).name.to_string();
             return Err(Fault::ambiguous(
                 span,
@@ -298,8 +299,16 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(item.span, "a letter may depend on this variable or not")
                 .help("say in a claims file what the letters are"));
         }
+        // The momentum of another coordinate stays fixed in dV/dr, as in an effective potential.
+        let stays = |other: &Variable| {
+            let (subscript, variable) =
+                (&self.symbols.entry(other.id).name.subscript, self.symbols.entry(by.id).name.to_string());
+            let is_of_it =
+                subscript.concat() == variable || subscript.is_empty() && self.symbols.entry(other.id).is_momentum();
+            fixed.contains(&other.id) && !is_of_it
+        };
         match mark {
-            Mark::Total if others.iter().any(|other| !is_by(other)) => Err(Fault::ambiguous(
+            Mark::Total if others.iter().any(|other| !is_by(other) && !stays(other)) => Err(Fault::ambiguous(
                 span,
                 "this derivative with d may be partial or total, because the formula contains more than one variable",
             )
@@ -332,17 +341,17 @@ impl Reader<'_> {
         }
     }
 
-    /// The momenta in a formula: they are variables of their own, whatever formula defines them.
+    /// The momenta and conserved quantities in a formula: they are variables of their own, whatever formula defines them.
     fn momenta(&self, formula: &Expr) -> Vec<SymbolId> {
-        let (mut found, mut waiting) = (Vec::new(), vec![formula.clone()]);
+        let defined = formula.as_plain_symbol().and_then(|id| self.symbols.entry(id).definition.as_deref());
+        let (mut found, mut waiting) = (Vec::new(), vec![defined.unwrap_or(formula).clone()]);
         let mut seen = Vec::new();
         while let Some(next) = waiting.pop() {
             for (id, _) in next.symbols() {
                 let entry = self.symbols.entry(id);
-                let is_momentum = entry.momentum || matches!(entry.name.base.as_str(), "p" | "P");
                 match &entry.definition {
                     _ if seen.contains(&id) => {}
-                    _ if is_momentum => found.push(id),
+                    _ if entry.is_momentum() || entry.conserved => found.push(id),
                     Some(definition) => waiting.push(definition.as_ref().clone()),
                     None => {}
                 }

@@ -25,3 +25,4 @@ mod tracing;
 pub use accelerations::AccelerationEvaluator;
 pub use any_lagrangian::{AnyLagrangian, Parts, erased};
 pub use traced_system::{Quantities, System};
+pub use tracing::Applied;

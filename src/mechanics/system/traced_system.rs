@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use super::elimination::upper;
 use super::layout::Layout;
 use super::programs::Programs;
-use super::tracing::{Recorded, Traced, trace, traced};
+use super::tracing::{Applied, Recorded, Traced, trace, traced};
 use crate::mechanics::linear_solver::{self, LinearSolver};
 use crate::mechanics::{Lagrangian, motion};
 use crate::scalar::{Number, Series, Symbol};
@@ -58,8 +58,8 @@ impl System {
         Ok(System::of_traced(l.name(), names(&l.coordinates()), names(&l.parameters()), named(l.name(), trace(l))?))
     }
 
-    /// Traces a Lagrangian that is given as a function of symbols. `lagrangian` returns L and, where L = T − U, also U,
-    /// as functions of t, q, q̇ and the parameters. The names are spelled as in LaTeX.
+    /// Traces a Lagrangian that is given as a function of symbols. `lagrangian` returns L, U where L = T − U, and what acts
+    /// beside L, as functions of t, q, q̇ and the parameters. The names are spelled as in LaTeX.
     ///
     /// # Errors
     /// When it branches on a value.
@@ -67,14 +67,14 @@ impl System {
         name: &str,
         coordinates: Vec<String>,
         parameters: Vec<String>,
-        lagrangian: impl FnOnce(Symbol, &[Symbol], &[Symbol], &[Symbol]) -> (Symbol, Option<Symbol>),
+        lagrangian: impl FnOnce(Symbol, &[Symbol], &[Symbol], &[Symbol]) -> (Symbol, Option<Symbol>, Applied),
     ) -> Result<System> {
         let layout = Layout { coordinates: coordinates.len(), parameters: parameters.len() };
         let traced = traced(layout, || {
             let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
             let (q, v) = (&inputs[layout.q(0)..layout.v(0)], &inputs[layout.v(0)..layout.v(layout.coordinates)]);
-            let (lagrangian, potential) = lagrangian(inputs[0], q, v, &inputs[layout.v(layout.coordinates)..]);
-            Recorded { lagrangian, potential, turning: None }
+            let (lagrangian, potential, applied) = lagrangian(inputs[0], q, v, &inputs[layout.v(layout.coordinates)..]);
+            Recorded { lagrangian, potential, applied, turning: None }
         });
         Ok(System::of_traced(name, coordinates, parameters, named(name, traced)?))
     }
@@ -103,7 +103,7 @@ impl System {
                 let rows = orientation.transpose();
                 rows.iter().chain(&space).chain(&body).copied().collect()
             });
-            Recorded { lagrangian, potential, turning }
+            Recorded { lagrangian, potential, applied: Applied::default(), turning }
         });
         Ok(System::of_traced(name, self.coordinates.clone(), parameters, named(name, traced)?))
     }

@@ -52,8 +52,19 @@ pub(super) struct Recorded {
     pub lagrangian: Symbol,
     /// U, if L = T − U.
     pub potential: Option<Symbol>,
+    /// What acts beside L.
+    pub applied: Applied,
     /// Of a rigid body: R row by row, ω in space components, ω along the body.
     pub turning: Option<Vec<Symbol>>,
+}
+
+/// What acts on a system beside its Lagrangian: d/dt ∂L/∂q̇ − ∂L/∂q = Q − ∂F/∂q̇.
+#[derive(Default)]
+pub struct Applied {
+    /// The generalized forces Q, one for each coordinate, as functions of t, q, q̇ and the parameters; empty for none.
+    pub forces: Vec<Symbol>,
+    /// Rayleigh's dissipation function F.
+    pub dissipation: Option<Symbol>,
 }
 
 /// Traces `l`.
@@ -74,7 +85,7 @@ pub(super) fn trace<L: Lagrangian<N, P>, const N: usize, const P: usize>(l: &L) 
             rows.iter().chain(&turning.angular_velocity).chain(&turning.body_rates).copied().collect()
         });
         let potential = l.potential_energy(&at);
-        Recorded { lagrangian: l.lagrangian(&at), potential, turning }
+        Recorded { lagrangian: l.lagrangian(&at), potential, applied: Applied::default(), turning }
     })
 }
 
@@ -86,14 +97,23 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
     let tape = |graph: &Graph, outputs: &[Symbol]| Tape::new(graph, layout.inputs(), outputs);
     let n = layout.coordinates;
 
-    let (graph, (lagrangian, potential, turning)) = Graph::record(|| {
-        let Recorded { lagrangian, potential, turning } = record();
+    let (graph, (lagrangian, potential, forces, dissipation, turning)) = Graph::record(|| {
+        let Recorded { lagrangian, potential, applied, turning } = record();
         let simple = |outputs: Option<Vec<Symbol>>| outputs.map(|outputs| simplify_all(&outputs));
-        (simplify_all(&[lagrangian]), simple(potential.map(|u| vec![u])), simple(turning))
+        let one = |value: Option<Symbol>| simple(value.map(|value| vec![value]));
+        let forces = simplify_all(&applied.forces);
+        (simplify_all(&[lagrangian]), one(potential), forces, one(applied.dissipation), simple(turning))
     })?;
     let lagrangian = tape(&graph, &lagrangian);
     let potential = potential.map(|outputs| tape(&graph, &outputs));
     let turning = turning.map(|outputs| tape(&graph, &outputs));
+    let forces = tape(&graph, &forces);
+    let dissipation = dissipation.map(|outputs| tape(&graph, &outputs));
+    let (graph, losses) = Graph::record(|| {
+        let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
+        dissipation.map(|function| gradient(&function, &inputs).1[layout.v(0)..layout.v(n)].to_vec())
+    })?;
+    let losses = losses.map(|slopes| tape(&graph, &slopes));
 
     let (graph, (value, slopes)) = Graph::record(|| {
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
@@ -104,7 +124,14 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
 
     let (graph, derived) = Graph::record(|| {
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
-        let derived = Derived::new(layout, &first, &momenta, &inputs);
+        let mut derived = Derived::new(layout, &first, &momenta, &inputs);
+        let losses = losses.as_ref().map_or_else(Vec::new, |losses| losses.evaluate(&inputs));
+        for (bias, force) in derived.bias.iter_mut().zip(forces.evaluate(&inputs)) {
+            *bias = *bias - force;
+        }
+        for (bias, loss) in derived.bias.iter_mut().zip(losses) {
+            *bias = *bias + loss;
+        }
         let mut quantities = vec![derived.value];
         quantities.extend(&derived.momenta);
         quantities.push(derived.energy);

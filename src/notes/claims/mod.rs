@@ -61,6 +61,10 @@ pub struct Claims {
     pub laws: Vec<(Spanned<String>, Spanned<String>)>,
     /// `units`: symbols, and their units in SI.
     pub units: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `dissipation`: Rayleigh's function, whose slopes by the velocities are subtracted from the generalized forces.
+    pub dissipation: Option<Spanned<String>>,
+    /// `forces`: the generalized force on a coordinate, beside what the Lagrangian gives.
+    pub forces: Vec<(Spanned<String>, Spanned<String>)>,
     /// `rotations`: rotation matrices, active or passive.
     pub rotations: Vec<(Spanned<String>, Spanned<Turning>)>,
     /// `means`: the derived quantity that a name stands for.
@@ -138,6 +142,8 @@ const KEYS: &[&str] = &[
     "varies with time",
     "constants",
     "functions",
+    "dissipation",
+    "forces",
     "indices",
     "axes",
     "components",
@@ -215,6 +221,8 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         continua,
         laws: fields.pairs("laws")?,
         units,
+        dissipation: fields.text("dissipation")?,
+        forces: fields.pairs("forces")?,
         rotations,
         means,
         define,

@@ -1,0 +1,119 @@
+//! Displays that test a definition as a whole: with a derivative by a symbol, or as a motion.
+//!
+//! The links of a plain equation are evaluated with another formula for the name ([`super::uses`]). These displays are judged in
+//! another way, or their reading contains the derivative of the definition in place of the name. So they are read and judged
+//! again in a model in which the name has the other formula.
+
+use crate::Result;
+use crate::formula::{Expr, Statement};
+use crate::latex::{DefinedSymbol, Reading};
+use crate::notes::claims::Claim;
+
+use crate::check::document::checker::Checker;
+use crate::check::document::names::shown;
+use crate::check::kinds::definitions::Approximations;
+use crate::check::model::Model;
+use crate::check::sample::context::Options;
+use crate::check::sample::setting::FEWEST;
+use crate::check::verdict::Verdict;
+
+impl Checker<'_> {
+    /// The displays that are judged as a whole, and that pass.
+    pub(crate) fn whole_displays<'s>(&'s self, introduced: &'s DefinedSymbol) -> Result<WholeDisplays<'s>> {
+        let mut displays = Vec::new();
+        for at in 0..self.readings.len() {
+            let claim = self.assigned[at];
+            let is_plain = claim.is_none_or(|claim| claim.expect.is_none() && claim.errata.is_empty());
+            if !is_plain || self.is_law(at) || !self.is_judged_as_a_whole(at, introduced)? {
+                continue;
+            }
+            if self.verdicts_with(at, self.model)?.iter().all(|verdict| verdict.passes()) {
+                displays.push(at);
+            }
+        }
+        Ok(WholeDisplays { checker: self, introduced, displays })
+    }
+
+    /// Whether a display without its definitions may depend on a name in a way that its links do not show.
+    fn is_judged_as_a_whole(&self, at: usize, introduced: &DefinedSymbol) -> Result<bool> {
+        let text = &self.notes.equations[at].text;
+        let name = &self.model.symbols.entry(introduced.symbol).name.base;
+        if (text.contains("\\partial") || text.contains("\\frac{d")) && text.contains(name.as_str()) {
+            return Ok(true);
+        }
+        let depends = |member: &Expr| self.model.depends_on(member, &[introduced.symbol]);
+        let none = Claim::default();
+        let claim = self.assigned[at].unwrap_or(&none);
+        for statement in self.without_definitions(at).statements.iter().flatten() {
+            if !statement.members.iter().any(depends) || statement.relations.is_empty() {
+                continue;
+            }
+            let link = self.link(&statement.members[0], statement.relations[0].0, &statement.members[1])?;
+            if self.solution(&link, 0, claim).is_some() || self.is_along_the_motion(&link) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The reading of a display without the statements that define names.
+    fn without_definitions(&self, at: usize) -> Reading {
+        let reading = &self.readings[at];
+        let defines = |n: usize| reading.introduced.iter().any(|new| new.statement == n);
+        let kept = reading.statements.iter().enumerate().filter(|(n, _)| !defines(*n));
+        Reading { statements: kept.map(|(_, statement)| statement.clone()).collect(), introduced: Vec::new() }
+    }
+
+    /// The verdicts on a display in another model, in which it is read again if it contains a derivative.
+    fn verdicts_with(&self, at: usize, model: &Model) -> Result<Vec<Verdict>> {
+        let none = Claim::default();
+        let (display, claim) = (&self.notes.equations[at], self.assigned[at].unwrap_or(&none));
+        let mut reading = self.without_definitions(at);
+        if display.text.contains("\\partial") || display.text.contains("\\frac{d") {
+            let again = Checker { model, units: None, ..*self }.as_printed(&display.text, claim, &model.macros);
+            let before = &self.readings[at];
+            let kept = |n: usize| !before.introduced.iter().any(|new| new.statement == n);
+            let statements: Vec<_> = again.statements.into_iter().enumerate().filter(|(n, _)| kept(*n)).collect();
+            let read = |(_, statement): (usize, Result<Statement, _>)| statement;
+            reading.statements = statements.into_iter().map(read).collect();
+        }
+        let options = Options { points: FEWEST.min(self.options.points), explain: false, ..self.options };
+        let judge = Checker { model, options, units: None, ..*self };
+        let parts = judge.parts((at, display.body.start), &reading, claim, &shown(display))?;
+        Ok(parts.into_iter().map(|part| part.finding.verdict).collect())
+    }
+}
+
+/// The displays that are judged as a whole and pass.
+pub(crate) struct WholeDisplays<'s> {
+    checker: &'s Checker<'s>,
+    introduced: &'s DefinedSymbol,
+    displays: Vec<usize>,
+}
+
+impl WholeDisplays<'_> {
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.displays.is_empty()
+    }
+}
+
+impl Approximations for WholeDisplays<'_> {
+    fn holding(&self) -> Result<Vec<String>> {
+        Ok(self.displays.iter().map(|at| format!("({})", shown(&self.checker.notes.equations[*at]))).collect())
+    }
+
+    fn detect(&self, mutant: &Expr) -> bool {
+        let checker = self.checker;
+        if checker.model.depends_on(mutant, &[self.introduced.symbol]) {
+            return true;
+        }
+        let mut model = checker.model.clone();
+        model.redefine(self.introduced.symbol, mutant.clone());
+        // A derivative that the other formula does not have, and a root that has no value, are failures too.
+        let fails = |at: &usize| {
+            checker.verdicts_with(*at, &model).is_ok_and(|all| all.iter().any(|verdict| !verdict.passes()))
+        };
+        self.displays.iter().any(fails)
+    }
+}
