@@ -112,11 +112,19 @@ impl Checker<'_> {
         }
         // Only what solves the equations of motion can be a hypothesis.
         let all: Vec<Solution> = beside.iter().map(|(_, solution)| solution.clone()).collect();
-        for solution in &all {
+        for (at, solution) in &beside {
             let others: Vec<Solution> =
                 all.iter().filter(|other| other.coordinate != solution.coordinate).cloned().collect();
-            if solution::is_on_shell(solution, &others, context)? != Some(true) {
-                return Ok(found);
+            match solution::is_on_shell(solution, &others, context)? {
+                Some(true) => {}
+                // What holds along the right solution need not hold along a wrong one.
+                Some(false) if solution::in_first_order(solution, &others, context)?.is_none() => {
+                    let number = shown(&self.notes.equations[*at]);
+                    let message =
+                        format!("depends on the solution in ({number}), which is refuted; correct ({number}) first");
+                    return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+                }
+                _ => return Ok(found),
             }
         }
         let hypotheses: Vec<Hypothesis> =

@@ -110,9 +110,10 @@ impl Approximations for WholeDisplays<'_> {
         }
         let mut model = checker.model.clone();
         model.redefine(self.introduced.symbol, mutant.clone());
-        // A derivative that the other formula does not have, and a root that has no value, are failures too.
+        // A derivative that the other formula does not have, a root that has no value, and states that do not exist are failures
+        // too.
         let fails = |at: &usize| {
-            checker.verdicts_with(*at, &model).is_ok_and(|all| all.iter().any(|verdict| !verdict.passes()))
+            !checker.verdicts_with(*at, &model).is_ok_and(|all| all.iter().all(|verdict| verdict.passes()))
         };
         self.displays.iter().any(fails)
     }

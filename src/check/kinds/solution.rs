@@ -21,6 +21,7 @@ use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::free_symbols;
 use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::sample::context::Context;
+use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::residual;
 use crate::check::state::sampled_state::SampledState;
@@ -208,7 +209,14 @@ fn constants_of_integration(solution: &Solution, model: &Model) -> Vec<SymbolId>
 }
 
 /// The finding that the solutions satisfy the equations of motion to first order about the rest position at 0, if they do.
-fn in_first_order(solution: &Solution, others: &[Solution], context: &Context<'_>) -> Result<Option<Finding>> {
+///
+/// # Errors
+/// When no state can be drawn.
+pub(crate) fn in_first_order(
+    solution: &Solution,
+    others: &[Solution],
+    context: &Context<'_>,
+) -> Result<Option<Finding>> {
     let model = context.model;
     let Some(system) = model.system.as_deref().filter(|_| solution.dots == 0) else { return Ok(None) };
     let all: Vec<Option<&Solution>> = model
@@ -298,6 +306,12 @@ pub(crate) fn orbit(link: &Link, context: &Context<'_>) -> Result<Option<Finding
     let on_it = [link.clone(), derived(1)].map(|link| Hypothesis::of(link, false));
     let hypotheses: Vec<Hypothesis> = context.hypotheses.iter().cloned().chain(on_it).collect();
     let context = Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context };
-    let finding = identity::check(&derived(2), &context)?;
+    // Most texts that are tried in the place of an orbit fail at the first state.
+    let claim = derived(2);
+    let ensemble = context.ensemble(context.mode(true, &[&claim.lhs, &claim.rhs]), false, FEWEST)?;
+    if run(&claim, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_some()) {
+        return Ok(None);
+    }
+    let finding = identity::check(&claim, &context)?;
     Ok(finding.verdict.holds().then(|| Finding { message: "is an orbit of the motion".to_owned(), ..finding }))
 }

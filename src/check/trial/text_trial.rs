@@ -165,16 +165,19 @@ impl<'d, 'a> Trial<'d, 'a> {
         if self.fails_screen(&reading) {
             return Ok(Answer::Refuted);
         }
+        let offset = self.checker.notes.equations[self.at].body.start;
+        let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
+        let is_refuted = || self.judged(&self.quick, &reading, offset).is_ok_and(|parts| parts.iter().any(is_wrong));
+        if self.prints_a_motion(&reading) && is_refuted() {
+            return Ok(Answer::Refuted);
+        }
         if !says_something(&reading) || reread::missing_from_print(self.checker, &reading, self.now).is_some() {
             return Ok(Answer::Refused);
         }
-        let offset = self.checker.notes.equations[self.at].body.start;
-        let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
-        let judged = |checker: &Checker<'_>| checker.parts((self.at, offset), &reading, self.claim, &self.topic);
-        if !is_plain(self.claim) && judged(&self.quick).is_ok_and(|parts| parts.iter().any(is_wrong)) {
+        if !is_plain(self.claim) && is_refuted() {
             return Ok(Answer::Refuted);
         }
-        let Ok(parts) = self.judged(&reading, offset) else { return Ok(Answer::Refused) };
+        let Ok(parts) = self.judged(&self.full, &reading, offset) else { return Ok(Answer::Refused) };
         Ok(match parts.iter().all(|part| part.finding.verdict.passes()) {
             true => Answer::Passes(reading, parts),
             false if parts.iter().any(is_wrong) => Answer::Refuted,
@@ -187,15 +190,25 @@ impl<'d, 'a> Trial<'d, 'a> {
         !self.fails_screen(self.now)
     }
 
-    /// The findings of the full check of a reading. The other statements of the reading test the names that it introduces.
-    fn judged(&self, reading: &Reading, offset: usize) -> Result<Vec<Part>> {
-        let judged = |checker: &Checker<'_>| checker.parts((self.at, offset), reading, self.claim, &self.topic);
-        if reading.introduced.is_empty() || reading.statements.len() < 2 {
-            return judged(&self.full);
+    /// The findings of a checker on a reading. The other statements of the reading test the names that it introduces, and are
+    /// the solutions for the other coordinates.
+    fn judged(&self, checker: &Checker<'a>, reading: &Reading, offset: usize) -> Result<Vec<Part>> {
+        if reading.statements.len() < 2 {
+            return checker.parts((self.at, offset), reading, self.claim, &self.topic);
         }
-        let mut readings = self.full.readings.to_vec();
+        let mut readings = checker.readings.to_vec();
         readings[self.at] = reading.clone();
-        judged(&Checker { readings: &readings, units: self.full.units.clone(), ..self.full })
+        let checker = Checker { readings: &readings, units: checker.units.clone(), ..*checker };
+        checker.parts((self.at, offset), reading, self.claim, &self.topic)
+    }
+
+    /// Whether a reading prints a solution of the motion. No screening state tests it.
+    fn prints_a_motion(&self, reading: &Reading) -> bool {
+        reading.statements.iter().flatten().any(|statement| {
+            let Some((relation, _)) = statement.relations.first() else { return false };
+            let link = self.checker.link(&statement.members[0], *relation, &statement.members[1]);
+            link.is_ok_and(|link| self.checker.solution(&link, 0, self.claim).is_some())
+        })
     }
 
     /// Whether a reading contains a rate that is zero at all screening states and that the original does not contain. Such a

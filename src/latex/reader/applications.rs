@@ -68,6 +68,22 @@ impl Reader<'_> {
         let entry = self.symbols.entry(id);
         self.is_time_in_parentheses(item) && entry.varies
             || entry.argument.as_ref().is_some_and(|argument| is_lone(item, argument))
+            || self.is_a_coordinate_by_another(item, id)
+    }
+
+    /// Whether one coordinate stands in parentheses after another: `r(\phi)` is an orbit, and nobody writes a product so.
+    fn is_a_coordinate_by_another(&self, item: &Item, id: SymbolId) -> bool {
+        let Layout::Fence(Delimiter::Round, _) = &item.layout else { return false };
+        let Some((_, inside)) = parenthesis(item) else { return false };
+        let [only] = inside.as_slice() else { return false };
+        let Some((name, 0)) = self.lone_name(only) else { return false };
+        let is_coordinate = |id: SymbolId| {
+            let entry = self.symbols.entry(id);
+            let is_free = entry.definition.is_none() && !entry.derived && !entry.momentum && entry.operator.is_none();
+            entry.varies && is_free && entry.arguments.is_empty() && Some(&entry.name) != self.symbols.time.as_ref()
+        };
+        let other = self.symbols.find(&name).map(|(other, _)| other);
+        !self.symbols.open && other.is_some_and(|other| other != id && is_coordinate(other)) && is_coordinate(id)
     }
 
     /// Rejects what follows a symbol if it is a parenthesis that may be the argument of a function.
