@@ -73,6 +73,11 @@ fn hand_ins_about_a_throw_are_marked_as_a_fair_teacher_would() {
     class("throw");
 }
 
+#[test]
+fn hand_ins_with_quantities_of_their_own_are_marked_as_a_fair_teacher_would() {
+    class("incline");
+}
+
 const SMALL: (&str, &str) = (
     r"$$ v = v_0 - g t $$
 

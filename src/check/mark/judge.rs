@@ -14,7 +14,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
 use super::carried::{Before, origin};
-use super::conditions;
+use super::given::{self, Implied};
 use super::judged::Judged;
 use super::marked::{Line, Mark};
 use super::results;
@@ -32,6 +32,9 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
             Checker { options: Options { explain: false, ..checker.options }, units: checker.units.clone(), ..checker };
         let mut judge = Judge {
             world,
+            run,
+            checker: &checker,
+            implied: Vec::new(),
             wanted: results::names(&checker, world.problem),
             quiet: &quiet,
             details,
@@ -61,6 +64,10 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
 
 struct Judge<'j, 'c> {
     world: &'j World<'j>,
+    run: &'j Run<'j>,
+    checker: &'j Checker<'c>,
+    /// What relations said of the student's own quantities.
+    implied: Vec<Implied>,
     wanted: Vec<SymbolId>,
     quiet: &'j Checker<'c>,
     /// Whether a false line is compared with those before it; without that, numbers alone decide what holds.
@@ -92,11 +99,13 @@ impl Judge<'_, '_> {
             result: None,
             credit: None,
         };
-        let reading = self.quiet.readings[display].clone();
+        let read = self.quiet.readings[display].clone();
+        let reading = self.implied.iter().fold(read, |reading, implied| implied.applied(reading));
+        self.premises[display] = reading.clone();
         let before = written.continues.map(|_| at - 1);
         let broken = before.filter(|before| matches!(self.lines[*before].mark, Mark::Wrong | Mark::Carried));
         if let (Some(start), Some(_)) = (written.continues, before)
-            && let Some(whole) = composed(&self.quiet.readings[self.world.first + start], &reading)
+            && let Some(whole) = composed(&self.premises[self.world.first + start], &reading)
         {
             self.premises[display] = whole;
         }
@@ -146,13 +155,31 @@ impl Judge<'_, '_> {
         let display = self.world.first + at;
         line.verdict = Some(finding.verdict);
         let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
-        let is_condition = |statement: &&Statement| conditions::may_be(self.quiet, statement, &self.wanted);
+        let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted);
         let is_last = at + 1 == self.world.written.len();
         let has_value = !statements.is_empty() && statements.iter().all(is_condition);
         if written.continues.is_none() && has_value && (written.is_supposed || written.inline || !is_last) {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a condition or a value, taken for granted".to_owned();
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
+            return Ok(());
+        }
+        if let Some(implied) = Implied::by(self.quiet, &self.world.declared, reading)
+            && self.gives(display, reading, &implied)
+            && !(self.details && self.is_slip(at)?)
+        {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = format!("says what {} is, of which the problem says nothing", implied.name(self.quiet));
+            self.implied.push(implied);
+            return Ok(());
+        }
+        let of_problem = self.world.problem.notes.equations.len();
+        let holds = |reading: &Reading| matches!(self.status(display, reading).0, Status::Holds(_));
+        let equalities = given::up_to_initial_values(self.quiet, of_problem, reading);
+        let stays = |rate: &Option<Reading>| rate.as_ref().is_some_and(holds);
+        if !equalities.is_empty() && equalities.iter().all(|(equality, rate)| stays(rate) || holds(equality)) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = "true up to a constant, which an initial value makes 0".to_owned();
             return Ok(());
         }
         let displays = |wanted: &dyn Fn(&Line) -> bool| -> Vec<usize> {
@@ -183,6 +210,17 @@ impl Judge<'_, '_> {
             }
         }
         Ok(())
+    }
+
+    /// Whether a line says no more than what a quantity of the student's own is.
+    fn gives(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
+        let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);
+        is_short || matches!(self.status(display, &implied.applied(reading.clone())).0, Status::Holds(_))
+    }
+
+    /// Whether one likely edit makes a line true.
+    fn is_slip(&self, at: usize) -> Result<bool> {
+        Ok(slip::found(self.run, self.checker, self.world, at)?.0.is_some())
     }
 
     /// What a reading is in the problem, by itself, under the hypotheses of the problem's equations, or under conditions

@@ -1,9 +1,9 @@
 //! Other letters: which names of a hand-in stand for which names of the problem.
 //!
-//! Declared letters come first. If the hand-in then has a false line or lacks a result, and names of its own, each way to
-//! take them for unused names of the problem is tried, and the best one counts, if it makes more true than none.
-
-use std::collections::HashMap;
+//! Declared letters come first. If the hand-in then has a false line or lacks a result, and names of its own, the ways to
+//! take them for unused names of the problem, or for rates of its coordinates, are tried, the likeliest first. The best one
+//! counts, if it makes more true than none. A way is likely if a letter differs only in its case or its subscript, if
+//! angles stand for angles, and if v and a are a velocity and an acceleration.
 
 use crate::Result;
 use crate::formula::symbols::Name;
@@ -17,7 +17,7 @@ use crate::check::unaided::names::{Usage, names_of};
 use super::judge::judge;
 use super::judged::Judged;
 use super::marked::Mark;
-use super::names::{Names, Role};
+use super::names::{Letters, Names, Role, StandsFor};
 use super::problem::{self, Problem};
 use super::world::World;
 use super::written::{Written, written};
@@ -39,12 +39,12 @@ pub(super) fn best(run: &Run<'_>, problem: &Problem, notes: &Notes) -> Result<(J
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);
-    let tried = |table: &HashMap<Name, Name>, run: &Run<'_>, details: bool| {
-        let world = World::new(run, problem, (notes, &lines), &known.with_momenta(table))?;
+    let tried = |table: &Letters, run: &Run<'_>, details: bool| {
+        let world = World::new(run, problem, (notes, &lines), table)?;
         judge(run, &world, details)
     };
-    let shown = |table: &HashMap<Name, Name>| {
-        let mut pairs: Vec<(String, String)> = table.iter().map(|(a, b)| (a.to_string(), b.to_string())).collect();
+    let shown = |table: &Letters| {
+        let mut pairs: Vec<(String, String)> = table.iter().map(|(a, b)| (a.to_string(), b.latex())).collect();
         pairs.sort();
         pairs
     };
@@ -92,24 +92,21 @@ fn usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {
 }
 
 /// The letters that the rubric declares, where the hand-in uses them and not the problem's own.
-fn declared(problem: &Problem, used: &[Usage]) -> HashMap<Name, Name> {
+fn declared(problem: &Problem, used: &[Usage]) -> Letters {
     let parsed = |text: &str| names::parse(text).map(|(name, _)| name);
-    let mut table = HashMap::new();
+    let mut table = Letters::new();
     for (own, other) in problem::declared_letters(&problem.rubric) {
         let (Some(own), Some(other)) = (parsed(&own.value), parsed(&other.value)) else { continue };
         let is_used = |name: &Name| used.iter().any(|usage| usage.name == *name);
         if is_used(&other) && !is_used(&own) {
-            table.insert(other, own);
+            table.insert(other, StandsFor { name: own, dots: 0 });
         }
     }
     table
 }
 
 /// The ways to take the names that only the hand-in has for names that only the problem has, the most likely first.
-fn ways(used: &[Usage], known: &Names, declared: &HashMap<Name, Name>) -> Vec<HashMap<Name, Name>> {
-    let is_used = |name: &Name| used.iter().any(|usage| usage.name == *name);
-    let is_taken = |name: &Name| declared.values().any(|other| other == name);
-    let free: Vec<&(Name, Role)> = known.names.iter().filter(|(name, _)| !is_used(name) && !is_taken(name)).collect();
+fn ways(used: &[Usage], known: &Names, declared: &Letters) -> Vec<Letters> {
     let is_own = |usage: &&Usage| {
         let name = &usage.name;
         // `d` is a name where it is the whole left side.
@@ -125,35 +122,78 @@ fn ways(used: &[Usage], known: &Names, declared: &HashMap<Name, Name>) -> Vec<Ha
             && name.primes == 0
             && !name.base.starts_with(['(', '['])
     };
-    let own: Vec<&Usage> = used.iter().filter(is_own).collect();
-    let mut found = vec![HashMap::new()];
-    for usage in own {
-        let fits = |role: Role| match (usage.moves, usage.introduced.is_some()) {
-            (true, false) => role == Role::Moving,
-            (true, true) => role != Role::Constant,
-            (false, _) => true,
-        };
-        // A name without a line of its own is more likely a constant than a result that the hand-in uses early.
-        let is_late = |role: Role| usage.introduced.is_none() && role == Role::Determined;
-        let mut names: Vec<&&(Name, Role)> = free.iter().filter(|(_, role)| fits(*role)).collect();
-        names.sort_by_key(|(_, role)| is_late(*role));
-        let mut next: Vec<HashMap<Name, Name>> = Vec::new();
-        for way in &found {
-            for (name, _) in &names {
-                if !way.values().any(|other| other == name) {
-                    let mut way: HashMap<Name, Name> = way.clone();
-                    way.insert(usage.name.clone(), name.clone());
-                    next.push(way);
+    let mut found: Vec<(u32, Letters)> = vec![(0, Letters::new())];
+    for usage in used.iter().filter(is_own) {
+        let options = options(usage, used, known, declared);
+        let own = if usage.introduced.is_some() { OWN_WITH_A_LINE } else { OWN };
+        let mut next: Vec<(u32, Letters)> = Vec::new();
+        for (cost, way) in &found {
+            for (more, other) in &options {
+                if !way.values().any(|taken| taken == other) {
+                    let mut way = way.clone();
+                    way.insert(usage.name.clone(), other.clone());
+                    next.push((cost + more, way));
                 }
             }
+            // Each name may also be one of the student's own.
+            next.push((cost + own, way.clone()));
         }
-        // Each name may also be one of the student's own.
-        next.extend(found);
-        next.sort_by_key(|way| std::cmp::Reverse(way.len()));
+        next.sort_by_key(|(cost, _)| *cost);
         next.truncate(WAYS * 4);
         found = next;
     }
-    found.retain(|way| !way.is_empty());
+    found.retain(|(_, way)| !way.is_empty());
     found.truncate(WAYS);
-    found.into_iter().map(|way| declared.clone().into_iter().chain(way).collect()).collect()
+    found.into_iter().map(|(_, way)| declared.clone().into_iter().chain(way).collect()).collect()
+}
+
+/// What it costs that a name is one of the student's own, in place of one of the problem.
+const OWN: u32 = 4;
+
+/// The same for a name that has a line of its own, which may say what it is.
+const OWN_WITH_A_LINE: u32 = 1;
+
+/// What a name may stand for, each with its cost: the lower, the likelier.
+fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> Vec<(u32, StandsFor)> {
+    let is_used = |name: &Name| used.iter().any(|usage| usage.name == *name);
+    let is_taken = |name: &Name| declared.values().any(|other| other.dots == 0 && other.name == *name);
+    let fits = |role: Role| match (usage.moves, usage.introduced.is_some()) {
+        (true, false) => role == Role::Moving,
+        (true, true) => role != Role::Constant,
+        (false, _) => true,
+    };
+    let mut found = Vec::new();
+    for (name, role, angle) in &known.names {
+        if *role == Role::Moving {
+            let dots = rate(&usage.name, *angle);
+            found.extend(dots.map(|dots| (1, StandsFor { name: name.clone(), dots })));
+        }
+        if is_used(name) || is_taken(name) || !fits(*role) {
+            continue;
+        }
+        let cost = match () {
+            () if alike(name, &usage.name) => 0,
+            // A name without a line of its own is more likely a constant than a result that the hand-in uses early.
+            () if usage.introduced.is_none() && *role == Role::Determined => 3,
+            () if usage.angle != *angle => 3,
+            () => 2,
+        };
+        found.push((cost, StandsFor { name: name.clone(), dots: 0 }));
+    }
+    found
+}
+
+/// Whether two names have the same letter but for its case, its form or its subscript.
+fn alike(a: &Name, b: &Name) -> bool {
+    let letter = |name: &Name| name.base.replace("\\ell", "l").replace("\\var", "\\").to_lowercase();
+    letter(a) == letter(b)
+}
+
+/// The order of the rate that a letter usually stands for: of an angle, or of a length.
+fn rate(name: &Name, angle: bool) -> Option<u8> {
+    match (name.base.as_str(), angle) {
+        ("v" | "u" | "w" | "V", false) | ("\\omega" | "\\Omega" | "w", true) => Some(1),
+        ("a" | "A", false) | ("\\alpha" | "\\beta" | "\\varepsilon" | "\\epsilon", true) => Some(2),
+        _ => None,
+    }
 }

@@ -15,8 +15,8 @@
 //! Offers [`Problem`] and [`Marked`]. Knows all other folders of `check`.
 
 mod carried;
-mod conditions;
 mod credit;
+mod given;
 mod hand_in;
 mod judge;
 mod judged;

@@ -14,9 +14,32 @@ use crate::check::model::meaning::Meaning;
 pub(super) struct Names {
     /// Its symbols.
     pub symbols: Symbols,
-    /// Its numbers, with what a name of a hand-in may stand for.
-    pub names: Vec<(Name, Role)>,
+    /// Its numbers, with what a name of a hand-in may stand for, and whether it is an angle.
+    pub names: Vec<(Name, Role, bool)>,
 }
+
+/// A name of the problem, or its rate, for which a name of a hand-in stands.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct StandsFor {
+    /// The name.
+    pub name: Name,
+    /// The order of the rate: 0 for the name itself, 2 for its acceleration.
+    pub dots: u8,
+}
+
+impl StandsFor {
+    /// As LaTeX.
+    pub fn latex(&self) -> String {
+        match self.dots {
+            0 => self.name.to_string(),
+            1 => format!("\\dot{{{}}}", self.name),
+            _ => format!("\\ddot{{{}}}", self.name),
+        }
+    }
+}
+
+/// What the names of a hand-in stand for.
+pub(super) type Letters = HashMap<Name, StandsFor>;
 
 /// What a name may stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,17 +66,21 @@ impl Names {
                 Some(Meaning::Defined(_) | Meaning::System(_)) => Role::Determined,
                 _ => continue,
             };
-            names.push((entry.name.clone(), role));
+            names.push((entry.name.clone(), role, entry.angle));
         }
         Names { symbols: model.symbols.clone(), names }
     }
 
-    /// A table with the momenta of renamed coordinates.
-    pub fn with_momenta(&self, table: &HashMap<Name, Name>) -> HashMap<Name, Name> {
-        let mut whole = table.clone();
-        for (own, other) in table {
+    /// The names that are written for others, with the momenta of renamed coordinates.
+    pub fn renamed(&self, letters: &Letters) -> HashMap<Name, Name> {
+        let mut whole: HashMap<Name, Name> = letters
+            .iter()
+            .filter(|(_, other)| other.dots == 0)
+            .map(|(own, other)| (own.clone(), other.name.clone()))
+            .collect();
+        for (own, other) in whole.clone() {
             let momentum = |of: &Name| names::parse(&format!("p_{{{of}}}")).map(|(name, _)| name);
-            if let (Some(own), Some(other)) = (momentum(own), momentum(other))
+            if let (Some(own), Some(other)) = (momentum(&own), momentum(&other))
                 && self.symbols.find(&other).is_some()
             {
                 whole.entry(own).or_insert(other);

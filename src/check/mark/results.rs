@@ -208,7 +208,7 @@ impl Goal {
     /// if one is a quantity of the problem: then the link is a step on the way.
     fn own_names(&self, checker: &Checker<'_>, world: &World<'_>, link: &Link) -> Option<usize> {
         let of_problem = |id: SymbolId| {
-            let readings = checker.readings[..world.first].iter();
+            let readings = checker.readings[..world.problem.notes.equations.len()].iter();
             readings.flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
         };
         let mut own = Vec::new();

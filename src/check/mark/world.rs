@@ -19,6 +19,7 @@ use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
 use crate::check::unaided::names::{Usage, names_of};
 
+use super::names::Letters;
 use super::problem::Problem;
 use super::written::Written;
 
@@ -59,8 +60,9 @@ impl<'p> World<'p> {
         run: &Run<'_>,
         problem: &'p Problem,
         (notes, written): (&Notes, &'p [Written]),
-        table: &HashMap<Name, Name>,
+        letters: &Letters,
     ) -> Result<World<'p>> {
+        let table = &problem.names.renamed(letters);
         let mut macros = Macros::default();
         define_macros(&notes.macros, &mut macros);
         FOREIGN.iter().for_each(|(name, body)| macros.define(name, 0, body));
@@ -84,6 +86,23 @@ impl<'p> World<'p> {
             lines.push((body.start, new));
         }
         let usages = names_of(&displays, &macros);
+        // A rate that has a letter of its own is a definition before the lines.
+        let mut rates: Vec<String> = letters
+            .iter()
+            .filter(|(_, other)| other.dots > 0)
+            .map(|(own, other)| format!("{own} = {}", other.latex()))
+            .collect();
+        rates.sort();
+        let rates: Vec<Display> = rates
+            .into_iter()
+            .map(|latex| {
+                let body = Span::new(text.len(), text.len() + latex.len());
+                text.push_str(&latex);
+                text.push('\n');
+                let number = Some(Numbered { id: latex.clone(), span: body });
+                Display { span: body, body, parts: vec![body], text: latex, number, labels: Vec::new(), line: 0 }
+            })
+            .collect();
         let offset = text.len();
         text.push_str(&problem.notes.source.text);
         let moved = |display: &Display| Display {
@@ -100,7 +119,7 @@ impl<'p> World<'p> {
         };
         let mut together = problem.notes.clone();
         together.source = Arc::new(Source::new(notes.source.path.clone(), text));
-        together.equations = problem.notes.equations.iter().map(moved).chain(displays).collect();
+        together.equations = problem.notes.equations.iter().map(moved).chain(rates).chain(displays).collect();
         let foreign = FOREIGN.iter().map(|(name, body)| MacroDefinition {
             name: (*name).to_owned(),
             arguments: 0,
@@ -111,7 +130,7 @@ impl<'p> World<'p> {
         together.macros.extend(foreign);
         together.macros.extend(notes.macros.iter().cloned());
         (together.inline, together.references) = (Vec::new(), Vec::new());
-        let first = problem.notes.equations.len();
+        let first = together.equations.len() - written.len();
         let claims = problem.claims.clone();
         let back = table.iter().map(|(own, other)| (other.clone(), own.clone())).collect();
         let mut world = World { problem, written, claims, notes: together, first, declared: Vec::new(), lines, back };

@@ -1,0 +1,211 @@
+//! What a line gives that does not follow from the problem: a condition (an initial value, a special state, a number), or
+//! a relation that says what a quantity of the student's own is, as m a = m g − F says what F is.
+
+use crate::formula::derivative::{Scope, partial};
+use crate::formula::symbols::Name;
+use crate::formula::tree::Variable;
+use crate::formula::{Expr, Node, Statement, SymbolId};
+use crate::latex::Reading;
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::model::claim::is_equality;
+use crate::check::model::meaning::Meaning;
+
+/// Whether a statement may be a condition: a coordinate, a velocity or a number has a value that nothing here determines.
+/// The names in `wanted` are results, and no conditions.
+pub(super) fn may_be(checker: &Checker<'_>, statement: &Statement, wanted: &[SymbolId]) -> bool {
+    let ([first, second], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
+        return false;
+    };
+    if !is_equality(*relation) {
+        return true;
+    }
+    sets(checker, first, second, wanted) || sets(checker, second, first, wanted)
+}
+
+fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, wanted: &[SymbolId]) -> bool {
+    let Node::Symbol { id, dots, .. } = &name.node else { return false };
+    let is_free = match checker.model.meaning(*id) {
+        Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => *dots <= 1,
+        Some(Meaning::Constant(_) | Meaning::Time) => *dots == 0,
+        // A quantity that varies may have a value at an instant, as the velocity at the top.
+        Some(Meaning::Defined(_) | Meaning::System(_)) => value.symbols().is_empty() && varies(checker, name),
+        _ => false,
+    };
+    let is_constant = |(symbol, dots): &(SymbolId, u8)| {
+        *dots == 0 && matches!(checker.model.meaning(*symbol), Some(Meaning::Constant(_)))
+    };
+    let symbols = value.symbols();
+    is_free && !wanted.contains(id) && symbols.len() <= 1 && symbols.iter().all(is_constant)
+}
+
+/// Each equality of a line, and the reading that says that what it is off by stays constant, where an initial value may
+/// make that 0: for an equality between coordinates, velocities and constants that gives no quantity another value.
+/// `before` is the number of displays that are the problem's; names that it does not define are replaced by their formulas.
+pub(super) fn up_to_initial_values(
+    checker: &Checker<'_>,
+    before: usize,
+    reading: &Reading,
+) -> Vec<(Reading, Option<Reading>)> {
+    let [Ok(statement)] = reading.statements.as_slice() else { return Vec::new() };
+    if !statement.relations.iter().all(|(relation, _)| is_equality(*relation)) {
+        return Vec::new();
+    }
+    let stating = |members: Vec<Expr>| {
+        let relations = statement.relations[..1].to_vec();
+        let statement = Statement { members, relations, ..statement.clone() };
+        Reading { statements: vec![Ok(statement)], introduced: Vec::new() }
+    };
+    let rate = |pair: &[Expr]| {
+        if pair.iter().any(|side| side.as_plain_symbol().is_some()) {
+            return None;
+        }
+        let difference = expanded(checker, before, pair[0].clone().minus(pair[1].clone()));
+        is_about_motion(checker, &difference).then(|| {
+            let span = difference.span;
+            let rate = Expr::new(Node::TimeDerivative(1, Box::new(difference)), span);
+            stating(vec![rate, Expr::integer(0, span)])
+        })
+    };
+    statement.members.windows(2).map(|pair| (stating(pair.to_vec()), rate(pair))).collect()
+}
+
+/// Whether a formula has coordinates and velocities, constants, and nothing else.
+fn is_about_motion(checker: &Checker<'_>, formula: &Expr) -> bool {
+    let (mut place, mut velocity) = (false, false);
+    let is_known = formula.symbols().into_iter().all(|(id, dots)| match checker.model.meaning(id) {
+        Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => {
+            place |= dots == 0 || formula_has_undotted(formula, id);
+            velocity |= dots == 1;
+            dots <= 1
+        }
+        Some(Meaning::Constant(_)) => dots == 0,
+        Some(Meaning::Defined(_)) => {
+            let name = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+            dots == 0 && !varies(checker, &name)
+        }
+        _ => false,
+    });
+    is_known && place && velocity
+}
+
+fn formula_has_undotted(formula: &Expr, id: SymbolId) -> bool {
+    let mut found = false;
+    formula.walk(&mut |expr| found |= matches!(&expr.node, Node::Symbol { id: other, dots: 0, .. } if *other == id));
+    found
+}
+
+/// The most definitions that stand within one another.
+const DEEPEST: usize = 8;
+
+/// A formula in which the student's own names are replaced by what they stand for.
+fn expanded(checker: &Checker<'_>, before: usize, mut formula: Expr) -> Expr {
+    let of_problem = |id: SymbolId| {
+        checker.readings[..before].iter().flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
+    };
+    for _ in 0..DEEPEST {
+        let mut is_new = false;
+        let own: Vec<(SymbolId, Expr)> = formula
+            .symbols()
+            .into_iter()
+            .filter(|(id, _)| !of_problem(*id) && matches!(checker.model.meaning(*id), Some(Meaning::Defined(_))))
+            .filter_map(|(id, _)| Some((id, checker.model.symbols.entry(id).definition.as_deref()?.clone())))
+            .collect();
+        for (id, value) in own {
+            is_new = true;
+            formula.substitute(&|node| match node {
+                Node::Symbol { id: found, dots, .. } if *found == id => Some(rate_of(&value, *dots)),
+                _ => None,
+            });
+        }
+        if !is_new {
+            break;
+        }
+    }
+    formula
+}
+
+/// A formula, or its rate of some order.
+fn rate_of(value: &Expr, order: u8) -> Expr {
+    match (&value.node, order) {
+        (_, 0) => value.clone(),
+        (Node::Symbol { id, indices, dots }, _) => {
+            Expr::new(Node::Symbol { id: *id, indices: indices.clone(), dots: dots + order }, value.span)
+        }
+        _ => Expr::new(Node::TimeDerivative(order, Box::new(value.clone())), value.span),
+    }
+}
+
+/// What a quantity of the student's own is, or its rate, by a relation that is linear in it.
+#[derive(Clone, Debug)]
+pub(super) struct Implied {
+    id: SymbolId,
+    dots: u8,
+    value: Expr,
+}
+
+impl Implied {
+    /// What a reading says of a quantity among `own`: names that only the hand-in has.
+    pub fn by(checker: &Checker<'_>, own: &[Name], reading: &Reading) -> Option<Implied> {
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let own: Vec<SymbolId> = own.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0)).collect();
+        let is_free = |id: SymbolId| {
+            own.contains(&id) && matches!(checker.model.meaning(id), Some(Meaning::Constant(_) | Meaning::Varying(_)))
+        };
+        let links = statement.members.windows(2).zip(&statement.relations);
+        links.filter(|(_, (relation, _))| is_equality(*relation)).find_map(|(pair, _)| {
+            let difference = pair[0].clone().minus(pair[1].clone());
+            let symbols = difference.symbols();
+            let mut free = symbols.iter().filter(|(id, _)| is_free(*id));
+            free.find_map(|(id, dots)| solved(checker, &difference, (*id, *dots)))
+        })
+    }
+
+    /// The name of the quantity.
+    pub fn name(&self, checker: &Checker<'_>) -> String {
+        checker.model.name(self.id)
+    }
+
+    /// A reading with the value in the place of the quantity.
+    pub fn applied(&self, mut reading: Reading) -> Reading {
+        let other = |node: &Node| match node {
+            Node::Symbol { id, dots, .. } if *id == self.id && *dots >= self.dots => {
+                Some(rate_of(&self.value, dots - self.dots))
+            }
+            _ => None,
+        };
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            member.substitute(&other);
+        }
+        reading
+    }
+}
+
+/// The value of a symbol, or of its rate, for which a formula that is linear in it vanishes.
+fn solved(checker: &Checker<'_>, difference: &Expr, (id, dots): (SymbolId, u8)) -> Option<Implied> {
+    let variable = Variable { id, indices: Vec::new(), dots };
+    let scope = Scope { symbols: &checker.model.symbols, fixed: &[] };
+    let slope = partial(difference, &variable, scope, difference.span).ok()?;
+    let mut rest = difference.clone();
+    rest.substitute(&|node| match node {
+        Node::Symbol { id: found, dots: order, .. } if *found == id && *order == dots => {
+            Some(Expr::integer(0, Span::default()))
+        }
+        _ => None,
+    });
+    let has = |formula: &Expr| formula.symbols().iter().any(|(found, _)| *found == id);
+    if slope.is_null() || has(&slope) || has(&rest) {
+        return None;
+    }
+    let value = Node::Quotient(Box::new(rest.negated()), Box::new(slope));
+    Some(Implied { id, dots, value: Expr::new(value, difference.span) })
+}
+
+/// Whether a formula changes with time.
+fn varies(checker: &Checker<'_>, formula: &Expr) -> bool {
+    let moving = checker.model.symbols.iter().map(|(id, _)| id).filter(|id| {
+        matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time))
+    });
+    checker.model.depends_on(formula, &moving.collect::<Vec<_>>())
+}
