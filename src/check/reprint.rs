@@ -13,6 +13,8 @@
 //! verdict is right by construction; if they differ, the print's own formula is tested. Definitions are never taken
 //! from a print, so damage in one display cannot spread, and cannot make a damaged definition true by definition.
 
+use std::collections::BTreeMap;
+
 use rayon::prelude::*;
 
 use crate::code::Code;
@@ -80,6 +82,7 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
     });
     Ok(Document {
         is_guessed: false,
+        automatic_numbers: BTreeMap::new(),
         path: print.source.path.clone(),
         claims: Some(paths.join(", ")),
         source: print.source.clone(),

@@ -68,6 +68,12 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             } else {
                 equations
             },
+            automatic_numbers: notes
+                .equations
+                .iter()
+                .filter_map(|display| Some((display.id()?.to_owned(), display.automatic.clone())))
+                .filter(|(_, numbers)| !numbers.is_empty())
+                .collect(),
             sentences,
             unnumbered: checker
                 .assigned

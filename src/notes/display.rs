@@ -24,6 +24,8 @@ pub struct Display {
     pub number: Option<Numbered>,
     /// Labels, as in `\label{…}`, and names, as `#veff`.
     pub labels: Vec<Numbered>,
+    /// The numbers that LaTeX prints beside its rows by itself, where nothing else numbers them.
+    pub automatic: Vec<String>,
     /// The line in which the display starts, from 1.
     pub line: usize,
 }

@@ -87,7 +87,10 @@ impl Work<'_> {
         {
             for group in self.groups(rows, &tags, &labels) {
                 let own = |all: &[Numbered]| all.iter().filter(|n| group.contains(n.span)).cloned().collect();
-                let raw = RawDisplay { span: group, body: group, delimiter: Delimiter::Rows };
+                // Its line is that of its first character.
+                let start = tex_scanner::skip_space(&self.clean[..group.end], group.start).min(group.end);
+                let group = Span::new(start, group.end);
+                let raw = RawDisplay { span: group, body: group, delimiter: Delimiter::Rows, is_numbered: false };
                 pieces.push(self.piece(raw, group.end, own(&tags), own(&labels))?);
             }
             return Ok(());
@@ -413,7 +416,7 @@ impl Work<'_> {
             return None;
         }
         let line = lines.line(self.file, span.start);
-        Some(Display { span, body, parts, text, number, labels, line })
+        Some(Display { span, body, parts, text, number, labels, automatic: Vec::new(), line })
     }
 }
 

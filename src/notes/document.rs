@@ -10,7 +10,7 @@ use super::formats::{self, Format};
 pub use super::kind::Kind;
 pub use super::macros::MacroDefinition;
 use super::references::{self, Reference};
-use super::{displays, macros, markdown, tex};
+use super::{displays, macros, markdown, numbering, tex};
 use crate::code::Code;
 use crate::source::{Source, Span};
 use crate::{Error, Result};
@@ -67,11 +67,27 @@ impl Notes {
         displays::blank(&mut clean, macros.iter().map(|definition| &definition.span));
         let mut prose = clean.clone();
         displays::blank(&mut prose, scan.raws.iter().map(|raw| &raw.span).chain(&scan.inline));
-        let equations =
+        let automatic = match kind {
+            Kind::Tex => numbering::automatic(&clean, &scan.raws, &macros),
+            Kind::Markdown => Vec::new(),
+        };
+        let mut equations =
             displays::assemble(&source, clean, scan.raws, scan.names).map_err(|fault| Error::fault(&source, fault))?;
+        let mut automatic = automatic.into_iter().peekable();
+        for display in &mut equations {
+            while let Some(number) = automatic.next_if(|number| number.row.start < display.span.end) {
+                if display.number.is_none() && display.span.start <= number.row.end {
+                    display.automatic.push(number.id);
+                }
+            }
+        }
         let numbers = || equations.iter().filter_map(|display| display.number.as_ref());
         displays::blank(&mut prose, numbers().map(|number| &number.span));
-        let references = references::all(&prose, &source, numbers().map(|number| number.id.as_str()));
+        // In a part of a document, the numbers of the whole are not known.
+        let is_whole = kind == Kind::Tex && source.text.contains("\\documentclass");
+        let automatic = equations.iter().filter(|_| is_whole).flat_map(|display| display.automatic.iter());
+        let printed = numbers().map(|number| &number.id).chain(automatic).map(String::as_str);
+        let references = references::all(&prose, &source, printed);
         Ok(Notes {
             source,
             equations,
@@ -85,17 +101,25 @@ impl Notes {
 
     /// The references to numbers that no display carries. The prose may mean another document.
     pub fn dangling_references(&self) -> impl Iterator<Item = &Reference> {
-        let carried: HashSet<&str> =
-            self.equations.iter().filter_map(|d| Some(d.number.as_ref()?.id.as_str())).collect();
-        self.references.iter().filter(move |reference| !carried.contains(reference.number.as_str()))
+        let numbers = |display: &'_ Display| {
+            let number = display.number.iter().map(|number| number.id.clone());
+            number.chain(display.automatic.iter().cloned()).collect::<Vec<_>>()
+        };
+        let carried: HashSet<String> = self.equations.iter().flat_map(numbers).collect();
+        self.references.iter().filter(move |reference| !carried.contains(&reference.number))
     }
 
-    /// The displays that carry `id` as their number, label or (as `#veff`) name.
+    /// The displays that carry `id` as their number, label or (as `#veff`) name; else those beside which LaTeX prints it.
     pub fn find(&self, id: &str) -> Vec<usize> {
         let carries = |display: &Display| {
             display.number.as_ref().is_some_and(|number| number.id == id) || display.labels.iter().any(|l| l.id == id)
         };
-        (0..self.equations.len()).filter(|&i| carries(&self.equations[i])).collect()
+        let found: Vec<usize> = (0..self.equations.len()).filter(|&i| carries(&self.equations[i])).collect();
+        let prints = |display: &Display| display.automatic.iter().any(|number| number == id);
+        match found.is_empty() {
+            true => (0..self.equations.len()).filter(|&i| prints(&self.equations[i])).collect(),
+            false => found,
+        }
     }
 
     /// The places of `quote` in the prose, without regard to white space, dollar signs and block-quote markers.

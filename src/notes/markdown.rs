@@ -92,7 +92,11 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
             match block.kind {
                 BlockKind::Math(body) => {
                     let body = found.options(text, body);
-                    display(text, RawDisplay { span: block.span, body, delimiter: Delimiter::Whole }, found)?
+                    display(
+                        text,
+                        RawDisplay { span: block.span, body, delimiter: Delimiter::Whole, is_numbered: false },
+                        found,
+                    )?
                 }
                 _ => found.blank.push(block.span),
             }
@@ -125,7 +129,11 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
                 match doubled_close.then(|| tex_scanner::find(text, i + 3, "\\\\]")).flatten() {
                     Some(close) => {
                         let (span, body) = (Span::new(i, close + 3), Span::new(i + 3, close));
-                        display(text, RawDisplay { span, body, delimiter: Delimiter::Whole }, found)?;
+                        display(
+                            text,
+                            RawDisplay { span, body, delimiter: Delimiter::Whole, is_numbered: false },
+                            found,
+                        )?;
                         span.end
                     }
                     None => {
@@ -165,7 +173,7 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
 /// Records the display between two-byte delimiters at `open` and `close`. Returns the position after it.
 fn pair(text: &str, open: usize, close: usize, found: &mut ScannedText) -> Result<usize, Fault> {
     let (span, body) = (Span::new(open, close + 2), Span::new(open + 2, close));
-    display(text, RawDisplay { span, body, delimiter: Delimiter::Pair }, found)?;
+    display(text, RawDisplay { span, body, delimiter: Delimiter::Pair, is_numbered: false }, found)?;
     Ok(span.end)
 }
 
@@ -201,7 +209,7 @@ fn colons(text: &str, at: usize, found: &mut ScannedText) -> Result<usize, Fault
     };
     let span = Span::new(at, close + closing.len());
     let body = found.options(text, Span::new(end, close));
-    display(text, RawDisplay { span, body, delimiter: Delimiter::Whole }, found)?;
+    display(text, RawDisplay { span, body, delimiter: Delimiter::Whole, is_numbered: false }, found)?;
     Ok(span.end)
 }
 

@@ -1,5 +1,6 @@
 //! Displays in a TeX file. The scan knows only comments, verbatim text and mathematics.
 
+use super::environments::Own;
 use super::macros;
 use super::tex_scanner::{self, Delimiter, RawDisplay, ScannedText};
 use crate::source::{Fault, Span};
@@ -10,6 +11,7 @@ const VERBATIM: &[&str] = &["verbatim", "verbatim*", "Verbatim", "lstlisting", "
 /// Finds the displays of a TeX file.
 pub(super) fn scan(text: &str) -> Result<ScannedText, Fault> {
     let bytes = text.as_bytes();
+    let own = Own::of(text);
     let mut found = ScannedText::default();
     let mut i = 0;
     while i < bytes.len() {
@@ -17,7 +19,7 @@ pub(super) fn scan(text: &str) -> Result<ScannedText, Fault> {
             b'%' => found.comment(text, i)?,
             b'$' if bytes[i..].starts_with(b"$$") => pair(text, i, b"$$", &mut found)?,
             b'$' => found.inline(bytes, i, false),
-            b'\\' => match command(text, i, &mut found)? {
+            b'\\' => match command(text, i, &own, &mut found)? {
                 Some(next) => next,
                 None => {
                     found.blank.push(Span::new(i, text.len()));
@@ -42,7 +44,7 @@ pub(super) fn verbatim_end(text: &str, at: usize) -> Option<usize> {
 }
 
 /// Reads the command at `at`. Returns the position after it, or `None` at the end of the document.
-fn command(text: &str, at: usize, found: &mut ScannedText) -> Result<Option<usize>, Fault> {
+fn command(text: &str, at: usize, own: &Own, found: &mut ScannedText) -> Result<Option<usize>, Fault> {
     let bytes = text.as_bytes();
     if bytes[at..].starts_with(b"\\[") {
         return pair(text, at, b"\\]", found).map(Some);
@@ -53,6 +55,18 @@ fn command(text: &str, at: usize, found: &mut ScannedText) -> Result<Option<usiz
     if let Some((name, inside)) = tex_scanner::begin(text, at) {
         if let Some(delimiter) = tex_scanner::environment(name) {
             return tex_scanner::environment_display(text, at, inside, name, delimiter, found).map(Some);
+        }
+        if tex_scanner::is_foreign(name) {
+            let whole = Delimiter::Whole;
+            return tex_scanner::environment_display(text, at, inside, name, whole, found).map(Some);
+        }
+        if let Some((delimiter, real)) = own.environment(name) {
+            let next = tex_scanner::environment_display(text, at, inside, name, delimiter, found)?;
+            found.raws.iter_mut().last().into_iter().for_each(|raw| raw.is_numbered = tex_scanner::is_numbered(real));
+            return Ok(Some(next));
+        }
+        if name == "empheq" {
+            return empheq(text, at, inside, found).map(Some);
         }
         if VERBATIM.contains(&name) {
             let closing = format!("\\end{{{name}}}");
@@ -66,6 +80,19 @@ fn command(text: &str, at: usize, found: &mut ScannedText) -> Result<Option<usiz
         return Ok(Some(inside));
     }
     let word = tex_scanner::word_end(bytes, at);
+    let name = &text[at..word];
+    if let Some(real) = own.opens(name) {
+        return own_display(text, (at, word), own, real, found).map(Some);
+    }
+    if let Some(real) = own.surrounds(name) {
+        let open = tex_scanner::skip_space(bytes, word);
+        if let (Some(end), Some(delimiter)) = (tex_scanner::body(bytes, open), tex_scanner::environment(real)) {
+            let (span, body) = (Span::new(at, end), Span::new(open + 1, end - 1));
+            found.raws.push(RawDisplay { span, body, delimiter, is_numbered: tex_scanner::is_numbered(real) });
+            comments(text, body, found)?;
+            return Ok(Some(end));
+        }
+    }
     let defines = matches!(&text[at + 1..word], "def" | "newcommand" | "renewcommand" | "providecommand");
     Ok(Some(match &text[at + 1..word] {
         "" => at + 2,
@@ -77,10 +104,88 @@ fn command(text: &str, at: usize, found: &mut ScannedText) -> Result<Option<usiz
             found.blank.push(Span::new(at, end));
             end
         }
+        "newenvironment" | "renewenvironment" => {
+            let end = environment_end(text, word).unwrap_or(word);
+            found.blank.push(Span::new(at, end));
+            end
+        }
         // The `\begin{equation}` in the body of a macro opens nothing.
         _ if defines => macros::definition(text, at).map_or(word, |definition| definition.span.end),
         _ => word,
     }))
+}
+
+/// The position after the definition of an environment whose name comes next.
+fn environment_end(text: &str, word: usize) -> Option<usize> {
+    let bytes = text.as_bytes();
+    let mut at = word + usize::from(bytes.get(word) == Some(&b'*'));
+    at = tex_scanner::short_group(bytes, tex_scanner::skip_space(bytes, at))?;
+    while bytes.get(tex_scanner::skip_space(bytes, at)) == Some(&b'[') {
+        at = tex_scanner::line_end(bytes, at).min(tex_scanner::find(text, at, "]")? + 1);
+    }
+    at = tex_scanner::body(bytes, tex_scanner::skip_space(bytes, at))?;
+    tex_scanner::body(bytes, tex_scanner::skip_space(bytes, at))
+}
+
+/// Records the comments in a display.
+fn comments(text: &str, body: Span, found: &mut ScannedText) -> Result<(), Fault> {
+    let mut i = body.start;
+    while i < body.end {
+        match text.as_bytes()[i] {
+            b'\\' => i += 2,
+            b'%' => i = found.comment(text, i)?,
+            _ => i += 1,
+        }
+    }
+    Ok(())
+}
+
+/// The display between two commands of the author's, as `\be … \ee`.
+fn own_display(
+    text: &str,
+    (at, inside): (usize, usize),
+    own: &Own,
+    real: &str,
+    found: &mut ScannedText,
+) -> Result<usize, Fault> {
+    let bytes = text.as_bytes();
+    let mut i = inside;
+    while let Some(next) = tex_scanner::find(text, i, "\\") {
+        let word = tex_scanner::word_end(bytes, next);
+        let end = match own.closes(&text[next..word]) {
+            true => Some(word),
+            false => text[next..].starts_with(&format!("\\end{{{real}}}")).then(|| word + real.len() + 2),
+        };
+        if let (Some(end), Some(delimiter)) = (end, tex_scanner::environment(real)) {
+            let body = Span::new(inside, next);
+            let is_numbered = tex_scanner::is_numbered(real);
+            found.raws.push(RawDisplay { span: Span::new(at, end), body, delimiter, is_numbered });
+            comments(text, body, found)?;
+            return Ok(end);
+        }
+        i = word.max(next + 2);
+        while i < text.len() && !text.is_char_boundary(i) {
+            i += 1;
+        }
+    }
+    let command = &text[at..inside];
+    Err(Fault::notes(Span::new(at, inside), format!("the display that {command} opens is never closed"))
+        .help(format!("add the command that closes it after the equation, or \\end{{{real}}}")))
+}
+
+/// `\begin{empheq}[…]{align}`.
+fn empheq(text: &str, at: usize, inside: usize, found: &mut ScannedText) -> Result<usize, Fault> {
+    let bytes = text.as_bytes();
+    let mut start = inside;
+    if bytes.get(start) == Some(&b'[') {
+        start = tex_scanner::find(text, start, "]{").map_or(start, |end| end + 1);
+    }
+    let end = tex_scanner::short_group(bytes, start).unwrap_or(start);
+    let real = text.get(start + 1..end.saturating_sub(1)).unwrap_or_default();
+    let delimiter = tex_scanner::environment(real.split('=').next().unwrap_or(real)).unwrap_or(Delimiter::Whole);
+    let next = tex_scanner::environment_display(text, at, end, "empheq", delimiter, found)?;
+    found.raws.iter_mut().last().into_iter().for_each(|raw| raw.is_numbered = tex_scanner::is_numbered(real));
+    Ok(next)
 }
 
 /// The display whose two-byte opening stands at `open`.
@@ -90,7 +195,12 @@ fn pair(text: &str, open: usize, closing: &[u8], found: &mut ScannedText) -> Res
     while i < bytes.len() {
         if bytes[i..].starts_with(closing) {
             let span = Span::new(open, i + 2);
-            found.raws.push(RawDisplay { span, body: Span::new(open + 2, i), delimiter: Delimiter::Pair });
+            found.raws.push(RawDisplay {
+                span,
+                body: Span::new(open + 2, i),
+                delimiter: Delimiter::Pair,
+                is_numbered: false,
+            });
             return Ok(i + 2);
         }
         match bytes[i] {

@@ -69,6 +69,8 @@ pub(super) struct RawDisplay {
     pub span: Span,
     pub body: Span,
     pub delimiter: Delimiter,
+    /// Whether LaTeX numbers it by itself.
+    pub is_numbered: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -91,9 +93,19 @@ pub(super) struct Name {
 pub(super) fn environment(name: &str) -> Option<Delimiter> {
     match name.strip_suffix('*').unwrap_or(name) {
         "equation" | "displaymath" | "multline" | "dmath" => Some(Delimiter::Whole),
-        "align" | "gather" | "flalign" | "alignat" | "xalignat" | "eqnarray" => Some(Delimiter::Rows),
+        "align" | "gather" | "flalign" | "alignat" | "xalignat" | "eqnarray" | "IEEEeqnarray" => Some(Delimiter::Rows),
         _ => None,
     }
+}
+
+/// Whether LaTeX numbers the displays of an environment.
+pub(super) fn is_numbered(name: &str) -> bool {
+    !name.ends_with('*') && name != "displaymath"
+}
+
+/// Display environments that are reported, but not read.
+pub(super) fn is_foreign(name: &str) -> bool {
+    matches!(name.strip_suffix('*').unwrap_or(name), "numcases" | "subnumcases" | "dseries" | "darray" | "xxalignat")
 }
 
 /// The position of the next `needle` at or after `from`.
@@ -226,16 +238,21 @@ pub(super) fn environment_display(
 ) -> Result<usize, Fault> {
     let bytes = text.as_bytes();
     let mut start = inside;
-    if name.contains("alignat") {
+    if name.contains("alignat") || name.starts_with("IEEE") {
         start = short_group(bytes, start).unwrap_or(start);
     }
     let closing = format!("\\end{{{name}}}");
+    if is_foreign(name) {
+        // With its \begin, so that it is not taken for what its rows alone would say.
+        start = at;
+    }
     let mut i = start;
     while i < bytes.len() {
         match bytes[i] {
             b'\\' if bytes[i..].starts_with(closing.as_bytes()) => {
                 let span = Span::new(at, i + closing.len());
-                found.raws.push(RawDisplay { span, body: Span::new(start, i), delimiter });
+                let body = Span::new(start, if start == at { span.end } else { i });
+                found.raws.push(RawDisplay { span, body, delimiter, is_numbered: is_numbered(name) });
                 return Ok(span.end);
             }
             b'\\' => i += 2,

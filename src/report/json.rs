@@ -91,6 +91,9 @@ fn equation(document: &Document, equation: &Equation) -> Value {
     };
     let fields = fields(source, &equation.latex, &equation.reading, &equation.finding, equation.ok);
     let mut fields = placed(fields, &equation.finding);
+    if let Some(numbers) = document.automatic_numbers.get(&equation.id) {
+        fields.insert("automatic_numbers".to_owned(), json!(numbers));
+    }
     if let Some(because) = &equation.because {
         fields.insert("because".to_owned(), json!(because));
     }

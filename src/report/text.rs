@@ -123,7 +123,7 @@ fn listed(document: &Document, style: Style) -> String {
     let width = number_width(document);
     for item in &document.equations {
         text.push_str(&line(item, width, style));
-        text.push_str(&details(item, style));
+        text.push_str(&details(document, item, style));
     }
     if let Some(line) = unnumbered(document) {
         text.push_str(&(wrap("  ", &line, 4, style.width) + "\n"));
@@ -132,7 +132,7 @@ fn listed(document: &Document, style: Style) -> String {
         text.push_str("  sentences\n");
         for item in &document.sentences {
             text.push_str(&line(item, width, style));
-            text.push_str(&details(item, style));
+            text.push_str(&details(document, item, style));
         }
     }
     text.push('\n');
@@ -217,13 +217,17 @@ fn summary_of(finding: &Finding) -> String {
 }
 
 /// How an equation and its parts were read.
-fn details(item: &Equation, style: Style) -> String {
+fn details(document: &Document, item: &Equation, style: Style) -> String {
     let indent = 6;
     let mut text = String::new();
     let mut tell = |inside: usize, line: &str| {
         let first = " ".repeat(indent + inside);
         text.push_str(&(wrap(&first, line, indent + inside + 2, style.width) + "\n"));
     };
+    if let Some(numbers) = document.automatic_numbers.get(&item.id) {
+        let numbers: Vec<String> = numbers.iter().map(|number| format!("({number})")).collect();
+        tell(0, &format!("LaTeX prints {}", numbers.join(", ")));
+    }
     if item.parts.is_empty() {
         // What could not be read has no reading.
         if !item.reading.is_empty() {

@@ -111,3 +111,4 @@ mod references;
 
 #[path = "notes/addresses.rs"]
 mod addresses;
+mod automatic;

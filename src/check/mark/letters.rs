@@ -85,6 +85,7 @@ fn usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {
             text: line.text.clone(),
             number: None,
             labels: Vec::new(),
+            automatic: Vec::new(),
             line: notes.source.line_column(line.body.start).0,
         })
         .collect();

@@ -81,6 +81,7 @@ impl<'p> World<'p> {
                 text: new.text.clone(),
                 number: Some(Numbered { id: line.name.clone(), span: body }),
                 labels: Vec::new(),
+                automatic: Vec::new(),
                 line: line.line,
             });
             lines.push((body.start, new));

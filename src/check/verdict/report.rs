@@ -63,6 +63,8 @@ pub struct Document {
     pub source: Arc<Source>,
     /// The numbered equations in order.
     pub equations: Vec<Equation>,
+    /// By the id of an equation, the numbers that LaTeX prints beside it by itself.
+    pub automatic_numbers: BTreeMap<String, Vec<String>>,
     /// The sentences that the claims file turned into tests.
     pub sentences: Vec<Equation>,
     /// The number of displays without a number and without a claim, which were not checked.
