@@ -10,7 +10,7 @@ use super::formats::{self, Format};
 pub use super::kind::Kind;
 pub use super::macros::MacroDefinition;
 use super::references::{self, Reference};
-use super::{displays, macros, markdown, numbering, tex};
+use super::{displays, macros, markdown, tex};
 use crate::code::Code;
 use crate::source::{Source, Span};
 use crate::{Error, Result};
@@ -68,7 +68,7 @@ impl Notes {
         let mut prose = clean.clone();
         displays::blank(&mut prose, scan.raws.iter().map(|raw| &raw.span).chain(&scan.inline));
         let automatic = match kind {
-            Kind::Tex => numbering::automatic(&clean, &scan.raws, &macros),
+            Kind::Tex => tex::automatic(&clean, &scan.raws, &macros),
             Kind::Markdown => Vec::new(),
         };
         let mut equations =

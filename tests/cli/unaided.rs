@@ -252,3 +252,14 @@ fn every_display_is_counted_and_what_is_not_read_is_said() {
     let said = run.out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(said.contains("4 displays, without a claims file: 1 follows, 2 introduced, 1 not read"), "{}", run.out);
 }
+
+#[test]
+fn a_function_of_a_defined_name_takes_no_other_guess_with_it() {
+    let displays = [r"x = u + v", r"g(x) = h", r"F = -V(x) k", r"(a+b)^2 = a^2 + b^2"];
+    let (equations, code) = report("function-of-defined", "notes.md", &page(&displays));
+    assert_eq!(
+        (equations[0]["verdict"].as_str(), equations[3]["verdict"].as_str()),
+        (Some("definition"), Some("refuted"))
+    );
+    assert_eq!(code, 1);
+}

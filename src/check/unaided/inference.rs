@@ -35,8 +35,12 @@ pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     define_macros(&notes.macros, &mut macros);
     let usages = names_of(&notes.equations, &macros);
     let lagrangian = lagrangian(notes, &usages);
-    for printed in [lagrangian, None] {
+    // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
+    for (printed, functions) in [(lagrangian, true), (lagrangian, false), (None, true), (None, false)] {
         let mut guess = Guess::of(&usages, printed);
+        if !functions && guess.keys.remove("functions").is_none() {
+            continue;
+        }
         let mut best = None;
         for _ in 0..ROUNDS {
             let claims = guess.claims(notes)?;

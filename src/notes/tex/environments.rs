@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::macros::{self, Form};
-use super::tex_scanner::{self, Delimiter};
+use crate::notes::macros::{self, Form};
+use crate::notes::tex_scanner::{self, Delimiter};
 
 /// The names that a text defines for display environments.
 #[derive(Default)]

@@ -4,13 +4,13 @@
 //! `\counterwithin`, `\setcounter`, `\addtocounter`, `\appendix`, `subequations` and a `\theequation` that is put together
 //! from counters. Where a number depends on something else, no display has one.
 
-use super::macros::MacroDefinition;
-use super::tex_scanner::{self, Delimiter, RawDisplay};
-use super::{rows, tex_scanner::begin};
+use crate::notes::macros::MacroDefinition;
+use crate::notes::tex_scanner::{self, Delimiter, RawDisplay};
+use crate::notes::{rows, tex_scanner::begin};
 use crate::source::Span;
 
 /// A number, and the display or the row that it is printed beside.
-pub(super) struct Automatic {
+pub(in crate::notes) struct Automatic {
     /// The number, without its parentheses.
     pub id: String,
     /// The row.
@@ -53,7 +53,7 @@ struct Counters {
 }
 
 /// The automatic numbers of a document. `clean` is its text without comments and definitions.
-pub(super) fn automatic(clean: &[u8], raws: &[RawDisplay], macros: &[MacroDefinition]) -> Vec<Automatic> {
+pub(in crate::notes) fn automatic(clean: &[u8], raws: &[RawDisplay], macros: &[MacroDefinition]) -> Vec<Automatic> {
     let text = String::from_utf8_lossy(clean);
     if text.len() != clean.len() {
         return Vec::new();

@@ -1,9 +1,14 @@
 //! Displays in a TeX file. The scan knows only comments, verbatim text and mathematics.
 
-use super::environments::Own;
+mod environments;
+mod numbering;
+
 use super::macros;
 use super::tex_scanner::{self, Delimiter, RawDisplay, ScannedText};
 use crate::source::{Fault, Span};
+
+use environments::Own;
+pub(super) use numbering::automatic;
 
 /// Environments with verbatim text.
 const VERBATIM: &[&str] = &["verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment", "filecontents"];
