@@ -101,7 +101,16 @@ impl<'p> World<'p> {
                 text.push_str(&latex);
                 text.push('\n');
                 let number = Some(Numbered { id: latex.clone(), span: body });
-                Display { span: body, body, parts: vec![body], text: latex, number, labels: Vec::new(), line: 0 }
+                Display {
+                    span: body,
+                    body,
+                    parts: vec![body],
+                    text: latex,
+                    number,
+                    labels: Vec::new(),
+                    automatic: Vec::new(),
+                    line: 0,
+                }
             })
             .collect();
         let offset = text.len();
