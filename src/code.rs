@@ -288,9 +288,10 @@ codes! {
     ///
     /// For example, `a = x - x`. Such a definition is correct for any use, and is probably a misprint. Correct it.
     DefinitionZero = "definition-zero",
-    /// The display defines a name, and other equations test the definition except for its sign.
+    /// The display defines a name, and other equations test the definition except for its sign or its factor.
     ///
-    /// For example, a root that is only used squared. This is a pass. Use the name once where its sign matters.
+    /// For example, a root that is only used squared, or a normal coordinate, whose double has the same linear equation of motion.
+    /// This is a pass. Use the name once where its sign or factor matters.
     DefinitionUpToSign = "definition-up-to-sign",
     /// The display defines the Lagrangian, or a name that the Lagrangian contains.
     ///

@@ -6,7 +6,8 @@
 
 use std::sync::Arc;
 
-use crate::formula::{Expr, SymbolId, Value, text};
+use crate::formula::tree::Variable;
+use crate::formula::{Expr, Relation, SymbolId, Value, derivative, text};
 use crate::latex::{Reading, name_search, read_formula};
 use crate::mechanics::{Applied, LinearSolver, System};
 use crate::notes::Notes;
@@ -17,6 +18,7 @@ use crate::{Error, Result};
 
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
+use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::Meaning;
 use crate::check::model::order::derivatives;
@@ -81,6 +83,13 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
         "the system is the Lagrangian {shown} that the notes define, in the coordinates {}",
         coordinates.join(", ")
     ));
+    let multipliers = model.system.as_ref().map_or(Vec::new(), |system| system.multipliers().to_vec());
+    for at in multipliers {
+        let name = coordinates[at].clone();
+        model.inferred.push(format!(
+            "{name} is a Lagrange multiplier: ∂{shown}/∂{name} = 0 is a constraint on all motions, with the force +{name} ∂f/∂q for {shown} + {name} f"
+        ));
+    }
     Ok(())
 }
 
@@ -192,8 +201,34 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
         return Err(Error::new("its formula has no value as a number made of coordinates and velocities")
             .help("write it with the declared coordinates, their dots, constants and the time"));
     }
+    model.constraints = constraints(model, symbol, system.multipliers())?;
     (model.system, model.parameters) = (Some(Arc::new(system)), places);
     Ok(())
+}
+
+/// The constraints f = ∂L/∂λ = 0 of the multipliers, and ḟ = 0.
+///
+/// # Errors
+/// Where the Lagrangian has no derivative by a multiplier as a formula.
+fn constraints(model: &Model, lagrangian: SymbolId, multipliers: &[usize]) -> Result<Vec<Hypothesis>> {
+    let mut all = Vec::new();
+    let place = crate::source::Span::default();
+    let formula = Expr::new(crate::formula::Node::Symbol { id: lagrangian, indices: Vec::new(), dots: 0 }, place);
+    for at in multipliers {
+        let by = Variable { id: model.coordinates[*at].symbol, indices: Vec::new(), dots: 0 };
+        let scope = derivative::Scope { symbols: &model.symbols, fixed: &[] };
+        let constraint = derivative::partial(&formula, &by, scope, place).map_err(|_| {
+            let name = text::plain(&model.name(by.id));
+            Error::new(format!("the constraint that {name} multiplies cannot be derived"))
+                .help("write the constraint with sums, products, powers and elementary functions")
+        })?;
+        let rate = Expr::new(crate::formula::Node::TimeDerivative(1, Box::new(constraint.clone())), place);
+        all.extend([constraint, rate].map(|lhs| {
+            let rhs = Expr::integer(0, place);
+            Hypothesis::of(Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() }, false)
+        }));
+    }
+    Ok(all)
 }
 
 /// Symbols that define a symbol, through other definitions too, down to those that no formula defines.

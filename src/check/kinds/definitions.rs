@@ -13,16 +13,19 @@
 use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::evaluate;
-use crate::formula::{Expr, Relation, SymbolId, text};
+use crate::formula::{Expr, Relation, SymbolId, Value, text};
+use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::mutants_of;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::residual;
 use crate::check::state::residual::Point;
+use crate::check::state::sampled_state::SampledState;
 use crate::check::vacuity::zero;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -150,6 +153,15 @@ pub fn check(
         true => (Code::DefinitionUpToSign, " except of its sign"),
         false => (Code::Definition, ""),
     };
+    // So is the size of a normal coordinate: linear equations of motion are the same for its double.
+    let sized = surviving.len();
+    if !names.is_empty() && combines_coordinates(formula, context.model) {
+        surviving.retain(|(mutant, _)| !is_a_multiple(mutant, formula, &states.states));
+    }
+    let (code, except) = match surviving.len() < sized {
+        true => (Code::DefinitionUpToSign, " except of its factor"),
+        false => (code, except),
+    };
     match surviving.first() {
         _ if names.is_empty() => {
             let message = format!("defines {name}; no passing equation uses {name}, so this definition was not tested");
@@ -166,6 +178,30 @@ pub fn check(
             Ok(Finding { points, tried: points, ..context.finding(code, Verdict::Definition, message) })
         }
     }
+}
+
+/// Whether a formula contains several coordinates, and else constants only, as a normal coordinate does.
+fn combines_coordinates(formula: &Expr, model: &Model) -> bool {
+    let symbols = formula.symbols();
+    let is_coordinate = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_)));
+    let fits = |&(id, dots): &(SymbolId, u8)| match model.meaning(id) {
+        Some(Meaning::Coordinate(_)) => dots == 0,
+        Some(Meaning::Constant(_)) => true,
+        _ => false,
+    };
+    symbols.iter().filter(|(id, _)| is_coordinate(*id)).count() > 1 && symbols.iter().all(fits)
+}
+
+/// Whether the ratio of a mutant to the formula is the same number at all states; 0 is one, which solves linear equations too.
+fn is_a_multiple(mutant: &Expr, formula: &Expr, states: &[SampledState<'_, RunningError>]) -> bool {
+    let number = |expr: &Expr, state: &SampledState<'_, RunningError>| match state.now(expr, &[]) {
+        Ok(Value::Scalar(value)) => Some(value),
+        _ => None,
+    };
+    let ratio = |state| Some(number(mutant, state)? / number(formula, state)?);
+    let ratios: Vec<RunningError> = states.iter().filter_map(ratio).filter(|ratio| ratio.value.is_finite()).collect();
+    ratios.len() >= FEWEST
+        && ratios[1..].iter().all(|ratio| residual::vanishes(*ratio - ratios[0]))
 }
 
 /// Whether an equation holds on shell.

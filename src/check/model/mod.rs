@@ -17,7 +17,7 @@ use crate::mechanics::System;
 use crate::notes::claims::Range;
 use crate::source::Span;
 
-use crate::check::model::claim::{Law, Unread};
+use crate::check::model::claim::{Hypothesis, Law, Unread};
 use crate::check::model::meaning::{Continuum, Frame, Meaning, Rigid, Variable};
 use crate::check::model::state_cache::StateCache;
 
@@ -80,6 +80,8 @@ pub struct Model {
     pub continua: Vec<Continuum>,
     /// The laws that all motions obey.
     pub laws: Vec<Law>,
+    /// The constraints that multipliers of the Lagrangian impose on all motions: f = 0 and ḟ = 0.
+    pub constraints: Vec<Hypothesis>,
     /// The macros of the author.
     pub macros: Macros,
     /// Names of the claims file whose definition stands in a display that cannot be read.
@@ -109,6 +111,7 @@ impl Model {
             components: Vec::new(),
             continua: Vec::new(),
             laws: Vec::new(),
+            constraints: Vec::new(),
             macros,
             unread_names: Vec::new(),
             unread_laws: Vec::new(),

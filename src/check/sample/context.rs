@@ -66,7 +66,8 @@ impl<'a> Context<'a> {
     pub fn mode(&self, on_shell: bool, formulas: &[&Expr]) -> Mode {
         let of_hypotheses = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);
         let of_laws = self.model.laws.iter().flat_map(|law| &law.hypotheses).flat_map(|c| [&c.lhs, &c.rhs]);
-        let of_laws = of_laws.filter(|_| on_shell);
+        let of_constraints = self.model.constraints.iter().flat_map(|c| [&c.lhs, &c.rhs]);
+        let of_laws = of_laws.chain(of_constraints).filter(|_| on_shell);
         let of_rules = self.local.iter().flat_map(|rule| rule.action.formulas());
         // The value that a hypothesis or a law gives a symbol has derivatives of its own, and is then differentiated as
         // often as the formula asks.

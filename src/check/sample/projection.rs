@@ -60,6 +60,7 @@ impl<'m> Projection<'m> {
         let mut hypotheses = setting.hypotheses.to_vec();
         if mode.on_shell {
             hypotheses.extend(model.laws.iter().flat_map(|law| law.hypotheses.iter().cloned()));
+            hypotheses.extend(model.constraints.iter().cloned());
         }
         let (found, explicit) = rules(model, setting.local, &hypotheses);
         let slots = slots(model, mode);

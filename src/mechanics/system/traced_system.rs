@@ -221,16 +221,33 @@ impl System {
     /// The accelerations on shell.
     ///
     /// # Errors
-    /// When the mass matrix is singular or ill-conditioned; the message has the condition number.
+    /// When the mass matrix is singular or ill-conditioned; the message has the condition number. A Lagrange multiplier has no
+    /// acceleration that follows from the state; its entry is NaN.
     pub fn accelerations<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<Vec<D>> {
         let (mass, right) = self.to_solve(time, q, v, parameters);
-        linear_solver::solve("mass matrix", mass, right)
+        let mut solution = linear_solver::solve("mass matrix", mass, right)?;
+        self.multipliers().iter().for_each(|&k| solution[k] = D::from(f64::NAN));
+        Ok(solution)
     }
 
-    /// The mass matrix and the right side of M a = −h.
+    /// The mass matrix and the right side of M a = −h. With multipliers, the unknowns in their places are their values.
     fn to_solve<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> (DMatrix<D>, Vec<D>) {
-        let (mass, bias) = self.dynamics(&self.inputs(time, q, v, parameters));
-        (mass, bias.iter().map(|&h| -h).collect())
+        let inputs = self.inputs(time, q, v, parameters);
+        let Some(multipliers) = &self.traced.multipliers else {
+            let (mass, bias) = self.dynamics(&inputs);
+            return (mass, bias.iter().map(|&h| -h).collect());
+        };
+        let layout = Layout { coordinates: self.coordinates.len(), parameters: self.parameters.len() };
+        let inputs = multipliers.without(layout, inputs);
+        let (mut mass, bias) = self.dynamics(&inputs);
+        let mut right: Vec<D> = bias.iter().map(|&h| -h).collect();
+        multipliers.complete(&inputs, &mut mass, &mut right);
+        (mass, right)
+    }
+
+    /// The coordinates that are Lagrange multipliers: L is linear in them and contains none of their velocities.
+    pub fn multipliers(&self) -> &[usize] {
+        self.traced.multipliers.as_ref().map_or(&[], |multipliers| &multipliers.places)
     }
 
     /// The motion through a state on shell: each coordinate with its time derivatives up to `order`.
@@ -263,14 +280,18 @@ impl System {
     ) -> Result<Vec<Series<D>>> {
         let time = Series::time(time);
         let parameters: Vec<_> = parameters.iter().copied().map(Series::constant).collect();
-        motion::complete(q, v, order, |q, v, known| {
+        let solve = |q: &[Series<D>], v: &[Series<D>], known: usize| {
             let (mass, right) = self.to_solve(time, q, v, &parameters);
             match (solver, known) {
                 // the first look at its condition is at all of its values
                 (LinearSolver::PartialPivoting, 3..) => linear_solver::eliminate("mass matrix", mass, right),
                 _ => linear_solver::solve_with(solver, "mass matrix", mass, right),
             }
-        })
+        };
+        match &self.traced.multipliers {
+            Some(multipliers) => multipliers.motion(q, v, order, solve),
+            None => motion::complete(q, v, order, solve),
+        }
     }
 }
 

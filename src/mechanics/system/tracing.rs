@@ -20,6 +20,7 @@ use num_traits::One;
 
 use super::elimination::{eliminate, is_product, pivots, upper};
 use super::layout::Layout;
+use super::multipliers::Multipliers;
 use crate::Result;
 use crate::mechanics::rigid_body::rotations::RotationalState;
 use crate::mechanics::tape::Tape;
@@ -42,6 +43,8 @@ pub(super) struct Traced {
     pub accelerations: Tape,
     /// ∂L/∂qᵢ is the constant 0.
     pub certainly_cyclic: Vec<bool>,
+    /// Lagrange multipliers among the coordinates.
+    pub multipliers: Option<Multipliers>,
     pub has_potential: bool,
     pub has_orientation: bool,
 }
@@ -121,6 +124,7 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
     })?;
     let momenta = tape(&graph, &slopes[layout.v(0)..layout.v(n)]);
     let first = tape(&graph, &[&[value], &slopes[layout.q(0)..layout.v(n)]].concat());
+    let multipliers = Multipliers::of(layout, &tape(&graph, &slopes[layout.q(0)..layout.v(0)]), &momenta)?;
 
     let (graph, derived) = Graph::record(|| {
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
@@ -170,6 +174,7 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
         momenta_and_mass,
         dynamics,
         certainly_cyclic,
+        multipliers,
         has_potential: potential.is_some(),
         has_orientation: turning.is_some(),
         lagrangian,
