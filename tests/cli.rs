@@ -27,6 +27,8 @@ mod mark;
 mod messages;
 #[path = "cli/mutate.rs"]
 mod mutate;
+#[path = "cli/printed/constraints.rs"]
+mod printed_constraints;
 #[path = "cli/printed/lagrangian.rs"]
 mod printed_lagrangian;
 #[path = "cli/printed/motions.rs"]

@@ -34,6 +34,8 @@ pub(super) enum Unknown {
     Name(Name, Span),
     /// A name alone, squared.
     Square(Name, Span),
+    /// A name after a whole number, `2\beta = b/m`.
+    Multiple(Name, Span, String),
     /// A name with known names in parentheses, `V(r)`: a function of them.
     Function(Name, Span, Vec<Variable>),
     /// A sum of names, each for one term.
@@ -110,6 +112,13 @@ impl Unknown {
                 }
                 None => None,
             },
+            [Item { layout: Layout::Number(digits), .. }, only]
+                if place == Place::First && digits.parse::<u32>().is_ok_and(|factor| factor > 1) =>
+            {
+                let (name, span) = name(only, false)?;
+                let is_vector = ["\\vec", "\\mathbf", "\\hat"].iter().any(|mark| name.base.contains(mark));
+                (!is_vector).then(|| Unknown::Multiple(name, significant[0].span.to(span), digits.clone()))
+            }
             // `x(t)` is x, which may vary with time.
             [only, argument] if place == Place::First && is_time(argument, time.as_ref()) => {
                 name(only, false).map(|(name, span)| Unknown::Name(name, span.to(argument.span)))
@@ -137,7 +146,10 @@ impl Unknown {
     /// The fault if nothing defines the name.
     pub(super) fn undeclared(&self, symbols: &Symbols) -> Fault {
         let (name, span) = match self {
-            Unknown::Name(name, span) | Unknown::Square(name, span) | Unknown::Function(name, span, _) => (name, *span),
+            Unknown::Name(name, span)
+            | Unknown::Square(name, span)
+            | Unknown::Multiple(name, span, _)
+            | Unknown::Function(name, span, _) => (name, *span),
             Unknown::Terms(terms) => (&terms[0].0, terms[0].1),
         };
         undeclared(name, span, symbols)
@@ -163,6 +175,16 @@ impl Unknown {
                 let (expr, found, mut new) = one(name, *span, source, SymbolId(next), symbols)?;
                 new.arguments = arguments.clone();
                 Ok((expr, found, vec![new]))
+            }
+            Unknown::Multiple(name, span, digits) => {
+                let factor = || Expr::new(Node::Number(digits.clone()), *span);
+                let part = Node::Quotient(Box::new(source.0.clone()), Box::new(factor()));
+                let part = Expr::new(part, source.0.span);
+                let (expr, found, new) = one(name, *span, (&part, source.1), SymbolId(next), symbols)?;
+                if new.kind != Kind::Scalar {
+                    return Err(undeclared(name, *span, symbols));
+                }
+                Ok((Expr::new(Node::Product(vec![factor(), expr]), *span), found, vec![new]))
             }
             Unknown::Square(name, span) => {
                 let (expr, found, mut new) = one(name, *span, source, SymbolId(next), symbols)?;

@@ -42,8 +42,9 @@ impl Checker<'_> {
         let mut tried: Vec<Vec<Expr>> = coordinates.chunks(1).map(<[Expr]>::to_vec).collect();
         tried.extend((coordinates.len() > 1).then(|| coordinates.clone()));
         tried.extend(tried.clone().iter().map(|names| with_rates(names)));
-        for small in &tried {
-            let found = small::check(link, small, 1, context)?;
+        // cos θ ≈ 1 − θ²/2 and a Lagrangian for small oscillations keep the second order.
+        for (order, small) in (1..=3).flat_map(|order| tried.iter().map(move |small| (order, small))) {
+            let found = small::check(link, small, order, context)?;
             if found.verdict.passes() {
                 let names: Vec<String> = small.iter().map(|name| text::formula(name, &model.symbols)).collect();
                 let message = format!("{}; taken to be small: {}", found.message, names.join(", "));

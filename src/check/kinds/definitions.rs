@@ -200,8 +200,7 @@ fn is_a_multiple(mutant: &Expr, formula: &Expr, states: &[SampledState<'_, Runni
     };
     let ratio = |state| Some(number(mutant, state)? / number(formula, state)?);
     let ratios: Vec<RunningError> = states.iter().filter_map(ratio).filter(|ratio| ratio.value.is_finite()).collect();
-    ratios.len() >= FEWEST
-        && ratios[1..].iter().all(|ratio| residual::vanishes(*ratio - ratios[0]))
+    ratios.len() >= FEWEST && ratios[1..].iter().all(|ratio| residual::vanishes(*ratio - ratios[0]))
 }
 
 /// Whether an equation holds on shell.

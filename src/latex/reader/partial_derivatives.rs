@@ -280,7 +280,16 @@ impl Reader<'_> {
         let scope = Scope { symbols: self.symbols, fixed: &fixed };
         let others = derivative::variables(formula, scope).map_err(refused)?;
         let is_momentum = |other: &&Variable| fixed.contains(&other.id) && self.symbols.entry(other.id).is_momentum();
-        let velocity = others.iter().find(|other| other.dots > 0 && !fixed.contains(&other.id));
+        // The momentum of a cyclic coordinate stands beside the velocities of the others in a Routhian.
+        let is_its_rate = |momentum: &Variable, velocity: &Variable| {
+            let (momentum, velocity) = (&self.symbols.entry(momentum.id), &self.symbols.entry(velocity.id));
+            let of = momentum.name.subscript.concat();
+            of.is_empty() || !momentum.is_momentum() || of == velocity.name.to_string()
+        };
+        let velocity = others.iter().find(|other| {
+            let held = || others.iter().filter(is_momentum);
+            other.dots > 0 && !fixed.contains(&other.id) && held().any(|momentum| is_its_rate(momentum, other))
+        });
         if let (Some(velocity), Some(momentum)) = (velocity, others.iter().find(|other| is_momentum(other))) {
             let name = |id: SymbolId| self.symbols.entry(id).name.to_string();
             return Err(Fault::ambiguous(

@@ -54,7 +54,8 @@ impl Multipliers {
         let (graph, (outputs, fits)) = Graph::record(|| {
             let bias = along(&rates, &motion());
             let slopes: Vec<Vec<Symbol>> = (0..n).map(|i| along(forces, &[(layout.q(i), Symbol::one())])).collect();
-            let by_velocity: Vec<Vec<Symbol>> = (0..n).map(|i| along(forces, &[(layout.v(i), Symbol::one())])).collect();
+            let by_velocity: Vec<Vec<Symbol>> =
+                (0..n).map(|i| along(forces, &[(layout.v(i), Symbol::one())])).collect();
             let fits = places.iter().all(|&k| {
                 by_velocity.iter().all(|slopes| is_zero(&slopes[k])) && places.iter().all(|&l| is_zero(&slopes[l][k]))
             });
