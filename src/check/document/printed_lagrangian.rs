@@ -86,6 +86,9 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
     let multipliers = model.system.as_ref().map_or(Vec::new(), |system| system.multipliers().to_vec());
     for at in multipliers {
         let name = coordinates[at].clone();
+        if model.printed_lagrangian.as_ref().is_some_and(|printed| printed.constraints.iter().any(|(k, _)| *k == at)) {
+            continue;
+        }
         model.inferred.push(format!(
             "{name} is a Lagrange multiplier: ∂{shown}/∂{name} = 0 is a constraint on all motions, with the force +{name} ∂f/∂q for {shown} + {name} f"
         ));
@@ -96,6 +99,7 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
 /// Rejects forces and a dissipation function where the notes print no Lagrangian.
 fn no_forces(claims: &Claims) -> Result<()> {
     let force = claims.forces.first().map(|(name, _)| ("forces", name.span));
+    let force = force.or_else(|| claims.constraints.first().map(|(name, _)| ("constraints", name.span)));
     match force.or(claims.dissipation.as_ref().map(|function| ("dissipation", function.span))) {
         None => Ok(()),
         Some((key, span)) => {
@@ -129,10 +133,17 @@ fn applied_forces(claims: &Claims, model: &mut Model) -> Result<()> {
                 .help("each force has the name of its coordinate: \"forces\": { \"x\": \"-b \\\\dot x\" }")
         })
     };
+    let constraint = |(name, formula): &(Spanned<String>, Spanned<String>)| {
+        let at = place(name).map_err(|error| {
+            error.help("each constraint has the name of its multiplier, which is declared under \"coordinates\"")
+        })?;
+        Ok((at, read(formula)?))
+    };
+    let constraints: Vec<(usize, Expr)> = claims.constraints.iter().map(constraint).collect::<Result<_>>()?;
     let dissipation = claims.dissipation.as_ref().map(read).transpose()?;
     let forces = claims.forces.iter().map(|(name, force)| Ok((place(name)?, read(force)?))).collect::<Result<_>>()?;
     if let Some(printed) = &mut model.printed_lagrangian {
-        (printed.dissipation, printed.forces) = (dissipation, forces);
+        (printed.dissipation, printed.forces, printed.constraints) = (dissipation, forces, constraints);
     }
     Ok(())
 }
@@ -174,12 +185,19 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
         let node = crate::formula::Node::Symbol { id, indices: Vec::new(), dots: 0 };
         Expr::new(node, crate::source::Span::default())
     };
-    let applied = model.printed_lagrangian.clone().map(|printed| (printed.dissipation, printed.forces));
-    let (dissipation, forces) = applied.unwrap_or_default();
+    let applied =
+        model.printed_lagrangian.clone().map(|printed| (printed.dissipation, printed.forces, printed.constraints));
+    let (dissipation, forces, beside) = applied.unwrap_or_default();
     let has_potential = potential.is_some();
     let mut formulas: Vec<Expr> = std::iter::once(symbol).chain(potential).map(node).collect();
     let first_force = formulas.len();
     formulas.extend(forces.iter().map(|(_, force)| force.clone()).chain(dissipation.clone()));
+    let first_constraint = formulas.len();
+    // ḟ = 0 has the same forces as f = 0, since ∂ḟ/∂q̇ = ∂f/∂q.
+    formulas.extend(beside.iter().map(|(_, constraint)| match derivatives(constraint, model) {
+        0 => Expr::new(crate::formula::Node::TimeDerivative(1, Box::new(constraint.clone())), constraint.span),
+        _ => constraint.clone(),
+    }));
     let mut bare = model.clone();
     bare.system = None;
     let mut readable = true;
@@ -194,7 +212,9 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
                 applied.forces[*coordinate] = applied.forces[*coordinate] + *value;
             }
         }
-        applied.dissipation = dissipation.as_ref().and_then(|_| values.last().copied());
+        applied.dissipation = dissipation.as_ref().and_then(|_| values.get(first_constraint - 1).copied());
+        let multipliers = beside.iter().map(|(multiplier, _)| *multiplier);
+        applied.constraints = multipliers.zip(values[first_constraint..].iter().copied()).collect();
         (values[0], has_potential.then(|| values[1]), applied)
     })?;
     if !readable {
@@ -214,7 +234,12 @@ fn constraints(model: &Model, lagrangian: SymbolId, multipliers: &[usize]) -> Re
     let mut all = Vec::new();
     let place = crate::source::Span::default();
     let formula = Expr::new(crate::formula::Node::Symbol { id: lagrangian, indices: Vec::new(), dots: 0 }, place);
+    let beside = model.printed_lagrangian.as_ref().map_or(&[][..], |printed| &printed.constraints);
     for at in multipliers {
+        if let Some((_, constraint)) = beside.iter().find(|(multiplier, _)| multiplier == at) {
+            all.extend(conditions(constraint, derivatives(constraint, model) == 0));
+            continue;
+        }
         let by = Variable { id: model.coordinates[*at].symbol, indices: Vec::new(), dots: 0 };
         let scope = derivative::Scope { symbols: &model.symbols, fixed: &[] };
         let constraint = derivative::partial(&formula, &by, scope, place).map_err(|_| {
@@ -222,13 +247,20 @@ fn constraints(model: &Model, lagrangian: SymbolId, multipliers: &[usize]) -> Re
             Error::new(format!("the constraint that {name} multiplies cannot be derived"))
                 .help("write the constraint with sums, products, powers and elementary functions")
         })?;
-        let rate = Expr::new(crate::formula::Node::TimeDerivative(1, Box::new(constraint.clone())), place);
-        all.extend([constraint, rate].map(|lhs| {
-            let rhs = Expr::integer(0, place);
-            Hypothesis::of(Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() }, false)
-        }));
+        all.extend(conditions(&constraint, true));
     }
     Ok(all)
+}
+
+/// f = 0 and, for a constraint without velocities, ḟ = 0.
+fn conditions(constraint: &Expr, is_holonomic: bool) -> impl Iterator<Item = Hypothesis> {
+    let place = constraint.span;
+    let rate = Expr::new(crate::formula::Node::TimeDerivative(1, Box::new(constraint.clone())), place);
+    let vanishing = [constraint.clone(), rate].into_iter().take(if is_holonomic { 2 } else { 1 });
+    vanishing.map(move |lhs| {
+        let rhs = Expr::integer(0, place);
+        Hypothesis::of(Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() }, false)
+    })
 }
 
 /// Symbols that define a symbol, through other definitions too, down to those that no formula defines.

@@ -13,6 +13,7 @@ use crate::check::kinds::solution;
 use crate::check::kinds::solution::Solution;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::{Context, Options};
+use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -69,11 +70,19 @@ impl Checker<'_> {
             let span = found.formula.span;
             let rate = Expr::new(Node::TimeDerivative(found.dots, Box::new(printed.formula.clone())), span);
             let link = Link { lhs: rate, relation: Relation::Equal, rhs: found.formula.clone(), free: Vec::new() };
-            let finding = identity::check(&link, context)?;
             let number = shown(&self.notes.equations[at]);
+            let refuted = format!("this is not the derivative of the solution in ({number})");
+            // Most texts that are tried in the place of a rate fail at the first state.
+            if !context.options.explain {
+                let ensemble = context.ensemble(context.mode(false, &[&link.lhs, &link.rhs]), false, FEWEST)?;
+                if run(&link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_some()) {
+                    return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, refuted));
+                }
+            }
+            let finding = identity::check(&link, context)?;
             let message = match finding.verdict {
                 verdict if verdict.holds() => format!("follows from the solution in ({number})"),
-                Verdict::Refuted => format!("this is not the derivative of the solution in ({number})"),
+                Verdict::Refuted => refuted,
                 _ => return Ok(finding),
             };
             return Ok(Finding { message, ..finding });
@@ -94,6 +103,9 @@ impl Checker<'_> {
         let quick = Context { options: Options { explain: false, ..context.options }, ..*context };
         let others = self.solutions_beside(Some(printed.coordinate), context);
         let others: Vec<Solution> = others.into_iter().map(|(_, solution)| solution).collect();
+        if solution::is_on_shell(printed, &others, context)? == Some(true) {
+            return Ok(true);
+        }
         Ok(solution::check(printed, &others, &quick)?.verdict.holds())
     }
 

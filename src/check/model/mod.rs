@@ -47,6 +47,8 @@ pub struct PrintedLagrangian {
     pub dissipation: Option<Expr>,
     /// The generalized forces beside what L gives: the place of the coordinate, and the force.
     pub forces: Vec<(usize, Expr)>,
+    /// The constraints that L does not contain: the place of the multiplier, and the formula that vanishes.
+    pub constraints: Vec<(usize, Expr)>,
     /// The place in the claims file.
     pub place: Span,
 }

@@ -135,9 +135,9 @@ impl Builder<'_> {
                 let potential = self.claims.means.iter().find(|(_, meaning)| meaning.value == "potential energy");
                 let potential = potential.map(|(latex, _)| self.name(latex)).transpose()?;
                 let place = latex.span;
-                let (dissipation, forces) = (None, Vec::new());
+                let (dissipation, forces, constraints) = (None, Vec::new(), Vec::new());
                 self.model.printed_lagrangian =
-                    Some(PrintedLagrangian { lagrangian: name, potential, dissipation, forces, place });
+                    Some(PrintedLagrangian { lagrangian: name, potential, dissipation, forces, constraints, place });
                 self.derivatives_of_the_lagrangian(latex)?;
                 Ok(true)
             }

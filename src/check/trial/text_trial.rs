@@ -11,7 +11,7 @@
 //! only on shell would pass, so no text is refuted that the check would pass.
 
 use crate::Result;
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::{Claim, Holds};
 use crate::scalar::TERMS;
@@ -168,7 +168,12 @@ impl<'d, 'a> Trial<'d, 'a> {
         let offset = self.checker.notes.equations[self.at].body.start;
         let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
         let is_refuted = || self.judged(&self.quick, &reading, offset).is_ok_and(|parts| parts.iter().any(is_wrong));
-        if self.prints_a_motion(&reading) && is_refuted() {
+        let dots = self.motions(&reading);
+        // A solution is no correction of a rate.
+        if dots != self.motions(self.now) && self.motions(self.now).iter().any(|dots| *dots > 0) {
+            return Ok(Answer::Refused);
+        }
+        if !dots.is_empty() && is_refuted() {
             return Ok(Answer::Refuted);
         }
         if !says_something(&reading) || reread::missing_from_print(self.checker, &reading, self.now).is_some() {
@@ -202,13 +207,14 @@ impl<'d, 'a> Trial<'d, 'a> {
         checker.parts((self.at, offset), reading, self.claim, &self.topic)
     }
 
-    /// Whether a reading prints a solution of the motion. No screening state tests it.
-    fn prints_a_motion(&self, reading: &Reading) -> bool {
-        reading.statements.iter().flatten().any(|statement| {
-            let Some((relation, _)) = statement.relations.first() else { return false };
-            let link = self.checker.link(&statement.members[0], *relation, &statement.members[1]);
-            link.is_ok_and(|link| self.checker.solution(&link, 0, self.claim).is_some())
-        })
+    /// The number of dots of each solution of the motion, or rate of one, that a reading prints. No screening state tests these.
+    fn motions(&self, reading: &Reading) -> Vec<u8> {
+        let printed = |statement: &Statement| {
+            let (relation, _) = statement.relations.first()?;
+            let link = self.checker.link(&statement.members[0], *relation, &statement.members[1]).ok()?;
+            self.checker.solution(&link, 0, self.claim).map(|found| found.dots)
+        };
+        reading.statements.iter().flatten().filter_map(printed).collect()
     }
 
     /// Whether a reading contains a rate that is zero at all screening states and that the original does not contain. Such a

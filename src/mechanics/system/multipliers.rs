@@ -5,6 +5,9 @@
 //! and ḟ = 0 then obeys f = 0 at all times.
 //!
 //! Sign: the force of the constraint is + λ ∂f/∂q, as follows from L + λ f.
+//!
+//! A constraint g(t, q, q̇) = 0 may also stand beside L, and must if it cannot be integrated. Its force is + λ ∂g/∂q̇ (Lagrange–d'Alembert), and
+//! ġ = 0 completes the linear system. L + λ g would give another motion, which no rolling body has.
 
 use num_dual::Dual;
 use num_traits::One;
@@ -18,17 +21,25 @@ use crate::scalar::{Graph, Number, Series, Symbol, TERMS};
 pub(super) struct Multipliers {
     /// Their places among the coordinates.
     pub places: Vec<usize>,
-    /// For each multiplier ∂f/∂q by each coordinate, then f̈ along a motion without accelerations.
+    /// For each multiplier ∂f/∂q by each coordinate, then f̈ along a motion without accelerations; or ∂g/∂q̇, then ġ.
     constraints: Tape,
+    /// Whether each constraint stands beside L.
+    beside: Vec<bool>,
 }
 
 impl Multipliers {
     /// The multipliers of a Lagrangian, from tapes of ∂L/∂q and ∂L/∂q̇; `None`, if it has none. A coordinate without velocity in L is
-    /// a multiplier if L is linear in it, and if its factor contains no velocity.
+    /// a multiplier if L is linear in it, and if its factor contains no velocity. `beside` are the multipliers of constraints beside L, and `rolling` has
+    /// their formulas.
     ///
     /// # Errors
     /// When L branches on a value.
-    pub fn of(layout: Layout, forces: &Tape, momenta: &Tape) -> Result<Option<Self>> {
+    pub fn of(
+        layout: Layout,
+        forces: &Tape,
+        momenta: &Tape,
+        (beside, rolling): &(Vec<usize>, Tape),
+    ) -> Result<Option<Self>> {
         let n = layout.coordinates;
         let inputs = || (0..layout.inputs()).map(Symbol::input).collect::<Vec<Symbol>>();
         let is_zero = |value: &Symbol| value.as_constant() == Some(0.0);
@@ -56,13 +67,32 @@ impl Multipliers {
             let slopes: Vec<Vec<Symbol>> = (0..n).map(|i| along(forces, &[(layout.q(i), Symbol::one())])).collect();
             let by_velocity: Vec<Vec<Symbol>> =
                 (0..n).map(|i| along(forces, &[(layout.v(i), Symbol::one())])).collect();
-            let fits = places.iter().all(|&k| {
+            let in_lagrangian = || places.iter().filter(|k| !beside.contains(k));
+            let fits = in_lagrangian().all(|&k| {
                 by_velocity.iter().all(|slopes| is_zero(&slopes[k])) && places.iter().all(|&l| is_zero(&slopes[l][k]))
             });
-            let rows = places.iter().flat_map(|&k| slopes.iter().map(move |slopes| slopes[k]).chain([bias[k]]));
-            (rows.collect::<Vec<_>>(), fits)
+            let rates = along(rolling, &motion());
+            let rolls: Vec<Vec<Symbol>> = (0..n).map(|i| along(rolling, &[(layout.v(i), Symbol::one())])).collect();
+            let row = |&k: &usize| -> Vec<Symbol> {
+                match beside.iter().position(|place| *place == k) {
+                    Some(at) => rolls.iter().map(|slopes| slopes[at]).chain([rates[at]]).collect(),
+                    None => slopes.iter().map(|slopes| slopes[k]).chain([bias[k]]).collect(),
+                }
+            };
+            (places.iter().flat_map(row).collect::<Vec<_>>(), fits)
         })?;
-        Ok(fits.then(|| Multipliers { constraints: tape(&graph, &outputs), places }))
+        let beside = places.iter().map(|place| beside.contains(place)).collect();
+        Ok(fits.then(|| Multipliers { constraints: tape(&graph, &outputs), places, beside }))
+    }
+
+    /// The forces λ ∂g/∂q̇ of the constraints beside L, one for each coordinate.
+    pub fn forces<D: Number>(&self, layout: Layout, inputs: &[D]) -> Vec<D> {
+        let n = layout.coordinates;
+        let rows = self.constraints.evaluate(inputs);
+        let beside = self.places.iter().zip(rows.chunks(n + 1)).zip(&self.beside).filter(|(_, beside)| **beside);
+        beside.fold(vec![D::zero(); n], |sum, ((&k, row), _)| {
+            sum.iter().zip(row).map(|(&sum, &slope)| sum + inputs[layout.q(k)] * slope).collect()
+        })
     }
 
     /// The inputs of the tapes with all multipliers 0.

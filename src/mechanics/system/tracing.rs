@@ -68,6 +68,9 @@ pub struct Applied {
     pub forces: Vec<Symbol>,
     /// Rayleigh's dissipation function F.
     pub dissipation: Option<Symbol>,
+    /// Constraints g(t, q, q̇) = 0 beside L, each with the place of its multiplier λ among the coordinates: the force is
+    /// λ ∂g/∂q̇ (Lagrange–d'Alembert). L contains no such λ.
+    pub constraints: Vec<(usize, Symbol)>,
 }
 
 /// Traces `l`.
@@ -100,18 +103,21 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
     let tape = |graph: &Graph, outputs: &[Symbol]| Tape::new(graph, layout.inputs(), outputs);
     let n = layout.coordinates;
 
-    let (graph, (lagrangian, potential, forces, dissipation, turning)) = Graph::record(|| {
+    let (graph, (lagrangian, potential, forces, dissipation, turning, rolling)) = Graph::record(|| {
         let Recorded { lagrangian, potential, applied, turning } = record();
         let simple = |outputs: Option<Vec<Symbol>>| outputs.map(|outputs| simplify_all(&outputs));
         let one = |value: Option<Symbol>| simple(value.map(|value| vec![value]));
         let forces = simplify_all(&applied.forces);
-        (simplify_all(&[lagrangian]), one(potential), forces, one(applied.dissipation), simple(turning))
+        let (places, constraints): (Vec<usize>, Vec<Symbol>) = applied.constraints.into_iter().unzip();
+        let rolling = (places, simplify_all(&constraints));
+        (simplify_all(&[lagrangian]), one(potential), forces, one(applied.dissipation), simple(turning), rolling)
     })?;
     let lagrangian = tape(&graph, &lagrangian);
     let potential = potential.map(|outputs| tape(&graph, &outputs));
     let turning = turning.map(|outputs| tape(&graph, &outputs));
     let forces = tape(&graph, &forces);
     let dissipation = dissipation.map(|outputs| tape(&graph, &outputs));
+    let rolling = (rolling.0, tape(&graph, &rolling.1));
     let (graph, losses) = Graph::record(|| {
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
         dissipation.map(|function| gradient(&function, &inputs).1[layout.v(0)..layout.v(n)].to_vec())
@@ -124,7 +130,7 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
     })?;
     let momenta = tape(&graph, &slopes[layout.v(0)..layout.v(n)]);
     let first = tape(&graph, &[&[value], &slopes[layout.q(0)..layout.v(n)]].concat());
-    let multipliers = Multipliers::of(layout, &tape(&graph, &slopes[layout.q(0)..layout.v(0)]), &momenta)?;
+    let multipliers = Multipliers::of(layout, &tape(&graph, &slopes[layout.q(0)..layout.v(0)]), &momenta, &rolling)?;
 
     let (graph, derived) = Graph::record(|| {
         let inputs: Vec<Symbol> = (0..layout.inputs()).map(Symbol::input).collect();
@@ -132,6 +138,10 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
         let losses = losses.as_ref().map_or_else(Vec::new, |losses| losses.evaluate(&inputs));
         for (bias, force) in derived.bias.iter_mut().zip(forces.evaluate(&inputs)) {
             *bias = *bias - force;
+        }
+        if let Some(multipliers) = &multipliers {
+            let forces = multipliers.forces(layout, &inputs);
+            derived.bias.iter_mut().zip(forces).for_each(|(bias, force)| *bias = *bias - force);
         }
         for (bias, loss) in derived.bias.iter_mut().zip(losses) {
             *bias = *bias + loss;

@@ -65,6 +65,8 @@ pub struct Claims {
     pub dissipation: Option<Spanned<String>>,
     /// `forces`: the generalized force on a coordinate, beside what the Lagrangian gives.
     pub forces: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `constraints`: for each Lagrange multiplier the formula f of its constraint f = 0, which the Lagrangian does not contain.
+    pub constraints: Vec<(Spanned<String>, Spanned<String>)>,
     /// `rotations`: rotation matrices, active or passive.
     pub rotations: Vec<(Spanned<String>, Spanned<Turning>)>,
     /// `means`: the derived quantity that a name stands for.
@@ -144,6 +146,7 @@ const KEYS: &[&str] = &[
     "functions",
     "dissipation",
     "forces",
+    "constraints",
     "indices",
     "axes",
     "components",
@@ -223,6 +226,7 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         units,
         dissipation: fields.text("dissipation")?,
         forces: fields.pairs("forces")?,
+        constraints: fields.pairs("constraints")?,
         rotations,
         means,
         define,

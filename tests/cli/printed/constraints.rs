@@ -110,3 +110,52 @@ fn approximations_keep_the_order_that_they_print() {
     let slip = verdicts("orders-slip", claims, &[pendulum.0, r"\cos\theta \approx 1 - \frac13\theta^2"]);
     assert_ne!(slip[1], "verified");
 }
+
+#[test]
+fn a_disc_that_rolls_upright_obeys_constraints_that_cannot_be_integrated() {
+    let claims = json!({
+        "coordinates": { "x, y, \\lambda, \\mu": "any", "\\theta, \\phi": "angle" },
+        "constants": { "m, R, I, J": "> 0" },
+        "means": { "L": "Lagrangian" },
+        "constraints": {
+            "\\lambda": "\\dot x - R\\dot\\theta\\cos\\phi",
+            "\\mu": "\\dot y - R\\dot\\theta\\sin\\phi",
+        },
+    });
+    are(
+        "disc",
+        &claims,
+        &[
+            (r"L = \frac12 m(\dot x^2 + \dot y^2) + \frac12 I\dot\theta^2 + \frac12 J\dot\phi^2", "definition"),
+            (r"m\ddot x = \lambda", "passes"),
+            (r"\ddot\theta = 0", "passes"),
+            (r"\lambda = -m R\dot\theta\dot\phi\sin\phi", "passes"),
+            (r"\mu = m R\dot\theta\dot\phi\cos\phi", "passes"),
+            (r"\lambda = m R\dot\theta\dot\phi\sin\phi", "refuted"),
+            (r"m\ddot x = -\lambda", "refuted"),
+            (r"\ddot x = 0", "refuted"),
+        ],
+    );
+}
+
+#[test]
+fn a_constraint_beside_the_lagrangian_leaves_the_derivatives_of_l_as_they_are() {
+    let claims = json!({
+        "coordinates": { "x, \\lambda": "any", "\\theta": "angle" },
+        "constants": { "M, g, R": "> 0", "\\phi": "(0.1, 1.4)" },
+        "means": { "L": "Lagrangian" },
+        "constraints": { "\\lambda": "x - R\\theta" },
+    });
+    are(
+        "beside",
+        &claims,
+        &[
+            (r"L = \frac12 M\dot x^2 + \frac12 M R^2\dot\theta^2 + M g x\sin\phi", "definition"),
+            (r"\frac{d}{dt}\frac{\partial L}{\partial\dot x} - \frac{\partial L}{\partial x} = \lambda", "passes"),
+            (r"M R^2\ddot\theta = -\lambda R", "passes"),
+            (r"\lambda = -\frac12 M g\sin\phi", "passes"),
+            (r"\frac{d}{dt}\frac{\partial L}{\partial\dot x} - \frac{\partial L}{\partial x} = 0", "refuted"),
+            (r"\lambda = \frac12 M g\sin\phi", "refuted"),
+        ],
+    );
+}
