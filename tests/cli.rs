@@ -41,6 +41,8 @@ mod reprint;
 mod requests;
 #[path = "cli/steps.rs"]
 mod steps;
+#[path = "cli/typst.rs"]
+mod typst;
 #[path = "cli/unaided.rs"]
 mod unaided;
 #[path = "cli/widths.rs"]

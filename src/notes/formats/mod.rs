@@ -11,6 +11,7 @@ mod notebook;
 mod org;
 mod restructured;
 mod tex_project;
+mod typst;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -48,6 +49,7 @@ pub const ALL: &[Format] = &[
     restructured::FORMAT,
     asciidoc::FORMAT,
     org::FORMAT,
+    typst::FORMAT,
     comments::RUST,
     comments::C,
     comments::PYTHON,
