@@ -81,7 +81,7 @@ impl Wanted {
     }
 }
 
-pub(in crate::cli) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let format = if arguments.format == Form::Json { Format::Json } else { Format::Text };
     if arguments.steps {
         return match steps(arguments, registry, screen.out.width) {

@@ -60,7 +60,7 @@ enum Form {
     Json,
 }
 
-pub(in crate::cli) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let (class, errors) = match marked(arguments, registry) {
         Ok(found) => found,
         Err(error) => return Outcome { output: String::new(), messages: shown(&[error], screen), code: 2 },

@@ -47,7 +47,7 @@ enum Picture {
     Polhodes,
 }
 
-pub(in crate::cli) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     match drawn(arguments, registry) {
         Ok(svg) => Outcome::done(svg),
         Err(error) => Outcome::failed(&error, Format::Text, screen),

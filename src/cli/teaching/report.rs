@@ -36,7 +36,7 @@ pub struct Arguments {
     single: bool,
 }
 
-pub(in crate::cli) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let (report, mut errors) = check::documents(&arguments.paths, &arguments.claims, registry);
     let lectures = lectures(&report, registry);
     let pages = page::pages(&report, &lectures, arguments.single);
