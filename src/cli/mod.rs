@@ -8,20 +8,17 @@
 //! checked, read or written.
 
 mod check;
-mod derive;
 mod equal;
 mod eval;
 mod explain;
 mod files;
 mod fix;
 mod init;
-mod mark;
 mod mutate;
 mod outcome;
-mod plot;
 mod progress;
 mod read;
-mod report;
+mod teaching;
 mod terminal;
 
 use std::process::ExitCode;
@@ -32,6 +29,7 @@ use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
 use outcome::Outcome;
+use teaching::{derive, mark, plot, report};
 
 /// Checks the equations in physics notes against what automatic differentiation derives.
 #[derive(Parser)]

@@ -2,29 +2,61 @@
 
 use maud::{Markup, html};
 
-use super::{badge, equation_anchor, prose, typeset};
-use crate::lecture::text::{drawn, evidence};
+use super::{badge, equation_anchor, prose, tone, typeset};
+use crate::check::Equation;
+use crate::formula::text::number;
+use crate::lecture::text::drawn;
 use crate::lecture::{Lecture, Line, Passage};
 
+/// The system of a lecture in words.
+pub(super) fn title(lecture: &Lecture) -> String {
+    let words = lecture.name.replace('_', " ");
+    let mut letters = words.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    format!("{first}{}", letters.as_str())
+}
+
 /// The lecture; `prefix` stands before the anchors of its lines.
-pub(super) fn lecture(lecture: &Lecture, prefix: &str) -> Markup {
+pub(super) fn lecture(lecture: &Lecture, prefix: &str, pictures: &Markup) -> Markup {
+    let headings = lecture.passages.iter().filter_map(|passage| match passage {
+        Passage::Heading(text) => Some(text),
+        _ => None,
+    });
     html! {
-        header {
+        header class="page" {
             p class="path" { (lecture.name) }
-            h1 { "From the parts to the equations of motion" }
+            h1 { (title(lecture)) ": from the parts to the equations of motion" }
             p {
-                "Each line below was derived by the program and typeset by it. Then the page was checked as any other notes "
-                "are: a line is taken for granted, or it is certified against the lines before it. The bound is on the "
-                "probability that a certified line is false. The values are those at one state: " (drawn(lecture)) "."
+                "The program derived each line below and typeset it. Then it checked the page as any other notes: a line is taken "
+                "for granted, or it is certified against the lines before it."
+            }
+            details {
+                summary { "The state at which the lines have their values" }
+                p { (drawn(lecture)) "." }
+            }
+            nav aria-label="Sections" {
+                ol class="chips" {
+                    @for (at, heading) in headings.enumerate() {
+                        li { a href={ "#" (prefix) "section-" (at) } { (prose::inline(heading, &[])) } }
+                    }
+                }
             }
         }
-        article {
-            @for passage in &lecture.passages {
-                @match passage {
-                    Passage::Heading(text) => h2 { (prose::inline(text, &[])) },
-                    Passage::Sentence(text) => p { (prose::inline(text, &[])) },
-                    Passage::Line(line) => (shown(lecture, line, prefix)),
+        article { (passages(lecture, prefix)) }
+        (pictures)
+    }
+}
+
+fn passages(lecture: &Lecture, prefix: &str) -> Markup {
+    let mut section = 0..;
+    html! {
+        @for passage in &lecture.passages {
+            @match passage {
+                Passage::Heading(text) => {
+                    @if let Some(at) = section.next() { h2 id={ (prefix) "section-" (at) } { (prose::inline(text, &[])) } }
                 }
+                Passage::Sentence(text) => p { (prose::inline(text, &[])) },
+                Passage::Line(line) => (shown(lecture, line, prefix)),
             }
         }
     }
@@ -33,22 +65,40 @@ pub(super) fn lecture(lecture: &Lecture, prefix: &str) -> Markup {
 fn shown(lecture: &Lecture, line: &Line, prefix: &str) -> Markup {
     let Some(equation) = lecture.equation(line) else { return html! {} };
     let verdict = equation.finding.verdict;
+    let class = format!("equation {} {}", verdict.word(), tone(verdict, equation.ok));
     html! {
-        section class={ "equation " (verdict.word()) } id=(equation_anchor(prefix, &line.number)) {
-            div class="line" {
-                div class="wide" tabindex="0" role="region" aria-label={ "Equation " (line.number) } {
-                    (typeset::block(&untagged(&equation.latex), &[]))
-                }
-                span class="number" { "(" (line.number) ")" }
-                (badge(verdict, equation.ok))
+        section class=(class) id=(equation_anchor(prefix, &line.number)) {
+            div class="wide" tabindex="0" role="group" aria-label={ "Equation (" (line.number) ")" } {
+                (typeset::block(&untagged(&equation.latex), &[]))
             }
-            p class="path" {
-                (evidence(line, equation))
-                @if !line.from.is_empty() {
-                    " · see "
-                    @for number in &line.from { a href={ "#" (equation_anchor(prefix, number)) } { "(" (number) ")" } " " }
+            p class="note" {
+                span class="number" { "(" (line.number) ")" } " "
+                @if line.from.is_empty() { "taken for granted" } @else {
+                    (badge(verdict, equation.ok)) " from "
+                    @for (at, number) in line.from.iter().enumerate() {
+                        @if at > 0 { ", " }
+                        a href={ "#" (equation_anchor(prefix, number)) } { "(" (number) ")" }
+                    }
+                    (bound(equation))
+                }
+                @if !line.values.is_empty() {
+                    " · value "
+                    (line.values.iter().map(|value| number(*value, 5)).collect::<Vec<_>>().join(", "))
                 }
             }
+        }
+    }
+}
+
+/// The bound of a certificate, or why there is none.
+fn bound(equation: &Equation) -> Markup {
+    let finding = &equation.finding;
+    html! {
+        @match (finding.false_accept_log2, &finding.not_certified_because) {
+            (Some(power), _) => { " · false with probability below 2" sup { (format!("{:.0}", power.ceil())) } }
+            (None, Some(reason)) => { " · not certified because of " (reason) }
+            (None, None) if !equation.ok => { " · " (finding.message) }
+            (None, None) => {}
         }
     }
 }

@@ -2,32 +2,68 @@
 
 use maud::{Markup, html};
 
-use super::{badge, counts, equation_anchor, prose, typeset};
-use crate::check::{Document, Equation, Repair};
+use super::corrections::{self, Correction};
+use super::evidence;
+use super::{badge, chips, equation_anchor, graph, prose, tone, typeset};
+use crate::check::{Document, Equation};
 use crate::notes::{Display, Kind, MacroDefinition, Notes};
-use crate::report::diagnostic::evidence;
-use crate::source::{Source, Span};
+
+/// The displays of a document and the macros of its author.
+pub(super) fn displays(document: &Document) -> (Vec<Display>, Vec<MacroDefinition>) {
+    let notes = Notes::parse(document.source.clone(), kind(document));
+    notes.map_or_else(|_| (Vec::new(), Vec::new()), |notes| (notes.equations, notes.macros))
+}
+
+/// The display of an equation.
+pub(super) fn display_of<'d>(item: &Equation, displays: &'d [Display]) -> Option<&'d Display> {
+    let is_it = |display: &&Display| display.line == item.line && display.id() == Some(item.id.as_str());
+    // Without a claims file the equations have names that are not in the notes.
+    displays.iter().find(is_it).or_else(|| displays.iter().find(|display| display.line == item.line))
+}
+
+fn kind(document: &Document) -> Kind {
+    Kind::of(std::path::Path::new(&document.path)).unwrap_or(Kind::Markdown)
+}
+
+/// The title of a document: its first heading, or else the name of its file.
+pub(super) fn title(document: &Document) -> String {
+    let text = &document.source.text;
+    let heading = match kind(document) {
+        Kind::Markdown => text.lines().find_map(|line| line.strip_prefix("# ")).map(str::to_owned),
+        _ => ["\\title{", "\\section{", "\\section*{"].iter().find_map(|command| {
+            let (_, rest) = text.split_once(command)?;
+            Some(rest.split_once('}')?.0.to_owned())
+        }),
+    };
+    let stem = || std::path::Path::new(&document.path).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    heading.map(|title| title.trim().to_owned()).filter(|title| !title.is_empty()).or_else(stem).unwrap_or_default()
+}
 
 /// The page of a document; `prefix` stands before the anchors of its equations.
-pub(super) fn document(document: &Document, prefix: &str) -> Markup {
-    let kind = Kind::of(std::path::Path::new(&document.path)).unwrap_or(Kind::Markdown);
-    let notes = Notes::parse(document.source.clone(), kind);
-    let (displays, macros) = notes.map_or_else(|_| (Vec::new(), Vec::new()), |notes| (notes.equations, notes.macros));
+pub(super) fn document(document: &Document, prefix: &str, pictures: &Markup) -> Markup {
+    let kind = kind(document);
+    let (displays, macros) = displays(document);
     let text = &document.source.text;
     let mut from = 0;
     let mut blocks = Vec::new();
     for display in &displays {
         blocks.push(prose::prose(text.get(from..display.span.start).unwrap_or_default(), kind, &macros));
-        blocks.push(shown(document, display, &macros, prefix));
+        blocks.push(shown(document, display, &displays, &macros, prefix));
         from = display.span.end;
     }
     blocks.push(prose::prose(text.get(from..).unwrap_or_default(), kind, &macros));
+    let has_heading = kind == Kind::Markdown && text.lines().any(|line| line.starts_with("# "));
     html! {
-        header {
+        header class="page" {
             p class="path" { (document.path) }
-            p { (counts(document)) }
+            @if !has_heading { h1 { (title(document)) } }
+            (chips(document))
         }
         article { @for block in &blocks { (block) } }
+        @if let Some(graph) = graph::graph(document, prefix) {
+            section { h2 { "Which equation rests on which" } (graph) }
+        }
+        (pictures)
         @if !document.sentences.is_empty() {
             section {
                 h2 { "Sentences that were checked" }
@@ -40,19 +76,25 @@ pub(super) fn document(document: &Document, prefix: &str) -> Markup {
     }
 }
 
-fn shown(document: &Document, display: &Display, macros: &[MacroDefinition], prefix: &str) -> Markup {
-    let is_it = |item: &&Equation| item.line == display.line && Some(item.id.as_str()) == display.id();
-    let found = document.equations.iter().find(is_it);
-    // Without a claims file the displays have names that are not in the notes.
-    let found = found.or_else(|| document.equations.iter().find(|item| item.line == display.line));
-    match found {
+fn shown(
+    document: &Document,
+    display: &Display,
+    displays: &[Display],
+    macros: &[MacroDefinition],
+    prefix: &str,
+) -> Markup {
+    let is_it = |item: &&Equation| display_of(item, displays).is_some_and(|found| found.span == display.span);
+    match document.equations.iter().find(is_it) {
         Some(item) => equation(item, Some(display), document, macros, prefix),
         None => html! {
-            div class="display" { (typeset::block(&display.text, macros)) }
+            div class="display wide" tabindex="0" role="group" aria-label="A display that was not checked" {
+                (typeset::block(&display.text, macros))
+            }
         },
     }
 }
 
+/// An equation or a sentence with its verdict, its correction if it is wrong, and its evidence.
 fn equation(
     item: &Equation,
     display: Option<&Display>,
@@ -60,91 +102,81 @@ fn equation(
     macros: &[MacroDefinition],
     prefix: &str,
 ) -> Markup {
-    let finding = &item.finding;
-    let source = &document.source;
+    let verdict = item.finding.verdict;
+    let anchor = equation_anchor(prefix, &item.id);
     html! {
-        section class={ "equation " (finding.verdict.word()) } id=(equation_anchor(prefix, &item.id)) {
-            div class="line" {
-                div class="wide" tabindex="0" role="region" aria-label={ "Equation " (item.id) } {
-                    @match display {
-                        Some(display) => (typeset::block(&display.text, macros)),
-                        None => q { (prose::inline(&item.latex, macros)) },
+        section class={ "equation " (verdict.word()) " " (tone(verdict, item.ok)) } id=(anchor) {
+            @match display {
+                Some(display) => {
+                    div class="wide" tabindex="0" role="group" aria-label={ "Equation (" (item.id) ")" } {
+                        (printed(item, display, macros))
                     }
                 }
-                span class="number" { "(" (item.id) ")" }
-                (badge(finding.verdict, item.ok))
+                None => blockquote { (prose::inline(&quoted(item, document), macros)) },
             }
             details open[!item.ok] {
-                summary { "Evidence for (" (item.id) ")" }
-                p { (finding.message) }
-                @if let Some(reason) = &item.because { p { "Expected, because: " (reason) } }
-                @if !item.reading.is_empty() { p { "Read as " code { (item.reading) } } }
-                @for part in &item.parts {
-                    p { (badge(part.finding.verdict, part.ok)) " " code { (part.reading) } " " (part.finding.message) }
+                summary {
+                    span class="number" { "(" (item.id) ")" } " " (badge(verdict, item.ok))
+                    span class="hint" { (evidence::short(item)) }
                 }
-                @if finding.points > 0 { p { "Tried at " (finding.points) " sampled states." } }
-                @if let Some(power) = finding.false_accept_log2 {
-                    p { "It is false with a probability below 2" sup { (format!("{:.0}", power.ceil())) } "." }
-                }
-                @if let Some(reason) = &finding.not_certified_because { p { "Not certified because of " (reason) "." } }
-                @if let Some(found) = &finding.counterexample {
-                    div class="wide" tabindex="0" role="region" aria-label="Counterexample" {
-                        table class="state" {
-                            caption { "A state at which it fails" }
-                            tbody {
-                                @for (name, value) in &found.state {
-                                    tr { th scope="row" { (typeset::inline(name, macros)) } td { (format!("{value:.5}")) } }
-                                }
-                                tr { th scope="row" { "left side" } td { (format!("{:.7}", found.lhs)) } }
-                                tr { th scope="row" { "right side" } td { (format!("{:.7}", found.rhs)) } }
-                            }
-                        }
-                    }
-                }
-                @for note in evidence(finding).iter().filter(|note| !note.starts_with("at ") && !note.starts_with("left side ")) {
-                    p { (note) }
-                }
-                @if !finding.verdict.passes() { (excerpt(source, finding.span, "the faulty part is marked")) }
-                @for repair in &item.repairs { (correction(repair, display, source, macros)) }
+                div class="evidence" { (evidence::evidence(item, document, display, macros, prefix)) }
+            }
+            @if let Some(found) = display.and_then(|display| corrections::errata(item, display)) {
+                (corrected(&found, "Corrected", macros))
+            } @else if let Some(reason) = item.because.as_ref().filter(|_| !verdict.passes()) {
+                p class="correction" { b { "Known: " } (prose::inline(reason, macros)) }
+            }
+            @for repair in &item.repairs {
+                (corrected(
+                    &corrections::repair(repair, display, document.source.slice(repair.span)),
+                    &format!("With this edit it would be {}", repair.verdict.word()),
+                    macros,
+                ))
             }
         }
     }
 }
 
-/// The corrected equation, and the edit.
-fn correction(repair: &Repair, display: Option<&Display>, source: &Source, macros: &[MacroDefinition]) -> Markup {
-    let corrected = display.filter(|display| display.body.contains(repair.span)).and_then(|display| {
-        let mut text = display.text.clone();
-        let range = repair.span.start - display.body.start..repair.span.end - display.body.start;
-        text.get(range.clone())?;
-        text.replace_range(range, &repair.replacement);
-        Some(text)
-    });
-    let printed = source.slice(repair.span);
+/// A sentence as it is quoted, with the dollar signs of the formulas in which it begins and ends.
+pub(super) fn quoted(item: &Equation, document: &Document) -> String {
+    let (text, span) = (&document.source.text, item.finding.span);
+    if text.get(span.start..span.end) != Some(item.latex.as_str()) {
+        return item.latex.clone();
+    }
+    let before = text.get(..span.start).unwrap_or_default();
+    let paragraph = before.rfind("\n\n").map_or(before, |at| before.get(at..).unwrap_or_default());
+    let opened = if paragraph.matches('$').count() % 2 == 1 { "$" } else { "" };
+    let quote = format!("{opened}{}", item.latex);
+    let closed = if quote.matches('$').count() % 2 == 1 { "$" } else { "" };
+    quote + closed
+}
+
+/// The display as it is printed, with the wrong part marked.
+pub(super) fn printed(item: &Equation, display: &Display, macros: &[MacroDefinition]) -> Markup {
+    let faults = corrections::faults(item, display);
+    let marked = (!faults.is_empty()).then(|| typeset::marked(&display.text, macros, &faults)).flatten();
+    marked.unwrap_or_else(|| typeset::block(&display.text, macros))
+}
+
+/// The corrected equation with the new part marked, and the edit in words.
+pub(super) fn corrected(correction: &Correction, title: &str, macros: &[MacroDefinition]) -> Markup {
+    let part = |latex: &str| html! { span class="part" tabindex="0" role="group" aria-label="Formula" { (typeset::inline(latex.trim(), macros)) } };
     html! {
-        div class="repair" {
+        div class="correction" {
             p {
-                "With this edit it would be " (repair.verdict.word()) ": "
-                @if printed.is_empty() { "add " code { (repair.replacement) } }
-                @else if repair.replacement.is_empty() { "leave out " code { (printed) } }
-                @else { code { (repair.replacement) } " in place of " code { (printed) } }
+                b { (title) ": " }
+                @match (correction.printed.trim().is_empty(), correction.read.trim().is_empty()) {
+                    (true, true) => {}
+                    (true, false) => { "add " (part(&correction.read)) }
+                    (false, true) => { "leave out " (part(&correction.printed)) }
+                    (false, false) => { "for " (part(&correction.printed)) " read " (part(&correction.read)) }
+                }
             }
-            @if let Some(text) = &corrected {
-                div class="wide" tabindex="0" role="region" aria-label="The corrected equation" { (typeset::block(text, macros)) }
+            @if let Some((text, parts)) = &correction.corrected {
+                div class="wide" tabindex="0" role="group" aria-label="The corrected equation" {
+                    (typeset::marked(text, macros, parts).unwrap_or_else(|| typeset::block(text, macros)))
+                }
             }
-        }
-    }
-}
-
-/// The lines of the notes around a span, which is marked.
-fn excerpt(source: &Source, span: Span, label: &str) -> Markup {
-    let text = &source.text;
-    let start = text.get(..span.start).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
-    let end = text.get(span.end..).and_then(|after| after.find('\n')).map_or(text.len(), |at| span.end + at);
-    let part = |from: usize, to: usize| text.get(from..to).unwrap_or_default();
-    html! {
-        pre class="wide" tabindex="0" aria-label={ "The source; " (label) } {
-            code { (part(start, span.start)) mark { (part(span.start, span.end)) } (part(span.end, end)) }
         }
     }
 }

@@ -1,15 +1,14 @@
-//! The first page: what onshell is, the documents with their verdicts, and what was found.
+//! The first page: what onshell is, every equation with its verdict, and beside them what is wrong and how it should read.
 
 use maud::{Markup, html};
 
-use super::{badge, counts, equation_anchor, lecture_anchor, prefix};
-use crate::check::{Equation, Report};
+use super::document::{display_of, displays, title};
+use super::{badge, chips, corrections, derivation, equation_anchor, lecture_anchor, prefix, prose, tone, typeset};
+use crate::check::{Document, Equation, Report, Verdict};
 use crate::lecture::Lecture;
 
 /// The index. `link` gives the address of each document.
 pub(super) fn index(report: &Report, lectures: &[Lecture], link: &dyn Fn(usize) -> String, single: bool) -> Markup {
-    let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
-    let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();
     let is_found = |item: &&Equation| !item.ok || !item.finding.verdict.passes();
     let address = |at: usize, item: &Equation| {
         let before =
@@ -18,24 +17,46 @@ pub(super) fn index(report: &Report, lectures: &[Lecture], link: &dyn Fn(usize) 
         format!("{page}#{}", equation_anchor(&before, &item.id))
     };
     html! {
-        header {
-            h1 { "Checked equations" }
-            p {
-                "onshell checks the equations in physics notes, one by one. It reads the LaTeX of the notes and compares each "
-                "equation with an independent derivation: from a Lagrangian, by automatic differentiation, or from laws. An "
-                "equation is " b { "certified" } " if it was decided exactly, " b { "verified" } " if it holds at every state "
-                "that was tried, and " b { "refuted" } " if it fails at a state, which is then given."
+        (introduction(report))
+        div class="gallery" {
+            section class="equations" aria-labelledby="equations" {
+                h2 id="equations" { "The equations" }
+                @for (at, document) in report.documents.iter().enumerate() {
+                    @let (displays, macros) = displays(document);
+                    section {
+                        h3 { a href=(link(at)) { (prose::inline(&title(document), &macros)) } }
+                        p class="path" { (document.path) }
+                        (chips(document))
+                        ul class="list" {
+                            @for item in &document.equations {
+                                li class=(tone(item.finding.verdict, item.ok)) {
+                                    div class="head" {
+                                        a href=(address(at, item)) { "(" (item.id) ")" } " "
+                                        (badge(item.finding.verdict, item.ok))
+                                    }
+                                    div class="wide" tabindex="0" role="group" aria-label={ "Equation (" (item.id) ")" } {
+                                        @match display_of(item, &displays) {
+                                            Some(display) => (super::document::printed(item, display, &macros)),
+                                            None => (typeset::block(&item.latex, &macros)),
+                                        }
+                                    }
+                                }
+                            }
+                        }
+                    }
+                }
             }
-            p { (equations) " equations and " (sentences) " sentences in " (report.documents.len()) " documents." }
-        }
-        section aria-labelledby="documents" {
-            h2 id="documents" { "Documents" }
-            div class="wide" tabindex="0" role="region" aria-label="Documents and their verdicts" {
-                table {
-                    thead { tr { th scope="col" { "document" } th scope="col" { "verdicts" } } }
-                    tbody {
-                        @for (at, document) in report.documents.iter().enumerate() {
-                            tr { td { a href=(link(at)) { (document.path) } } td { (counts(document)) } }
+            aside aria-labelledby="found" {
+                h2 id="found" { "What was found" }
+                @if !report.items().any(|item| is_found(&item)) { p { "Nothing is wrong or open." } }
+                ul class="found" {
+                    @for (at, document) in report.documents.iter().enumerate() {
+                        @let (displays, macros) = displays(document);
+                        @for item in document.equations.iter().chain(&document.sentences).filter(is_found) {
+                            li class=(tone(item.finding.verdict, item.ok)) {
+                                div class="head" { a href=(address(at, item)) { "(" (item.id) ")" } " " (badge(item.finding.verdict, item.ok)) }
+                                (found(item, document, &displays, &macros))
+                            }
                         }
                     }
                 }
@@ -43,32 +64,83 @@ pub(super) fn index(report: &Report, lectures: &[Lecture], link: &dyn Fn(usize) 
         }
         @if !lectures.is_empty() {
             section aria-labelledby="derivations" {
-                h2 id="derivations" { "Derivations" }
-                p { "The way from the parts of a system to its equations of motion, each line certified:" }
+                h2 id="derivations" { "Derivations, line by line" }
+                p { "From the parts of a system to its equations of motion. The program derives and typesets each line, and certifies it against the lines before it." }
                 ul {
                     @for lecture in lectures {
                         @let name = lecture_anchor(lecture);
                         @let address = if single { format!("#{name}") } else { format!("{name}.html") };
-                        li { a href=(address) { (lecture.name) } ", " (lecture.lines().count()) " lines" }
-                    }
-                }
-            }
-        }
-        section aria-labelledby="found" {
-            h2 id="found" { "What was found" }
-            @if !report.items().any(|item| is_found(&item)) { p { "Nothing is wrong or open." } }
-            ul class="found" {
-                @for (at, document) in report.documents.iter().enumerate() {
-                    @for item in document.equations.iter().chain(&document.sentences).filter(is_found) {
-                        li {
-                            (badge(item.finding.verdict, item.ok)) " "
-                            a href=(address(at, item)) { "(" (item.id) ")" }
-                            " in " (document.path) ": "
-                            @match &item.because { Some(reason) => { (reason) } None => { (item.finding.message) } }
-                        }
+                        li { a href=(address) { (derivation::title(lecture)) } ", " (lecture.lines().count()) " lines" }
                     }
                 }
             }
         }
     }
+}
+
+/// What onshell is, how many equations there are, and what the verdicts mean.
+fn introduction(report: &Report) -> Markup {
+    let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
+    let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();
+    let errata = report.items().filter(|item| item.ok && !item.finding.verdict.passes()).count();
+    let wrong = report.unexpected();
+    let plural =
+        |count: usize, one: &str| if count == 1 { format!("{count} {one}") } else { format!("{count} {one}s") };
+    html! {
+        header class="page front" {
+            h1 { "Checked equations" }
+            p class="lead" {
+                "onshell reads the equations in physics notes, derives what is true independently, from a Lagrangian, by automatic "
+                "differentiation, or from laws, and gives each equation a verdict with its evidence."
+            }
+            p class="figures" {
+                span { b { (equations) } " " (if equations == 1 { "equation" } else { "equations" }) } " "
+                span { b { (sentences) } " " (if sentences == 1 { "sentence" } else { "sentences" }) } " "
+                span { b { (errata) } " " (if errata == 1 { "erratum" } else { "errata" }) } " "
+                span { b { (wrong) } " unexpected" }
+            }
+            p class="visually-hidden" { (plural(equations, "equation")) " and " (plural(sentences, "sentence")) " in " (plural(report.documents.len(), "document")) "." }
+            dl class="legend" {
+                @for (verdict, ok, meaning) in [
+                    (Verdict::Certified, true, "decided exactly, up to a tiny, stated probability"),
+                    (Verdict::Verified, true, "holds at every state that was tried"),
+                    (Verdict::Definition, true, "gives a name, and other equations test it"),
+                    (Verdict::Refuted, false, "fails at a state, which is given, with a correction"),
+                    (Verdict::Refuted, true, "a mistake of the notes that is known: an erratum"),
+                    (Verdict::Undecided, false, "not decided; the reason is given"),
+                ] {
+                    div { dt { (badge(verdict, ok)) } dd { (meaning) } }
+                }
+            }
+        }
+    }
+}
+
+/// A finding in a few lines: the equation corrected, or the reason.
+fn found(
+    item: &Equation,
+    document: &Document,
+    displays: &[crate::notes::Display],
+    macros: &[crate::notes::MacroDefinition],
+) -> Markup {
+    let display = display_of(item, displays).filter(|display| display.body.contains(item.finding.span));
+    let correction = display.and_then(|display| {
+        let repair =
+            item.repairs.first().map(|repair| corrections::repair(repair, Some(display), printed(repair, display)));
+        corrections::errata(item, display).or(repair)
+    });
+    html! {
+        @if display.is_none() { blockquote { (prose::inline(super::document::quoted(item, document).trim(), macros)) } }
+        @match (&correction, &item.because) {
+            (Some(correction), _) => (super::document::corrected(correction, "Corrected", macros)),
+            (None, Some(reason)) => p { (prose::inline(reason, macros)) },
+            (None, None) => p { (item.finding.message) },
+        }
+    }
+}
+
+fn printed<'d>(repair: &crate::check::Repair, display: &'d crate::notes::Display) -> &'d str {
+    let range =
+        repair.span.start.saturating_sub(display.body.start)..repair.span.end.saturating_sub(display.body.start);
+    display.text.get(range).unwrap_or_default()
 }

@@ -5,9 +5,14 @@
 //! nothing; it shows what [`crate::check`] found. [`pages`] gives the texts, and `cli` writes them. It may know `check`,
 //! `notes`, `report`, `formula` and level 0.
 
+mod corrections;
 mod derivation;
 mod document;
+mod evidence;
+mod graph;
 mod index;
+mod math_marks;
+mod mathml;
 mod prose;
 mod student;
 mod style;
@@ -36,7 +41,7 @@ pub fn pages(report: &Report, lectures: &[Lecture], single: bool) -> Vec<Page> {
     let names = names(report);
     let page = |name: &str, title: &str, body: &Markup| Page {
         name: name.to_owned(),
-        text: framed(title, body, single).into_string(),
+        text: framed(title, &way_back(name), body, single).into_string(),
     };
     let link = |at: usize| if single { format!("#{}", anchor(&names[at])) } else { names[at].clone() };
     let index = index::index(report, lectures, &link, single);
@@ -44,38 +49,48 @@ pub fn pages(report: &Report, lectures: &[Lecture], single: bool) -> Vec<Page> {
         let body = html! {
             (index)
             @for (document, name) in report.documents.iter().zip(&names) {
-                section id=(anchor(name)) { (document::document(document, &prefix(name))) }
+                section id=(anchor(name)) { (document::document(document, &prefix(name), &html! {})) }
             }
             @for lecture in lectures {
                 section id=(lecture_anchor(lecture)) {
-                    (derivation::lecture(lecture, &format!("{}-", lecture_anchor(lecture))))
+                    (derivation::lecture(lecture, &format!("{}-", lecture_anchor(lecture)), &html! {}))
                 }
             }
         };
-        return vec![page("index.html", "onshell report", &body)];
+        return vec![page("index.html", "Checked equations", &body)];
     }
-    let mut all = vec![page("index.html", "onshell report", &index)];
-    for (document, name) in report.documents.iter().zip(&names) {
+    let mut all = vec![page("index.html", "Checked equations", &index)];
+    for (at, (document, name)) in report.documents.iter().zip(&names).enumerate() {
+        let beside = |at: usize| report.documents.get(at).map(|other| (document::title(other), names[at].as_str()));
         let body = html! {
-            nav { a href="index.html" { "All documents" } }
-            (document::document(document, ""))
+            (document::document(document, "", &html! {}))
+            nav class="site" aria-label="Before and after" {
+                @if let Some((title, name)) = at.checked_sub(1).and_then(beside) { a href=(name) rel="prev" { "← " (prose::inline(&title, &[])) } }
+                @if let Some((title, name)) = beside(at + 1) { a href=(name) rel="next" { (prose::inline(&title, &[])) " →" } }
+            }
         };
-        all.push(page(name, &document.path, &body));
+        all.push(page(name, &document::title(document), &body));
     }
     for lecture in lectures {
-        let body = html! {
-            nav { a href="index.html" { "All documents" } }
-            (derivation::lecture(lecture, ""))
-        };
-        all.push(page(&format!("{}.html", lecture_anchor(lecture)), &lecture.name, &body));
+        let body = derivation::lecture(lecture, "", &html! {});
+        all.push(page(&format!("{}.html", lecture_anchor(lecture)), &derivation::title(lecture), &body));
     }
     all.push(Page { name: "style.css".to_owned(), text: style::STYLE.to_owned() });
     all
 }
 
+/// The line above a page: the program, and the way to the first page.
+fn way_back(name: &str) -> Markup {
+    html! {
+        b { "onshell" }
+        @if name != "index.html" { a href="index.html" { "All documents" } }
+    }
+}
+
 /// The page of a lecture by itself, with its style in it.
 pub fn lecture(lecture: &Lecture) -> String {
-    framed(&lecture.name, &derivation::lecture(lecture, ""), true).into_string()
+    let body = derivation::lecture(lecture, "", &html! {});
+    framed(&derivation::title(lecture), &way_back("index.html"), &body, true).into_string()
 }
 
 /// The anchor of a lecture in a page with all documents, and the name of its own page. No document has it, because
@@ -85,7 +100,7 @@ fn lecture_anchor(lecture: &Lecture) -> String {
     format!("derivation.{}", lecture.name.chars().map(plain).collect::<String>())
 }
 
-fn framed(title: &str, body: &Markup, single: bool) -> Markup {
+fn framed(title: &str, way: &Markup, body: &Markup, single: bool) -> Markup {
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -98,6 +113,7 @@ fn framed(title: &str, body: &Markup, single: bool) -> Markup {
             }
             body {
                 a class="skip" href="#main" { "Skip to the text" }
+                header { nav aria-label="Pages" class="site" { (way) } }
                 main id="main" { (body) }
             }
         }
@@ -136,28 +152,43 @@ fn equation_anchor(prefix: &str, id: &str) -> String {
     format!("{prefix}eq-{}", id.chars().map(plain).collect::<String>())
 }
 
+/// The colour of a verdict: as it should be, a mistake that is known, or not as it should be.
+fn tone(verdict: Verdict, ok: bool) -> &'static str {
+    match (ok, verdict.passes()) {
+        (true, true) => "good",
+        (true, false) => "known",
+        (false, _) if matches!(verdict, Verdict::Refuted | Verdict::Domain) || verdict.passes() => "bad",
+        (false, _) => "open",
+    }
+}
+
 /// The mark and the word of a verdict, so that colour is never alone.
 fn badge(verdict: Verdict, ok: bool) -> Markup {
     let mark = match (ok, verdict) {
         (true, Verdict::Refuted) => "!",
         (true, _) => "✓",
-        (false, _) => "✗",
+        (false, Verdict::Refuted | Verdict::Domain) => "✗",
+        (false, _) => "?",
     };
-    let class = match (ok, verdict.passes()) {
-        (true, true) => "badge good",
-        (true, false) => "badge known",
-        (false, _) => "badge bad",
-    };
+    let class = format!("badge {}", tone(verdict, ok));
     let word = if ok && !verdict.passes() && verdict == Verdict::Refuted { " as expected" } else { "" };
     html! { span class=(class) { span aria-hidden="true" { (mark) " " } (verdict.word()) (word) } }
 }
 
-/// The documents and their counts, in words: `16 certified, 2 refuted`.
-fn counts(document: &Document) -> String {
-    let of = |verdict: &Verdict| {
+/// How many equations and sentences of a document have each verdict: `16 certified, 2 refuted`.
+fn chips(document: &Document) -> Markup {
+    let of = |verdict: &Verdict, ok: bool| {
         let items = document.equations.iter().chain(&document.sentences);
-        let count = items.filter(|item| item.finding.verdict == *verdict).count();
-        (count > 0).then(|| format!("{count} {verdict}"))
+        items.filter(|item| item.finding.verdict == *verdict && item.ok == ok).count()
     };
-    Verdict::ALL.iter().filter_map(of).collect::<Vec<_>>().join(", ")
+    html! {
+        ul class="chips" aria-label="Verdicts" {
+            @for verdict in &Verdict::ALL {
+                @for ok in [true, false] {
+                    @let count = of(verdict, ok);
+                    @if count > 0 { li { (count) " " (badge(*verdict, ok)) } }
+                }
+            }
+        }
+    }
 }

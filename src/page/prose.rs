@@ -22,7 +22,7 @@ pub(super) fn prose(text: &str, kind: Kind, macros: &[MacroDefinition]) -> Marku
 fn markdown(text: &str, macros: &[MacroDefinition]) -> Markup {
     let options = Options::ENABLE_TABLES | Options::ENABLE_MATH;
     let events = Parser::new_ext(text, options).filter_map(|event| match event {
-        Event::InlineMath(latex) => Some(Event::InlineHtml(typeset::inline(&latex, macros).into_string().into())),
+        Event::InlineMath(latex) => Some(Event::InlineHtml(in_line(&latex, macros).into_string().into())),
         Event::DisplayMath(latex) => Some(Event::InlineHtml(typeset::block(&latex, macros).into_string().into())),
         // A comment is for onshell; any other HTML is text.
         Event::Html(raw) | Event::InlineHtml(raw) if raw.trim_start().starts_with("<!--") => None,
@@ -31,7 +31,10 @@ fn markdown(text: &str, macros: &[MacroDefinition]) -> Markup {
     });
     let mut out = String::new();
     pulldown_cmark::html::push_html(&mut out, safe(events));
-    PreEscaped(out)
+    // The corner of a table has no words: it heads nothing.
+    let out = out.replace("<th></th>", "<td></td>");
+    let box_of_table = "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table>";
+    PreEscaped(out.replace("<table>", box_of_table).replace("</table>", "</table></div>"))
 }
 
 /// Links and pictures without their addresses: a page loads nothing and leads nowhere that the author did not check.
@@ -48,7 +51,19 @@ pub(super) fn inline(text: &str, macros: &[MacroDefinition]) -> Markup {
     let is_paired = parts.len() % 2 == 1;
     html! {
         @for (at, part) in parts.iter().enumerate() {
-            @if at % 2 == 1 && is_paired { (typeset::inline(part, macros)) } @else { (part) }
+            @if at % 2 == 1 && is_paired { (in_line(part, macros)) } @else { (part) }
         }
+    }
+}
+
+/// The longest LaTeX of a formula that needs no box of its own on a phone.
+const SHORT: usize = 34;
+
+/// A formula in a line. A long one scrolls in a box of its own, because browsers do not break formulas.
+fn in_line(latex: &str, macros: &[MacroDefinition]) -> Markup {
+    let formula = typeset::inline(latex, macros);
+    match latex.len() > SHORT {
+        true => html! { span class="part" tabindex="0" role="group" aria-label="Formula" { (formula) } },
+        false => formula,
     }
 }

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::{Page, framed, prose, style, typeset};
+use super::{Page, framed, prose, style, typeset, way_back};
 use crate::check::mark::{Line, Mark, Marked, Reached};
 use crate::notes::{Kind, MacroDefinition, Notes};
 use crate::report::marks::{Hints, called, correction, hint, number};
@@ -12,7 +12,7 @@ pub fn class_pages(problem: &str, class: &[Marked], hints: Hints) -> Vec<Page> {
     let names = names(class);
     let page = |name: &str, title: &str, body: &Markup| Page {
         name: name.to_owned(),
-        text: framed(title, body, false).into_string(),
+        text: framed(title, &way_back(name), body, false).into_string(),
     };
     let mut all = vec![page("index.html", "Marks", &index(problem, class, &names))];
     for (marked, name) in class.iter().zip(&names) {
@@ -41,7 +41,7 @@ fn index(problem: &str, class: &[Marked], names: &[String]) -> Markup {
             h1 { "Marks" }
             p { (class.len()) " hand-ins, marked by " (problem) "." }
         }
-        div class="wide" tabindex="0" role="region" aria-label="Students and their points" {
+        div class="wide" tabindex="0" role="group" aria-label="Students and their points" {
             table {
                 thead { tr {
                     th scope="col" { "student" } th scope="col" { "points" } th scope="col" { "right" }
@@ -81,7 +81,6 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
     blocks.push(prose::prose(text.get(from..).unwrap_or_default(), kind, &macros));
     let inline: Vec<(usize, &Line)> = marked.lines.iter().enumerate().filter(|(_, line)| line.inline).collect();
     html! {
-        nav { a href="index.html" { "All students" } }
         header {
             h1 { (marked.student) }
             p class="path" { (marked.source.path) }
@@ -103,7 +102,7 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
         }
         section aria-labelledby="results" {
             h2 id="results" { "Results" }
-            div class="wide" tabindex="0" role="region" aria-label="Results and their points" {
+            div class="wide" tabindex="0" role="group" aria-label="Results and their points" {
                 table {
                     thead { tr { th scope="col" { "result" } th scope="col" { "reached" } th scope="col" { "points" } } }
                     tbody {
@@ -142,7 +141,7 @@ fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition]
     html! {
         section class={ "equation " (class) } id={ "line-" (at) } aria-label=(line.name) {
             div class="line" {
-                div class="wide" tabindex="0" role="region" aria-label={ "The equation of " (line.name) } {
+                div class="wide" tabindex="0" role="group" aria-label={ "The equation of " (line.name) } {
                     (typeset::block(&line.statement, macros))
                 }
                 span class="number" { (line.id.as_deref().unwrap_or(&line.name)) }
@@ -155,7 +154,7 @@ fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition]
                 @if line.mark == Mark::Wrong { p { (hint(marked, line, hints)) "." } }
                 @if hints.0 >= 3 && line.mark == Mark::Wrong {
                     @if let Some(text) = corrected(marked, line) {
-                        div class="wide" tabindex="0" role="region" aria-label="The corrected line" { (typeset::block(&text, macros)) }
+                        div class="wide" tabindex="0" role="group" aria-label="The corrected line" { (typeset::block(&text, macros)) }
                     }
                 }
             }

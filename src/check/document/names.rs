@@ -44,6 +44,8 @@ pub(crate) fn unjudged(notes: &Notes, id: &str, line: usize, finding: Finding) -
         parts: Vec::new(),
         repairs: Vec::new(),
         elsewhere: Vec::new(),
+        errata: Vec::new(),
+        rests_on: Vec::new(),
     }
 }
 

@@ -79,7 +79,9 @@ impl Checker<'_> {
             // An equation with an expected verdict is as expected as a whole; its passing parts are as well.
             parts.iter_mut().for_each(|part| part.ok = part.ok || part.finding.verdict == expected(expect));
         }
-        Ok(self.assembled(display, reading, parts, as_expected, because))
+        let errata = claim.errata.iter().map(|e| (e.printed.value.clone(), e.read.value.clone())).collect();
+        let rests_on = self.rests_on(at, claim);
+        Ok(Equation { errata, rests_on, ..self.assembled(display, reading, parts, as_expected, because) })
     }
 
     /// The equation of the report that the parts of a display make.
@@ -104,6 +106,8 @@ impl Checker<'_> {
             parts: if parts.len() > 1 { parts } else { Vec::new() },
             repairs: Vec::new(),
             elsewhere: Vec::new(),
+            errata: Vec::new(),
+            rests_on: Vec::new(),
         }
     }
 

@@ -11,6 +11,7 @@ pub(crate) mod chain_certificates;
 pub(crate) mod consequences;
 pub(crate) mod definition_tests;
 pub(crate) mod equation;
+mod foundations;
 pub(crate) mod laws;
 pub(crate) mod merge;
 pub(crate) mod motion;

@@ -67,6 +67,8 @@ pub(crate) fn check(checker: &Checker<'_>, at: usize, sentence: &Sentence) -> Re
         parts: Vec::new(),
         repairs: Vec::new(),
         elsewhere: Vec::new(),
+        errata: Vec::new(),
+        rests_on: Vec::new(),
         id: name,
     })
 }

@@ -41,6 +41,10 @@ pub struct Equation {
     pub ok: bool,
     /// Why another verdict than a pass is expected, if one is.
     pub because: Option<String>,
+    /// The edits that an erratum of the claims file makes, if the equation has one: what is printed, and what is to be read.
+    pub errata: Vec<(String, String)>,
+    /// The names of the displays on which it rests: they define a symbol in it, or its claim names them.
+    pub rests_on: Vec<String>,
     /// Its statements and further claims, if there are several.
     pub parts: Vec<Part>,
     /// The single edits with which a failing equation would pass, the most likely first.

@@ -10,7 +10,7 @@ use crate::report::wrap;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
 
-use super::outcome::{Format, Outcome, Screen};
+use crate::cli::outcome::{Format, Outcome, Screen};
 
 /// Prints what follows from the Lagrangian of a system
 ///
@@ -81,7 +81,7 @@ impl Wanted {
     }
 }
 
-pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let format = if arguments.format == Form::Json { Format::Json } else { Format::Text };
     if arguments.steps {
         return match steps(arguments, registry, screen.out.width) {

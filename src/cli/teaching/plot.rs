@@ -7,7 +7,7 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 use super::derive::named;
-use super::outcome::{Format, Outcome, Screen};
+use crate::cli::outcome::{Format, Outcome, Screen};
 
 /// Draws a system as SVG: its motion, its effective potential, the axis of a top
 ///
@@ -47,7 +47,7 @@ enum Picture {
     Polhodes,
 }
 
-pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     match drawn(arguments, registry) {
         Ok(svg) => Outcome::done(svg),
         Err(error) => Outcome::failed(&error, Format::Text, screen),

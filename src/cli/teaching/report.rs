@@ -11,8 +11,8 @@ use crate::page;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::check;
-use super::outcome::{Outcome, Screen, shown};
+use crate::cli::check;
+use crate::cli::outcome::{Outcome, Screen, shown};
 
 /// Writes pages that show every equation typeset, with its verdict and the evidence
 ///
@@ -36,7 +36,7 @@ pub struct Arguments {
     single: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let (report, mut errors) = check::documents(&arguments.paths, &arguments.claims, registry);
     let lectures = lectures(&report, registry);
     let pages = page::pages(&report, &lectures, arguments.single);

@@ -13,7 +13,7 @@ use crate::report::marks::{self, Hints};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::outcome::{Outcome, Screen, shown};
+use crate::cli::outcome::{Outcome, Screen, shown};
 
 /// Marks hand-ins: each line against a problem, and against the lines before it
 ///
@@ -60,7 +60,7 @@ enum Form {
     Json,
 }
 
-pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
+pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let (class, errors) = match marked(arguments, registry) {
         Ok(found) => found,
         Err(error) => return Outcome { output: String::new(), messages: shown(&[error], screen), code: 2 },

@@ -1,0 +1,194 @@
+//! The pages in a browser: each kind of page at 360 and 1280 pixels, light and dark, has no script error, does not
+//! overflow, typesets every equation as MathML, has labels where they are needed, and text that contrasts with what is
+//! behind it.
+//!
+//! The browser is Chromium without a window. A small script, which is put into copies of the pages, looks at a page in a
+//! frame of the wanted width and writes what it finds into the document, which Chromium prints. Where there is no
+//! Chromium the tests are skipped, and counted as such.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+use libtest_mimic::{Arguments, Failed, Trial};
+
+/// Looks at the page in a frame and returns what is wrong with it, as a list of texts.
+const PROBE: &str = include_str!("browser/probe.js");
+
+/// How to get the browser.
+const ADVICE: &str = "no chromium: `apt-get install chromium` gets it, or name it in CHROMIUM";
+
+fn main() -> ExitCode {
+    let arguments = Arguments::from_args();
+    let browser = browser();
+    if browser.is_none() {
+        eprintln!("{ADVICE}");
+    }
+    let is_skipped = browser.is_none();
+    let trial = |name: &str, test: fn(&Browser) -> Result<(), String>| {
+        let browser = browser.clone();
+        Trial::test(name, move || {
+            let path = browser.ok_or_else(|| Failed::from(ADVICE))?;
+            test(&Browser { path }).map_err(Failed::from)
+        })
+        .with_ignored_flag(is_skipped)
+    };
+    let trials = vec![
+        trial("pages_of_a_report", pages_of_a_report),
+        trial("page_with_mistakes", page_with_mistakes),
+        trial("single_page", single_page),
+        trial("pages_of_a_class", pages_of_a_class),
+        trial("what_is_wrong_is_found", what_is_wrong_is_found),
+    ];
+    libtest_mimic::run(&arguments, trials).exit_code()
+}
+
+/// The program, if there is one.
+fn browser() -> Option<PathBuf> {
+    let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let folders: Vec<PathBuf> = std::env::split_paths(&path).collect();
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    let found = names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name)));
+    named.into_iter().chain(found).find(|path| path.is_file())
+}
+
+/// Chromium.
+struct Browser {
+    path: PathBuf,
+}
+
+impl Browser {
+    /// What is wrong with the pages of a folder, at both widths, light and dark.
+    fn faults(&self, folder: &Path) -> Result<Vec<String>, String> {
+        let failed = |error: std::io::Error| error.to_string();
+        let mut pages: Vec<PathBuf> =
+            std::fs::read_dir(folder).map_err(failed)?.filter_map(|entry| Some(entry.ok()?.path())).collect();
+        pages.retain(|path| path.extension().is_some_and(|ending| ending == "html"));
+        pages.sort();
+        let style = std::fs::read_to_string(folder.join("style.css")).unwrap_or_default();
+        let mut frames = String::new();
+        for page in &pages {
+            let text = std::fs::read_to_string(page).map_err(failed)?;
+            let text = text.replace("<link rel=\"stylesheet\" href=\"style.css\">", &format!("<style>{style}</style>"));
+            let name = page.file_name().unwrap_or_default().to_string_lossy();
+            for dark in [false, true] {
+                // What the style says for dark screens is said for this page, or for none.
+                let to = if dark { "@media all" } else { "@media not all" };
+                let text = text.replace("@media (prefers-color-scheme: dark)", to);
+                let text = text.replace('&', "&amp;").replace('"', "&quot;");
+                for width in [360, 1280] {
+                    let title = format!("{name}, {width} pixels, {}", if dark { "dark" } else { "light" });
+                    frames.push_str(&format!(
+                        "<iframe title=\"{title}\" width={width} height=800 style=\"border:0\" srcdoc=\"{text}\"></iframe>\n"
+                    ));
+                }
+            }
+        }
+        let probe = folder.join("probe.htm");
+        let html = format!("<!DOCTYPE html><meta charset=utf-8><pre id=found></pre>{frames}<script>{PROBE}</script>");
+        std::fs::write(&probe, html).map_err(failed)?;
+        let profile = folder.join("profile");
+        let arguments = [
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--disable-quic",
+            "--no-first-run",
+            "--disable-background-networking",
+            "--disable-component-update",
+            "--disable-sync",
+            "--virtual-time-budget=20000",
+            "--timeout=60000",
+            "--dump-dom",
+        ];
+        let run = Command::new(&self.path)
+            .args(arguments)
+            .arg(format!("--user-data-dir={}", profile.display()))
+            .arg(format!("file://{}", probe.display()))
+            .output()
+            .map_err(failed)?;
+        let dom = String::from_utf8_lossy(&run.stdout).into_owned();
+        let found = dom.split_once("<pre id=\"found\">").and_then(|(_, rest)| rest.split_once("</pre>"));
+        let found = found.map(|(found, _)| found).filter(|found| found.contains(&format!("{} frames", 4 * pages.len())));
+        let found = found.ok_or_else(|| format!("the page was not looked at: {}", String::from_utf8_lossy(&run.stderr)))?;
+        Ok(found.lines().skip(1).map(str::to_owned).collect())
+    }
+
+    /// That nothing is wrong with the pages.
+    fn expect_none(&self, folder: &Path) -> Result<(), String> {
+        let faults = self.faults(folder)?;
+        if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
+    }
+}
+
+/// An empty folder.
+fn desk(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("browser").join(name);
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).expect("the folder can be emptied");
+    }
+    std::fs::create_dir_all(&folder).expect("the folder can be made");
+    folder
+}
+
+fn onshell(folder: &Path, arguments: &[&str]) {
+    let run = Command::new(env!("CARGO_BIN_EXE_onshell")).args(arguments).current_dir(folder).output();
+    let run = run.expect("the program runs");
+    assert!(run.status.code().is_some_and(|code| code <= 2), "{}", String::from_utf8_lossy(&run.stderr));
+}
+
+fn derivations() -> String {
+    format!("{}/derivations", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn pages_of_a_report(browser: &Browser) -> Result<(), String> {
+    let folder = desk("report");
+    onshell(&folder, &["report", &derivations(), "--out", "pages"]);
+    browser.expect_none(&folder.join("pages"))
+}
+
+fn page_with_mistakes(browser: &Browser) -> Result<(), String> {
+    let folder = desk("mistakes");
+    let long = "a + b + c + d + e_1 + f + g + h + k + l + m + n + o + p".repeat(3);
+    let notes = format!(
+        "# A title\n\n$$ (a+b)^2 = a^2 + b^2 $$\n\nWith ${long}$ in a line, and\n\n$$ {long} = 1 $$\n\n\
+         | | a |\n|---|---|\n| b | $x$ |\n\n$$ \\frac{{a^2-b^2}}{{a-b}} = a - b $$\n\n$$ \\foo{{ $$\n"
+    );
+    std::fs::write(folder.join("notes.md"), notes).expect("the notes can be written");
+    onshell(&folder, &["report", "notes.md", "--out", "pages"]);
+    browser.expect_none(&folder.join("pages"))
+}
+
+fn single_page(browser: &Browser) -> Result<(), String> {
+    let folder = desk("single");
+    onshell(&folder, &["report", &format!("{}/06-spinning-top.json", derivations()), "--out", "pages", "--single"]);
+    browser.expect_none(&folder.join("pages"))
+}
+
+fn pages_of_a_class(browser: &Browser) -> Result<(), String> {
+    let folder = desk("class");
+    let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).expect("the file can be written");
+    write("fall.md", "$$ v = v_0 - g t $$\n\n$$ t_1 = \\frac{v_0}{g} $$\n\n$$ H = v_0 t_1 - \\frac12 g t_1^2 = \\frac{v_0^2}{2g} \\tag{1} $$\n");
+    write("fall.json", "{ \"notes\": \"fall.md\", \"constants\": { \"v_0, g\": \"> 0\" } }");
+    std::fs::create_dir_all(folder.join("class")).expect("the folder can be made");
+    write("class/anna.md", "$$ t_1 = \\frac{v_0}{g} $$\n\n$$ H = \\frac{v_0^2}{2g} $$\n");
+    write("class/ben.md", "$$ t_1 = \\frac{v_0}{2g} $$\n\n$$ H = v_0 t_1 - \\frac12 g t_1^2 = \\frac{3 v_0^2}{8 g} $$\n");
+    onshell(&folder, &["mark", "class", "--claims", "fall.json", "--hints", "3", "--out", "pages"]);
+    browser.expect_none(&folder.join("pages"))
+}
+
+/// The checker finds what is wrong with a page that was made wrong on purpose.
+fn what_is_wrong_is_found(browser: &Browser) -> Result<(), String> {
+    let folder = desk("wrong");
+    let page = "<!DOCTYPE html><html><head><title></title></head><body><main>\
+                <div style='width:2000px'>wide</div><p style='color:#aaa;background:#fff'>pale</p><a href='#x'></a>\
+                <section class='equation'><div>a = b</div></section><div tabindex=0>no label</div>\
+                <script>nothing()</script></main></body></html>";
+    std::fs::write(folder.join("wrong.html"), page).expect("the page can be written");
+    let faults = browser.faults(&folder)?.join("\n");
+    let expected = ["overflows", "contrast", "no MathML", "no name", "no title", "no language", "script error"];
+    match expected.iter().find(|words| !faults.contains(*words)) {
+        Some(words) => Err(format!("“{words}” is not found in {faults}")),
+        None => Ok(()),
+    }
+}
