@@ -55,7 +55,7 @@ pub enum Space {
 }
 
 /// Commands without meaning: style, sizes of delimiters, line breaking hints.
-const IGNORED: [&str; 28] = [
+const IGNORED: [&str; 31] = [
     "displaystyle",
     "textstyle",
     "scriptstyle",
@@ -84,6 +84,9 @@ const IGNORED: [&str; 28] = [
     "mathstrut",
     "relax",
     "normalsize",
+    "middle",
+    "mathop",
+    "mathrel",
 ];
 
 /// The tokens of a text.
@@ -171,8 +174,9 @@ fn spelling(name: &str) -> &str {
         "overline" => "bar",
         "widetilde" => "tilde",
         "bm" | "boldsymbol" | "pmb" | "symbf" | "mathbfit" => "mathbf",
-        "operatorname" | "mathrm" | "mathit" | "mathsf" | "textrm" | "textit" | "mathnormal" => "mathrm",
-        "mbox" | "hbox" | "textnormal" | "textup" => "text",
+        "operatorname" | "mathrm" | "mathit" | "mathsf" | "mathnormal" => "mathrm",
+        "bcancel" | "xcancel" => "cancel",
+        "textrm" | "textit" | "mbox" | "hbox" | "textnormal" | "textup" => "text",
         "intercal" => "top",
         "lbrace" => "{",
         "rbrace" => "}",

@@ -80,4 +80,25 @@ pub enum Delimiter {
     Angle,
     /// `\left. \right|`, the bar of an evaluation
     Evaluation,
+    /// `| \rangle`
+    Ket,
+    /// `\langle |`
+    Bra,
+    /// `[ )`
+    RightOpen,
+    /// `( ]`
+    LeftOpen,
+}
+
+/// The letters, digits and signs of an item, run together: the words of a `\text`, the name of an environment.
+pub(super) fn letters(item: &Item) -> String {
+    match &item.layout {
+        Layout::Letter(c) | Layout::Other(c) => c.to_string(),
+        Layout::Number(digits) => digits.clone(),
+        Layout::Group(items) | Layout::Fence(_, items) => items.iter().map(letters).collect(),
+        Layout::Style(_, inner) | Layout::Accent(_, inner) => letters(inner),
+        Layout::Command(name) => name.clone(),
+        Layout::Text(text) => text.clone(),
+        _ => String::new(),
+    }
 }

@@ -21,7 +21,15 @@ impl Reader<'_> {
         if let Some(found) = found {
             return Ok(found);
         }
-        self.is_a_power(&base, sup, span)?;
+        let is_power = self.is_a_power(&base, sup, span);
+        let no_power = shape == Shape::Vector && whole_number(sup) != Some(2);
+        if self.is_abstract() && (is_power.is_err() || no_power) {
+            return match self.marked(&base, sup, span)? {
+                Some(found) => Ok(found),
+                None => is_power.and_then(|()| Err(mark(sup.span))),
+            };
+        }
+        is_power?;
         let boxed = Box::new(base);
         if shape == Shape::Vector && whole_number(sup) == Some(2) {
             return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));

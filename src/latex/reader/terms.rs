@@ -21,7 +21,17 @@ impl Reader<'_> {
     /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
     pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
         let whole = extent(items).unwrap_or(end);
-        are_no_words(items, self.symbols.open)?;
+        are_no_words(items, self.symbols.open, self.is_abstract())?;
+        if self.is_abstract()
+            && let Some(found) = self.infix(items, whole)?
+        {
+            return Ok(found);
+        }
+        if self.is_abstract()
+            && let Some(found) = self.extremum(items, whole)?
+        {
+            return Ok(found);
+        }
         let mut terms: Vec<Term> = Vec::new();
         let mut at = 0;
         let mut pending: Option<(Sign, Span)> = None;
@@ -95,6 +105,11 @@ impl Reader<'_> {
     /// A term: factors and the operators between them; all of `items`.
     pub(super) fn term(&mut self, items: &[Item]) -> Read<Expr> {
         let whole = extent(items).unwrap_or_default();
+        if self.is_abstract()
+            && let Some(found) = self.infix_product(items, whole)?
+        {
+            return Ok(found);
+        }
         // Factors between one `\cdot` or `\times` and the next stand side by side.
         let mut runs: Vec<(Joint, Vec<Expr>)> = vec![(Joint::Beside, Vec::new())];
         let mut next = Joint::Beside;
@@ -138,6 +153,14 @@ impl Reader<'_> {
             }
             if let (true, Some(limits)) = (self.symbols.infers(), bar(item)) {
                 match runs.as_mut_slice() {
+                    // The bar of a derivative.
+                    [.., (_, run)] if self.is_abstract() && cursor > 0 && is_fraction(&items[cursor - 1]) => {
+                        let Some(inner) = run.pop() else { continue };
+                        let span = inner.span.to(item.span);
+                        run.push(self.evaluated(inner, limits, span)?);
+                        cursor += 1;
+                        continue;
+                    }
                     [(_, run)] if run.len() == 1 => {
                         let inner = run.remove(0);
                         let span = inner.span.to(item.span);
@@ -157,6 +180,7 @@ impl Reader<'_> {
             }
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
+            let factor = self.with_what_follows(factor, items, &mut cursor);
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
                 return Err(Fault::ambiguous(
                     factor.span,
@@ -195,7 +219,7 @@ impl Reader<'_> {
     /// Without declarations: rejects `P_{ij} d_j`, where the repeated letter may mean a sum.
     fn has_no_implied_sum(&self, product: &Expr) -> Read<()> {
         let Node::Product(factors) = &product.node else { return Ok(()) };
-        if !self.symbols.open {
+        if !self.symbols.open || self.is_abstract() {
             return Ok(());
         }
         let letters = |factor: &Expr| -> Vec<String> {
@@ -249,7 +273,7 @@ impl Reader<'_> {
     }
 
     /// Joins runs of factors by `\times` (first) and `\cdot`. Between numbers, both are plain products.
-    fn join(&self, runs: Vec<(Joint, Vec<Expr>)>, whole: Span) -> Read<Expr> {
+    fn join(&mut self, runs: Vec<(Joint, Vec<Expr>)>, whole: Span) -> Read<Expr> {
         if runs.len() == 1 {
             let mut expr = beside(runs.into_iter().flat_map(|(_, run)| run).collect());
             expr.span = whole;
@@ -261,6 +285,9 @@ impl Reader<'_> {
             let expr = beside(run);
             let is_vector = self.shape_of(&expr)? == Shape::Vector;
             parts.push((joint, expr, is_vector));
+        }
+        if self.is_abstract() && !parts.iter().all(|(_, _, is_vector)| *is_vector) {
+            return self.joined(parts, whole);
         }
         let lost = parts.windows(2).find_map(|pair| match pair {
             [(_, number, false), (Joint::Times, _, true)] | [(_, _, true), (Joint::Times, number, false)] => {
@@ -352,6 +379,11 @@ impl Reader<'_> {
     /// One factor. The flag is false for a function whose argument has no parentheses.
     pub(super) fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
         let item = &items[*cursor];
+        if self.is_abstract()
+            && let Some(found) = self.abstract_factor(items, cursor)?
+        {
+            return Ok((found, true));
+        }
         if self.symbols.infers() && (is_big_sum(item) || is_big_product(item) || is_limit(item)) {
             let rest = &items[*cursor + 1..];
             *cursor = items.len();
@@ -438,6 +470,10 @@ fn index_letters(subscript: &[String]) -> Vec<String> {
     ];
     let all_usual = subscript.len() <= 4 && subscript.iter().all(|token| USUAL.contains(&token.as_str()));
     if all_usual { subscript.to_vec() } else { Vec::new() }
+}
+
+fn is_fraction(item: &Item) -> bool {
+    matches!(item.layout, Layout::Fraction(..))
 }
 
 fn is_parenthesis(item: &Item) -> bool {

@@ -53,7 +53,11 @@ impl Reader<'_> {
         let is_bare = name.subscript.is_empty() && name.primes == 0;
         let is_declared = self.symbols.imaginary.contains(name);
         let is_usual = ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str());
-        is_bare && (is_declared || is_usual && self.symbols.imaginary_here && self.symbols.find(name).is_none())
+        is_bare
+            && (is_declared
+                || is_usual
+                    && (self.symbols.imaginary_here || self.symbols.inferred.has_states)
+                    && self.symbols.find(name).is_none())
     }
 
     /// `z^*` of a complex number.

@@ -250,7 +250,8 @@ fn is_evident(items: &[Item]) -> bool {
         _ => {
             let next = solid.get(at + 1);
             is_upright_i(item)
-                || is_i(item) && (is_hbar(next) || is_sine(next) || is_greek(next) || is_pair(&solid, at))
+                || is_i(item)
+                    && (is_hbar(next) || is_sine(next) || is_greek(next) || is_bold_name(next) || is_pair(&solid, at))
         }
     });
     here || items.iter().any(|item| parts(item).into_iter().any(is_evident))
@@ -259,6 +260,12 @@ fn is_evident(items: &[Item]) -> bool {
 /// A sine after i, as in cos θ + i sin θ.
 fn is_sine(item: Option<&&Item>) -> bool {
     item.is_some_and(|item| matches!(&item.layout, Layout::Command(name) if name == "\\sin" || name == "\\sinh"))
+}
+
+/// A vector after i, which is then no index.
+fn is_bold_name(item: Option<&&Item>) -> bool {
+    item.and_then(|item| name_of(item))
+        .is_some_and(|printed| is_bold(&printed.name) || printed.name.base.starts_with("\\vec{"))
 }
 
 /// A Greek letter that stands after √−1 more often than after a current: a frequency, a rate, an angle.

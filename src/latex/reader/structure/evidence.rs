@@ -1,0 +1,169 @@
+//! What a display shows about letters without a value: which are indices, whether a T is a transpose, whether e is a charge,
+//! and which letters stand for functions before a parenthesis.
+
+use crate::formula::symbols::{Inferred, Name};
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::names;
+use super::super::items::{contents, is_transpose};
+
+/// Records it.
+pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
+    let mut found = Found::default();
+    found.list(items);
+    inferred.has_upper_indices |= found.upper.iter().any(|letter| GREEK.contains(&letter.as_str()));
+    inferred.index_letters.extend(found.lower);
+    inferred.has_transposes |= found.transposes > 1 || found.transposes == 1 && found.has_matrix;
+    inferred.has_states |= found.has_states;
+    inferred.charge |= found.has_constants && !found.has_exponential;
+}
+
+/// Whether a letter before a parenthesis stands for a function whatever stands in it: Γ(x + 1), f(2x), J_n(kr), δ(x − a),
+/// V(x_1 − x_2).
+pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) -> bool {
+    let base = name.base.as_str();
+    let always = [
+        "f",
+        "\\Gamma",
+        "\\Phi",
+        "\\Psi",
+        "\\psi",
+        "\\phi",
+        "\\varphi",
+        "\\Theta",
+        "Y",
+        "J",
+        "O",
+        "\\mathcal{O}",
+        "\\zeta",
+        "\\delta",
+    ];
+    let of_a_place = ["V", "U", "F", "u", "g", "h", "G", "W", "H", "y", "\\rho", "\\eta", "v", "q", "x"];
+    let is_place = |item: &Item| {
+        let place = [
+            "x",
+            "r",
+            "q",
+            "y",
+            "\\vec{r}",
+            "\\vec{x}",
+            "\\mathbf{r}",
+            "\\mathbf{x}",
+            "\\vec{q}",
+            "\\mathbf{q}",
+            "t",
+            "\\tau",
+        ];
+        names::printed(item, None).is_some_and(|found| found.sup.is_none() && place.contains(&found.name.base.as_str()))
+            || matches!(&item.layout, Layout::Fence(..))
+    };
+    let is_part = |item: &Item| {
+        is_place(item)
+            || matches!(&item.layout, Layout::Other('+' | '-') | Layout::Number(_) | Layout::Space(_))
+            || matches!(&item.layout, Layout::Command(name) if ["\\Delta", "\\delta", "\\pm"].contains(&name.as_str()))
+            || names::printed(item, None).is_some_and(|found| {
+                ["h", "a", "T", "\\xi", "\\epsilon", "\\varepsilon", "c", "v"].contains(&found.name.base.as_str())
+            })
+    };
+    let is_legendre = base == "P" && !name.subscript.is_empty();
+    let is_known = always.contains(&base) || is_legendre || base.starts_with("\\mathcal{");
+    is_known && name.primes == 0
+        || of_a_place.contains(&base)
+            && base != "q"
+            && base != "x"
+            && inside.iter().all(is_part)
+            && inside.iter().any(is_place)
+        || ["q", "x", "y"].contains(&base) && inside.iter().all(is_part) && inside.iter().any(is_time)
+}
+
+fn is_time(item: &Item) -> bool {
+    names::printed(item, None).is_some_and(|found| found.name.base == "t")
+}
+
+/// Greek letters that are indices of space and time.
+const GREEK: [&str; 10] =
+    ["\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda", "\\alpha", "\\beta", "\\gamma", "\\delta", "\\kappa"];
+
+/// Latin letters that are usual as indices.
+const LATIN: [&str; 9] = ["a", "b", "c", "d", "i", "j", "k", "l", "m"];
+
+#[derive(Default)]
+struct Found {
+    /// The letters of subscripts that consist of index letters.
+    lower: Vec<String>,
+    upper: Vec<String>,
+    transposes: usize,
+    has_matrix: bool,
+    has_constants: bool,
+    has_states: bool,
+    has_exponential: bool,
+}
+
+impl Found {
+    fn list(&mut self, items: &[Item]) {
+        for item in items {
+            self.one(item);
+        }
+    }
+
+    fn one(&mut self, item: &Item) {
+        if let Layout::Command(name) = &item.layout {
+            self.has_constants |= name == "\\hbar";
+        }
+        match &item.layout {
+            Layout::Scripts { nucleus, sub, sup, .. } => {
+                self.one(nucleus);
+                let is_epsilon = matches!(&nucleus.layout, Layout::Command(name) if ["\\epsilon", "\\varepsilon"].contains(&name.as_str()));
+                if let Some(sub) = sub {
+                    self.has_constants |=
+                        is_epsilon && contents(sub).iter().any(|item| item.layout == Layout::Number("0".to_owned()));
+                    self.lower.extend(letters(sub).into_iter().flatten());
+                }
+                if let Some(sup) = sup {
+                    if is_transpose(sup) {
+                        let is_upright = !matches!(contents(sup), [Item { layout: Layout::Letter('T'), .. }]);
+                        let is_bold =
+                            matches!(nucleus.layout, Layout::Style(..) | Layout::Accent(..) | Layout::Fence(..));
+                        self.transposes += 1 + usize::from(is_upright || is_bold);
+                    } else {
+                        self.upper.extend(letters(sup).into_iter().flatten());
+                        let is_e = nucleus.layout == Layout::Letter('e');
+                        let is_figure = contents(sup)
+                            .iter()
+                            .all(|item| matches!(item.layout, Layout::Number(_) | Layout::Other('-')));
+                        self.has_exponential |= is_e && !is_figure;
+                        self.list(contents(sup));
+                    }
+                }
+            }
+            Layout::Fence(Delimiter::Ket | Delimiter::Bra, _) => self.has_states = true,
+            Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
+            Layout::Fraction(a, b) => {
+                self.one(a);
+                self.one(b);
+            }
+            Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => self.one(a),
+            Layout::Environment(name, rows) => {
+                self.has_matrix |= name.ends_with("matrix") || name == "array";
+                rows.iter().flatten().for_each(|cell| self.list(cell));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The letters of a script, if it consists of usual index letters, digits and commas.
+fn letters(script: &Item) -> Option<Vec<String>> {
+    let mut found = Vec::new();
+    for item in contents(script) {
+        match &item.layout {
+            Layout::Space(_) | Layout::Other(',' | ';') | Layout::Number(_) => {}
+            _ => {
+                let name = names::printed(item, None).filter(|found| found.sup.is_none())?.name;
+                let is_usual = GREEK.contains(&name.base.as_str()) || LATIN.contains(&name.base.as_str());
+                found.push(is_usual.then_some(name.base)?);
+            }
+        }
+    }
+    Some(found)
+}
