@@ -33,6 +33,13 @@ pub fn plain(latex: &str) -> String {
             rest = after;
             continue;
         }
+        if name == "binom"
+            && let Some((above, below, after)) = fraction(rest)
+        {
+            text.push_str(&format!("binom({}, {})", plain(above), plain(below)));
+            rest = after;
+            continue;
+        }
         match letter(name) {
             Some(letter) => {
                 text.push(letter);
@@ -59,7 +66,7 @@ pub fn plain(latex: &str) -> String {
     }
     text.push_str(rest);
     // The empty base of a script that stands alone.
-    subscripts(&text.replace("{}", ""))
+    subscripts(&text.replace("{}", "").replace("{ ", "{").replace(" }", "}"))
 }
 
 /// What stands above and below in the name of a derivative, `\frac{\partial L}{\partial \dot q}`.

@@ -159,6 +159,10 @@ pub struct Inferred {
     pub abstractly: bool,
     /// The letters that are indices somewhere in the display.
     pub index_letters: HashSet<String>,
+    /// Whether letters have two indices somewhere in the display, so that a letter above may be one too.
+    pub has_tensors: bool,
+    /// Whether letters with a hat are operators.
+    pub has_operators: bool,
     /// Whether indices of space and time stand above letters.
     pub has_upper_indices: bool,
     /// Whether e is a charge: it stands beside ħ, ε₀ or c, and never has an exponent of letters.

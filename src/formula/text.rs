@@ -51,7 +51,8 @@ struct Writer<'a> {
 /// The binding strength of a node: 1 for sums, 2 for products, 3 for powers, 4 for anything else.
 fn binding(node: &Node, symbols: &Symbols) -> u8 {
     match node {
-        Node::Symbol { id, .. } if symbols.entry(*id).squared => 3,
+        Node::Symbol { id, .. } if symbols.entry(*id).squared || symbols.entry(*id).name.base.contains('/') => 3,
+        Node::Symbol { id, .. } if symbols.entry(*id).name.base.starts_with("\\frac{") => 3,
         Node::Apply(id, _) if is_infix(*id, symbols) => 1,
         Node::Apply(id, _) if symbols.entry(*id).name.base.starts_with("\\frac{") => 2,
         Node::Sum(_) => 1,
@@ -188,7 +189,13 @@ impl Writer<'_> {
         let mut text = plain(&text);
         for (at, argument) in arguments.iter().enumerate() {
             let is_enclosed = template.split('#').nth(at).is_some_and(|before| before.ends_with('('));
-            let written = self.write(argument, if is_fraction && !is_enclosed || is_open(at) { 2 } else { 0 });
+            let is_raised = at == 0 && template.starts_with('#') && !template.ends_with('#');
+            let outer = match (is_raised, is_fraction && !is_enclosed || is_open(at)) {
+                (true, _) => 3,
+                (false, true) => 2,
+                (false, false) => 0,
+            };
+            let written = self.write(argument, outer);
             text = text.replacen(hole(at), &written, 1);
         }
         text

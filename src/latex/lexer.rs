@@ -91,6 +91,7 @@ const IGNORED: [&str; 31] = [
 
 /// The tokens of a text.
 pub fn tokens(text: &str) -> Vec<Token> {
+    let mut in_norm = false;
     let mut tokens = Vec::with_capacity(text.len() / 2);
     let mut chars = text.char_indices().peekable();
     while let Some((start, c)) = chars.next() {
@@ -102,6 +103,13 @@ pub fn tokens(text: &str) -> Vec<Token> {
             '^' => TokenKind::Super,
             '\'' | '’' | '′' => TokenKind::Prime,
             '&' => TokenKind::Align,
+            // `||v||`, but not `|a||b|`
+            '|' if text[end..].starts_with('|') && (in_norm || opens(tokens.last())) => {
+                chars.next();
+                end += 1;
+                in_norm = !in_norm;
+                TokenKind::Command("\\|".to_owned())
+            }
             '~' => TokenKind::Space(Space::Thin),
             '\\' => match chars.peek().copied() {
                 Some((_, letter)) if letter.is_ascii_alphabetic() => {
@@ -126,7 +134,13 @@ pub fn tokens(text: &str) -> Vec<Token> {
                             while chars.next_if(|(at, _)| *at < end).is_some() {}
                             TokenKind::Row
                         }
-                        ',' | ';' | ':' | '>' | ' ' | '\n' | '\t' => TokenKind::Space(Space::Thin),
+                        // Three thin spaces are as wide as a `\quad`.
+                        ',' | ';' | ':' | '>' | ' ' | '\n' | '\t' => TokenKind::Space(match tokens.as_slice() {
+                            [.., a, b] if [a, b].iter().all(|token| matches!(token.kind, TokenKind::Space(_))) => {
+                                Space::Wide
+                            }
+                            _ => Space::Thin,
+                        }),
                         '!' | '/' => continue,
                         symbol => TokenKind::Command(format!("\\{symbol}")),
                     }
@@ -154,6 +168,16 @@ pub fn tokens(text: &str) -> Vec<Token> {
         tokens.push(Token { kind, span: Span::new(start, end) });
     }
     tokens
+}
+
+/// Whether a formula begins after this token.
+fn opens(before: Option<&Token>) -> bool {
+    before.is_none_or(|token| match &token.kind {
+        TokenKind::Open | TokenKind::Align | TokenKind::Row | TokenKind::Space(_) => true,
+        TokenKind::Other(c) => ['=', '+', '-', '<', '>', '(', '[', ','].contains(c),
+        TokenKind::Command(name) => ["\\leq", "\\geq", "\\equiv", "\\left", "\\cdot"].contains(&name.as_str()),
+        _ => false,
+    })
 }
 
 /// One spelling for commands that are synonyms.
@@ -201,7 +225,7 @@ fn after_row_break(text: &str, mut end: usize) -> usize {
     end
 }
 
-/// The command for a Greek letter typed directly.
+/// The command for a Greek letter or a sign typed directly.
 fn greek(c: char) -> Option<&'static str> {
     Some(match c {
         'α' => "alpha",
@@ -236,6 +260,25 @@ fn greek(c: char) -> Option<&'static str> {
         'Φ' => "Phi",
         'Ψ' => "Psi",
         'Ω' => "Omega",
+        'ħ' | 'ℏ' => "hbar",
+        'ℓ' => "ell",
+        '∂' => "partial",
+        '∇' => "nabla",
+        '∞' => "infty",
+        '…' | '⋯' => "dots",
+        '→' => "rightarrow",
+        '⇒' | '⟹' => "Rightarrow",
+        '∑' => "sum",
+        '∏' => "prod",
+        '∫' => "int",
+        '∈' => "in",
+        '±' => "pm",
+        '∓' => "mp",
+        '†' => "dagger",
+        '⟨' => "langle",
+        '⟩' => "rangle",
+        '⊗' => "otimes",
+        '∝' => "propto",
         _ => return None,
     })
 }

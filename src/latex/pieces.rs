@@ -316,6 +316,11 @@ fn is_remark(items: &[&Item], at: usize) -> bool {
         }
         _ => return false,
     };
+    // `\text{Tr}(A)` is a function.
+    let is_function = matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
+    if is_function && !is_prose(&word) {
+        return false;
+    }
     let bound = |item: &&Item| is_operator(item) || relation(item).is_some();
     let beside = |mut near: std::iter::Skip<std::slice::Iter<'_, &Item>>| {
         near.find(is_significant).is_some_and(|item| bound(item))

@@ -9,7 +9,7 @@ use crate::source::{Fault, Span};
 use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length};
 use super::delimiters::{closing, is_plain_bar, opening};
-use super::item::{Delimiter, Item, Layout, letters};
+use super::item::{Delimiter, Item, Layout, is_wide, letters};
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
 const DEEPEST: usize = 64;
@@ -123,7 +123,8 @@ impl<'a> Parser<'a> {
     fn scripted(&mut self, single_digit: bool) -> Item {
         let nucleus = match self.peek() {
             Some(token) if matches!(token.kind, TokenKind::Sub | TokenKind::Super | TokenKind::Prime) => {
-                fault(Span::at(token.span.start), "this subscript or superscript has no base")
+                // The reader says what is missing.
+                Item { layout: Layout::Group(Vec::new()), span: Span::at(token.span.start) }
             }
             _ => self.item(single_digit),
         };
@@ -383,7 +384,11 @@ impl<'a> Parser<'a> {
             "\\substack" | "\\ensuremath" | "\\mathclap" | "\\smash" => {
                 return self.argument(span);
             }
-            "\\phantom" | "\\hphantom" | "\\vphantom" | "\\hspace" | "\\vspace" | "\\mspace" => {
+            "\\hspace" | "\\mspace" => Layout::Space(match is_wide(&letters(&self.argument(span))) {
+                true => Space::Wide,
+                false => Space::Thin,
+            }),
+            "\\phantom" | "\\hphantom" | "\\vphantom" | "\\vspace" => {
                 self.argument(span);
                 Layout::Space(Space::Thin)
             }

@@ -59,7 +59,16 @@ impl Reader<'_> {
                 return self.raised(expr, above, span);
             }
             Some(next) if self.is_argument(next, id) => *cursor += 1,
-            Some(next) => self.is_a_product(id, span, next)?,
+            Some(next) => match self.is_a_product(id, span, next) {
+                // `V(1/u)` is shown as it is printed; nobody puts a single factor in parentheses.
+                Err(_) if self.is_abstract() && sup.is_none() && self.is_single_term(next) => {
+                    let argument = self.item(next)?;
+                    *cursor += 1;
+                    let whole = span.to(argument.span);
+                    return Ok(self.template("#(#)", vec![expr, argument], whole));
+                }
+                found => found?,
+            },
             None => {}
         }
         match sup {
@@ -83,6 +92,8 @@ impl Reader<'_> {
         let is_place = |item: &&Item| self.lone_name(item).is_some() || is_comma(item) || is_zero(item);
         let is_list = inside.len() == 1 || inside.iter().any(is_comma);
         let entry = self.symbols.entry(id);
+        // `y[p_z, z]` has a commutator in it.
+        let is_pair = !matches!(fence.layout, Layout::Fence(Delimiter::Round, _)) && inside.iter().any(is_comma);
         let is_plain = ["\\pi", "e", "d"].contains(&entry.name.base.as_str());
         let is_call =
             is_list && inside.iter().all(is_place) && matches!(fence.layout, Layout::Fence(Delimiter::Round, _));
@@ -90,7 +101,8 @@ impl Reader<'_> {
         let has_operator = inside.iter().any(|item| {
             matches!(&item.layout, Layout::Command(name) if ["\\nabla", "\\cdot", "\\times"].contains(&name.as_str()))
         });
-        let is_product = sup.is_some() && !is_function(entry) && inside.len() > 1 || is_vector && has_operator;
+        let is_product =
+            is_pair || sup.is_some() && !is_function(entry) && inside.len() > 1 || is_vector && has_operator;
         let named = match sup {
             _ if is_plain || !is_call && !is_product => return Ok(None),
             Some(sup) => self.raised(expr.clone(), sup, expr.span)?,
@@ -112,6 +124,12 @@ impl Reader<'_> {
             Layout::Scripts { sup: Some(above), .. } => self.raised(applied, above, span).map(Some),
             _ => Ok(Some(applied)),
         }
+    }
+
+    /// Whether a parenthesis, without a script, holds one term.
+    fn is_single_term(&self, next: &Item) -> bool {
+        let Layout::Fence(Delimiter::Round, inside) = &next.layout else { return false };
+        !inside.is_empty() && !inside.iter().skip(1).any(|item| self.is_sign(item) || relation_or_comma(item))
     }
 
     /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.
@@ -269,6 +287,10 @@ fn is_function(entry: &Entry) -> bool {
     let is_ornate =
         ["\\mathcal{", "\\mathscr{", "\\mathbb{", "\\mathfrak{"].iter().any(|style| base.starts_with(style));
     entry.name.primes > 0 || FUNCTIONS.contains(&base) || is_ornate
+}
+
+fn relation_or_comma(item: &Item) -> bool {
+    matches!(item.layout, Layout::Other(',' | ';' | '=' | '<' | '>' | ':' | '|'))
 }
 
 fn is_zero(item: &Item) -> bool {

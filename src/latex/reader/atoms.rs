@@ -40,6 +40,9 @@ impl Reader<'_> {
             return Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span));
         }
         match &item.layout {
+            Layout::Scripts { nucleus, .. } if nucleus.layout == Layout::Group(Vec::new()) => {
+                Err(Fault::new(span, "this subscript or superscript has no base"))
+            }
             Layout::Fault(fault) => Err(fault.clone()),
             Layout::Number(digits) => {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {

@@ -231,7 +231,9 @@ impl Reader<'_> {
         }
         // A hat on another letter marks an operator as often as a direction.
         let has_hat = name.base.starts_with("\\hat{");
+        let is_operator = has_hat && self.symbols.inferred.has_operators;
         let is_vector = self.markup_of_a_vector(name)
+            && !is_operator
             && (!has_hat
                 || is_unit_vector(&name.base)
                 || name.base.contains("\\vec{")

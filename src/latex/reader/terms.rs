@@ -1,7 +1,5 @@
 //! Sums, the terms of a sum, and the factors of a term with the operators between them.
 
-use std::collections::{HashMap, HashSet};
-
 use crate::formula::shape::Shape;
 use crate::formula::symbols::{Entry, Kind};
 use crate::formula::tree::{Expr, Node, Sign, Term};
@@ -153,6 +151,14 @@ impl Reader<'_> {
             }
             if let (true, Some(limits)) = (self.symbols.infers(), bar(item)) {
                 match runs.as_mut_slice() {
+                    // A bar with two limits belongs to all before it.
+                    [(_, run)] if self.is_abstract() && limits.0.is_some() && limits.1.is_some() && !run.is_empty() => {
+                        let inner = beside(std::mem::take(run));
+                        let span = inner.span.to(item.span);
+                        run.push(self.evaluated(inner, limits, span)?);
+                        cursor += 1;
+                        continue;
+                    }
                     // The bar of a derivative.
                     [.., (_, run)] if self.is_abstract() && cursor > 0 && is_fraction(&items[cursor - 1]) => {
                         let Some(inner) = run.pop() else { continue };
@@ -214,37 +220,6 @@ impl Reader<'_> {
         let product = self.join(runs, whole)?;
         self.has_no_implied_sum(&product)?;
         Ok(product)
-    }
-
-    /// Without declarations: rejects `P_{ij} d_j`, where the repeated letter may mean a sum.
-    fn has_no_implied_sum(&self, product: &Expr) -> Read<()> {
-        let Node::Product(factors) = &product.node else { return Ok(()) };
-        if !self.symbols.open || self.is_abstract() {
-            return Ok(());
-        }
-        let letters = |factor: &Expr| -> Vec<String> {
-            match &factor.node {
-                Node::Symbol { id, .. } => index_letters(&self.symbols.entry(*id).name.subscript),
-                _ => Vec::new(),
-            }
-        };
-        let of_each: Vec<Vec<String>> = factors.iter().map(letters).collect();
-        // In one pass, since a product may be long.
-        let mut factors_with: HashMap<&String, usize> = HashMap::new();
-        for letters in &of_each {
-            for letter in letters.iter().collect::<HashSet<_>>() {
-                *factors_with.entry(letter).or_default() += 1;
-            }
-        }
-        let is_shared = |letter: &String| factors_with[letter] > 1 && !self.bound.contains(letter);
-        let implied = of_each.iter().position(|letters| letters.len() > 1 && letters.iter().any(is_shared));
-        match implied {
-            Some(at) => {
-                Err(Fault::ambiguous(factors[at].span, "a letter that two factors have as an index may mean a sum")
-                    .help("write \\sum for a sum, and declare the indices in a claims file"))
-            }
-            None => Ok(()),
-        }
     }
 
     /// Rejects neighbouring factors that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
@@ -460,16 +435,6 @@ impl Reader<'_> {
         }
         Ok((self.item(item)?, true))
     }
-}
-
-/// The letters of a subscript of two or three that are usual as indices: `ij`, `\\mu\\nu`, `abc`.
-fn index_letters(subscript: &[String]) -> Vec<String> {
-    const USUAL: [&str; 16] = [
-        "a", "b", "c", "i", "j", "k", "l", "m", "n", "\\alpha", "\\beta", "\\mu", "\\nu", "\\rho", "\\sigma",
-        "\\lambda",
-    ];
-    let all_usual = subscript.len() <= 4 && subscript.iter().all(|token| USUAL.contains(&token.as_str()));
-    if all_usual { subscript.to_vec() } else { Vec::new() }
 }
 
 fn is_fraction(item: &Item) -> bool {

@@ -244,6 +244,10 @@ fn is_evident(items: &[Item]) -> bool {
                     && matches!(contents(inner), [Item { layout: Layout::Letter('e'), .. }]));
             is_e && mentions(contents(sup))
         }
+        // `\\frac{i}{4}`
+        Layout::Fraction(above, below) if matches!(contents(above), [only] if is_i(only)) => {
+            contents(below).iter().all(|item| matches!(item.layout, Layout::Number(_) | Layout::Root(..)))
+        }
         Layout::Command(name) if name == "\\exp" => {
             solid.get(at + 1).is_some_and(|next| matches!(&next.layout, Layout::Fence(_, inside) if mentions(inside)))
         }
@@ -270,9 +274,22 @@ fn is_bold_name(item: Option<&&Item>) -> bool {
 
 /// A Greek letter that stands after √−1 more often than after a current: a frequency, a rate, an angle.
 fn is_greek(item: Option<&&Item>) -> bool {
-    const LETTERS: [&str; 12] = [
-        "\\omega", "\\Omega", "\\gamma", "\\Gamma", "\\beta", "\\kappa", "\\theta", "\\phi", "\\varphi", "\\pi",
-        "\\mu", "\\sigma",
+    const LETTERS: [&str; 15] = [
+        "\\omega",
+        "\\Omega",
+        "\\gamma",
+        "\\Gamma",
+        "\\beta",
+        "\\kappa",
+        "\\theta",
+        "\\phi",
+        "\\varphi",
+        "\\pi",
+        "\\mu",
+        "\\sigma",
+        "\\varepsilon",
+        "\\epsilon",
+        "\\eta",
     ];
     item.and_then(|item| name_of(item)).is_some_and(|printed| LETTERS.contains(&printed.name.base.as_str()))
 }

@@ -5,6 +5,7 @@ use crate::formula::tree::Expr;
 use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::rows::relation;
 use super::super::state::{Read, Reader};
 use super::printed;
 
@@ -23,6 +24,10 @@ impl Reader<'_> {
                 let parts = self.listed(inside, item)?;
                 self.template(template, parts, span)
             }
+            // `\{x \mid x > 0\}`
+            Delimiter::Curly if inside.iter().any(|item| is_bar(item) || relation(item).is_some()) => {
+                self.template(&format!("\\{{{}\\}}", printed(inside)), Vec::new(), span)
+            }
             Delimiter::Round | Delimiter::Square | Delimiter::Curly if commas > 0 => {
                 let (open, close) = match delimiter {
                     Delimiter::Round => ("(", ")"),
@@ -32,10 +37,6 @@ impl Reader<'_> {
                 let parts = self.listed(inside, item)?;
                 let holes = vec!["#"; parts.len()].join(", ");
                 self.template(&format!("{open}{holes}{close}"), parts, span)
-            }
-            // `\{x \mid x > 0\}`
-            Delimiter::Curly if inside.iter().any(is_bar) => {
-                self.template(&format!("\\{{{}\\}}", printed(inside)), Vec::new(), span)
             }
             _ => return Ok(None),
         }))

@@ -13,7 +13,16 @@ pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
     found.list(items);
     inferred.has_upper_indices |= found.upper.iter().any(|letter| GREEK.contains(&letter.as_str()));
     inferred.index_letters.extend(found.lower);
-    inferred.has_transposes |= found.transposes > 1 || found.transposes == 1 && found.has_matrix;
+    inferred.has_tensors |= found.has_pairs;
+    inferred.has_operators |= found.has_operators;
+    if found.has_pairs {
+        inferred.index_letters.extend(found.pairs);
+    }
+    // `A^T P + P A`: no power of A by a T that stands nowhere else.
+    let is_plain = |name: &Name| found.plain.contains(name);
+    let beside_itself = found.transposed.iter().any(is_plain) && !is_plain(&Name::plain("T"));
+    inferred.has_transposes |=
+        found.transposes > 1 || found.transposes == 1 && found.has_matrix || found.transposes > 0 && beside_itself;
     inferred.has_states |= found.has_states;
     inferred.charge |= found.has_constants && !found.has_exponential;
 }
@@ -93,9 +102,16 @@ struct Found {
     lower: Vec<String>,
     upper: Vec<String>,
     transposes: usize,
+    /// The names below a T, and all others.
+    transposed: Vec<Name>,
+    plain: Vec<Name>,
+    /// Whether a subscript has two index letters, and the letters of superscripts with two.
+    has_pairs: bool,
+    pairs: Vec<String>,
     has_matrix: bool,
     has_constants: bool,
     has_states: bool,
+    has_operators: bool,
     has_exponential: bool,
 }
 
@@ -107,20 +123,40 @@ impl Found {
     }
 
     fn one(&mut self, item: &Item) {
+        if let Some(found) = names::printed(item, None).filter(|found| found.sup.is_none()) {
+            self.plain.push(found.name);
+        }
         if let Layout::Command(name) = &item.layout {
             self.has_constants |= name == "\\hbar";
         }
         match &item.layout {
             Layout::Scripts { nucleus, sub, sup, .. } => {
-                self.one(nucleus);
+                if names::printed(nucleus, None).is_none() {
+                    self.one(nucleus);
+                }
                 let is_epsilon = matches!(&nucleus.layout, Layout::Command(name) if ["\\epsilon", "\\varepsilon"].contains(&name.as_str()));
                 if let Some(sub) = sub {
                     self.has_constants |=
                         is_epsilon && contents(sub).iter().any(|item| item.layout == Layout::Number("0".to_owned()));
-                    self.lower.extend(letters(sub).into_iter().flatten());
+                    let below = letters(sub).unwrap_or_default();
+                    self.has_pairs |= below.len() > 1;
+                    self.lower.extend(below);
                 }
                 if let Some(sup) = sup {
+                    // An index above indices: `\Gamma^k_{ij}`. Two letters above, as in `g^{kl}`, beside a pair below.
+                    if let (Some(above), Some(below)) = (letters(sup), sub.as_deref().and_then(letters))
+                        && below.len() > 1
+                    {
+                        self.lower.extend(above);
+                        self.has_pairs = true;
+                    }
+                    if let Some(above) = letters(sup).filter(|above| above.len() > 1) {
+                        self.pairs.extend(above);
+                    }
                     if is_transpose(sup) {
+                        if let Some(found) = names::printed(nucleus, None) {
+                            self.transposed.push(found.name);
+                        }
                         let is_upright = !matches!(contents(sup), [Item { layout: Layout::Letter('T'), .. }]);
                         let is_bold =
                             matches!(nucleus.layout, Layout::Style(..) | Layout::Accent(..) | Layout::Fence(..));
@@ -141,6 +177,18 @@ impl Found {
             Layout::Fraction(a, b) => {
                 self.one(a);
                 self.one(b);
+            }
+            Layout::Accent(accent, inner) if accent == "\\hat" => {
+                const DIRECTIONS: [&str; 12] =
+                    ["e", "n", "r", "i", "j", "k", "x", "y", "z", "\\theta", "\\phi", "\\rho"];
+                let letter = names::printed(inner, None).map(|found| found.name.base);
+                self.has_operators |= letter.is_some_and(|letter| {
+                    letter.len() == 1
+                        && !DIRECTIONS.contains(&letter.as_str())
+                        && letter != "s"
+                        && letter != "t"
+                        && letter != "u"
+                });
             }
             Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => self.one(a),
             Layout::Environment(name, rows) => {

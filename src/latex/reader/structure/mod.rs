@@ -11,6 +11,7 @@
 //! | `scripts` | indices, marks and labels above a symbol |
 //! | `operators` | derivatives by anything, ∂_μ and ∇ as operators, named functions |
 //! | `evidence` | which letters are indices, and which functions |
+//! | `repeated` | letters that two factors have as an index |
 //! | `infix` | ⊗, ∘ and the like; ∈, → and the like; lists |
 //!
 //! [`Symbols::may_be_abstract`]: crate::formula::Symbols::may_be_abstract
@@ -19,6 +20,7 @@ mod brackets;
 mod evidence;
 mod infix;
 mod operators;
+mod repeated;
 mod scripts;
 
 pub(in super::super) use evidence::{is_function_letter, note};

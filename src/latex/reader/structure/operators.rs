@@ -8,7 +8,7 @@ use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
 use super::super::items::{contents, differential, joint, whole_number};
 use super::super::state::{Read, Reader};
-use super::printed;
+use super::{is_prose, printed};
 
 impl Reader<'_> {
     /// A factor that only the second attempt reads; `None` for any other.
@@ -26,7 +26,7 @@ impl Reader<'_> {
             return Ok(Some(found));
         }
         if let (Layout::Command(name), Some(next)) = (&items[*cursor].layout, items.get(*cursor + 1))
-            && (name == "\\delta" && self.symbols.inferred.variations || name == "\\Delta")
+            && ["\\delta", "\\Delta"].contains(&name.as_str())
             && (is_parenthesis(next) || is_derivative(next))
         {
             let span = items[*cursor].span;
@@ -59,7 +59,10 @@ impl Reader<'_> {
         if is_bare_script(item) {
             *cursor += 1;
             let script = printed(std::slice::from_ref(item));
-            let Some(base) = self.on_the_next(items, cursor)? else { return Ok(None) };
+            if items.get(*cursor).is_none_or(|next| matches!(next.layout, Layout::Space(_)) || joint(next).is_some()) {
+                return Err(Fault::new(item.span, "this subscript or superscript has no base"));
+            }
+            let (base, _) = self.factor(items, cursor)?;
             let span = item.span.to(base.span);
             return Ok(Some(self.template(&format!("{script}#"), vec![base], span)));
         }
@@ -112,6 +115,7 @@ impl Reader<'_> {
         while let Some(next) = items.get(*cursor)
             && is_bare_script(next)
             && next.span.start == items[*cursor - 1].span.end
+            && matches!(items[*cursor - 1].layout, Layout::Scripts { .. })
         {
             *cursor += 1;
             let span = factor.span.to(next.span);
@@ -125,13 +129,18 @@ impl Reader<'_> {
         let item = &items[*cursor];
         let Layout::Fraction(above, below) = &item.layout else { return Ok(None) };
         let (above, below) = (contents(above), contents(below));
+        // `\frac{{}^N d\vec v}{dt}`: a derivative in the frame N.
+        let (frame, above) = match above.split_first() {
+            Some((script, rest)) if is_bare_script(script) => (printed(std::slice::from_ref(script)), rest),
+            _ => (String::new(), above),
+        };
         let (Some(first), Some(lower)) = (above.first(), below.first()) else { return Ok(None) };
         let (Some(mark), Some(_)) = (mark(first), mark_alone(lower)) else { return Ok(None) };
         if below.len() < 2 {
             return Ok(None);
         }
         *cursor += 1;
-        let template = |hole: &str| format!("\\frac{{{mark} {hole}}}{{{}}}", printed(below));
+        let template = |hole: &str| format!("\\frac{{{frame}{mark} {hole}}}{{{}}}", printed(below));
         if above[1..].iter().any(|item| !matches!(item.layout, Layout::Space(_))) {
             let inner = self.sum(&above[1..], item.span)?;
             return Ok(Some(self.template(&template("#"), vec![inner], item.span)));
@@ -148,7 +157,7 @@ impl Reader<'_> {
             _ => item,
         };
         let nucleus = match &nucleus.layout {
-            Layout::Style(_, inner) | Layout::Accent(_, inner) => inner,
+            Layout::Style(_, inner) | Layout::Accent(_, inner) => contents(inner).first().unwrap_or(nucleus),
             _ => nucleus,
         };
         let Layout::Command(name) = &nucleus.layout else { return Ok(None) };
@@ -235,6 +244,10 @@ impl Reader<'_> {
         let is_word = |item: &Item| matches!(item.layout, Layout::Letter(_) | Layout::Number(_) | Layout::Other('-'));
         let is_function = match &nucleus.layout {
             Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
+            Layout::Text(word) => {
+                let next = items.get(*cursor + 1).map(|next| &next.layout);
+                !is_prose(word) && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square, _)))
+            }
             Layout::Style(style, inner) if style == "\\mathrm" && contents(inner).iter().all(is_word) => {
                 let word = printed(contents(inner));
                 let has_argument =
@@ -248,6 +261,15 @@ impl Reader<'_> {
         }
         *cursor += 1;
         let name = printed(std::slice::from_ref(item));
+        if let Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), span }) =
+            items.get(*cursor)
+        {
+            *cursor += 1;
+            let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
+            let arguments = inside.split(is_comma).map(|part| self.sum(part, *span)).collect::<Read<Vec<_>>>()?;
+            let holes = vec!["#"; arguments.len()].join(", ");
+            return Ok(Some(self.template(&format!("{name}({holes})"), arguments, item.span.to(*span))));
+        }
         let Some(inner) = self.on_the_next(items, cursor)? else {
             return Ok(Some(self.template(&name, Vec::new(), item.span)));
         };

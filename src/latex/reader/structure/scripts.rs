@@ -24,6 +24,7 @@ impl Reader<'_> {
             true => has_no_powers || self.symbols.inferred.has_transposes,
             false => {
                 is_sign(sup)
+                    || !is_number && is_word(sup)
                     || !is_number && self.is_index(sup)
                     || has_no_powers && (is_minus_one(sup) || whole_number(sup).is_none())
             }
@@ -32,7 +33,7 @@ impl Reader<'_> {
     }
 
     /// Whether letters above a base are indices.
-    fn is_index(&self, sup: &Item) -> bool {
+    pub(in super::super) fn is_index(&self, sup: &Item) -> bool {
         let known = &self.symbols.inferred.index_letters;
         let is_known = |item: &Item| match names::printed(item, None) {
             Some(found) => {
@@ -58,6 +59,15 @@ impl Reader<'_> {
 
 /// The usual indices of space and time, which are no exponents.
 const SPACETIME: [&str; 5] = ["\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda"];
+
+/// Whether letters above a symbol spell one of the usual labels.
+fn is_word(sup: &Item) -> bool {
+    const WORDS: [&str; 20] = [
+        "ex", "ext", "in", "out", "eff", "tot", "kin", "pot", "int", "rot", "max", "min", "eq", "cl", "rel", "cm",
+        "el", "mag", "vib", "obs",
+    ];
+    WORDS.contains(&printed(contents(sup)).as_str())
+}
 
 /// Whether what stands above is a sign, a word or a number in parentheses, and so no power.
 fn is_sign(sup: &Item) -> bool {

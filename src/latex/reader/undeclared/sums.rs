@@ -23,6 +23,9 @@ impl Reader<'_> {
             _ => return Err(refused(sign.span)),
         };
         if rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
+            if self.is_abstract() {
+                return Ok(self.label(std::slice::from_ref(sign), sign.span));
+            }
             return Err(Fault::new(sign.span, format!("no formula follows this {command}")));
         }
         let mut name = command;
