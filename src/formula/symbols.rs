@@ -163,8 +163,8 @@ pub struct Inferred {
     pub has_tensors: bool,
     /// Whether letters with a hat are operators.
     pub has_operators: bool,
-    /// Whether indices of space and time stand above letters.
-    pub has_upper_indices: bool,
+    /// Whether i is a factor that must be √−1, whatever it is elsewhere.
+    pub imaginary_factor: bool,
     /// Whether e is a charge: it stands beside ħ, ε₀ or c, and never has an exponent of letters.
     pub charge: bool,
     /// Whether states of quantum mechanics stand in the display, beside which i is √−1.

@@ -17,6 +17,7 @@ use super::matrices::operator_word;
 /// Notes in the table what a display says of its letters.
 pub fn note(items: &[Item], symbols: &mut Symbols) {
     symbols.imaginary_here = has_imaginary_unit(items);
+    symbols.inferred.imaginary_factor = is_evident(items);
     if !symbols.open {
         return;
     }
@@ -244,7 +245,13 @@ fn is_evident(items: &[Item]) -> bool {
                     && matches!(contents(inner), [Item { layout: Layout::Letter('e'), .. }]));
             is_e && mentions(contents(sup))
         }
-        // `\\frac{i}{4}`
+        // `\frac{i}{\hbar}`
+        Layout::Fraction(above, below)
+            if contents(above).iter().any(is_i) && contents(below).iter().any(|item| is_hbar(Some(&item))) =>
+        {
+            true
+        }
+        // `\frac{i}{4}`
         Layout::Fraction(above, below) if matches!(contents(above), [only] if is_i(only)) => {
             contents(below).iter().all(|item| matches!(item.layout, Layout::Number(_) | Layout::Root(..)))
         }

@@ -11,8 +11,6 @@ use super::super::items::{contents, is_transpose};
 pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
     let mut found = Found::default();
     found.list(items);
-    inferred.has_upper_indices |= found.upper.iter().any(|letter| GREEK.contains(&letter.as_str()));
-    inferred.index_letters.extend(found.lower);
     inferred.has_tensors |= found.has_pairs;
     inferred.has_operators |= found.has_operators;
     if found.has_pairs {
@@ -24,7 +22,8 @@ pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
     inferred.has_transposes |=
         found.transposes > 1 || found.transposes == 1 && found.has_matrix || found.transposes > 0 && beside_itself;
     inferred.has_states |= found.has_states;
-    inferred.charge |= found.has_constants && !found.has_exponential;
+    let has_others = found.plain.iter().any(|name| name.base != "e");
+    inferred.charge |= (found.has_constants || found.has_lone_e && has_others) && !found.has_exponential;
 }
 
 /// Whether a letter before a parenthesis stands for a function whatever stands in it: Γ(x + 1), f(2x), J_n(kr), δ(x − a),
@@ -100,7 +99,6 @@ const LATIN: [&str; 9] = ["a", "b", "c", "d", "i", "j", "k", "l", "m"];
 struct Found {
     /// The letters of subscripts that consist of index letters.
     lower: Vec<String>,
-    upper: Vec<String>,
     transposes: usize,
     /// The names below a T, and all others.
     transposed: Vec<Name>,
@@ -112,6 +110,7 @@ struct Found {
     has_constants: bool,
     has_states: bool,
     has_operators: bool,
+    has_lone_e: bool,
     has_exponential: bool,
 }
 
@@ -129,8 +128,12 @@ impl Found {
         if let Layout::Command(name) = &item.layout {
             self.has_constants |= name == "\\hbar";
         }
+        self.has_lone_e |= item.layout == Layout::Letter('e');
         match &item.layout {
+            Layout::Command(name) if name == "\\psi" || name == "\\Psi" => self.has_states = true,
             Layout::Scripts { nucleus, sub, sup, .. } => {
+                self.has_states |= matches!(&nucleus.layout, Layout::Command(name)
+                    if ["\\partial", "\\psi", "\\Psi"].contains(&name.as_str()));
                 if names::printed(nucleus, None).is_none() {
                     self.one(nucleus);
                 }
@@ -162,7 +165,6 @@ impl Found {
                             matches!(nucleus.layout, Layout::Style(..) | Layout::Accent(..) | Layout::Fence(..));
                         self.transposes += 1 + usize::from(is_upright || is_bold);
                     } else {
-                        self.upper.extend(letters(sup).into_iter().flatten());
                         let is_e = nucleus.layout == Layout::Letter('e');
                         let is_figure = contents(sup)
                             .iter()

@@ -23,7 +23,9 @@ impl Reader<'_> {
         let is_mark = match is_transpose(sup) {
             true => has_no_powers || self.symbols.inferred.has_transposes,
             false => {
+                // Nobody writes the powers x⁰ and x¹.
                 is_sign(sup)
+                    || !is_number && matches!(whole_number(sup), Some(0 | 1))
                     || !is_number && is_word(sup)
                     || !is_number && self.is_index(sup)
                     || has_no_powers && (is_minus_one(sup) || whole_number(sup).is_none())
@@ -47,10 +49,6 @@ impl Reader<'_> {
         let marks: Vec<&Item> = contents(sup).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
         let has_letter = marks.iter().any(|item| names::printed(item, None).is_some());
         match marks.as_slice() {
-            // x⁰, x¹ beside xᵘ are components.
-            [Item { layout: Layout::Number(digits), .. }] => {
-                ["0", "1"].contains(&digits.as_str()) && self.symbols.inferred.has_upper_indices
-            }
             [] => false,
             _ => has_letter && marks.into_iter().all(is_known),
         }
