@@ -127,7 +127,7 @@ impl Evidence {
             }
             let d = matches!(&item.layout, Layout::Letter('d'));
             let upright = matches!(item.layout, Layout::Style(..)) && differential(item) == Some(1);
-            if (d || upright) && !in_integral {
+            if (d || upright) && (!in_integral || self.is_abstract) {
                 let rest = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
                 self.differentials.upright |= upright;
                 let is_alone = rest.and_then(|item| names::printed(item, None)).is_none();

@@ -138,7 +138,11 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
             at += 1;
             continue;
         }
-        if let Some(span) = says_constant(item) {
+        let is_term = current
+            .as_ref()
+            .and_then(|piece| piece.links.last()?.items.iter().rev().find(is_significant))
+            .is_some_and(|item| is_operator(item));
+        if let Some(span) = says_constant(item).filter(|_| !is_term) {
             if let Some(piece) = &mut current {
                 piece.constant = Some(span);
                 if piece.links.last().is_some_and(|link| link.items.is_empty()) {

@@ -222,8 +222,9 @@ impl Reader<'_> {
             || self.symbols.inferred.letters.contains(&Name { primes: 0, ..name.clone() });
         let other =
             [0, 1].map(twin).into_iter().find(|twin| twin.primes != name.primes && self.symbols.find(twin).is_some());
-        let is_named =
-            self.is_abstract() && ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.contains(mark));
+        let is_vectorial = ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.contains(mark));
+        let has_matrices = self.symbols.inferred.has_transposes || self.symbols.inferred.has_tensors;
+        let is_named = self.is_abstract() && (is_vectorial || has_matrices);
         if !is_named && (name.primes > 1 || other.is_some() && !is_other) {
             return Err(Fault::ambiguous(span, "a prime may be a derivative or a part of a name").help(
                 "write \\dot x or \\frac{dx}{dt} for a derivative by the time; for another symbol use \\tilde x or x_1",

@@ -63,10 +63,13 @@ fn indices_above_a_letter() {
         ("x^i y_i = 0", "x^{i}·y_i = 0"),
         ("R^\\lambda{}_{\\mu\\nu} = 0", "R^{λ}_{μν} = 0"),
         ("A^\\dagger = A", "A^{†} = A"),
+        ("A^T P + P A = -Q", "A^{T}·P + P·A = −Q"),
+        ("H^0 |n\\rangle = E^0_n |n\\rangle", "H^{0}·|n⟩ = E_n^{0}·|n⟩"),
+        ("\\frac{i}{\\hbar} H_{fi} |f\\rangle", "(i/ħ)·H_{fi}·|f⟩"),
         ("f^{(n)}(x) = 0", "f^{(n)}(x) = 0"),
     ]);
     // A letter above that is an index nowhere else may be a power, and T a power too.
-    are_refused(&["x^i", "x^{ab}", "A^T", "x^1"]);
+    are_refused(&["x^i", "x^{ab}", "A^T", "e^2", "e"]);
     // A power beside an index is a power.
     assert_eq!(read("f = \\sum_n a_n x^n"), Some(vec!["f = Σ_{n}(a_n·x^(n))".to_owned()]));
 }

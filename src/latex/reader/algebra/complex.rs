@@ -53,6 +53,11 @@ impl Reader<'_> {
         let is_bare = name.subscript.is_empty() && name.primes == 0;
         let is_declared = self.symbols.imaginary.contains(name);
         let is_usual = ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str());
+        let is_factor =
+            self.symbols.is_abstract() && self.symbols.inferred.imaginary_factor && !self.bound.contains(&name.base);
+        if is_bare && is_usual && is_factor {
+            return true;
+        }
         is_bare
             && (is_declared
                 || is_usual
