@@ -119,6 +119,33 @@ fn misstated(page: &str) -> Vec<String> {
     wrong
 }
 
+/// What is wrong with the table of formulas without a value: each must be read, and have no value.
+fn valued(page: &str) -> Vec<String> {
+    let section = page.split("\n## ").find(|section| section.starts_with("Structure only"));
+    let rows = section.expect("the page has this section").lines().filter(|line| line.starts_with("| `"));
+    let mut wrong = Vec::new();
+    for row in rows {
+        let cell = row.split(" | ").next().unwrap_or_default();
+        for formula in cell.split('`').skip(1).step_by(2) {
+            if console::exit_code(&["read", formula]) != 0 {
+                wrong.push(format!("{formula} is not read"));
+            }
+            if console::exit_code(&["eval", formula]) == 0 {
+                wrong.push(format!("{formula} has a value"));
+            }
+        }
+    }
+    wrong
+}
+
+#[test]
+fn what_the_page_of_notation_calls_structure_is_read_and_has_no_value() {
+    let page = std::fs::read_to_string(project().join("docs/notation.md")).expect("the page can be read");
+    assert_eq!(valued(&page), [""; 0]);
+    // The case that must fail: a formula with a value, and one that is rejected.
+    assert_eq!(valued("\n## Structure only\n| `1+1`, `a/bc` | x |\n"), ["1+1 has a value", "a/bc is not read"]);
+}
+
 #[test]
 fn what_the_page_of_notation_calls_rejected_is_rejected_and_what_it_advises_is_read() {
     let page = std::fs::read_to_string(project().join("docs/notation.md")).expect("the page can be read");

@@ -28,7 +28,7 @@ pub struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
-    let mut symbols = Symbols::open();
+    let mut symbols = Symbols::for_reading();
     let mut macros = Macros::default();
     let definitions = definitions(&arguments.formula);
     define_macros(&definitions, &mut macros);
@@ -49,12 +49,19 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let complex = named(&symbols, &|kind| kind == Kind::Complex);
     let matrices = named(&symbols, &|kind| matches!(kind, Kind::Matrix(..)));
     let vectors = named(&symbols, &|kind| kind == Kind::Vector);
-    for (what, names) in
-        [("vectors by their markup", vectors), ("matrices by their use", matrices), ("complex numbers", complex)]
-    {
+    let abstract_names = named(&symbols, &|kind| kind == Kind::Abstract);
+    for (what, names) in [
+        ("vectors, or matrices, by their markup", vectors),
+        ("matrices by their use", matrices),
+        ("complex numbers", complex),
+        ("read as printed, without a value", abstract_names),
+    ] {
         if !names.is_empty() {
             inferred.push(format!("{what}: {}", names.join(", ")));
         }
+    }
+    if symbols.is_abstract() {
+        inferred.push("parts of it have no value; it is read for its structure".to_owned());
     }
     if !errors.is_empty() {
         inferred.clear();

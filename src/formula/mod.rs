@@ -8,8 +8,9 @@
 //! | [`environment`], [`mod@evaluate`] | the value of a formula over any [`crate::scalar::Number`] |
 //! | [`assignment`] | an environment with values given by hand |
 //! | [`derivative`] | the derivative of a formula as a formula |
-//! | [`text`] | the formula in readable Unicode |
-//! | `operator` | functions and operators that have no formula |
+//! | [`text`], `glyphs` | the formula in readable Unicode |
+//! | `operators` | functions, relations, and operators that have no formula |
+//! | `kind` | the kinds of symbols |
 //! | [`units`] | dimensional analysis: the term whose unit does not fit |
 //!
 //! This folder may import [`crate::scalar`], [`crate::source`] and [`crate::suggest`]. It knows nothing of LaTeX, of
@@ -23,12 +24,13 @@ pub mod derivative;
 pub mod environment;
 #[cfg(feature = "notes")]
 pub mod evaluate;
+mod glyphs;
 mod ids;
+mod kind;
 #[cfg(feature = "notes")]
 pub mod numbers;
 #[cfg(feature = "notes")]
 mod operations;
-mod operator;
 #[cfg(feature = "notes")]
 mod operator_shapes;
 pub mod operators;

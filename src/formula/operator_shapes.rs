@@ -1,8 +1,8 @@
-//! The shapes of powers, functions of matrices, parts of complex numbers and `cases`.
+//! The shapes of sums, products, powers, functions of matrices, parts of complex numbers and `cases`.
 
 use crate::source::{Fault, Span};
 
-use super::shape::{Binder, Shape, Type, of_size, of_sum, union};
+use super::shape::{Binder, Shape, Type, union};
 use super::tree::{Branch, ComplexPart, Expr, Node, Sign};
 
 impl Binder<'_> {
@@ -121,5 +121,70 @@ fn is_negative_whole(exponent: &Expr) -> bool {
     match &exponent.node {
         Node::Sum(terms) => terms.len() == 1 && terms[0].sign == Sign::Minus && terms[0].expr.as_digits().is_some(),
         _ => false,
+    }
+}
+
+/// The shape of a matrix with these rows and columns.
+pub fn of_size(rows: usize, columns: usize) -> Shape {
+    match (rows, columns) {
+        (1, 1) => Shape::Scalar,
+        (3, 1) => Shape::Vector,
+        _ => Shape::Matrix(rows, columns),
+    }
+}
+
+/// The rows and columns of a matrix, or of a vector as a column.
+fn size(shape: Shape) -> Option<(usize, usize)> {
+    match shape {
+        Shape::Scalar | Shape::Complex | Shape::Abstract => None,
+        Shape::Vector => Some((3, 1)),
+        Shape::Matrix(rows, columns) => Some((rows, columns)),
+    }
+}
+
+/// The shape of the sum of two shapes, where it is defined.
+pub fn of_sum(a: Shape, b: Shape) -> Option<Shape> {
+    match (a, b) {
+        _ if a == b => Some(a),
+        (Shape::Abstract, _) | (_, Shape::Abstract) => Some(Shape::Abstract),
+        (Shape::Scalar, Shape::Complex) | (Shape::Complex, Shape::Scalar) => Some(Shape::Complex),
+        (Shape::Matrix(0, 0), Shape::Matrix(n, m)) | (Shape::Matrix(n, m), Shape::Matrix(0, 0)) if n == m => {
+            Some(Shape::Matrix(n, n))
+        }
+        _ => None,
+    }
+}
+
+/// The shape of a product of two factors in this order; `None` where it is not defined. Two vectors have none: they need
+/// a sign between them.
+pub fn of_product(a: Shape, b: Shape) -> Option<Shape> {
+    match (a, b) {
+        (Shape::Abstract, _) | (_, Shape::Abstract) => Some(Shape::Abstract),
+        (Shape::Scalar, other) | (other, Shape::Scalar) => Some(other),
+        (Shape::Complex, Shape::Complex) => Some(Shape::Complex),
+        (Shape::Vector, Shape::Vector) => None,
+        (Shape::Matrix(0, 0), other) => Some(other),
+        (other, Shape::Matrix(0, 0)) => (other != Shape::Vector).then_some(other),
+        _ => {
+            let ((rows, inner), (other, columns)) = (size(a)?, size(b)?);
+            (inner == other).then(|| of_size(rows, columns))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_have_the_shape_of_their_values() {
+        let (row, column, square) = (Shape::Matrix(1, 2), Shape::Matrix(2, 1), Shape::Matrix(2, 2));
+        assert_eq!(of_product(row, column), Some(Shape::Scalar));
+        assert_eq!(of_product(column, row), Some(square));
+        assert_eq!(of_product(square, column), Some(column));
+        assert_eq!(of_product(column, square), None);
+        assert_eq!(of_product(Shape::Vector, Shape::Vector), None);
+        assert_eq!(of_product(Shape::Matrix(1, 3), Shape::Vector), Some(Shape::Scalar));
+        assert_eq!(of_product(Shape::Vector, Shape::Matrix(1, 3)), Some(Shape::Matrix(3, 3)));
     }
 }

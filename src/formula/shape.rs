@@ -18,6 +18,7 @@
 use crate::source::{Fault, Span};
 
 use super::numbers::complex::Complex;
+pub use super::operator_shapes::{of_product, of_size, of_sum};
 use super::symbols::{Kind, Operator, Symbols};
 use super::tree::{Expr, Index, IndexId, Node};
 
@@ -32,6 +33,8 @@ pub enum Shape {
     Matrix(usize, usize),
     /// A complex number.
     Complex,
+    /// What has no value here: an operator, a tensor, a state. See [`Symbols::may_be_abstract`].
+    Abstract,
 }
 
 impl Shape {
@@ -43,6 +46,7 @@ impl Shape {
     pub(super) fn noun(self) -> String {
         match self {
             Shape::Complex => "a complex number".to_owned(),
+            Shape::Abstract => "something without a value".to_owned(),
             Shape::Matrix(0, 0) => "a matrix".to_owned(),
             Shape::Scalar => "a scalar".to_owned(),
             Shape::Vector => "a vector".to_owned(),
@@ -93,7 +97,7 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
         }
     }
     let span = a.0.span.to(b.0.span);
-    if of_sum(a.1.shape, b.1.shape).is_none() {
+    if of_sum(a.1.shape, b.1.shape).is_none() && !symbols.is_abstract() {
         let message = format!("{} cannot be compared with {}", a.1.shape.noun(), b.1.shape.noun());
         return Err(Fault::shape(span, message));
     }
@@ -155,7 +159,7 @@ impl Binder<'_> {
     /// The free labels of a scalar, which may have no other free index.
     pub(super) fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
         let found = self.bind(expr)?;
-        if found.shape != Shape::Scalar {
+        if found.shape != Shape::Scalar && !self.symbols.is_abstract() {
             return Err(Fault::shape(
                 expr.span,
                 format!("{what} must be a scalar, but this is {}", found.shape.noun()),
@@ -176,6 +180,14 @@ impl Binder<'_> {
     }
 
     pub(super) fn bind(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
+        match self.bind_strictly(expr) {
+            // Shapes that do not fit are those of things without a value.
+            Err(_) if self.symbols.is_abstract() => Ok(Type { shape: Shape::Abstract, free: Vec::new() }),
+            found => found,
+        }
+    }
+
+    fn bind_strictly(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
         let span = expr.span;
         let scalar = Type { shape: Shape::Scalar, free: Vec::new() };
         match &mut expr.node {
@@ -193,6 +205,7 @@ impl Binder<'_> {
                     }
                     (Kind::Vector, slots, given) if slots == given => Shape::Vector,
                     (Kind::Complex, slots, given) if slots == given => Shape::Complex,
+                    (Kind::Abstract, ..) => Shape::Abstract,
                     (Kind::Matrix(rows, columns), slots, given) if slots == given => {
                         of_size(rows.into(), columns.into())
                     }
@@ -299,6 +312,7 @@ impl Binder<'_> {
                 }
                 let shape = match (operator, kind) {
                     (Some(Operator::Same), _) => last,
+                    (Some(Operator::Template), _) | (_, Kind::Abstract) => Shape::Abstract,
                     (Some(Operator::ToVector), _) | (Some(Operator::Function), Kind::Vector) => Shape::Vector,
                     _ => Shape::Scalar,
                 };
@@ -432,67 +446,4 @@ pub fn union(a: &[IndexId], b: &[IndexId]) -> Vec<IndexId> {
     all.sort();
     all.dedup();
     all
-}
-
-/// The shape of a matrix with these rows and columns.
-pub fn of_size(rows: usize, columns: usize) -> Shape {
-    match (rows, columns) {
-        (1, 1) => Shape::Scalar,
-        (3, 1) => Shape::Vector,
-        _ => Shape::Matrix(rows, columns),
-    }
-}
-
-/// The rows and columns of a matrix, or of a vector as a column.
-fn size(shape: Shape) -> Option<(usize, usize)> {
-    match shape {
-        Shape::Scalar | Shape::Complex => None,
-        Shape::Vector => Some((3, 1)),
-        Shape::Matrix(rows, columns) => Some((rows, columns)),
-    }
-}
-
-/// The shape of the sum of two shapes, where it is defined.
-pub fn of_sum(a: Shape, b: Shape) -> Option<Shape> {
-    match (a, b) {
-        _ if a == b => Some(a),
-        (Shape::Scalar, Shape::Complex) | (Shape::Complex, Shape::Scalar) => Some(Shape::Complex),
-        (Shape::Matrix(0, 0), Shape::Matrix(n, m)) | (Shape::Matrix(n, m), Shape::Matrix(0, 0)) if n == m => {
-            Some(Shape::Matrix(n, n))
-        }
-        _ => None,
-    }
-}
-
-/// The shape of a product of two factors in this order; `None` where it is not defined. Two vectors have none: they need
-/// a sign between them.
-pub fn of_product(a: Shape, b: Shape) -> Option<Shape> {
-    match (a, b) {
-        (Shape::Scalar, other) | (other, Shape::Scalar) => Some(other),
-        (Shape::Complex, Shape::Complex) => Some(Shape::Complex),
-        (Shape::Vector, Shape::Vector) => None,
-        (Shape::Matrix(0, 0), other) => Some(other),
-        (other, Shape::Matrix(0, 0)) => (other != Shape::Vector).then_some(other),
-        _ => {
-            let ((rows, inner), (other, columns)) = (size(a)?, size(b)?);
-            (inner == other).then(|| of_size(rows, columns))
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn products_have_the_shape_of_their_values() {
-        let (row, column, square) = (Shape::Matrix(1, 2), Shape::Matrix(2, 1), Shape::Matrix(2, 2));
-        assert_eq!(of_product(row, column), Some(Shape::Scalar));
-        assert_eq!(of_product(column, row), Some(square));
-        assert_eq!(of_product(square, column), Some(column));
-        assert_eq!(of_product(column, square), None);
-        assert_eq!(of_product(Shape::Vector, Shape::Vector), None);
-        assert_eq!(of_product(Shape::Matrix(1, 3), Shape::Vector), Some(Shape::Scalar));
-        assert_eq!(of_product(Shape::Vector, Shape::Matrix(1, 3)), Some(Shape::Matrix(3, 3)));
-    }
 }

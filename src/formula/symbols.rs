@@ -12,49 +12,11 @@ use std::sync::Arc;
 use crate::suggest;
 
 use super::ids::{Index, IndexId, Variable};
-pub use super::operator::Operator;
+pub use super::kind::Kind;
+pub use super::operators::Operator;
 use super::tree::{Expr, Node};
 
 pub use super::ids::SymbolId;
-
-/// The kind of value that a name stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A number.
-    Scalar,
-    /// A vector in three dimensions.
-    Vector,
-    /// A matrix with these numbers of rows and columns.
-    Matrix(u8, u8),
-    /// A complex number.
-    Complex,
-    /// A rotation about one axis: a function of one angle whose value is a 3×3 matrix.
-    Rotation,
-}
-
-impl Kind {
-    /// What it is, with its article.
-    pub fn noun(self) -> String {
-        match self {
-            Kind::Scalar => "a real number".to_owned(),
-            Kind::Complex => "a complex number".to_owned(),
-            Kind::Vector => "a vector in space".to_owned(),
-            Kind::Matrix(0, 0) => "a square matrix".to_owned(),
-            Kind::Matrix(rows, columns) => format!("a {rows}×{columns} matrix"),
-            Kind::Rotation => "a rotation".to_owned(),
-        }
-    }
-
-    /// The number of numbers that one value of this kind has.
-    pub fn numbers(self) -> usize {
-        match self {
-            Kind::Scalar | Kind::Rotation => 1,
-            Kind::Complex => 2,
-            Kind::Vector => 3,
-            Kind::Matrix(rows, columns) => usize::from(rows) * usize::from(columns),
-        }
-    }
-}
 
 /// A name as printed, which identifies a symbol.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -193,6 +155,22 @@ pub struct Inferred {
     pub matrices: HashSet<String>,
     /// Whether letters are inferred at all: where a display is read without declarations.
     pub active: bool,
+    /// Whether the display is read for its structure only, since parts of it have no value.
+    pub abstractly: bool,
+    /// The letters that are indices somewhere in the display.
+    pub index_letters: HashSet<String>,
+    /// Whether letters have two indices somewhere in the display, so that a letter above may be one too.
+    pub has_tensors: bool,
+    /// Whether letters with a hat are operators.
+    pub has_operators: bool,
+    /// Whether i is a factor that must be √−1, whatever it is elsewhere.
+    pub imaginary_factor: bool,
+    /// Whether e is a charge: it stands beside ħ, ε₀ or c, and never has an exponent of letters.
+    pub charge: bool,
+    /// Whether states of quantum mechanics stand in the display, beside which i is √−1.
+    pub has_states: bool,
+    /// Whether a T above a letter is a transpose.
+    pub has_transposes: bool,
     /// Each inference in words.
     pub said: Vec<String>,
 }
@@ -213,6 +191,8 @@ pub struct Symbols {
     /// Whether an unknown name is added as a real number (formulas without a file). If false, it is a fault
     /// (documents).
     pub open: bool,
+    /// Whether a display of which parts have no value, such as operators and tensors, may be read for its structure.
+    pub may_be_abstract: bool,
     /// The index that is added to unknown names without one, as in an equation for each particle.
     pub for_each: Option<IndexId>,
     /// Names that were understood without a declaration, with their meaning: `r_i` for |r⃗_i|.
@@ -230,6 +210,16 @@ impl Symbols {
     /// An empty table that adds every unknown letter as a real number. The independent variable is `t`.
     pub fn open() -> Self {
         Symbols { open: true, ..Symbols::new() }
+    }
+
+    /// As [`Symbols::open`], for reading only: what has no value is read for its structure.
+    pub fn for_reading() -> Self {
+        Symbols { may_be_abstract: true, ..Symbols::open() }
+    }
+
+    /// Whether a display is being read for its structure, and nothing in it needs a value.
+    pub fn is_abstract(&self) -> bool {
+        self.inferred.abstractly
     }
 
     /// Whether the use of letters shows what they are, since nothing declares them.

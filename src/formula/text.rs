@@ -2,6 +2,9 @@
 //!
 //! The author reads it to see whether the formula was understood: `λ_1·θ̈ = λ_1·φ̇²·sin(θ)·cos(θ) − …`.
 
+pub use super::glyphs::{plain, with_dots};
+use super::ids::SymbolId;
+use super::operators::Operator;
 use super::symbols::Symbols;
 use super::tree::{Branch, Condition, Excluded, Expr, Index, Node, Sign, Statement};
 
@@ -31,6 +34,16 @@ pub fn formula(expr: &Expr, symbols: &Symbols) -> String {
 /// Ends the name of an operator, which so differs from that of a quantity; it is not shown.
 pub const APPLICATION: char = '\u{2061}';
 
+/// Whether an operator stands between its arguments, as ⊗ does.
+pub(crate) fn is_infix(id: SymbolId, symbols: &Symbols) -> bool {
+    let entry = symbols.entry(id);
+    let name = entry.name.base.trim_end_matches(APPLICATION);
+    entry.operator == Some(Operator::Template) && name.starts_with('#') && name.ends_with('#')
+}
+
+/// The first of the characters that stand for arguments while a template is written: those of private use.
+const HOLES: u32 = 0xE000;
+
 struct Writer<'a> {
     symbols: &'a Symbols,
 }
@@ -38,7 +51,10 @@ struct Writer<'a> {
 /// The binding strength of a node: 1 for sums, 2 for products, 3 for powers, 4 for anything else.
 fn binding(node: &Node, symbols: &Symbols) -> u8 {
     match node {
-        Node::Symbol { id, .. } if symbols.entry(*id).squared => 3,
+        Node::Symbol { id, .. } if symbols.entry(*id).squared || symbols.entry(*id).name.base.contains('/') => 3,
+        Node::Symbol { id, .. } if symbols.entry(*id).name.base.starts_with("\\frac{") => 3,
+        Node::Apply(id, _) if is_infix(*id, symbols) => 1,
+        Node::Apply(id, _) if symbols.entry(*id).name.base.starts_with("\\frac{") => 2,
         Node::Sum(_) => 1,
         Node::Product(_) | Node::Quotient(..) | Node::Cross(..) | Node::Dot(..) => 2,
         Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) => 2,
@@ -99,11 +115,12 @@ impl Writer<'_> {
             Node::Root(2, a) => format!("√({})", self.bare(a)),
             Node::Root(n, a) => format!("root[{n}]({})", self.bare(a)),
             Node::Call(function, a) => format!("{}({})", function.name(), self.bare(a)),
-            Node::Apply(id, arguments) => {
-                let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
+            Node::Apply(id, given) => {
+                let arguments: Vec<String> = given.iter().map(|a| self.bare(a)).collect();
                 let entry = self.symbols.entry(*id);
                 let name = plain(&entry.name.to_string().replace(APPLICATION, ""));
                 match (arguments.as_slice(), entry.operator) {
+                    (_, Some(Operator::Template)) => self.template(&entry.name.base, given),
                     ([], Some(_)) => name,
                     ([inner], Some(_)) if name.starts_with('|') => format!("({inner}){name}"),
                     _ => format!("{name}({})", arguments.join(", ")),
@@ -156,6 +173,34 @@ impl Writer<'_> {
         }
     }
 
+    /// A template with its arguments in the place of each #.
+    fn template(&self, template: &str, arguments: &[Expr]) -> String {
+        let template = template.trim_end_matches(APPLICATION);
+        let is_fraction = template.contains("\\frac{");
+        let is_open =
+            |at: usize| at == 0 && template.starts_with('#') || at + 1 == arguments.len() && template.ends_with('#');
+        // A character that no text has stands for each argument until the rest is written.
+        let hole = |at: usize| char::from_u32(HOLES + at as u32).unwrap_or(' ');
+        let mut text = String::new();
+        for (at, piece) in template.split('#').enumerate() {
+            text.extend(at.checked_sub(1).map(hole));
+            text.push_str(piece);
+        }
+        let mut text = plain(&text);
+        for (at, argument) in arguments.iter().enumerate() {
+            let is_enclosed = template.split('#').nth(at).is_some_and(|before| before.ends_with('('));
+            let is_raised = at == 0 && template.starts_with('#') && !template.ends_with('#');
+            let outer = match (is_raised, is_fraction && !is_enclosed || is_open(at)) {
+                (true, _) => 3,
+                (false, true) => 2,
+                (false, false) => 0,
+            };
+            let written = self.write(argument, outer);
+            text = text.replacen(hole(at), &written, 1);
+        }
+        text
+    }
+
     /// Conditions that must all hold.
     fn conditions(&self, conditions: &[Condition]) -> String {
         let one = |condition: &Condition| {
@@ -204,171 +249,4 @@ pub fn number(value: f64, digits: usize) -> String {
     } else {
         format!("{value:.*e}", digits - 1)
     }
-}
-
-/// A LaTeX name as Unicode: Greek letters as letters, accents as combining marks.
-pub fn plain(latex: &str) -> String {
-    if let Some((above, below)) = derivative(latex) {
-        return format!("∂{}/∂{}", plain(above), plain(below));
-    }
-    let mut text = String::new();
-    let mut rest = latex;
-    while let Some(at) = rest.find('\\') {
-        text.push_str(&rest[..at]);
-        let command = &rest[at + 1..];
-        let length = command.bytes().take_while(u8::is_ascii_alphabetic).count();
-        let name = &command[..length];
-        rest = &command[length..];
-        if let Some(mark) = mark(name)
-            && let Some(inner) = rest.strip_prefix('{')
-            && let Some(close) = matching(inner)
-        {
-            text.push_str(&plain(&inner[..close]));
-            text.push_str(mark);
-            rest = &inner[close + 1..];
-            continue;
-        }
-        match letter(name) {
-            Some(letter) => {
-                text.push(letter);
-                rest = rest.strip_prefix(' ').unwrap_or(rest);
-            }
-            None => match name {
-                "neq" => text.push('≠'),
-                "times" => text.push('×'),
-                "rightarrow" => text.push('→'),
-                "in" => text.push('∈'),
-                "lim" => text.push_str("lim"),
-                _ => {
-                    text.push('\\');
-                    text.push_str(name);
-                }
-            },
-        }
-    }
-    text.push_str(rest);
-    subscripts(&text)
-}
-
-/// What stands above and below in the name of a derivative, `\frac{\partial L}{\partial \dot q}`.
-fn derivative(latex: &str) -> Option<(&str, &str)> {
-    let above = latex.strip_prefix("\\frac{\\partial ")?;
-    let close = matching(above)?;
-    let below = above[close + 1..].strip_prefix("{\\partial ")?.strip_suffix('}')?;
-    Some((&above[..close], below)).filter(|(above, below)| !above.contains("\\partial") && !below.contains("\\partial"))
-}
-
-/// A name in which a subscript has a number as its own subscript: `p_{θ_{1}}` becomes p_θ₁.
-fn subscripts(name: &str) -> String {
-    let Some((head, rest)) = name.split_once("_{") else { return name.to_owned() };
-    let Some(close) = matching(rest) else { return name.to_owned() };
-    let (inner, after) = (&rest[..close], subscripts(&rest[close + 1..]));
-    let lowered = inner.split_once('_').and_then(|(letter, number)| {
-        let number = number.strip_prefix('{').and_then(|number| number.strip_suffix('}')).unwrap_or(number);
-        let digits: Option<String> = number.chars().map(|c| char::from_u32(u32::from('₀') + c.to_digit(10)?)).collect();
-        Some(format!("{letter}{}", digits.filter(|digits| !digits.is_empty())?))
-    });
-    match lowered {
-        Some(lowered) => format!("{head}_{lowered}{after}"),
-        None => format!("{head}_{{{inner}}}{after}"),
-    }
-}
-
-fn matching(inner: &str) -> Option<usize> {
-    let mut depth = 0;
-    inner.char_indices().find_map(|(at, c)| match c {
-        '{' => {
-            depth += 1;
-            None
-        }
-        '}' if depth == 0 => Some(at),
-        '}' => {
-            depth -= 1;
-            None
-        }
-        _ => None,
-    })
-}
-
-fn mark(command: &str) -> Option<&'static str> {
-    Some(match command {
-        "dot" => "\u{307}",
-        "ddot" => "\u{308}",
-        "vec" => "\u{20d7}",
-        "hat" => "\u{302}",
-        "bar" => "\u{304}",
-        "tilde" => "\u{303}",
-        "mathbf" | "mathrm" | "mathbb" | "mathcal" => "",
-        _ => return None,
-    })
-}
-
-fn letter(command: &str) -> Option<char> {
-    const LETTERS: [(&str, char); 50] = [
-        ("sum", 'Σ'),
-        ("prod", 'Π'),
-        ("int", '∫'),
-        ("oint", '∮'),
-        ("iint", '∬'),
-        ("nabla", '∇'),
-        ("partial", '∂'),
-        ("dots", '…'),
-        ("cdot", '·'),
-        ("alpha", 'α'),
-        ("beta", 'β'),
-        ("gamma", 'γ'),
-        ("delta", 'δ'),
-        ("epsilon", 'ϵ'),
-        ("varepsilon", 'ε'),
-        ("zeta", 'ζ'),
-        ("eta", 'η'),
-        ("theta", 'θ'),
-        ("vartheta", 'ϑ'),
-        ("iota", 'ι'),
-        ("kappa", 'κ'),
-        ("lambda", 'λ'),
-        ("mu", 'μ'),
-        ("nu", 'ν'),
-        ("xi", 'ξ'),
-        ("pi", 'π'),
-        ("rho", 'ρ'),
-        ("sigma", 'σ'),
-        ("tau", 'τ'),
-        ("upsilon", 'υ'),
-        ("phi", 'φ'),
-        ("varphi", 'ϕ'),
-        ("chi", 'χ'),
-        ("psi", 'ψ'),
-        ("omega", 'ω'),
-        ("Gamma", 'Γ'),
-        ("Delta", 'Δ'),
-        ("Theta", 'Θ'),
-        ("Lambda", 'Λ'),
-        ("Xi", 'Ξ'),
-        ("Pi", 'Π'),
-        ("Sigma", 'Σ'),
-        ("Upsilon", 'Υ'),
-        ("Phi", 'Φ'),
-        ("Psi", 'Ψ'),
-        ("Omega", 'Ω'),
-        ("ell", 'ℓ'),
-        ("hbar", 'ħ'),
-        ("infty", '∞'),
-        ("perp", '⊥'),
-    ];
-    LETTERS.iter().find(|(name, _)| *name == command).map(|(_, letter)| *letter)
-}
-
-/// A name with its overdots, as a combining mark over the letter.
-pub fn with_dots(latex: &str, dots: u8) -> String {
-    let name = plain(latex);
-    let mark = match dots {
-        0 => return name,
-        1 => '\u{307}',
-        2 => '\u{308}',
-        3 => '\u{20db}',
-        _ => '\u{20dc}',
-    };
-    let at = name.find('_').unwrap_or(name.len());
-    format!("{}{mark}{}", &name[..at], &name[at..])
 }

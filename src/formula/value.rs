@@ -69,6 +69,7 @@ impl<D: Number> Value<D> {
             Kind::Scalar | Kind::Rotation => Value::Scalar(pick(0)?),
             Kind::Vector => Value::Vector(Vector3::new(pick(0)?, pick(1)?, pick(2)?)),
             Kind::Complex => Value::Complex(Complex { re: pick(0)?, im: pick(1)? }),
+            Kind::Abstract => return None,
             Kind::Matrix(rows, columns) => {
                 let entries = (0..kind.numbers()).map(pick).collect::<Option<Vec<D>>>()?;
                 Value::of_matrix(DMatrix::from_row_slice(rows.into(), columns.into(), &entries))
@@ -89,7 +90,7 @@ impl<D: Number> Value<D> {
     /// The name of the k-th entry in messages: `component 2`, `entry (1,3)`; `None` for a number.
     pub fn entry_name(shape: Shape, k: usize) -> Option<String> {
         match shape {
-            Shape::Scalar => None,
+            Shape::Scalar | Shape::Abstract => None,
             Shape::Vector => Some(format!("component {}", k + 1)),
             Shape::Complex => Some(if k == 0 { "real part" } else { "imaginary part" }.to_owned()),
             Shape::Matrix(_, columns) => Some(format!("entry ({},{})", k / columns + 1, k % columns + 1)),

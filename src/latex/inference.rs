@@ -19,10 +19,12 @@ use crate::formula::text;
 use super::layout::{Delimiter, Item, Layout};
 use super::names;
 use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
+use super::reader::structure;
 
 /// Records in an open symbol table what the items of a display show.
 pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
-    let mut evidence = Evidence { time: symbols.time.clone(), ..Evidence::default() };
+    let is_abstract = symbols.inferred.abstractly;
+    let mut evidence = Evidence { is_abstract, time: symbols.time.clone(), ..Evidence::default() };
     evidence.list(items);
     evidence.at_the_same_place();
     let Evidence { mut functions, primed, letters, differentials, variations, matrices, .. } = evidence;
@@ -43,16 +45,19 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
         }
     }
     let Inferred { said, .. } = &mut symbols.inferred;
-    if differentials.are_sure(2) {
+    if differentials.are_sure(if is_abstract { 1 } else { 2 }) {
         said.push("d before a letter is a differential".to_owned());
         symbols.inferred.differentials = true;
     }
     let Inferred { said, .. } = &mut symbols.inferred;
-    if variations.are_sure(1) {
+    if variations.are_sure(1) || is_abstract && !variations.names.is_empty() {
         said.push("δ before a letter is a variation".to_owned());
         symbols.inferred.variations = true;
     }
     symbols.inferred.matrices.extend(matrices);
+    if is_abstract {
+        structure::note(items, &mut symbols.inferred);
+    }
 }
 
 /// How often a mark such as d stands before a name, and alone.
@@ -79,6 +84,7 @@ impl Marks {
 
 #[derive(Default)]
 struct Evidence {
+    is_abstract: bool,
     time: Option<Name>,
     /// The functions, each with its arguments as they are printed where they are names.
     functions: Vec<(Name, Option<String>)>,
@@ -121,7 +127,7 @@ impl Evidence {
             }
             let d = matches!(&item.layout, Layout::Letter('d'));
             let upright = matches!(item.layout, Layout::Style(..)) && differential(item) == Some(1);
-            if (d || upright) && !in_integral {
+            if (d || upright) && (!in_integral || self.is_abstract) {
                 let rest = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
                 self.differentials.upright |= upright;
                 let is_alone = rest.and_then(|item| names::printed(item, None)).is_none();
@@ -150,6 +156,9 @@ impl Evidence {
 
     fn inside(&mut self, item: &Item) {
         match &item.layout {
+            // The label of a state.
+            Layout::Fence(Delimiter::Ket | Delimiter::Bra, _) => {}
+            Layout::Fence(Delimiter::Angle, inside) if inside.iter().any(|item| item.layout == Layout::Other('|')) => {}
             Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
             Layout::Fraction(above, below) => {
                 for part in [above, below] {
@@ -184,7 +193,9 @@ impl Evidence {
         let Some(found) = names::printed(item, None) else { return };
         let primes = found.name.primes;
         let name = Name { primes: 0, ..found.name };
-        if primes > 1 && !self.primed.contains(&name) {
+        // Two primes on a vector name another one as often.
+        let is_vector = ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| name.base.contains(mark));
+        if primes > 1 && !is_vector && !self.primed.contains(&name) {
             self.primed.push(name.clone());
         }
         let Some((delimiter, inside)) = next.and_then(fence) else { return };
@@ -202,7 +213,10 @@ impl Evidence {
         let plain: Option<Vec<String>> = arguments.iter().map(|argument| self.plain(argument)).collect();
         let is_zero =
             matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if whole_number(zero) == Some(0)));
-        let is_remainder = ["O", "\\mathcal{O}"].contains(&name.base.as_str());
+        // A function by its letter, whatever stands in the parenthesis.
+        let is_usual =
+            self.is_abstract && structure::is_function_letter(&name, inside) && delimiter == Delimiter::Round;
+        let is_remainder = is_usual || ["O", "\\mathcal{O}"].contains(&name.base.as_str());
         let is_call = match delimiter {
             Delimiter::Round => plain.is_some() || is_zero || arguments.len() > 1 || is_remainder,
             // `S[q]`, the value of a functional.

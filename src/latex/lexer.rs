@@ -55,7 +55,7 @@ pub enum Space {
 }
 
 /// Commands without meaning: style, sizes of delimiters, line breaking hints.
-const IGNORED: [&str; 28] = [
+const IGNORED: [&str; 31] = [
     "displaystyle",
     "textstyle",
     "scriptstyle",
@@ -84,10 +84,14 @@ const IGNORED: [&str; 28] = [
     "mathstrut",
     "relax",
     "normalsize",
+    "middle",
+    "mathop",
+    "mathrel",
 ];
 
 /// The tokens of a text.
 pub fn tokens(text: &str) -> Vec<Token> {
+    let mut in_norm = false;
     let mut tokens = Vec::with_capacity(text.len() / 2);
     let mut chars = text.char_indices().peekable();
     while let Some((start, c)) = chars.next() {
@@ -99,6 +103,13 @@ pub fn tokens(text: &str) -> Vec<Token> {
             '^' => TokenKind::Super,
             '\'' | '’' | '′' => TokenKind::Prime,
             '&' => TokenKind::Align,
+            // `||v||`, but not `|a||b|`
+            '|' if text[end..].starts_with('|') && (in_norm || opens(tokens.last())) => {
+                chars.next();
+                end += 1;
+                in_norm = !in_norm;
+                TokenKind::Command("\\|".to_owned())
+            }
             '~' => TokenKind::Space(Space::Thin),
             '\\' => match chars.peek().copied() {
                 Some((_, letter)) if letter.is_ascii_alphabetic() => {
@@ -123,7 +134,13 @@ pub fn tokens(text: &str) -> Vec<Token> {
                             while chars.next_if(|(at, _)| *at < end).is_some() {}
                             TokenKind::Row
                         }
-                        ',' | ';' | ':' | '>' | ' ' | '\n' | '\t' => TokenKind::Space(Space::Thin),
+                        // Three thin spaces are as wide as a `\quad`.
+                        ',' | ';' | ':' | '>' | ' ' | '\n' | '\t' => TokenKind::Space(match tokens.as_slice() {
+                            [.., a, b] if [a, b].iter().all(|token| matches!(token.kind, TokenKind::Space(_))) => {
+                                Space::Wide
+                            }
+                            _ => Space::Thin,
+                        }),
                         '!' | '/' => continue,
                         symbol => TokenKind::Command(format!("\\{symbol}")),
                     }
@@ -153,6 +170,16 @@ pub fn tokens(text: &str) -> Vec<Token> {
     tokens
 }
 
+/// Whether a formula begins after this token.
+fn opens(before: Option<&Token>) -> bool {
+    before.is_none_or(|token| match &token.kind {
+        TokenKind::Open | TokenKind::Align | TokenKind::Row | TokenKind::Space(_) => true,
+        TokenKind::Other(c) => ['=', '+', '-', '<', '>', '(', '[', ','].contains(c),
+        TokenKind::Command(name) => ["\\leq", "\\geq", "\\equiv", "\\left", "\\cdot"].contains(&name.as_str()),
+        _ => false,
+    })
+}
+
 /// One spelling for commands that are synonyms.
 fn spelling(name: &str) -> &str {
     match name {
@@ -171,8 +198,9 @@ fn spelling(name: &str) -> &str {
         "overline" => "bar",
         "widetilde" => "tilde",
         "bm" | "boldsymbol" | "pmb" | "symbf" | "mathbfit" => "mathbf",
-        "operatorname" | "mathrm" | "mathit" | "mathsf" | "textrm" | "textit" | "mathnormal" => "mathrm",
-        "mbox" | "hbox" | "textnormal" | "textup" => "text",
+        "operatorname" | "mathrm" | "mathit" | "mathsf" | "mathnormal" => "mathrm",
+        "bcancel" | "xcancel" => "cancel",
+        "textrm" | "textit" | "mbox" | "hbox" | "textnormal" | "textup" => "text",
         "intercal" => "top",
         "lbrace" => "{",
         "rbrace" => "}",
@@ -197,7 +225,7 @@ fn after_row_break(text: &str, mut end: usize) -> usize {
     end
 }
 
-/// The command for a Greek letter typed directly.
+/// The command for a Greek letter or a sign typed directly.
 fn greek(c: char) -> Option<&'static str> {
     Some(match c {
         'α' => "alpha",
@@ -232,6 +260,25 @@ fn greek(c: char) -> Option<&'static str> {
         'Φ' => "Phi",
         'Ψ' => "Psi",
         'Ω' => "Omega",
+        'ħ' | 'ℏ' => "hbar",
+        'ℓ' => "ell",
+        '∂' => "partial",
+        '∇' => "nabla",
+        '∞' => "infty",
+        '…' | '⋯' => "dots",
+        '→' => "rightarrow",
+        '⇒' | '⟹' => "Rightarrow",
+        '∑' => "sum",
+        '∏' => "prod",
+        '∫' => "int",
+        '∈' => "in",
+        '±' => "pm",
+        '∓' => "mp",
+        '†' => "dagger",
+        '⟨' => "langle",
+        '⟩' => "rangle",
+        '⊗' => "otimes",
+        '∝' => "propto",
         _ => return None,
     })
 }

@@ -24,13 +24,13 @@ pub struct Line {
 pub fn lines(text: &str, macros: &Macros) -> Vec<Line> {
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
     let mut rows_of: HashMap<usize, usize> = HashMap::new();
-    for (number, row) in rows(&items).iter().enumerate() {
+    for (number, row) in rows(&items, false).iter().enumerate() {
         rows_of.extend(row.items.iter().map(|item| (item.span.start, number)));
     }
     let row = |at: usize| rows_of.get(&at).copied();
     let span = |items: &[&Item]| items.iter().map(|item| item.span).reduce(Span::to);
     let mut found = Vec::new();
-    for piece in pieces(&items) {
+    for piece in pieces(&items, false) {
         let is_statement = piece.links.len() > 1 || piece.constant.is_some();
         let mut current: Option<(Line, Option<usize>)> = None;
         let mut before: Option<Span> = None;

@@ -31,6 +31,8 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
             [single] => printed(single, branch),
             _ => None,
         },
+        // What is struck out is no other name.
+        Layout::Accent(command, _) if command == "\\cancel" => None,
         Layout::Accent(command, inner) => {
             let mut inner = printed(inner, branch).filter(|inner| inner.sup.is_none())?;
             match overdots::order(command) {

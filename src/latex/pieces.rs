@@ -7,18 +7,26 @@
 use crate::formula::tree::Relation;
 use crate::source::{Fault, Span};
 
-use super::layout::{Delimiter, Item, Layout};
+use super::layout::{Delimiter, Item, Layout, latex};
 use super::lexer::Space;
 use super::names;
+use super::reader::items::contents;
+use super::reader::structure::is_prose;
 use super::rows::{Row, is_operator, is_sign, is_significant, relation, rows};
 
 /// The statements of a display.
-pub(super) fn pieces(items: &[Item]) -> Vec<Piece<'_>> {
+///
+/// In a display that is read for its structure, words are parts of their own, and what stands alone beside a comma is a part
+/// of a list.
+pub(super) fn pieces(items: &[Item], is_abstract: bool) -> Vec<Piece<'_>> {
     let mut pieces: Vec<Piece<'_>> = Vec::new();
-    for (at, row) in rows(items).into_iter().enumerate() {
-        split(row, at + 1, &mut pieces);
+    for (at, row) in rows(items, is_abstract).into_iter().enumerate() {
+        split(row, at + 1, &mut pieces, is_abstract);
     }
-    reject_lone_values(&mut pieces);
+    match is_abstract {
+        true => join_lists(&mut pieces),
+        false => reject_lone_values(&mut pieces),
+    }
     pieces
 }
 
@@ -31,6 +39,8 @@ pub(super) struct Piece<'a> {
     pub(super) row: usize,
     /// Why it cannot be read, whatever its items say.
     pub(super) fault: Option<Fault>,
+    /// The comma that separates it from the part before it.
+    comma: Option<&'a Item>,
 }
 
 /// The relation before a member and its place; `None` before the first.
@@ -43,7 +53,7 @@ pub(super) struct Link<'a> {
 
 impl Piece<'_> {
     fn new(row: usize) -> Self {
-        Piece { links: Vec::new(), constant: None, conditions: Vec::new(), row, fault: None }
+        Piece { links: Vec::new(), constant: None, conditions: Vec::new(), row, fault: None, comma: None }
     }
 
     /// Where it stands.
@@ -56,11 +66,12 @@ impl Piece<'_> {
 }
 
 /// Divides a row into statements and appends them.
-fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>) {
+fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstract: bool) {
     let mut current: Option<Piece<'a>> = None;
+    let mut comma: Option<&'a Item> = None;
     let mut starts_row = true;
     let mut at = 0;
-    let unclear = pieces.last().and_then(|before| unclear_continuation(&row, before, pieces));
+    let unclear = pieces.last().and_then(|before| unclear_continuation(&row, before, pieces, is_abstract));
     if continues(&row, pieces.last()) {
         current = pieces.pop();
     }
@@ -100,6 +111,16 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>) {
             at += 1;
             continue;
         }
+        if is_abstract && is_remark(&items, at) {
+            pieces.extend(current.take());
+            let mut remark = Piece::new(number);
+            remark.links.push(Link { relation: None, items: vec![item] });
+            pieces.push(remark);
+            comma = None;
+            starts_row = false;
+            at += 1;
+            continue;
+        }
         if separates(item) && !joins(&items, at) {
             // A wide space inside a statement is only layout: `a \quad = b`, `= 0 \quad \Rightarrow`.
             let relation_follows = items[at + 1..]
@@ -107,12 +128,21 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>) {
                 .find(|next| !matches!(next.layout, Layout::Space(_)))
                 .is_some_and(|next| relation(next).is_some());
             if !(is_wide && relation_follows) {
+                let ends = current.is_some();
                 close(&mut current);
+                comma = match item.layout {
+                    Layout::Other(',') if ends => Some(item),
+                    _ => None,
+                };
             }
             at += 1;
             continue;
         }
-        if let Some(span) = says_constant(item) {
+        let is_term = current
+            .as_ref()
+            .and_then(|piece| piece.links.last()?.items.iter().rev().find(is_significant))
+            .is_some_and(|item| is_operator(item));
+        if let Some(span) = says_constant(item).filter(|_| !is_term) {
             if let Some(piece) = &mut current {
                 piece.constant = Some(span);
                 if piece.links.last().is_some_and(|link| link.items.is_empty()) {
@@ -146,7 +176,7 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>) {
         if matches!(item.layout, Layout::Space(_)) && current.is_none() {
             continue;
         }
-        let piece = current.get_or_insert_with(|| Piece::new(number));
+        let piece = current.get_or_insert_with(|| Piece { comma: comma.take(), ..Piece::new(number) });
         if piece.links.is_empty() {
             piece.links.push(Link { relation: None, items: Vec::new() });
         }
@@ -185,7 +215,7 @@ fn continues(row: &Row<'_>, before: Option<&Piece<'_>>) -> bool {
 }
 
 /// The fault of a row that may continue the row before in more than one way, or be an equation of its own.
-fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>]) -> Option<Fault> {
+fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>], is_abstract: bool) -> Option<Fault> {
     let first = row.items.iter().find(is_significant).copied()?;
     let has_relation = row.items.iter().any(|item| relation(item).is_some());
     let starts_with_relation = relation(first).is_some();
@@ -196,7 +226,7 @@ fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>])
         );
     }
     let several = pieces.iter().filter(|piece| piece.row == before.row).count() > 1;
-    if several && (starts_with_relation || continues(row, Some(before))) {
+    if several && !is_abstract && (starts_with_relation || continues(row, Some(before))) {
         return Some(
             Fault::ambiguous(first.span, "this row may continue any statement of the row before")
                 .help("write the statements of that row on rows of their own"),
@@ -275,6 +305,61 @@ fn is_number_of_the_row(items: &[&Item], at: usize) -> bool {
     let after_space = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
     let is_last = items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
     is_number && after_space && is_last
+}
+
+/// Whether an item is words that stand between formulas, and no name: no operator or relation is beside it.
+fn is_remark(items: &[&Item], at: usize) -> bool {
+    let word = match &items[at].layout {
+        Layout::Text(word) => word.clone(),
+        Layout::Style(style, inner) if style == "\\mathrm" => {
+            let word = latex(contents(inner));
+            if !is_prose(&word) {
+                return false;
+            }
+            word
+        }
+        _ => return false,
+    };
+    // `\text{Tr}(A)` is a function.
+    let is_function = matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
+    if is_function && !is_prose(&word) {
+        return false;
+    }
+    let bound = |item: &&Item| is_operator(item) || relation(item).is_some();
+    let beside = |mut near: std::iter::Skip<std::slice::Iter<'_, &Item>>| {
+        near.find(is_significant).is_some_and(|item| bound(item))
+    };
+    let before = items[..at].iter().rev().find(is_significant).is_some_and(|item| bound(item));
+    !word.is_empty()
+        && says_constant(items[at]).is_none()
+        && !begins_condition(items[at])
+        && !before
+        && !beside(items.iter().skip(at + 1))
+}
+
+/// Joins what stands alone beside a comma with its neighbour: `i = 1, 2, 3` and `x, y > 0` have lists as members.
+fn join_lists(pieces: &mut Vec<Piece<'_>>) {
+    let is_whole = |piece: &Piece<'_>| piece.links.len() > 1 || piece.constant.is_some();
+    let mut joined: Vec<Piece<'_>> = Vec::with_capacity(pieces.len());
+    for mut here in std::mem::take(pieces) {
+        let fits = |before: &Piece<'_>| {
+            let is_plain = before.conditions.is_empty() && before.fault.is_none() && before.constant.is_none();
+            let is_part = !is_whole(&here) && here.conditions.is_empty() || !is_whole(before);
+            here.comma.is_some() && before.row == here.row && here.fault.is_none() && is_plain && is_part
+        };
+        let Some(before) = joined.last_mut().filter(|before| fits(before)) else {
+            joined.push(here);
+            continue;
+        };
+        if let (Some(last), false) = (before.links.last_mut(), here.links.is_empty()) {
+            last.items.extend(here.comma);
+            last.items.append(&mut here.links.remove(0).items);
+        }
+        before.links.append(&mut here.links);
+        before.conditions.append(&mut here.conditions);
+        before.constant = here.constant;
+    }
+    *pieces = joined;
 }
 
 /// Marks statements without a relation beside statements with one: the values of `i = 1, 2, 3`, the x of `x, y > 0`.

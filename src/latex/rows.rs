@@ -25,7 +25,9 @@ pub(super) struct Row<'a> {
 }
 
 /// The rows of a display, or of the `aligned` or `split` environment that is the whole display.
-pub(super) fn rows(items: &[Item]) -> Vec<Row<'_>> {
+///
+/// In a display that is read for its structure, such an environment may also be one row among others, or end a row.
+pub(super) fn rows(items: &[Item], is_abstract: bool) -> Vec<Row<'_>> {
     let significant: Vec<&Item> =
         items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','))).collect();
     let cells: Vec<Vec<Vec<&Item>>> = match significant.as_slice() {
@@ -39,7 +41,7 @@ pub(super) fn rows(items: &[Item]) -> Vec<Row<'_>> {
         }
         _ => items
             .split(|item| item.layout == Layout::Row)
-            .map(|row| row.split(|item| item.layout == Layout::Align).map(|cell| cell.iter().collect()).collect())
+            .flat_map(|row| if is_abstract { flattened(row) } else { vec![cells_of(row)] })
             .collect(),
     };
     let mut rows: Vec<Row<'_>> = Vec::with_capacity(cells.len());
@@ -52,6 +54,28 @@ pub(super) fn rows(items: &[Item]) -> Vec<Row<'_>> {
         };
         let follows_stop = rows.last().is_some_and(stop);
         rows.push(Row { items: side_by_side(cells), is_aligned, is_indented, follows_stop });
+    }
+    rows
+}
+
+fn cells_of(row: &[Item]) -> Vec<Vec<&Item>> {
+    row.split(|item| item.layout == Layout::Align).map(|cell| cell.iter().collect()).collect()
+}
+
+/// The rows of a row that ends with rows of its own.
+fn flattened(row: &[Item]) -> Vec<Vec<Vec<&Item>>> {
+    let is_blank = |item: &Item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','));
+    let end = row.iter().rposition(|item| !is_blank(item)).map_or(0, |at| at + 1);
+    let Some((Item { layout: Layout::Environment(name, inner), .. }, before)) = row[..end].split_last() else {
+        return vec![cells_of(row)];
+    };
+    if !matches!(name.trim_end_matches('*'), "aligned" | "split" | "gathered" | "alignedat" | "align" | "gather") {
+        return vec![cells_of(row)];
+    }
+    let mut rows: Vec<Vec<Vec<&Item>>> =
+        inner.iter().map(|cells| cells.iter().map(|cell| cell.iter().collect()).collect()).collect();
+    if let Some(first) = rows.first_mut().and_then(|row: &mut Vec<Vec<&Item>>| row.first_mut()) {
+        first.splice(0..0, before.iter().filter(|item| item.layout != Layout::Align));
     }
     rows
 }

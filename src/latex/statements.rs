@@ -29,8 +29,19 @@ pub struct Reading {
 /// The most times that a display is read again because its statements defined further names.
 const ROUNDS: usize = 8;
 
-/// Reads a display: the text between its delimiters.
+/// Reads a display: the text between its delimiters. A display that cannot be read is read again for its structure only, if
+/// the table allows it.
 pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
+    let first = symbols.may_be_abstract.then(|| symbols.clone());
+    let reading = read_once(text, symbols, macros);
+    let Some(mut again) = first.filter(|_| reading.statements.iter().any(Result::is_err)) else { return reading };
+    again.inferred.abstractly = true;
+    let found = read_once(text, &mut again, macros);
+    *symbols = again;
+    found
+}
+
+fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     let mut reading = Reading::default();
     let items = match typeset_items(text, macros) {
         Ok(items) => items,
@@ -44,7 +55,7 @@ pub fn read_display(text: &str, symbols: &mut Symbols, macros: &Macros) -> Readi
         symbols.inferred.active = true;
         infer(&items, symbols);
     }
-    let mut pieces = pieces(&items);
+    let mut pieces = pieces(&items, symbols.is_abstract());
     if symbols.open {
         without_ranges(&mut pieces);
     }
@@ -148,7 +159,14 @@ impl Piece<'_> {
         let mut conditions = Vec::new();
         for condition in &self.conditions {
             let items: Vec<Item> = condition.iter().map(|item| (*item).clone()).collect();
-            conditions.extend(Reader::new(symbols, branch).condition(&items, span)?.all(span)?);
+            let read = Reader::new(symbols, branch).condition(&items, span).and_then(|stated| stated.all(span));
+            match read {
+                Ok(found) => conditions.extend(found),
+                Err(_) if symbols.is_abstract() => {
+                    conditions.push(Reader::new(symbols, branch).unread_condition(&items, span))
+                }
+                Err(fault) => return Err(fault),
+            }
         }
         let mut unknown: Vec<Option<Unknown>> = Vec::with_capacity(links.len());
         let mut read: Vec<Option<(Expr, Type)>> = Vec::with_capacity(links.len());
@@ -166,7 +184,12 @@ impl Piece<'_> {
                 Some(_) => None,
                 None => {
                     let place = relation.map_or(span, |(_, span)| span);
-                    let expr = Reader::new(symbols, branch).sum(items, place)?;
+                    let mut reader = Reader::new(symbols, branch);
+                    let expr = match items.is_empty() && relation.is_none() == (at == 0) && reader.symbols.is_abstract()
+                    {
+                        true => reader.not_printed(place),
+                        false => reader.sum(items, place)?,
+                    };
                     Some(shape::bind(expr, symbols)?)
                 }
             });
@@ -203,7 +226,11 @@ impl Piece<'_> {
                     .into_iter()
                     .zip([&types[pair - 1], &types[pair]])
                     .all(|(member, of)| of.shape == Shape::Vector || member.is_zero());
-            if is_order && !differ && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar) {
+            if is_order
+                && !differ
+                && !symbols.is_abstract()
+                && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar)
+            {
                 let message = format!("“{}” needs a number on both sides", relation.glyph());
                 return Err(Fault::shape(place, message));
             }

@@ -3,8 +3,8 @@
 //! The text is unambiguous first, and short second. The argument of a function is in parentheses unless it is one
 //! angle. A thin space separates factors, and a product within a product keeps its parentheses.
 
-use crate::formula::symbols::Symbols;
-use crate::formula::text::APPLICATION;
+use crate::formula::symbols::{Operator, Symbols};
+use crate::formula::text::{APPLICATION, is_infix};
 use crate::formula::tree::{Branch, ComplexPart, Condition, Excluded, Expr, Index, Node, Sign};
 
 use super::names::{self, unaccented};
@@ -34,6 +34,7 @@ impl Typesetter<'_> {
             Node::Transpose(_) | Node::Inverse(_) | Node::Entry(..) | Node::Root(..) | Node::Matrix(_) => raised,
             Node::Component(..) => raised,
             Node::Symbol { id, .. } => raised && self.symbols.entry(*id).squared,
+            Node::Apply(id, _) => is_infix(*id, self.symbols),
             _ => false,
         };
         if enclose { format!("\\left({text}\\right)") } else { text }
@@ -56,6 +57,20 @@ impl Typesetter<'_> {
             [] => format!("{value} & \\text{{otherwise}}"),
             all => format!("{value} & {}", all.iter().map(condition).collect::<Vec<_>>().join(" \\text{ and } ")),
         }
+    }
+
+    /// A template with its arguments in the place of each #.
+    fn template(&self, template: &str, arguments: &[Expr]) -> String {
+        let template = template.trim_end_matches(APPLICATION);
+        let mut text = String::new();
+        for (at, piece) in template.split('#').enumerate() {
+            if let Some(argument) = at.checked_sub(1).and_then(|at| arguments.get(at)) {
+                let is_open = at == 1 && template.starts_with('#') || at == arguments.len() && template.ends_with('#');
+                text.push_str(&if is_open { self.factor(argument, true) } else { self.bare(argument) });
+            }
+            text.push_str(piece);
+        }
+        text
     }
 
     fn bare(&self, expr: &Expr) -> String {
@@ -106,6 +121,9 @@ impl Typesetter<'_> {
             Node::Root(2, a) => format!("\\sqrt{{{}}}", self.bare(a)),
             Node::Root(n, a) => format!("\\sqrt[{n}]{{{}}}", self.bare(a)),
             Node::Call(function, a) => format!("\\{}{}", function.name(), self.argument(a)),
+            Node::Apply(id, given) if self.symbols.entry(*id).operator == Some(Operator::Template) => {
+                self.template(&self.symbols.entry(*id).name.base, given)
+            }
             Node::Apply(id, arguments) => {
                 let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
                 let entry = self.symbols.entry(*id);

@@ -17,6 +17,8 @@ mod lecture;
 mod misreadings;
 #[path = "reading/particles.rs"]
 mod particles;
+#[path = "reading/structure.rs"]
+mod structure;
 
 use onshell::formula::symbols::Components;
 use onshell::formula::{Kind, SymbolId, Symbols, text};

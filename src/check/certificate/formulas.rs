@@ -184,7 +184,7 @@ impl<F: Modulus> Environment<Series<Modular<F>>> for RandomValues<'_, F> {
                 Value::of_matrix(DMatrix::from_fn(rows.into(), columns.into(), |_, _| Self::number(varies)))
             }
             Kind::Complex => Value::Complex(Complex { re: Self::number(varies), im: Self::number(varies) }),
-            Kind::Rotation => return Err(Unavailable::Symbol(id)),
+            Kind::Rotation | Kind::Abstract => return Err(Unavailable::Symbol(id)),
         };
         self.values.borrow_mut().insert((id, indices.to_vec()), value.clone());
         Ok(value)

@@ -353,6 +353,7 @@ fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, mode
             Kind::Matrix(rows as u8, columns as u8)
         }
         Shape::Complex => Kind::Complex,
+        Shape::Abstract => Kind::Abstract,
         Shape::Matrix(..) => {
             return Err(error(format!("the definition of {shown} is a matrix of an unknown size")));
         }

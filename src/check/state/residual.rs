@@ -234,7 +234,7 @@ pub fn pair<B: Number>(lhs: Value<B>, rhs: Value<B>) -> (Vec<B>, Vec<B>) {
     let (a, b) = (lhs.entries(), rhs.entries());
     let spread = |literal: B, shape: Shape| -> Vec<B> {
         match shape {
-            Shape::Scalar => vec![literal],
+            Shape::Scalar | Shape::Abstract => vec![literal],
             Shape::Vector => vec![literal; 3],
             Shape::Complex => vec![literal, B::zero()],
             Shape::Matrix(rows, columns) => {

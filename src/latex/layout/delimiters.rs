@@ -5,7 +5,12 @@ use super::item::Delimiter;
 
 /// Whether a token is the `|` that closes a fence opened by a `|`.
 pub(super) fn is_plain_bar(token: &Token, delimiter: Delimiter) -> bool {
-    delimiter == Delimiter::PlainBar && token.kind == TokenKind::Other('|')
+    let is_bar = match &token.kind {
+        TokenKind::Other('|') => true,
+        TokenKind::Command(name) => name == "\\vert",
+        _ => false,
+    };
+    delimiter == Delimiter::PlainBar && is_bar
 }
 
 /// The delimiter that a token opens after `\left`.

@@ -80,4 +80,41 @@ pub enum Delimiter {
     Angle,
     /// `\left. \right|`, the bar of an evaluation
     Evaluation,
+    /// `| \rangle`
+    Ket,
+    /// `\langle |`
+    Bra,
+    /// `[ )`
+    RightOpen,
+    /// `( ]`
+    LeftOpen,
+}
+
+/// The letters, digits and signs of an item, run together: the words of a `\text`, the name of an environment.
+pub(super) fn letters(item: &Item) -> String {
+    match &item.layout {
+        Layout::Letter(c) | Layout::Other(c) => c.to_string(),
+        Layout::Number(digits) => digits.clone(),
+        Layout::Group(items) | Layout::Fence(_, items) => items.iter().map(letters).collect(),
+        Layout::Style(_, inner) | Layout::Accent(_, inner) => letters(inner),
+        Layout::Command(name) => name.clone(),
+        Layout::Text(text) => text.clone(),
+        _ => String::new(),
+    }
+}
+
+/// Whether a length is that of a `\quad` or more: `1cm`, `6mm`, `2em`.
+pub(super) fn is_wide(length: &str) -> bool {
+    let digits = length.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(length.len());
+    let least = match &length[digits..] {
+        "cm" => 0.4,
+        "mm" => 4.0,
+        "em" => 1.0,
+        "ex" => 2.0,
+        "pt" => 10.0,
+        "mu" => 18.0,
+        "in" => 0.15,
+        _ => return false,
+    };
+    length[..digits].parse::<f64>().is_ok_and(|value| value >= least)
 }

@@ -1,6 +1,7 @@
 //! The typeset structure of a formula: groups, fences, fractions, scripts, accents, rows. Nothing has a meaning yet.
 //!
-//! `item` has the layout tree, `parser` builds it from tokens, `text` from a text with macros, and `delimiters` pairs what opens and closes.
+//! `item` has the layout tree, `parser` builds it from tokens, `text` from a text with macros; `delimiters` and
+//! `angles` pair what opens and closes, and `print` writes items as LaTeX again.
 //! [`layout`] cannot fail; what it does not understand becomes a [`Layout::Fault`] at its place.
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].
@@ -12,13 +13,20 @@
 //! meaning, with the declared symbols. So an error in one statement leaves the others readable, and every fault has
 //! its bytes. Both steps are bounded: groups nest 64 deep, and a formula has at most 2¹⁸ bytes.
 
+mod angles;
 mod delimiters;
 mod item;
 mod parser;
+#[cfg(feature = "notes")]
+mod print;
+#[cfg(test)]
+mod tests;
 #[cfg(feature = "notes")]
 mod text;
 
 pub use item::{Delimiter, Item, Layout};
 pub use parser::layout;
+#[cfg(feature = "notes")]
+pub(crate) use print::latex;
 #[cfg(feature = "notes")]
 pub(crate) use text::typeset_items;

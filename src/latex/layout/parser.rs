@@ -7,8 +7,9 @@ use crate::code::Code;
 use crate::source::{Fault, Span};
 
 use super::super::lexer::{Space, Token, TokenKind};
+use super::angles::{bars_before_angle, bra_length};
 use super::delimiters::{closing, is_plain_bar, opening};
-use super::item::{Delimiter, Item, Layout};
+use super::item::{Delimiter, Item, Layout, is_wide, letters};
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
 const DEEPEST: usize = 64;
@@ -26,7 +27,7 @@ enum Until {
 
 /// Gathers tokens into what is typeset; `length` is the length of the text, where faults of missing ends are put.
 pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
-    let mut parser = Parser { tokens, at: 0, depth: 0, length };
+    let mut parser = Parser { tokens, at: 0, depth: 0, length, angles: 0 };
     let mut items = parser.list(Until::End);
     while let Some(token) = parser.next() {
         items.push(fault(token.span, "this closes a group that was never opened"));
@@ -55,6 +56,8 @@ struct Parser<'a> {
     at: usize,
     depth: usize,
     length: usize,
+    /// Whether the list being read stands directly in angle brackets.
+    angles: usize,
 }
 
 impl<'a> Parser<'a> {
@@ -108,7 +111,8 @@ impl<'a> Parser<'a> {
             TokenKind::Other(')' | ']') => true,
             TokenKind::Command(name) => match name.as_str() {
                 "\\right" | "\\end" | "\\}" | "\\rvert" | "\\rVert" | "\\rangle" => true,
-                "\\|" => until == Until::Fence(Delimiter::DoubleBar),
+                "\\|" | "\\Vert" => until == Until::Fence(Delimiter::DoubleBar),
+                "\\vert" => until == Until::Fence(Delimiter::PlainBar),
                 _ => false,
             },
             _ => false,
@@ -119,7 +123,8 @@ impl<'a> Parser<'a> {
     fn scripted(&mut self, single_digit: bool) -> Item {
         let nucleus = match self.peek() {
             Some(token) if matches!(token.kind, TokenKind::Sub | TokenKind::Super | TokenKind::Prime) => {
-                fault(Span::at(token.span.start), "this subscript or superscript has no base")
+                // The reader says what is missing.
+                Item { layout: Layout::Group(Vec::new()), span: Span::at(token.span.start) }
             }
             _ => self.item(single_digit),
         };
@@ -225,6 +230,8 @@ impl<'a> Parser<'a> {
             TokenKind::Other('[') => return self.fence(Delimiter::Square, span),
             // `f|_{x=a}`: no bar that opens has a subscript.
             TokenKind::Other('|') if self.peek().is_some_and(|next| next.kind == TokenKind::Sub) => Layout::Other('|'),
+            // `\langle a | b \rangle`: a bar between brackets that is closed nowhere in them separates.
+            TokenKind::Other('|') if self.angles > 0 && !self.is_closed_bar() => Layout::Other('|'),
             TokenKind::Other('|') => return self.fence(Delimiter::PlainBar, span),
             TokenKind::Other(c) => Layout::Other(*c),
             TokenKind::Parameter(n) => return fault(span, format!("#{n} is allowed in a macro only")),
@@ -251,8 +258,17 @@ impl<'a> Parser<'a> {
         Item { layout: Layout::Number(digits), span: Span::new(span.start, end) }
     }
 
+    /// Whether the bar that was just read opens the bars of an absolute value, `\langle |x|^2 \rangle`.
+    fn is_closed_bar(&self) -> bool {
+        let follows_open =
+            self.at >= 2 && matches!(&self.tokens[self.at - 2].kind, TokenKind::Command(name) if name == "\\langle");
+        follows_open && bars_before_angle(&self.tokens[self.at..]) % 2 == 1
+    }
+
     fn group(&mut self, open: Span) -> Item {
+        let outer = std::mem::take(&mut self.angles);
         let items = self.list(Until::Brace);
+        self.angles = outer;
         match self.peek() {
             Some(token) if token.kind == TokenKind::Close => {
                 self.next();
@@ -271,7 +287,29 @@ impl<'a> Parser<'a> {
     }
 
     fn fence(&mut self, delimiter: Delimiter, open: Span) -> Item {
+        let outer = std::mem::replace(&mut self.angles, usize::from(delimiter == Delimiter::Angle));
+        if delimiter == Delimiter::Angle
+            && let Some(bar) = bra_length(&self.tokens[self.at..])
+        {
+            let label = layout(&self.tokens[self.at..self.at + bar], self.length);
+            self.angles = outer;
+            self.at += bar + 1;
+            return Item { layout: Layout::Fence(Delimiter::Bra, label), span: open.to(Span::at(self.previous_end())) };
+        }
         let items = self.list(Until::Fence(delimiter));
+        self.angles = outer;
+        let close = self.peek().map(|token| (token, closing(token)));
+        let is_pair = items.iter().filter(|item| item.layout == Layout::Other(',')).count() == 1;
+        let mixed = match (delimiter, close) {
+            (Delimiter::PlainBar, Some((_, Some(Delimiter::Angle)))) => Some(Delimiter::Ket),
+            (Delimiter::Round, Some((_, Some(Delimiter::Square)))) if is_pair => Some(Delimiter::LeftOpen),
+            (Delimiter::Square, Some((_, Some(Delimiter::Round)))) if is_pair => Some(Delimiter::RightOpen),
+            _ => None,
+        };
+        if let (Some(delimiter), Some((token, _))) = (mixed, close) {
+            self.next();
+            return Item { layout: Layout::Fence(delimiter, items), span: open.to(token.span) };
+        }
         match self.peek() {
             Some(token) if closing(token) == Some(delimiter) || is_plain_bar(token, delimiter) => {
                 self.next();
@@ -285,7 +323,9 @@ impl<'a> Parser<'a> {
                     Delimiter::Bar => "\\lvert",
                     Delimiter::PlainBar => "|",
                     Delimiter::DoubleBar => "\\|",
-                    Delimiter::Angle => "\\langle",
+                    Delimiter::Angle | Delimiter::Bra => "\\langle",
+                    Delimiter::Ket => "|",
+                    Delimiter::LeftOpen | Delimiter::RightOpen => "(",
                     Delimiter::Evaluation => "\\left.",
                 };
                 self.unclosed(open, glyph, items)
@@ -315,8 +355,21 @@ impl<'a> Parser<'a> {
                 };
                 Layout::Root(index, Box::new(self.argument(span)))
             }
-            "\\dot" | "\\ddot" | "\\dddot" | "\\vec" | "\\hat" | "\\bar" | "\\tilde" | "\\check" | "\\breve"
-            | "\\acute" | "\\grave" | "\\underline" => Layout::Accent(name.to_owned(), Box::new(self.argument(span))),
+            "\\dot"
+            | "\\ddot"
+            | "\\dddot"
+            | "\\vec"
+            | "\\hat"
+            | "\\bar"
+            | "\\tilde"
+            | "\\check"
+            | "\\breve"
+            | "\\acute"
+            | "\\grave"
+            | "\\underline"
+            | "\\cancel"
+            | "\\mathring"
+            | "\\overleftrightarrow" => Layout::Accent(name.to_owned(), Box::new(self.argument(span))),
             "\\mathbf" | "\\mathrm" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
                 Layout::Style(name.to_owned(), Box::new(self.argument(span)))
             }
@@ -328,11 +381,33 @@ impl<'a> Parser<'a> {
                 self.argument(span);
                 Layout::Space(Space::Thin)
             }
+            "\\substack" | "\\ensuremath" | "\\mathclap" | "\\smash" => {
+                return self.argument(span);
+            }
+            "\\hspace" | "\\mspace" => Layout::Space(match is_wide(&letters(&self.argument(span))) {
+                true => Space::Wide,
+                false => Space::Thin,
+            }),
+            "\\phantom" | "\\hphantom" | "\\vphantom" | "\\vspace" => {
+                self.argument(span);
+                Layout::Space(Space::Thin)
+            }
+            "\\xrightarrow" | "\\xleftarrow" | "\\xleftrightarrow" => {
+                if self.peek().is_some_and(|next| next.kind == TokenKind::Other('[')) {
+                    self.next();
+                    self.list(Until::Bracket);
+                    self.next();
+                }
+                self.argument(span);
+                Layout::Command(format!("\\{}", &name[2..]))
+            }
             "\\left" => return self.left(span),
             "\\begin" => return self.environment(span),
             "\\{" => return self.fence(Delimiter::Curly, span),
+            "\\vert" | "\\mid" if self.angles > 0 => Layout::Other('|'),
             "\\lvert" => return self.fence(Delimiter::Bar, span),
-            "\\|" | "\\lVert" => return self.fence(Delimiter::DoubleBar, span),
+            "\\vert" => return self.fence(Delimiter::PlainBar, span),
+            "\\|" | "\\lVert" | "\\Vert" => return self.fence(Delimiter::DoubleBar, span),
             "\\langle" => return self.fence(Delimiter::Angle, span),
             _ => Layout::Command(name.to_owned()),
         };
@@ -344,7 +419,9 @@ impl<'a> Parser<'a> {
             return fault(span, "\\left needs a delimiter");
         };
         let opening = opening(token);
+        let outer = std::mem::replace(&mut self.angles, usize::from(opening == Some(Delimiter::Angle)));
         let items = self.list(Until::Right);
+        self.angles = outer;
         match self.peek() {
             Some(right) if right.kind == TokenKind::Command("\\right".into()) => self.next(),
             _ => return self.unclosed(span, "\\left", items),
@@ -362,6 +439,18 @@ impl<'a> Parser<'a> {
         }
         match (opening, closing(close)) {
             (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
+            (Some(Delimiter::Bar), Some(Delimiter::Angle)) => {
+                Item { layout: Layout::Fence(Delimiter::Ket, items), span: whole }
+            }
+            (Some(Delimiter::Angle), Some(Delimiter::Bar)) => {
+                Item { layout: Layout::Fence(Delimiter::Bra, items), span: whole }
+            }
+            (Some(Delimiter::Round), Some(Delimiter::Square)) => {
+                Item { layout: Layout::Fence(Delimiter::LeftOpen, items), span: whole }
+            }
+            (Some(Delimiter::Square), Some(Delimiter::Round)) => {
+                Item { layout: Layout::Fence(Delimiter::RightOpen, items), span: whole }
+            }
             (None, Some(Delimiter::Bar)) if token.kind == TokenKind::Other('.') => {
                 Item { layout: Layout::Fence(Delimiter::Evaluation, items), span: whole }
             }
@@ -402,56 +491,5 @@ impl<'a> Parser<'a> {
             rows.pop();
         }
         Item { layout: Layout::Environment(name, rows), span: span.to(Span::at(self.previous_end())) }
-    }
-}
-
-/// The letters, digits and signs of an item, run together: the words of a `\text`, the name of an environment.
-fn letters(item: &Item) -> String {
-    match &item.layout {
-        Layout::Letter(c) | Layout::Other(c) => c.to_string(),
-        Layout::Number(digits) => digits.clone(),
-        Layout::Group(items) | Layout::Fence(_, items) => items.iter().map(letters).collect(),
-        Layout::Style(_, inner) | Layout::Accent(_, inner) => letters(inner),
-        Layout::Command(name) => name.clone(),
-        Layout::Text(text) => text.clone(),
-        _ => String::new(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::super::lexer::tokens;
-    use super::*;
-
-    fn faults(text: &str) -> usize {
-        format!("{:?}", layout(&tokens(text), text.len())).matches("Fault(Fault").count()
-    }
-
-    #[test]
-    fn braceless_arguments_take_one_token() {
-        let items = layout(&tokens("\\frac12m"), 8);
-        assert_eq!(items.len(), 2);
-        assert!(matches!(&items[0].layout, Layout::Fraction(a, b)
-            if a.layout == Layout::Number("1".into()) && b.layout == Layout::Number("2".into())));
-    }
-
-    #[test]
-    fn what_is_open_must_be_closed() {
-        assert_eq!(faults("\\left(a+b\\right)"), 0);
-        for text in ["(a+b", "a)", "{a", "\\left(a", "\\frac1", "|a", "\\begin{pmatrix}a", "x^", "x^1^2"] {
-            assert!(faults(text) > 0, "{text}");
-        }
-    }
-
-    #[test]
-    fn nesting_without_braces_is_nesting() {
-        assert_eq!(faults(&format!("{}x", "\\sqrt".repeat(100_000))), 1);
-        assert_eq!(faults("\\sqrt\\dot x"), 0);
-    }
-
-    #[test]
-    fn a_hundred_thousand_braces_are_one_fault() {
-        assert_eq!(faults(&"{".repeat(100_000)), 1);
-        assert_eq!(faults(&"(".repeat(100_000)), 1);
     }
 }

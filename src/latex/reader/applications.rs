@@ -16,7 +16,7 @@
 //! any parenthesis.
 
 use crate::formula::SymbolId;
-use crate::formula::symbols::{Entry, Name};
+use crate::formula::symbols::{Entry, Kind, Name};
 use crate::formula::tree::{Expr, Sign};
 use crate::source::{Fault, Span};
 
@@ -45,6 +45,11 @@ impl Reader<'_> {
         cursor: &mut usize,
     ) -> Read<Expr> {
         let span = expr.span;
+        if self.is_abstract()
+            && let Some(found) = self.applied_as_printed(&expr, id, sup, items, cursor)?
+        {
+            return Ok(found);
+        }
         match items.get(*cursor) {
             // `x(t)^2` is the square of x.
             Some(Item { layout: Layout::Scripts { nucleus, sub: None, sup: Some(above), primes: 0 }, .. })
@@ -54,13 +59,77 @@ impl Reader<'_> {
                 return self.raised(expr, above, span);
             }
             Some(next) if self.is_argument(next, id) => *cursor += 1,
-            Some(next) => self.is_a_product(id, span, next)?,
+            Some(next) => match self.is_a_product(id, span, next) {
+                // `V(1/u)` is shown as it is printed; nobody puts a single factor in parentheses.
+                Err(_) if self.is_abstract() && sup.is_none() && self.is_single_term(next) => {
+                    let argument = self.item(next)?;
+                    *cursor += 1;
+                    let whole = span.to(argument.span);
+                    return Ok(self.template("#(#)", vec![expr, argument], whole));
+                }
+                found => found?,
+            },
             None => {}
         }
         match sup {
             Some(sup) => self.raised(expr, sup, span),
             None => Ok(expr),
         }
+    }
+
+    /// In a display that is read for its structure: a name before a lone name, a 0 or a list in parentheses is shown with
+    /// its arguments, and a power before a product in parentheses is no function.
+    fn applied_as_printed(
+        &mut self,
+        expr: &Expr,
+        id: SymbolId,
+        sup: Option<&Item>,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Option<Expr>> {
+        let Some((fence, inside)) = items.get(*cursor).and_then(parenthesis) else { return Ok(None) };
+        let is_comma = |item: &&Item| matches!(item.layout, Layout::Other(',' | ';'));
+        let is_place = |item: &&Item| self.lone_name(item).is_some() || is_comma(item) || is_zero(item);
+        let is_list = inside.len() == 1 || inside.iter().any(is_comma);
+        let entry = self.symbols.entry(id);
+        // `y[p_z, z]` has a commutator in it.
+        let is_pair = !matches!(fence.layout, Layout::Fence(Delimiter::Round, _)) && inside.iter().any(is_comma);
+        let is_plain = ["\\pi", "e", "d"].contains(&entry.name.base.as_str());
+        let is_call =
+            is_list && inside.iter().all(is_place) && matches!(fence.layout, Layout::Fence(Delimiter::Round, _));
+        let is_vector = entry.kind == Kind::Vector || entry.kind == Kind::Abstract;
+        let has_operator = inside.iter().any(|item| {
+            matches!(&item.layout, Layout::Command(name) if ["\\nabla", "\\cdot", "\\times"].contains(&name.as_str()))
+        });
+        let is_product =
+            is_pair || sup.is_some() && !is_function(entry) && inside.len() > 1 || is_vector && has_operator;
+        let named = match sup {
+            _ if is_plain || !is_call && !is_product => return Ok(None),
+            Some(sup) => self.raised(expr.clone(), sup, expr.span)?,
+            None => expr.clone(),
+        };
+        if is_product {
+            return Ok(Some(named));
+        }
+        let Layout::Fence(_, given) = &fence.layout else { return Ok(None) };
+        let span = expr.span.to(fence.span);
+        let mut arguments = vec![named];
+        for argument in given.split(|item| matches!(item.layout, Layout::Other(',' | ';'))) {
+            arguments.push(self.sum(argument, span)?);
+        }
+        let holes = vec!["#"; arguments.len() - 1].join(", ");
+        let applied = self.template(&format!("#({holes})"), arguments, span);
+        *cursor += 1;
+        match &items[*cursor - 1].layout {
+            Layout::Scripts { sup: Some(above), .. } => self.raised(applied, above, span).map(Some),
+            _ => Ok(Some(applied)),
+        }
+    }
+
+    /// Whether a parenthesis, without a script, holds one term.
+    fn is_single_term(&self, next: &Item) -> bool {
+        let Layout::Fence(Delimiter::Round, inside) = &next.layout else { return false };
+        !inside.is_empty() && !inside.iter().skip(1).any(|item| self.is_sign(item) || relation_or_comma(item))
     }
 
     /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.
@@ -218,6 +287,14 @@ fn is_function(entry: &Entry) -> bool {
     let is_ornate =
         ["\\mathcal{", "\\mathscr{", "\\mathbb{", "\\mathfrak{"].iter().any(|style| base.starts_with(style));
     entry.name.primes > 0 || FUNCTIONS.contains(&base) || is_ornate
+}
+
+fn relation_or_comma(item: &Item) -> bool {
+    matches!(item.layout, Layout::Other(',' | ';' | '=' | '<' | '>' | ':' | '|'))
+}
+
+fn is_zero(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Number(digits) if digits == "0")
 }
 
 /// Whether an item is a part of a number: digits, π, a sign, a fraction of numbers.

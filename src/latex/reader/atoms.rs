@@ -12,10 +12,21 @@ use super::super::overdots;
 use super::algebra::evidence::is_matrix;
 use super::items::{contents, is_number, starts_differential, whole_number};
 use super::state::{Read, Reader, unknown_command};
+use super::structure::is_material;
 
 impl Reader<'_> {
     /// A single item as a formula.
     pub(super) fn item(&mut self, item: &Item) -> Read<Expr> {
+        match self.is_abstract() && names::printed(item, self.branch).is_none() {
+            true => match self.abstract_item(item)? {
+                Some(found) => Ok(found),
+                None => self.plain_item(item),
+            },
+            false => self.plain_item(item),
+        }
+    }
+
+    fn plain_item(&mut self, item: &Item) -> Read<Expr> {
         let span = item.span;
         if let Some(printed) = names::printed(item, self.branch) {
             return self.symbol(span, printed, &[], &mut 0);
@@ -29,6 +40,9 @@ impl Reader<'_> {
             return Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span));
         }
         match &item.layout {
+            Layout::Scripts { nucleus, .. } if nucleus.layout == Layout::Group(Vec::new()) => {
+                Err(Fault::new(span, "this subscript or superscript has no base"))
+            }
             Layout::Fault(fault) => Err(fault.clone()),
             Layout::Number(digits) => {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {
@@ -43,10 +57,15 @@ impl Reader<'_> {
                 if let Some(operator) = self.operator(numerator, denominator, span)? {
                     return self.apply(&operator, &[], &mut 0);
                 }
-                let is_element = self.symbols.infers()
-                    && self.symbols.inferred.differentials
-                    && !starts_differential(denominator)
-                    && !matches!(&contents(numerator)[0].layout, Layout::Command(name) if name == "\\partial");
+                if self.symbols.infers() && is_material(numerator, denominator) {
+                    return Err(Fault::unsupported(span, "the derivative D/Dt along a flow has no value here")
+                        .help("write \\frac{\\partial}{\\partial t} + \\vec u \\cdot \\nabla"));
+                }
+                let is_element = self.is_abstract()
+                    || self.symbols.infers()
+                        && self.symbols.inferred.differentials
+                        && !starts_differential(denominator)
+                        && !matches!(&contents(numerator)[0].layout, Layout::Command(name) if name == "\\partial");
                 if !is_element && (starts_differential(numerator) || starts_differential(denominator)) {
                     return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
                 }
@@ -175,7 +194,12 @@ impl Reader<'_> {
                 }
                 Ok(Expr::new(Node::Norm(Box::new(inner)), span))
             }
-            Delimiter::Angle => Err(Fault::unsupported(span, "angle brackets are not supported")),
+            Delimiter::Angle | Delimiter::Ket | Delimiter::Bra => {
+                Err(Fault::unsupported(span, "states and mean values in angle brackets have no value here"))
+            }
+            Delimiter::RightOpen | Delimiter::LeftOpen => {
+                Err(Fault::unsupported(span, "an interval is not supported here").help("write 0 \\le x < 1"))
+            }
             Delimiter::Evaluation => {
                 Err(Fault::unsupported(span, "the bar of an evaluation needs its place, as in \\right|_{x=a}"))
             }
@@ -238,6 +262,14 @@ impl Reader<'_> {
         }
     }
 
+    /// A cell of a matrix; an empty one is shown as such.
+    fn cell(&mut self, cell: &[Item], span: Span) -> Read<Expr> {
+        match cell.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
+            true if self.is_abstract() => Ok(self.label(&[], span)),
+            _ => self.sum(cell, span),
+        }
+    }
+
     fn matrix(&mut self, name: &str, rows: &[Vec<Vec<Item>>], span: Span) -> Read<Expr> {
         match name {
             "vmatrix" | "Vmatrix" => {
@@ -247,18 +279,20 @@ impl Reader<'_> {
             _ if is_matrix(name) => {
                 for (at, row) in rows.iter().enumerate() {
                     let empty = |cell: &Vec<Item>| cell.iter().all(|item| matches!(item.layout, Layout::Space(_)));
-                    if let Some(column) = row.iter().position(empty) {
+                    if let (Some(column), false) = (row.iter().position(empty), self.is_abstract()) {
                         let place = row.iter().flatten().map(|item| item.span).reduce(Span::to).unwrap_or(span);
                         let message = format!("row {} of this matrix is empty in column {}", at + 1, column + 1);
                         return Err(Fault::new(place, message).help("write 0 there, or remove an &"));
                     }
                 }
                 let rows: Read<Vec<Vec<Expr>>> =
-                    rows.iter().map(|row| row.iter().map(|cell| self.sum(cell, span)).collect()).collect();
+                    rows.iter().map(|row| row.iter().map(|cell| self.cell(cell, span)).collect()).collect();
                 let rows = rows?;
                 match rows.iter().find(|row| row.len() != rows[0].len()) {
-                    Some(_) => Err(Fault::shape(span, "the rows of this matrix have different lengths")),
-                    None => Ok(Expr::new(Node::Matrix(rows), span)),
+                    Some(_) if !self.is_abstract() => {
+                        Err(Fault::shape(span, "the rows of this matrix have different lengths"))
+                    }
+                    _ => Ok(Expr::new(Node::Matrix(rows), span)),
                 }
             }
             _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),

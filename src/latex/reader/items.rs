@@ -40,7 +40,11 @@ pub(super) fn joint(item: &Item) -> Option<Joint> {
 /// The items inside a group, or the item itself.
 pub(in super::super) fn contents(item: &Item) -> &[Item] {
     match &item.layout {
-        Layout::Group(items) => items,
+        // `\frac{{\partial S}}{{\partial N}}`
+        Layout::Group(items) => match items.as_slice() {
+            [only @ Item { layout: Layout::Group(_), .. }] => contents(only),
+            _ => items,
+        },
         _ => std::slice::from_ref(item),
     }
 }
@@ -156,6 +160,21 @@ pub(in super::super) fn differential(item: &Item) -> Option<u32> {
         _ if is_d(item) => Some(1),
         _ => None,
     }
+}
+
+/// `d^n`, `d^{3N}`: a differential of so many dimensions.
+pub(super) fn differential_of_many(item: &Item) -> Option<String> {
+    let Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } = &item.layout else { return None };
+    let is_dimension = |item: &Item| {
+        matches!(item.layout, Layout::Number(_))
+            || ["n", "N", "d", "D", "k"].iter().any(|c| item.layout == Layout::Letter(c.chars().next().unwrap_or(' ')))
+    };
+    let letters = contents(sup);
+    (differential(nucleus) == Some(1)
+        && !letters.is_empty()
+        && letters.iter().all(is_dimension)
+        && whole_number(sup).is_none())
+    .then(|| format!("d^{{{}}}", super::super::layout::latex(letters)))
 }
 
 /// Whether a numerator or denominator begins with a d and goes on: `dx`, `\partial L`.

@@ -19,6 +19,7 @@
 //! | `state` | the reader itself: symbol table, branch of ±, open sums |
 //! | `items` | predicates on layout items |
 //! | `undeclared` | in formulas without declarations: functions, sums, integrals, ∇, bars |
+//! | `structure` | in displays with operators, tensors or states: what has no value |
 //!
 //! The grammar is recursive, hence all of them are methods of one `Reader`; each file imports only `state` and `items`.
 //!
@@ -59,6 +60,7 @@ mod integrals;
 pub(super) mod items;
 mod partial_derivatives;
 mod state;
+pub(super) mod structure;
 mod sums;
 mod superscripts;
 mod symbols;

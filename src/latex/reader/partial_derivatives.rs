@@ -156,6 +156,11 @@ impl Reader<'_> {
         if mark(nucleus) != Some((Mark::Partial, 1)) {
             return Ok(None);
         }
+        if self.symbols.infers() && is_index(sub) {
+            return Err(Fault::unsupported(item.span, "∂ with an index has no value here").help(
+                "write \\frac{\\partial}{\\partial x}, or leave the equation out with \"skip\" in the claims file",
+            ));
+        }
         let by = (&**sub, self.variable(sub)?);
         *cursor += 1;
         let operand = self.operand_of_partial(item.span, items, cursor)?;
@@ -368,6 +373,17 @@ impl Reader<'_> {
             }
         }
         found
+    }
+}
+
+/// Whether a subscript of ∂ is a usual index, and no variable.
+fn is_index(sub: &Item) -> bool {
+    let letters =
+        ["\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda", "\\alpha", "\\beta", "\\kappa", "i", "j", "k", "a", "b"];
+    match contents(sub) {
+        [Item { layout: Layout::Number(_), .. }] => true,
+        [only] => names::printed(only, None).is_some_and(|found| letters.contains(&found.name.base.as_str())),
+        _ => false,
     }
 }
 

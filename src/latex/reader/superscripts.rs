@@ -21,7 +21,17 @@ impl Reader<'_> {
         if let Some(found) = found {
             return Ok(found);
         }
-        self.is_a_power(&base, sup, span)?;
+        let is_power = self.is_a_power(&base, sup, span);
+        let no_power = shape == Shape::Vector && whole_number(sup) != Some(2);
+        let is_index = self.is_abstract()
+            && (self.symbols.inferred.has_tensors && self.is_index(sup) || matches!(whole_number(sup), Some(0 | 1)));
+        if self.is_abstract() && (is_power.is_err() || no_power || is_index) {
+            return match self.marked(&base, sup, span)? {
+                Some(found) => Ok(found),
+                None => is_power.and_then(|()| Err(mark(sup.span))),
+            };
+        }
+        is_power?;
         let boxed = Box::new(base);
         if shape == Shape::Vector && whole_number(sup) == Some(2) {
             return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));

@@ -7,7 +7,7 @@ use crate::suggest::declaration;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{differential, is_minus_one, is_transpose, whole_number};
+use super::items::{differential, differential_of_many, is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -26,7 +26,10 @@ impl Reader<'_> {
         }
         if name.base == "e" || name.base == "\\mathrm{e}" {
             let declared = self.symbols.find(name).is_some();
-            if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots) {
+            let is_power = |sup: &Item| self.symbols.inferred.charge && is_figure(sup);
+            if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots)
+                && !is_power(sup)
+            {
                 if name.base == "e" && is_figure(sup) {
                     return Err(Fault::ambiguous(
                         span,
@@ -42,7 +45,17 @@ impl Reader<'_> {
                 let euler = Expr::new(Node::Euler, span);
                 return Ok(Expr::new(Node::Power(Box::new(euler), Box::new(exponent)), span));
             }
-            let is_eccentricity = self.symbols.open && name.base == "e" && items.get(*cursor).is_some_and(is_cosine);
+            if let (true, false, Some(sup)) = (self.is_abstract(), declared, printed.sup)
+                && name.base == "e"
+                && is_figure(sup)
+                && !self.symbols.inferred.charge
+            {
+                return Err(Fault::ambiguous(span, "e^2 may be the exponential exp(2) or the square of a symbol e")
+                    .help("write \\exp(2) for the exponential; for a charge, use a letter such as q"));
+            }
+            let is_charge = self.symbols.inferred.charge && name.base == "e";
+            let is_eccentricity =
+                is_charge || self.symbols.open && name.base == "e" && items.get(*cursor).is_some_and(is_cosine);
             if !declared && name.subscript.is_empty() && !is_eccentricity {
                 return Err(Fault::ambiguous(span, "e may be Euler’s number, 2.718…, or a symbol")
                     .help(format!("write \\exp(1) for the number, or {}", declaration("e", 0))));
@@ -179,7 +192,11 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, format!("{name} may be a sum, a product or a symbol"))
                 .help("write \\sum_i or \\prod_i for the operation, and put a thin space \\, after a symbol"));
         }
-        if !is_bound && name.subscript.is_empty() && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str()) {
+        if !is_bound
+            && !self.is_abstract_index(name)
+            && name.subscript.is_empty()
+            && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str())
+        {
             return Err(Fault::ambiguous(span, "i may be √−1 or a symbol").help(
                 "for √−1 write \\mathrm{i}, or declare i as \"imaginary unit\" in a claims file; for a symbol, use another letter",
             ));
@@ -187,6 +204,13 @@ impl Reader<'_> {
         if name.base == "j" && name.subscript.is_empty() && items.get(*cursor).is_some_and(mentions_a_frequency) {
             return Err(Fault::ambiguous(span, "j before a frequency may be √−1 or a symbol")
                 .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file"));
+        }
+        if self.is_abstract() && name.base.starts_with("\\mathrm{") {
+            let symbol = self.valueless(name.clone(), printed.dots, span)?;
+            return match printed.sup {
+                Some(sup) => self.raised(symbol, sup, span),
+                None => Ok(symbol),
+            };
         }
         if name.base.starts_with("\\mathrm{") {
             return Err(Fault::ambiguous(span, format!("{name} may be a unit, a word or a symbol")).help(
@@ -198,19 +222,31 @@ impl Reader<'_> {
             || self.symbols.inferred.letters.contains(&Name { primes: 0, ..name.clone() });
         let other =
             [0, 1].map(twin).into_iter().find(|twin| twin.primes != name.primes && self.symbols.find(twin).is_some());
-        if name.primes > 1 || other.is_some() && !is_other {
+        let is_vectorial = ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.contains(mark));
+        let has_matrices = self.symbols.inferred.has_transposes || self.symbols.inferred.has_tensors;
+        let is_named = self.is_abstract() && (is_vectorial || has_matrices);
+        if !is_named && (name.primes > 1 || other.is_some() && !is_other) {
             return Err(Fault::ambiguous(span, "a prime may be a derivative or a part of a name").help(
                 "write \\dot x or \\frac{dx}{dt} for a derivative by the time; for another symbol use \\tilde x or x_1",
             ));
         }
         // A hat on another letter marks an operator as often as a direction.
         let has_hat = name.base.starts_with("\\hat{");
+        let is_operator = has_hat && self.symbols.inferred.has_operators;
         let is_vector = self.markup_of_a_vector(name)
+            && !is_operator
             && (!has_hat
                 || is_unit_vector(&name.base)
                 || name.base.contains("\\vec{")
                 || name.base.contains("\\mathbf{"));
         let has_markup = ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark));
+        if !is_vector && has_markup && self.is_abstract() {
+            let symbol = self.valueless(name.clone(), printed.dots, span)?;
+            return match printed.sup {
+                Some(sup) => self.raised(symbol, sup, span),
+                None => Ok(symbol),
+            };
+        }
         if !is_vector && has_markup {
             return Err(Fault::ambiguous(span, format!("{name} may be an operator, a unit vector or a number"))
                 .help("operators are not supported; declare vectors in a claims file"));
@@ -229,6 +265,11 @@ impl Reader<'_> {
         self.symbols.entry_mut(id).hidden = is_bound;
         let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: printed.dots }, span);
         self.applied(symbol, id, printed.sup, items, cursor)
+    }
+
+    /// Whether a letter is an index in a display that is read for its structure.
+    fn is_abstract_index(&self, name: &Name) -> bool {
+        self.is_abstract() && self.symbols.inferred.index_letters.contains(&name.base)
     }
 
     /// Whether the markup of a name makes it a vector: an arrow, bold type, a hat over a small letter.
@@ -299,6 +340,8 @@ impl Reader<'_> {
     pub(super) fn compound(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
         let Some(first) = items.get(*cursor) else { return Ok(None) };
         let order = differential(first).filter(|_| self.symbols.infers() && self.symbols.inferred.differentials);
+        let many = differential_of_many(first).filter(|_| self.is_abstract());
+        let order = order.or(many.as_ref().map(|_| 0));
         if let Some(varied) = self.varied(items, cursor)? {
             return Ok(Some(varied));
         }
@@ -310,6 +353,7 @@ impl Reader<'_> {
             return Ok(None);
         };
         let command = match (&first.layout, order) {
+            (_, Some(0)) => many.unwrap_or_default(),
             (_, Some(1)) => "d".to_owned(),
             (_, Some(order)) => format!("d^{{{order}}}"),
             (Layout::Command(command), None) => command.clone(),
@@ -322,7 +366,7 @@ impl Reader<'_> {
             // A parenthesis after a differential is another factor: `dx (a + b)`.
             return self.symbol(first.span.to(second.span), printed, &[], &mut 0).map(Some);
         }
-        if self.symbols.find(&Name::plain(command)).is_some() {
+        if self.symbols.find(&Name::plain(command)).is_some() && !self.is_abstract() {
             return Ok(None);
         }
         if command == "\\delta" && self.symbols.open && !self.symbols.inferred.variations {

@@ -1,7 +1,5 @@
 //! Sums, the terms of a sum, and the factors of a term with the operators between them.
 
-use std::collections::{HashMap, HashSet};
-
 use crate::formula::shape::Shape;
 use crate::formula::symbols::{Entry, Kind};
 use crate::formula::tree::{Expr, Node, Sign, Term};
@@ -21,7 +19,17 @@ impl Reader<'_> {
     /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
     pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
         let whole = extent(items).unwrap_or(end);
-        are_no_words(items, self.symbols.open)?;
+        are_no_words(items, self.symbols.open, self.is_abstract())?;
+        if self.is_abstract()
+            && let Some(found) = self.infix(items, whole)?
+        {
+            return Ok(found);
+        }
+        if self.is_abstract()
+            && let Some(found) = self.extremum(items, whole)?
+        {
+            return Ok(found);
+        }
         let mut terms: Vec<Term> = Vec::new();
         let mut at = 0;
         let mut pending: Option<(Sign, Span)> = None;
@@ -95,6 +103,11 @@ impl Reader<'_> {
     /// A term: factors and the operators between them; all of `items`.
     pub(super) fn term(&mut self, items: &[Item]) -> Read<Expr> {
         let whole = extent(items).unwrap_or_default();
+        if self.is_abstract()
+            && let Some(found) = self.infix_product(items, whole)?
+        {
+            return Ok(found);
+        }
         // Factors between one `\cdot` or `\times` and the next stand side by side.
         let mut runs: Vec<(Joint, Vec<Expr>)> = vec![(Joint::Beside, Vec::new())];
         let mut next = Joint::Beside;
@@ -138,6 +151,22 @@ impl Reader<'_> {
             }
             if let (true, Some(limits)) = (self.symbols.infers(), bar(item)) {
                 match runs.as_mut_slice() {
+                    // A bar with two limits belongs to all before it.
+                    [(_, run)] if self.is_abstract() && limits.0.is_some() && limits.1.is_some() && !run.is_empty() => {
+                        let inner = beside(std::mem::take(run));
+                        let span = inner.span.to(item.span);
+                        run.push(self.evaluated(inner, limits, span)?);
+                        cursor += 1;
+                        continue;
+                    }
+                    // The bar of a derivative.
+                    [.., (_, run)] if self.is_abstract() && cursor > 0 && is_fraction(&items[cursor - 1]) => {
+                        let Some(inner) = run.pop() else { continue };
+                        let span = inner.span.to(item.span);
+                        run.push(self.evaluated(inner, limits, span)?);
+                        cursor += 1;
+                        continue;
+                    }
                     [(_, run)] if run.len() == 1 => {
                         let inner = run.remove(0);
                         let span = inner.span.to(item.span);
@@ -157,6 +186,7 @@ impl Reader<'_> {
             }
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
+            let factor = self.with_what_follows(factor, items, &mut cursor);
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
                 return Err(Fault::ambiguous(
                     factor.span,
@@ -192,37 +222,6 @@ impl Reader<'_> {
         Ok(product)
     }
 
-    /// Without declarations: rejects `P_{ij} d_j`, where the repeated letter may mean a sum.
-    fn has_no_implied_sum(&self, product: &Expr) -> Read<()> {
-        let Node::Product(factors) = &product.node else { return Ok(()) };
-        if !self.symbols.open {
-            return Ok(());
-        }
-        let letters = |factor: &Expr| -> Vec<String> {
-            match &factor.node {
-                Node::Symbol { id, .. } => index_letters(&self.symbols.entry(*id).name.subscript),
-                _ => Vec::new(),
-            }
-        };
-        let of_each: Vec<Vec<String>> = factors.iter().map(letters).collect();
-        // In one pass, since a product may be long.
-        let mut factors_with: HashMap<&String, usize> = HashMap::new();
-        for letters in &of_each {
-            for letter in letters.iter().collect::<HashSet<_>>() {
-                *factors_with.entry(letter).or_default() += 1;
-            }
-        }
-        let is_shared = |letter: &String| factors_with[letter] > 1 && !self.bound.contains(letter);
-        let implied = of_each.iter().position(|letters| letters.len() > 1 && letters.iter().any(is_shared));
-        match implied {
-            Some(at) => {
-                Err(Fault::ambiguous(factors[at].span, "a letter that two factors have as an index may mean a sum")
-                    .help("write \\sum for a sum, and declare the indices in a claims file"))
-            }
-            None => Ok(()),
-        }
-    }
-
     /// Rejects neighbouring factors that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
     fn run_together(&self, items: &[Item], at: usize) -> Read<()> {
         let before = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
@@ -249,7 +248,7 @@ impl Reader<'_> {
     }
 
     /// Joins runs of factors by `\times` (first) and `\cdot`. Between numbers, both are plain products.
-    fn join(&self, runs: Vec<(Joint, Vec<Expr>)>, whole: Span) -> Read<Expr> {
+    fn join(&mut self, runs: Vec<(Joint, Vec<Expr>)>, whole: Span) -> Read<Expr> {
         if runs.len() == 1 {
             let mut expr = beside(runs.into_iter().flat_map(|(_, run)| run).collect());
             expr.span = whole;
@@ -261,6 +260,9 @@ impl Reader<'_> {
             let expr = beside(run);
             let is_vector = self.shape_of(&expr)? == Shape::Vector;
             parts.push((joint, expr, is_vector));
+        }
+        if self.is_abstract() && !parts.iter().all(|(_, _, is_vector)| *is_vector) {
+            return self.joined(parts, whole);
         }
         let lost = parts.windows(2).find_map(|pair| match pair {
             [(_, number, false), (Joint::Times, _, true)] | [(_, _, true), (Joint::Times, number, false)] => {
@@ -352,6 +354,11 @@ impl Reader<'_> {
     /// One factor. The flag is false for a function whose argument has no parentheses.
     pub(super) fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
         let item = &items[*cursor];
+        if self.is_abstract()
+            && let Some(found) = self.abstract_factor(items, cursor)?
+        {
+            return Ok((found, true));
+        }
         if self.symbols.infers() && (is_big_sum(item) || is_big_product(item) || is_limit(item)) {
             let rest = &items[*cursor + 1..];
             *cursor = items.len();
@@ -430,14 +437,8 @@ impl Reader<'_> {
     }
 }
 
-/// The letters of a subscript of two or three that are usual as indices: `ij`, `\\mu\\nu`, `abc`.
-fn index_letters(subscript: &[String]) -> Vec<String> {
-    const USUAL: [&str; 16] = [
-        "a", "b", "c", "i", "j", "k", "l", "m", "n", "\\alpha", "\\beta", "\\mu", "\\nu", "\\rho", "\\sigma",
-        "\\lambda",
-    ];
-    let all_usual = subscript.len() <= 4 && subscript.iter().all(|token| USUAL.contains(&token.as_str()));
-    if all_usual { subscript.to_vec() } else { Vec::new() }
+fn is_fraction(item: &Item) -> bool {
+    matches!(item.layout, Layout::Fraction(..))
 }
 
 fn is_parenthesis(item: &Item) -> bool {

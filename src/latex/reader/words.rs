@@ -32,8 +32,9 @@ const WORDS: [&str; 51] = [
     "CoV",
 ];
 
-/// Rejects runs of letters that spell a function or, without declarations, a word.
-pub(super) fn are_no_words(items: &[Item], open: bool) -> Read<()> {
+/// Rejects runs of letters that spell a function or, without declarations, a word. In a display of operators, the name
+/// of a number without a unit must be the whole run.
+pub(super) fn are_no_words(items: &[Item], open: bool, is_abstract: bool) -> Read<()> {
     let mut at = 0;
     while at < items.len() {
         let Some((mut word, mut span)) = start(&items[at]) else {
@@ -49,7 +50,7 @@ pub(super) fn are_no_words(items: &[Item], open: bool) -> Read<()> {
             at += 1;
         }
         at += 1;
-        is_no_word(&word, span, open)?;
+        is_no_word(&word, span, open, is_abstract)?;
     }
     Ok(())
 }
@@ -66,7 +67,7 @@ fn start(item: &Item) -> Option<(String, Span)> {
     }
 }
 
-fn is_no_word(word: &str, span: Span, open: bool) -> Read<()> {
+fn is_no_word(word: &str, span: Span, open: bool, is_abstract: bool) -> Read<()> {
     let apart = "for a product, put a space \\, between the letters";
     let function = FUNCTIONS.iter().find(|name| word.contains(**name));
     if let Some(name) = function.or(SHORT.iter().find(|name| word == **name)) {
@@ -84,7 +85,7 @@ fn is_no_word(word: &str, span: Span, open: bool) -> Read<()> {
     let is_long = word.len() >= 4
         && word.chars().skip(1).all(is_lower)
         && word.to_ascii_lowercase().contains(['a', 'e', 'i', 'o', 'u']);
-    let has_number = NUMBERS.iter().any(|name| word.contains(name));
+    let has_number = NUMBERS.iter().any(|name| if is_abstract { word == *name } else { word.contains(name) });
     if open && (is_long || has_number || WORDS.contains(&word)) {
         return Err(Fault::ambiguous(span, format!("{word} may be a name or a product"))
             .help(format!("a name of several letters is a letter with a subscript, such as E_{{kin}}; {apart}")));

@@ -88,7 +88,7 @@ fn cases_and_conditions() {
 #[test]
 fn marks_above_a_name_that_are_a_part_of_it() {
     is_read(r"v^+ = - k v^-", "v^{+} = −k·v^{-}", &[]);
-    is_read(r"F^{\text{ext}} = m a", r"F^{\text{ext}} = m·a", &[]);
+    is_read(r"F^{\text{ext}} = m a", r"F^{ext} = m·a", &[]);
     is_read(r"x^{(0)} = A", "x^{(0)} = A", &[]);
     is_refused(&["x^-1", "e^-x", "x^{(n)} = A", r"n^{\text{th}} = A"]);
 }

@@ -16,7 +16,7 @@ impl Reader<'_> {
         };
         let parts: Vec<&[Item]> = inside.split(|item| item.layout == Layout::Other(',')).collect();
         let [first, second] = parts.as_slice() else { return Ok(None) };
-        if *delimiter == Delimiter::Curly {
+        if *delimiter == Delimiter::Curly || self.is_abstract() {
             return Ok(None);
         }
         let (a, b) = (self.sum(first, item.span)?, self.sum(second, item.span)?);

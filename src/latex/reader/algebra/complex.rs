@@ -53,7 +53,16 @@ impl Reader<'_> {
         let is_bare = name.subscript.is_empty() && name.primes == 0;
         let is_declared = self.symbols.imaginary.contains(name);
         let is_usual = ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str());
-        is_bare && (is_declared || is_usual && self.symbols.imaginary_here && self.symbols.find(name).is_none())
+        let is_factor =
+            self.symbols.is_abstract() && self.symbols.inferred.imaginary_factor && !self.bound.contains(&name.base);
+        if is_bare && is_usual && is_factor {
+            return true;
+        }
+        is_bare
+            && (is_declared
+                || is_usual
+                    && (self.symbols.imaginary_here || self.symbols.inferred.has_states)
+                    && self.symbols.find(name).is_none())
     }
 
     /// `z^*` of a complex number.

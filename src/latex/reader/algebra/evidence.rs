@@ -17,6 +17,7 @@ use super::matrices::operator_word;
 /// Notes in the table what a display says of its letters.
 pub fn note(items: &[Item], symbols: &mut Symbols) {
     symbols.imaginary_here = has_imaginary_unit(items);
+    symbols.inferred.imaginary_factor = is_evident(items);
     if !symbols.open {
         return;
     }
@@ -244,13 +245,24 @@ fn is_evident(items: &[Item]) -> bool {
                     && matches!(contents(inner), [Item { layout: Layout::Letter('e'), .. }]));
             is_e && mentions(contents(sup))
         }
+        // `\frac{i}{\hbar}`
+        Layout::Fraction(above, below)
+            if contents(above).iter().any(is_i) && contents(below).iter().any(|item| is_hbar(Some(&item))) =>
+        {
+            true
+        }
+        // `\frac{i}{4}`
+        Layout::Fraction(above, below) if matches!(contents(above), [only] if is_i(only)) => {
+            contents(below).iter().all(|item| matches!(item.layout, Layout::Number(_) | Layout::Root(..)))
+        }
         Layout::Command(name) if name == "\\exp" => {
             solid.get(at + 1).is_some_and(|next| matches!(&next.layout, Layout::Fence(_, inside) if mentions(inside)))
         }
         _ => {
             let next = solid.get(at + 1);
             is_upright_i(item)
-                || is_i(item) && (is_hbar(next) || is_sine(next) || is_greek(next) || is_pair(&solid, at))
+                || is_i(item)
+                    && (is_hbar(next) || is_sine(next) || is_greek(next) || is_bold_name(next) || is_pair(&solid, at))
         }
     });
     here || items.iter().any(|item| parts(item).into_iter().any(is_evident))
@@ -261,11 +273,30 @@ fn is_sine(item: Option<&&Item>) -> bool {
     item.is_some_and(|item| matches!(&item.layout, Layout::Command(name) if name == "\\sin" || name == "\\sinh"))
 }
 
+/// A vector after i, which is then no index.
+fn is_bold_name(item: Option<&&Item>) -> bool {
+    item.and_then(|item| name_of(item))
+        .is_some_and(|printed| is_bold(&printed.name) || printed.name.base.starts_with("\\vec{"))
+}
+
 /// A Greek letter that stands after √−1 more often than after a current: a frequency, a rate, an angle.
 fn is_greek(item: Option<&&Item>) -> bool {
-    const LETTERS: [&str; 12] = [
-        "\\omega", "\\Omega", "\\gamma", "\\Gamma", "\\beta", "\\kappa", "\\theta", "\\phi", "\\varphi", "\\pi",
-        "\\mu", "\\sigma",
+    const LETTERS: [&str; 15] = [
+        "\\omega",
+        "\\Omega",
+        "\\gamma",
+        "\\Gamma",
+        "\\beta",
+        "\\kappa",
+        "\\theta",
+        "\\phi",
+        "\\varphi",
+        "\\pi",
+        "\\mu",
+        "\\sigma",
+        "\\varepsilon",
+        "\\epsilon",
+        "\\eta",
     ];
     item.and_then(|item| name_of(item)).is_some_and(|printed| LETTERS.contains(&printed.name.base.as_str()))
 }

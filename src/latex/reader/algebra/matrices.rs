@@ -29,10 +29,28 @@ impl Reader<'_> {
         let Some(argument) = items.get(at) else {
             return Err(Fault::new(head.span, format!("the matrix after {} is missing", function.name())));
         };
+        // `\\det J(t)`
+        if matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)))
+            && names::printed(argument, self.branch).is_some()
+        {
+            if !self.is_abstract() {
+                let span = head.span.to(items[at + 1].span);
+                return Err(Fault::ambiguous(
+                    span,
+                    format!("{0} A(…) may be {0} of A(…) or a product", function.name()),
+                )
+                .help("put the argument in parentheses"));
+            }
+            let mut end = at;
+            let (inner, _) = self.factor(items, &mut end)?;
+            *cursor = end;
+            let span = head.span.to(inner.span);
+            return Ok(Some(Expr::new(Node::OfMatrix(function, Box::new(inner)), span)));
+        }
         let inner = self.item(argument)?;
         let span = head.span.to(argument.span);
         let shape = self.shape_of(&inner)?;
-        if !matches!(shape, Shape::Matrix(..)) {
+        if !matches!(shape, Shape::Matrix(..)) && !self.is_abstract() {
             let message = format!("{} needs a square matrix", function.name());
             return Err(Fault::shape(argument.span, message)
                 .help("write the matrix out, or declare it in the claims file, as in \"A\": \"3x3 matrix\""));

@@ -8,6 +8,7 @@ use crate::source::{Fault, Span};
 use super::super::super::layout::{Item, Layout};
 use super::super::items::{contents, is_any_integral, whole_number};
 use super::super::state::{Read, Reader};
+use super::super::structure::printed;
 use super::simple_text;
 
 /// What stands below and above the bar of an evaluation.
@@ -19,10 +20,14 @@ impl Reader<'_> {
         let mut name = "|".to_owned();
         for (mark, limit) in [("_", below), ("^", above)] {
             let Some(limit) = limit else { continue };
-            let text = simple_text(contents(limit)).ok_or_else(|| {
-                Fault::unsupported(limit.span, "this place of an evaluation is not supported")
-                    .help("write names and numbers only, such as |_{x=a}")
-            })?;
+            let text = match simple_text(contents(limit)) {
+                Some(text) => text,
+                None if self.is_abstract() => printed(contents(limit)),
+                None => {
+                    return Err(Fault::unsupported(limit.span, "this place of an evaluation is not supported")
+                        .help("write names and numbers only, such as |_{x=a}"));
+                }
+            };
             name.push_str(&format!("{mark}{{{text}}}"));
         }
         Ok(self.operate(&name, Operator::Same, vec![inner], span))

@@ -5,7 +5,7 @@ use crate::formula::tree::Expr;
 use crate::source::Fault;
 
 use super::super::super::layout::{Item, Layout};
-use super::super::items::{Joint, joint, whole_number};
+use super::super::items::{Joint, contents, joint, whole_number};
 use super::super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -14,7 +14,9 @@ impl Reader<'_> {
         let item = &items[*cursor];
         let is_nabla = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\nabla");
         let is_nabla = |item: &Item| match &item.layout {
-            Layout::Style(_, inner) | Layout::Accent(_, inner) => is_nabla(inner),
+            Layout::Style(_, inner) | Layout::Accent(_, inner) => {
+                matches!(contents(inner), [only] if is_nabla(only))
+            }
             _ => is_nabla(item),
         };
         let squared = match &item.layout {

@@ -40,10 +40,14 @@ impl Reader<'_> {
         if let Some(sup) = printed.sup
             && next.is_some()
             && whole_number(sup).is_none()
+            && !self.is_abstract()
         {
             return Err(Fault::ambiguous(span, "what stands above a function may be a power or an order")
                 .help("put the power after the argument, f(x)^2"));
         }
+        let is_marked = self.is_abstract() && next.is_some();
+        let mark = printed.sup.filter(|sup| is_marked && whole_number(sup).is_none());
+        let mark = mark.map(|sup| super::super::structure::printed(super::super::items::contents(sup)));
         let mut above = None;
         let mut whole = span;
         let mut value = None;
@@ -55,7 +59,12 @@ impl Reader<'_> {
             for given in inside.split(|item| matches!(item.layout, Layout::Other(',' | ';'))) {
                 arguments.push(self.sum(given, place)?);
             }
-            let name = names::with_dots(&printed.name, printed.dots)
+            // What stands above the name, a power or an order, is shown there.
+            let base = match &mark {
+                Some(mark) => Name { base: format!("{}^{{{mark}}}", printed.name.base), ..printed.name.clone() },
+                None => printed.name.clone(),
+            };
+            let name = names::with_dots(&base, printed.dots)
                 .ok_or_else(|| Fault::unsupported(span, "derivatives above the fifth order are not supported"))?;
             value = Some(self.operate_by(name, kind, Operator::Function, arguments, whole));
         }
@@ -73,7 +82,8 @@ impl Reader<'_> {
                 Expr::new(Node::Symbol { id, indices: Vec::new(), dots: printed.dots }, whole)
             }
         };
-        for sup in [printed.sup, above].into_iter().flatten() {
+        let power = printed.sup.filter(|_| mark.is_none());
+        for sup in [power, above].into_iter().flatten() {
             value = self.raised(value, sup, whole)?;
         }
         Ok(Some(value))

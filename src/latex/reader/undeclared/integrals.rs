@@ -10,8 +10,9 @@ use crate::source::{Fault, Span};
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
 use super::super::super::typeset;
-use super::super::items::{beside, contents, differential, extent, is_integral, joint};
+use super::super::items::{beside, contents, differential, differential_of_many, extent, is_integral, joint};
 use super::super::state::{Read, Reader};
+use super::super::structure::printed;
 use super::simple_text;
 
 impl Reader<'_> {
@@ -34,6 +35,7 @@ impl Reader<'_> {
             let Some(limit) = limit else { continue };
             let text = match simple_text(contents(limit)) {
                 Some(text) => text,
+                None if self.is_abstract() => printed(contents(limit)),
                 None => {
                     let read = self.item(limit)?;
                     typeset(&read, self.symbols)
@@ -78,6 +80,11 @@ impl Reader<'_> {
                 self.term(rest)
             }
             None => {
+                // The measure is no differential, `\\int \\mathcal D[q] \\, e^{iS}`.
+                if self.is_abstract() && !blank(rest) {
+                    *cursor += rest.len();
+                    return self.term(rest);
+                }
                 Err(Fault::new(whole, "this integral has no differential")
                     .help("end it with dx; put a sum in parentheses"))
             }
@@ -108,7 +115,8 @@ fn own_differential(rest: &[Item]) -> Option<usize> {
     for (at, item) in rest.iter().enumerate() {
         inner += usize::from(is_integral(item));
         let next = rest[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
-        let is_own = differential(item).is_some() && next.is_some_and(|next| names::printed(next, None).is_some());
+        let is_own = (differential(item).is_some() || differential_of_many(item).is_some())
+            && next.is_some_and(|next| names::printed(next, None).is_some());
         match (is_own, has_differential(item), inner) {
             (true, _, 0) => return Some(at),
             // The integral ends in a fraction.

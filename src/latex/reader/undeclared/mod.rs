@@ -34,7 +34,14 @@ impl Reader<'_> {
         self.operate_by(Name::plain(name), Kind::Scalar, operator, arguments, span)
     }
 
-    fn operate_by(&mut self, name: Name, kind: Kind, operator: Operator, arguments: Vec<Expr>, span: Span) -> Expr {
+    pub(super) fn operate_by(
+        &mut self,
+        name: Name,
+        kind: Kind,
+        operator: Operator,
+        arguments: Vec<Expr>,
+        span: Span,
+    ) -> Expr {
         // A name that is a quantity too is another symbol than the operator.
         let key = Name { base: format!("{}{}", name.base, crate::formula::text::APPLICATION), ..name };
         let id = match self.symbols.find(&key) {

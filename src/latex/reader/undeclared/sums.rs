@@ -8,6 +8,7 @@ use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
 use super::super::items::{contents, extent};
 use super::super::state::{Read, Reader};
+use super::super::structure::printed;
 use super::simple_text;
 
 impl Reader<'_> {
@@ -22,13 +23,20 @@ impl Reader<'_> {
             _ => return Err(refused(sign.span)),
         };
         if rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
+            if self.is_abstract() {
+                return Ok(self.label(std::slice::from_ref(sign), sign.span));
+            }
             return Err(Fault::new(sign.span, format!("no formula follows this {command}")));
         }
         let mut name = command;
         let mut bound = Vec::new();
         for (mark, part) in [("_", below), ("^", above)] {
             let Some(part) = part else { continue };
-            let text = simple_text(contents(part)).ok_or_else(|| refused(part.span))?;
+            let text = match simple_text(contents(part)) {
+                Some(text) => text,
+                None if self.is_abstract() => printed(contents(part)),
+                None => return Err(refused(part.span)),
+            };
             name.push_str(&format!("{mark}{{{text}}}"));
             if mark == "_" {
                 let letters = contents(part).iter().filter_map(|item| names::printed(item, None));

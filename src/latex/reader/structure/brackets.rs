@@ -1,0 +1,87 @@
+//! States and mean values, `|a\rangle`, `\langle a|H|b\rangle`, `\langle x^2\rangle`; pairs in brackets, `[A, B]`, `\{f, g\}`;
+//! tuples, intervals and sets.
+
+use crate::formula::tree::Expr;
+use crate::source::Fault;
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::rows::relation;
+use super::super::state::{Read, Reader};
+use super::printed;
+
+impl Reader<'_> {
+    /// A pair of delimiters around what has no value; `None` for plain parentheses.
+    pub(super) fn bracketed(&mut self, item: &Item) -> Read<Option<Expr>> {
+        let Layout::Fence(delimiter, inside) = &item.layout else { return Ok(None) };
+        let span = item.span;
+        let commas = inside.iter().filter(|item| is_separator(item)).count();
+        Ok(Some(match delimiter {
+            Delimiter::Ket => self.template(&format!("|{}\\rangle", printed(inside)), Vec::new(), span),
+            Delimiter::Bra => self.template(&format!("\\langle {}|", printed(inside)), Vec::new(), span),
+            Delimiter::Angle => self.angle(inside, item)?,
+            Delimiter::RightOpen | Delimiter::LeftOpen if commas == 1 => {
+                let template = if *delimiter == Delimiter::RightOpen { "[#, #)" } else { "(#, #]" };
+                let parts = self.listed(inside, item)?;
+                self.template(template, parts, span)
+            }
+            // `\{x \mid x > 0\}`
+            Delimiter::Curly if inside.iter().any(|item| is_bar(item) || relation(item).is_some()) => {
+                self.template(&format!("\\{{{}\\}}", printed(inside)), Vec::new(), span)
+            }
+            Delimiter::Round | Delimiter::Square | Delimiter::Curly if commas > 0 => {
+                let (open, close) = match delimiter {
+                    Delimiter::Round => ("(", ")"),
+                    Delimiter::Square => ("[", "]"),
+                    _ => ("\\{", "\\}"),
+                };
+                let parts = self.listed(inside, item)?;
+                let holes = vec!["#"; parts.len()].join(", ");
+                self.template(&format!("{open}{holes}{close}"), parts, span)
+            }
+            _ => return Ok(None),
+        }))
+    }
+
+    /// A mean value, or a product of states with what stands between them.
+    fn angle(&mut self, inside: &[Item], item: &Item) -> Read<Expr> {
+        let parts: Vec<&[Item]> = inside.split(is_bar).collect();
+        match parts.as_slice() {
+            [only] => {
+                if only.iter().any(is_separator) {
+                    let parts = self.listed(only, item)?;
+                    let holes = vec!["#"; parts.len()].join(", ");
+                    return Ok(self.template(&format!("\\langle {holes}\\rangle"), parts, item.span));
+                }
+                let inner = self.sum(only, item.span)?;
+                Ok(self.template("\\langle #\\rangle", vec![inner], item.span))
+            }
+            [bra, ket] => {
+                Ok(self.template(&format!("\\langle {}|{}\\rangle", printed(bra), printed(ket)), Vec::new(), item.span))
+            }
+            [bra, operator, ket] => {
+                let inner = self.sum(operator, item.span)?;
+                let template = format!("\\langle {}|#|{}\\rangle", printed(bra), printed(ket));
+                Ok(self.template(&template, vec![inner], item.span))
+            }
+            _ => Err(Fault::unsupported(item.span, "more than two bars in angle brackets are not supported")
+                .help("write each product of states in brackets of its own")),
+        }
+    }
+
+    /// The formulas between commas.
+    fn listed(&mut self, inside: &[Item], item: &Item) -> Read<Vec<Expr>> {
+        inside.split(is_separator).map(|part| self.sum(part, item.span)).collect()
+    }
+}
+
+fn is_separator(item: &Item) -> bool {
+    matches!(item.layout, Layout::Other(',' | ';'))
+}
+
+fn is_bar(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other('|') => true,
+        Layout::Command(name) => name == "\\mid",
+        _ => false,
+    }
+}

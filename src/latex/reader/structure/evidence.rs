@@ -1,0 +1,219 @@
+//! What a display shows about letters without a value: which are indices, whether a T is a transpose, whether e is a charge,
+//! and which letters stand for functions before a parenthesis.
+
+use crate::formula::symbols::{Inferred, Name};
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::names;
+use super::super::items::{contents, is_transpose};
+
+/// Records it.
+pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
+    let mut found = Found::default();
+    found.list(items);
+    inferred.has_tensors |= found.has_pairs;
+    inferred.has_operators |= found.has_operators;
+    if found.has_pairs {
+        inferred.index_letters.extend(found.pairs);
+    }
+    // `A^T P + P A`: no power of A by a T that stands nowhere else.
+    let is_plain = |name: &Name| found.plain.contains(name);
+    let beside_itself = found.transposed.iter().any(is_plain) && !is_plain(&Name::plain("T"));
+    inferred.has_transposes |=
+        found.transposes > 1 || found.transposes == 1 && found.has_matrix || found.transposes > 0 && beside_itself;
+    inferred.has_states |= found.has_states;
+    let has_others = found.plain.iter().any(|name| name.base != "e");
+    inferred.charge |= (found.has_constants || found.has_lone_e && has_others) && !found.has_exponential;
+}
+
+/// Whether a letter before a parenthesis stands for a function whatever stands in it: Γ(x + 1), f(2x), J_n(kr), δ(x − a),
+/// V(x_1 − x_2).
+pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) -> bool {
+    let base = name.base.as_str();
+    let always = [
+        "f",
+        "\\Gamma",
+        "\\Phi",
+        "\\Psi",
+        "\\psi",
+        "\\phi",
+        "\\varphi",
+        "\\Theta",
+        "Y",
+        "J",
+        "O",
+        "\\mathcal{O}",
+        "\\zeta",
+        "\\delta",
+    ];
+    let of_a_place = ["V", "U", "F", "u", "g", "h", "G", "W", "H", "y", "\\rho", "\\eta", "v", "q", "x"];
+    let is_place = |item: &Item| {
+        let place = [
+            "x",
+            "r",
+            "q",
+            "y",
+            "\\vec{r}",
+            "\\vec{x}",
+            "\\mathbf{r}",
+            "\\mathbf{x}",
+            "\\vec{q}",
+            "\\mathbf{q}",
+            "t",
+            "\\tau",
+        ];
+        names::printed(item, None).is_some_and(|found| found.sup.is_none() && place.contains(&found.name.base.as_str()))
+            || matches!(&item.layout, Layout::Fence(..))
+    };
+    let is_part = |item: &Item| {
+        is_place(item)
+            || matches!(&item.layout, Layout::Other('+' | '-') | Layout::Number(_) | Layout::Space(_))
+            || matches!(&item.layout, Layout::Command(name) if ["\\Delta", "\\delta", "\\pm"].contains(&name.as_str()))
+            || names::printed(item, None).is_some_and(|found| {
+                ["h", "a", "T", "\\xi", "\\epsilon", "\\varepsilon", "c", "v"].contains(&found.name.base.as_str())
+            })
+    };
+    let is_legendre = base == "P" && !name.subscript.is_empty();
+    let is_known = always.contains(&base) || is_legendre || base.starts_with("\\mathcal{");
+    is_known && name.primes == 0
+        || of_a_place.contains(&base)
+            && base != "q"
+            && base != "x"
+            && inside.iter().all(is_part)
+            && inside.iter().any(is_place)
+        || ["q", "x", "y"].contains(&base) && inside.iter().all(is_part) && inside.iter().any(is_time)
+}
+
+fn is_time(item: &Item) -> bool {
+    names::printed(item, None).is_some_and(|found| found.name.base == "t")
+}
+
+/// Greek letters that are indices of space and time.
+const GREEK: [&str; 10] =
+    ["\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda", "\\alpha", "\\beta", "\\gamma", "\\delta", "\\kappa"];
+
+/// Latin letters that are usual as indices.
+const LATIN: [&str; 9] = ["a", "b", "c", "d", "i", "j", "k", "l", "m"];
+
+#[derive(Default)]
+struct Found {
+    /// The letters of subscripts that consist of index letters.
+    lower: Vec<String>,
+    transposes: usize,
+    /// The names below a T, and all others.
+    transposed: Vec<Name>,
+    plain: Vec<Name>,
+    /// Whether a subscript has two index letters, and the letters of superscripts with two.
+    has_pairs: bool,
+    pairs: Vec<String>,
+    has_matrix: bool,
+    has_constants: bool,
+    has_states: bool,
+    has_operators: bool,
+    has_lone_e: bool,
+    has_exponential: bool,
+}
+
+impl Found {
+    fn list(&mut self, items: &[Item]) {
+        for item in items {
+            self.one(item);
+        }
+    }
+
+    fn one(&mut self, item: &Item) {
+        if let Some(found) = names::printed(item, None).filter(|found| found.sup.is_none()) {
+            self.plain.push(found.name);
+        }
+        if let Layout::Command(name) = &item.layout {
+            self.has_constants |= name == "\\hbar";
+        }
+        self.has_lone_e |= item.layout == Layout::Letter('e');
+        match &item.layout {
+            Layout::Command(name) if name == "\\psi" || name == "\\Psi" => self.has_states = true,
+            Layout::Scripts { nucleus, sub, sup, .. } => {
+                self.has_states |= matches!(&nucleus.layout, Layout::Command(name)
+                    if ["\\partial", "\\psi", "\\Psi"].contains(&name.as_str()));
+                if names::printed(nucleus, None).is_none() {
+                    self.one(nucleus);
+                }
+                let is_epsilon = matches!(&nucleus.layout, Layout::Command(name) if ["\\epsilon", "\\varepsilon"].contains(&name.as_str()));
+                if let Some(sub) = sub {
+                    self.has_constants |=
+                        is_epsilon && contents(sub).iter().any(|item| item.layout == Layout::Number("0".to_owned()));
+                    let below = letters(sub).unwrap_or_default();
+                    self.has_pairs |= below.len() > 1;
+                    self.lower.extend(below);
+                }
+                if let Some(sup) = sup {
+                    // An index above indices: `\Gamma^k_{ij}`. Two letters above, as in `g^{kl}`, beside a pair below.
+                    if let (Some(above), Some(below)) = (letters(sup), sub.as_deref().and_then(letters))
+                        && below.len() > 1
+                    {
+                        self.lower.extend(above);
+                        self.has_pairs = true;
+                    }
+                    if let Some(above) = letters(sup).filter(|above| above.len() > 1) {
+                        self.pairs.extend(above);
+                    }
+                    if is_transpose(sup) {
+                        if let Some(found) = names::printed(nucleus, None) {
+                            self.transposed.push(found.name);
+                        }
+                        let is_upright = !matches!(contents(sup), [Item { layout: Layout::Letter('T'), .. }]);
+                        let is_bold =
+                            matches!(nucleus.layout, Layout::Style(..) | Layout::Accent(..) | Layout::Fence(..));
+                        self.transposes += 1 + usize::from(is_upright || is_bold);
+                    } else {
+                        let is_e = nucleus.layout == Layout::Letter('e');
+                        let is_figure = contents(sup)
+                            .iter()
+                            .all(|item| matches!(item.layout, Layout::Number(_) | Layout::Other('-')));
+                        self.has_exponential |= is_e && !is_figure;
+                        self.list(contents(sup));
+                    }
+                }
+            }
+            Layout::Fence(Delimiter::Ket | Delimiter::Bra, _) => self.has_states = true,
+            Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
+            Layout::Fraction(a, b) => {
+                self.one(a);
+                self.one(b);
+            }
+            Layout::Accent(accent, inner) if accent == "\\hat" => {
+                const DIRECTIONS: [&str; 12] =
+                    ["e", "n", "r", "i", "j", "k", "x", "y", "z", "\\theta", "\\phi", "\\rho"];
+                let letter = names::printed(inner, None).map(|found| found.name.base);
+                self.has_operators |= letter.is_some_and(|letter| {
+                    letter.len() == 1
+                        && !DIRECTIONS.contains(&letter.as_str())
+                        && letter != "s"
+                        && letter != "t"
+                        && letter != "u"
+                });
+            }
+            Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => self.one(a),
+            Layout::Environment(name, rows) => {
+                self.has_matrix |= name.ends_with("matrix") || name == "array";
+                rows.iter().flatten().for_each(|cell| self.list(cell));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The letters of a script, if it consists of usual index letters, digits and commas.
+fn letters(script: &Item) -> Option<Vec<String>> {
+    let mut found = Vec::new();
+    for item in contents(script) {
+        match &item.layout {
+            Layout::Space(_) | Layout::Other(',' | ';') | Layout::Number(_) => {}
+            _ => {
+                let name = names::printed(item, None).filter(|found| found.sup.is_none())?.name;
+                let is_usual = GREEK.contains(&name.base.as_str()) || LATIN.contains(&name.base.as_str());
+                found.push(is_usual.then_some(name.base)?);
+            }
+        }
+    }
+    Some(found)
+}

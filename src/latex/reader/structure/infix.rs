@@ -1,0 +1,222 @@
+//! Signs between two formulas: ⊗ and the like bind as a product, ∈ and → bind less than a sum; commas make a list.
+
+use crate::formula::shape::Shape;
+use crate::formula::tree::{Condition, Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::super::layout::{Item, Layout};
+use super::super::items::{Joint, beside};
+use super::super::state::{Read, Reader};
+
+/// Signs that bind as a product does.
+const PRODUCTS: [&str; 7] = ["\\otimes", "\\circ", "\\ast", "\\star", "\\odot", "\\bullet", "\\rtimes"];
+
+/// Signs that bind as a sum does.
+const SUMS: [&str; 5] = ["\\oplus", "\\cup", "\\cap", "\\setminus", "\\ominus"];
+
+/// Signs that bind less than a sum, and state something of both sides.
+const RELATIONS: [&str; 28] = [
+    "\\in",
+    "\\notin",
+    "\\ni",
+    "\\subset",
+    "\\subseteq",
+    "\\supset",
+    "\\sim",
+    "\\cong",
+    "\\ll",
+    "\\gg",
+    "\\rightarrow",
+    "\\leftarrow",
+    "\\leftrightarrow",
+    "\\mapsto",
+    "\\longrightarrow",
+    "\\longmapsto",
+    "\\longleftrightarrow",
+    "\\perp",
+    "\\parallel",
+    "\\lesssim",
+    "\\gtrsim",
+    "\\mid",
+    "\\Leftarrow",
+    "\\asymp",
+    "\\doteq",
+    "\\leadsto",
+    "\\rightsquigarrow",
+    "\\colon",
+];
+
+impl Reader<'_> {
+    /// Items with a sign between formulas, or a comma; `None` if there is none.
+    pub(in super::super) fn infix(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
+        let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
+        let is_relation = |item: &Item| sign(item, &RELATIONS) || item.layout == Layout::Other(':');
+        let is_sum = |item: &Item| sign(item, &SUMS);
+        if let Some(at) = (1..items.len().max(1) - 1).find(|at| is_comma(&items[*at]) && joins_digits(items, *at)) {
+            return Err(Fault::ambiguous(
+                items[at - 1].span.to(items[at + 1].span),
+                "1,000 may be a number or two values",
+            )
+            .help("write 1000 for the number, and a space after the comma of a list"));
+        }
+        if items.iter().any(is_comma) {
+            return self.divided(items, &is_comma, place).map(Some);
+        }
+        if items.iter().any(is_relation) {
+            return self.divided(items, &is_relation, place).map(Some);
+        }
+        if items.iter().any(is_sum) {
+            return self.divided(items, &is_sum, place).map(Some);
+        }
+        Ok(None)
+    }
+
+    /// The same within a term; `None` if all its signs are · and ×.
+    pub(in super::super) fn infix_product(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
+        let is_own = |item: &Item| sign(item, &PRODUCTS);
+        let ends = |at: usize| at == 0 || at + 1 == items.len();
+        match items.iter().enumerate().any(|(at, item)| is_own(item) && !ends(at)) {
+            true => self.divided(items, &is_own, place).map(Some),
+            false => Ok(None),
+        }
+    }
+
+    /// A member that is not printed: the left side of a display that begins with a relation.
+    pub(in super::super::super) fn not_printed(&mut self, place: Span) -> Expr {
+        self.template("\\dots", Vec::new(), place)
+    }
+
+    /// A condition that compares nothing, as it is printed.
+    pub(in super::super::super) fn unread_condition(&mut self, items: &[Item], place: Span) -> Condition {
+        Condition { members: vec![self.label(items, place)], relations: Vec::new() }
+    }
+
+    fn divided(&mut self, items: &[Item], divides: &dyn Fn(&Item) -> bool, place: Span) -> Read<Expr> {
+        let mut template = String::from("#");
+        let mut parts = Vec::new();
+        for item in items.iter().filter(|item| divides(item)) {
+            template.push_str(&match &item.layout {
+                Layout::Other(c @ (',' | ';')) => format!("{c} #"),
+                Layout::Other(c) => format!(" {c} #"),
+                Layout::Command(name) => format!(" {name} #"),
+                // `\xrightarrow{…}`
+                _ => " \\rightarrow #".to_owned(),
+            });
+        }
+        for part in items.split(divides) {
+            let is_blank = part.iter().all(|item| matches!(item.layout, Layout::Space(_)));
+            parts.push(match is_blank {
+                true => self.template("", Vec::new(), place),
+                false => self.sum(part, place)?,
+            });
+        }
+        Ok(self.template(&template, parts, place))
+    }
+
+    /// Parts with × and · between them, of which not all are vectors: each sign is shown where it stands. × binds more.
+    pub(in super::super) fn joined(&mut self, parts: Vec<(Joint, Expr, bool)>, whole: Span) -> Read<Expr> {
+        let mut groups: Vec<(Joint, Vec<(Joint, Expr, bool)>)> = Vec::new();
+        for (joint, expr, is_vector) in parts {
+            match groups.last_mut() {
+                Some((_, group)) if joint == Joint::Times => group.push((joint, expr, is_vector)),
+                _ => groups.push((joint, vec![(joint, expr, is_vector)])),
+            }
+        }
+        let mut found: Option<(Expr, bool)> = None;
+        for (_, group) in groups {
+            let mut product: Option<(Expr, bool)> = None;
+            for (joint, next, is_vector) in group {
+                product = Some(match product {
+                    None => (next, is_vector),
+                    Some(before) => self.pair(joint, before, (next, is_vector)),
+                });
+            }
+            let Some(product) = product else { continue };
+            found = Some(match found {
+                None => product,
+                Some(before) => self.pair(Joint::CDot, before, product),
+            });
+        }
+        let (mut expr, _) = found.ok_or_else(|| Fault::new(whole, "a factor is missing here"))?;
+        expr.span = whole;
+        Ok(expr)
+    }
+
+    fn pair(&mut self, joint: Joint, (left, a): (Expr, bool), (right, b): (Expr, bool)) -> (Expr, bool) {
+        let span = left.span.to(right.span);
+        let has_letters = |expr: &Expr| !matches!(expr.node, Node::Number(_) | Node::Quotient(..) | Node::Power(..));
+        let is_plain = !a && !b && (joint == Joint::CDot || !has_letters(&left) || !has_letters(&right));
+        let has_abstract =
+            [&left, &right].into_iter().any(|side| self.shape_of(side).is_ok_and(|s| s == Shape::Abstract));
+        match (a && b, joint) {
+            (true, Joint::Times) => (Expr::new(Node::Cross(Box::new(left), Box::new(right)), span), true),
+            (true, _) => (Expr::new(Node::Dot(Box::new(left), Box::new(right)), span), false),
+            _ if is_plain && !has_abstract => (beside(vec![left, right]), false),
+            (_, Joint::Times) => (self.template("# \\times #", vec![left, right], span), a || b),
+            _ if has_abstract => (self.template("# \\cdot #", vec![left, right], span), false),
+            _ => (beside(vec![left, right]), a || b),
+        }
+    }
+}
+
+/// Whether a comma stands directly between digits.
+fn joins_digits(items: &[Item], at: usize) -> bool {
+    let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
+    let touches = items[at - 1].span.end == items[at].span.start && items[at].span.end == items[at + 1].span.start;
+    touches && is_number(&items[at - 1]) && is_number(&items[at + 1])
+}
+
+fn sign(item: &Item, signs: &[&str]) -> bool {
+    matches!(&item.layout, Layout::Command(name) if signs.contains(&name.as_str()))
+}
+
+/// Whether a word is one of ordinary language, and neither a name nor a unit.
+pub(in super::super::super) fn is_prose(word: &str) -> bool {
+    const WORDS: [&str; 44] = [
+        "and",
+        "or",
+        "if",
+        "for",
+        "when",
+        "where",
+        "with",
+        "then",
+        "so",
+        "hence",
+        "thus",
+        "as",
+        "is",
+        "are",
+        "in",
+        "on",
+        "at",
+        "of",
+        "the",
+        "to",
+        "by",
+        "since",
+        "because",
+        "but",
+        "otherwise",
+        "else",
+        "all",
+        "any",
+        "some",
+        "not",
+        "given",
+        "let",
+        "we",
+        "have",
+        "from",
+        "that",
+        "this",
+        "which",
+        "while",
+        "also",
+        "be",
+        "an",
+        "it",
+        "therefore",
+    ];
+    WORDS.contains(&word.trim_matches(|c: char| !c.is_alphabetic()).to_ascii_lowercase().as_str())
+}

@@ -1,0 +1,154 @@
+//! What is read for its structure only: operators, tensors, states, lists, words.
+//!
+//! A display is read here in a second attempt, if `onshell read` asks for it ([`Symbols::may_be_abstract`]) and the first
+//! attempt failed. What has no value is a template: LaTeX with a # for each formula in it, such as `\langle # | # \rangle`
+//! or `# \otimes #` ([`Operator::Template`]). Shapes are not compared then, and factors stay in their order. Nothing that
+//! is read in this way is ever evaluated.
+//!
+//! | file | what is read there |
+//! | --- | --- |
+//! | `brackets` | states, mean values, commutators, Poisson brackets, tuples, intervals, sets |
+//! | `scripts` | indices, marks and labels above a symbol |
+//! | `operators` | derivatives by anything, ∂_μ and ∇ as operators, named functions |
+//! | `evidence` | which letters are indices, and which functions |
+//! | `repeated` | letters that two factors have as an index |
+//! | `infix` | ⊗, ∘ and the like; ∈, → and the like; lists |
+//!
+//! [`Symbols::may_be_abstract`]: crate::formula::Symbols::may_be_abstract
+
+mod brackets;
+mod evidence;
+mod infix;
+mod operators;
+mod repeated;
+mod scripts;
+
+pub(in super::super) use evidence::{is_function_letter, note};
+pub(in super::super) use infix::is_prose;
+pub(super) use operators::is_material;
+
+use crate::formula::symbols::{Kind, Name, Operator};
+use crate::formula::tree::{Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Delimiter, Item, Layout, latex};
+use super::items::contents;
+use super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// Whether this is the second attempt, for the structure only.
+    pub(super) fn is_abstract(&self) -> bool {
+        self.symbols.is_abstract()
+    }
+
+    /// A template with its arguments.
+    pub(super) fn template(&mut self, template: &str, arguments: Vec<Expr>, span: Span) -> Expr {
+        self.operate_by(Name::plain(template), Kind::Abstract, Operator::Template, arguments, span)
+    }
+
+    /// What is shown as it is printed.
+    pub(super) fn label(&mut self, items: &[Item], span: Span) -> Expr {
+        let text = printed(items);
+        self.template(&text, Vec::new(), span)
+    }
+
+    /// A symbol without a value.
+    pub(super) fn valueless(&mut self, name: Name, dots: u8, span: Span) -> Read<Expr> {
+        let id = match self.symbols.find(&name) {
+            Some((id, _)) => id,
+            None => {
+                let taken = || Fault::new(span, format!("{name} has the name of another symbol"));
+                self.symbols.add(name.clone(), Kind::Abstract).ok_or_else(taken)?
+            }
+        };
+        Ok(Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, span))
+    }
+
+    /// An item that only the second attempt reads; `None` if it does not either.
+    pub(super) fn abstract_item(&mut self, item: &Item) -> Read<Option<Expr>> {
+        let span = item.span;
+        Ok(match &item.layout {
+            Layout::Text(_) => Some(self.label(std::slice::from_ref(item), span)),
+            Layout::Command(name)
+                if [
+                    "\\vdots",
+                    "\\ddots",
+                    "\\infty",
+                    "\\emptyset",
+                    "\\Box",
+                    "\\nabla",
+                    "\\partial",
+                    "\\bullet",
+                    "\\cdot",
+                    "\\circ",
+                    "\\uparrow",
+                    "\\downarrow",
+                    "\\hslash",
+                    "\\wp",
+                    "\\aleph",
+                    "\\dagger",
+                    "\\varnothing",
+                ]
+                .contains(&name.as_str()) =>
+            {
+                Some(self.label(std::slice::from_ref(item), span))
+            }
+            Layout::Fence(..) => self.bracketed(item)?,
+            Layout::Fraction(..) => self.abstract_derivative(std::slice::from_ref(item), &mut 0)?,
+            // `\underbrace{x}_{y}`
+            Layout::Style(style, inner) if style == "\\mathrm" => {
+                let name = printed(contents(inner));
+                Some(self.valueless(Name::plain(format!("\\mathrm{{{name}}}")), 0, span)?)
+            }
+            // A zero of any size.
+            Layout::Style(_, inner) | Layout::Accent(_, inner) if super::items::whole_number(inner) == Some(0) => {
+                Some(self.label(std::slice::from_ref(item), span))
+            }
+            Layout::Style(_, inner) if super::items::whole_number(inner).is_some() => None,
+            Layout::Style(style, inner) | Layout::Accent(style, inner) => {
+                let inner = self.item(inner)?;
+                Some(self.template(&format!("{style}{{#}}"), vec![inner], span))
+            }
+            Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(Delimiter::Evaluation, _)) => {
+                None
+            }
+            Layout::Scripts { nucleus, sub: Some(_), sup: Some(_), .. }
+                if matches!(nucleus.layout, Layout::Fence(Delimiter::Square, _)) =>
+            {
+                None
+            }
+            // A symbol with scripts of more than names: `\delta_{|m||n|}`, `f_{a=0}`.
+            Layout::Scripts { nucleus, sub: Some(sub), sup, primes } => {
+                let inner = match (&**nucleus, primes) {
+                    (nucleus, 0) => nucleus.clone(),
+                    (nucleus, primes) => Item {
+                        layout: Layout::Scripts {
+                            nucleus: Box::new(nucleus.clone()),
+                            sub: None,
+                            sup: None,
+                            primes: *primes,
+                        },
+                        span,
+                    },
+                };
+                let inner = self.item(&inner)?;
+                let below = printed(contents(sub));
+                let base = self.template(&format!("#_{{{below}}}"), vec![inner], span);
+                Some(match sup {
+                    Some(sup) => self.raised(base, sup, span)?,
+                    None => base,
+                })
+            }
+            Layout::Scripts { nucleus, sub: None, sup: None, primes } => {
+                let inner = self.item(nucleus)?;
+                Some(self.template(&format!("#{}", "'".repeat(usize::from(*primes))), vec![inner], span))
+            }
+            _ => None,
+        })
+    }
+}
+
+/// Items as they are printed, for a template.
+pub(in super::super) fn printed(items: &[Item]) -> String {
+    latex(items).replace('#', "")
+}

@@ -1,0 +1,362 @@
+//! Operators without a value: derivatives by anything, `\frac{\partial L}{\partial \vec q}`, `\frac{D\vec u}{Dt}`; ∂ and ∇ with
+//! an index, or with nothing to act on; named functions, `\max(a, b)`.
+
+use crate::formula::tree::Expr;
+use crate::source::{Fault, Span};
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::names;
+use super::super::items::{contents, differential, joint, whole_number};
+use super::super::state::{Read, Reader};
+use super::{is_prose, printed};
+
+impl Reader<'_> {
+    /// A factor that only the second attempt reads; `None` for any other.
+    pub(in super::super) fn abstract_factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        if let Some(found) = self.braced(items, cursor)? {
+            return Ok(Some(found));
+        }
+        if let Some(found) = self.abstract_derivative(items, cursor)? {
+            return Ok(Some(found));
+        }
+        if let Some(found) = self.abstract_operator(items, cursor)? {
+            return Ok(Some(found));
+        }
+        if let Some(found) = self.named_function(items, cursor)? {
+            return Ok(Some(found));
+        }
+        if let (Layout::Command(name), Some(next)) = (&items[*cursor].layout, items.get(*cursor + 1))
+            && ["\\delta", "\\Delta"].contains(&name.as_str())
+            && (is_parenthesis(next) || is_derivative(next))
+        {
+            let span = items[*cursor].span;
+            let template = format!("{name}(#)");
+            *cursor += 1;
+            let (inner, _) = self.factor(items, cursor)?;
+            let span = span.to(inner.span);
+            return Ok(Some(self.template(&template, vec![inner], span)));
+        }
+        // `d(pV)`, `d\\ln r`
+        if self.symbols.inferred.differentials && differential(&items[*cursor]) == Some(1) {
+            let spaces = items[*cursor + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count();
+            let at = *cursor + 1 + spaces;
+            let acts = items.get(at).is_some_and(|next| {
+                names::printed(next, None).is_none()
+                    && (is_parenthesis(next)
+                        || matches!(next.layout, Layout::Group(_))
+                        || matches!(&next.layout, Layout::Command(name) if ["\\ln", "\\log", "\\cos", "\\sin"].contains(&name.as_str())))
+            });
+            if acts {
+                let span = items[*cursor].span;
+                *cursor = at;
+                let (inner, _) = self.factor(items, cursor)?;
+                let span = span.to(inner.span);
+                return Ok(Some(self.template("d(#)", vec![inner], span)));
+            }
+        }
+        // `{}^A R`
+        let item = &items[*cursor];
+        if is_bare_script(item) {
+            *cursor += 1;
+            let script = printed(std::slice::from_ref(item));
+            if items.get(*cursor).is_none_or(|next| matches!(next.layout, Layout::Space(_)) || joint(next).is_some()) {
+                return Err(Fault::new(item.span, "this subscript or superscript has no base"));
+            }
+            let (base, _) = self.factor(items, cursor)?;
+            let span = item.span.to(base.span);
+            return Ok(Some(self.template(&format!("{script}#"), vec![base], span)));
+        }
+        Ok(None)
+    }
+
+    /// `\underbrace{x}_{y}`, `\overset{a}{b}`, `\binom{n}{k}`: a formula with a label, or two formulas one above the other.
+    fn braced(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let item = &items[*cursor];
+        let Layout::Command(name) = &item.layout else { return Ok(None) };
+        let Some(next) = items.get(*cursor + 1) else { return Ok(None) };
+        match name.as_str() {
+            "\\underbrace" | "\\overbrace" => {
+                let (nucleus, label) = match &next.layout {
+                    Layout::Scripts { nucleus, sub, sup, primes: 0 } => {
+                        let label = |mark, script: &Option<Box<Item>>| {
+                            script.as_ref().map_or_else(String::new, |s| format!("{mark}{{{}}}", printed(contents(s))))
+                        };
+                        (&**nucleus, format!("{}{}", label('_', sub), label('^', sup)))
+                    }
+                    _ => (next, String::new()),
+                };
+                *cursor += 2;
+                let inner = self.item(nucleus)?;
+                Ok(Some(self.template(&format!("{name}{{#}}{label}"), vec![inner], item.span.to(next.span))))
+            }
+            "\\overset" | "\\underset" | "\\stackrel" => {
+                let Some(base) = items.get(*cursor + 2) else { return Ok(None) };
+                *cursor += 3;
+                let inner = self.item(base)?;
+                let template = format!("{name}{{{}}}{{#}}", printed(contents(next)));
+                Ok(Some(self.template(&template, vec![inner], item.span.to(base.span))))
+            }
+            "\\binom" | "\\dbinom" | "\\tbinom" => {
+                let Some(below) = items.get(*cursor + 2) else { return Ok(None) };
+                *cursor += 3;
+                let (above, lower) = (self.item(next)?, self.item(below)?);
+                Ok(Some(self.template("\\binom{#}{#}", vec![above, lower], item.span.to(below.span))))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// A factor with the factorial, the further indices or the evaluation that follows it.
+    pub(in super::super) fn with_what_follows(&mut self, factor: Expr, items: &[Item], cursor: &mut usize) -> Expr {
+        if !self.is_abstract() {
+            return factor;
+        }
+        let mut factor = self.factorial(factor, items, cursor);
+        while let Some(next) = items.get(*cursor)
+            && is_bare_script(next)
+            && next.span.start == items[*cursor - 1].span.end
+            && matches!(items[*cursor - 1].layout, Layout::Scripts { .. })
+        {
+            *cursor += 1;
+            let span = factor.span.to(next.span);
+            factor = self.template(&format!("#{}", printed(std::slice::from_ref(next))), vec![factor], span);
+        }
+        factor
+    }
+
+    /// A fraction that is a derivative by anything, with what it acts on; `None` for another fraction.
+    pub(in super::super) fn abstract_derivative(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let item = &items[*cursor];
+        let Layout::Fraction(above, below) = &item.layout else { return Ok(None) };
+        let (above, below) = (contents(above), contents(below));
+        // `\frac{{}^N d\vec v}{dt}`: a derivative in the frame N.
+        let (frame, above) = match above.split_first() {
+            Some((script, rest)) if is_bare_script(script) => (printed(std::slice::from_ref(script)), rest),
+            _ => (String::new(), above),
+        };
+        let (Some(first), Some(lower)) = (above.first(), below.first()) else { return Ok(None) };
+        let (Some(mark), Some(_)) = (mark(first), mark_alone(lower)) else { return Ok(None) };
+        if below.len() < 2 {
+            return Ok(None);
+        }
+        *cursor += 1;
+        let template = |hole: &str| format!("\\frac{{{frame}{mark} {hole}}}{{{}}}", printed(below));
+        if above[1..].iter().any(|item| !matches!(item.layout, Layout::Space(_))) {
+            let inner = self.sum(&above[1..], item.span)?;
+            return Ok(Some(self.template(&template("#"), vec![inner], item.span)));
+        }
+        let applied = self.on_the_rest(items, cursor)?;
+        Ok(Some(self.acting(&template(""), applied, item.span)))
+    }
+
+    /// ∂ or ∇ with an index or alone, a box, `\frac{d}{dt}` without an operand.
+    pub(in super::super) fn abstract_operator(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let item = &items[*cursor];
+        let nucleus = match &item.layout {
+            Layout::Scripts { nucleus, primes: 0, .. } => nucleus,
+            _ => item,
+        };
+        let nucleus = match &nucleus.layout {
+            Layout::Style(_, inner) | Layout::Accent(_, inner) => contents(inner).first().unwrap_or(nucleus),
+            _ => nucleus,
+        };
+        let Layout::Command(name) = &nucleus.layout else { return Ok(None) };
+        if !["\\partial", "\\nabla", "\\Box", "\\square"].contains(&name.as_str()) {
+            return Ok(None);
+        }
+        *cursor += 1;
+        let mut text = printed(std::slice::from_ref(item));
+        while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(_))) {
+            *cursor += 1;
+        }
+        if let (Some(next), "\\nabla") = (items.get(*cursor), name.as_str())
+            && matches!(&next.layout, Layout::Command(sign) if ["\\cdot", "\\times", "\\otimes"].contains(&sign.as_str()))
+        {
+            text.push_str(&printed(std::slice::from_ref(next)));
+            *cursor += 1;
+        }
+        let applied = self.on_the_next(items, cursor)?;
+        Ok(Some(self.acting(&text, applied, item.span)))
+    }
+
+    fn acting(&mut self, operator: &str, inner: Option<Expr>, span: Span) -> Expr {
+        match inner {
+            Some(inner) => {
+                let whole = span.to(inner.span);
+                self.template(&format!("{operator}(#)"), vec![inner], whole)
+            }
+            None => self.template(operator, Vec::new(), span),
+        }
+    }
+
+    /// The next factor, which an operator acts on; `None` if there is none.
+    fn on_the_next(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let next = items[*cursor..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
+        let Some(next) = next.map(|at| *cursor + at).filter(|at| joint(&items[*at]).is_none()) else { return Ok(None) };
+        *cursor = next;
+        let (factor, _) = self.factor(items, cursor)?;
+        let follows = items[*cursor..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+        let touches = items.get(*cursor).is_some_and(|item| !matches!(item.layout, Layout::Space(_)));
+        let is_name = follows.is_some_and(|item| names::printed(item, None).is_some());
+        if is_name && touches && !matches!(items[next].layout, Layout::Fence(..)) {
+            return Err(Fault::ambiguous(
+                items[next].span.to(items[*cursor].span),
+                "an operator before f g may act on f or on the product",
+            )
+            .help("put what it acts on in parentheses"));
+        }
+        Ok(Some(factor))
+    }
+
+    /// A parenthesis, or else the rest of the term; `None` if there is nothing.
+    fn on_the_rest(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let next = items[*cursor..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
+        let Some(next) = next.map(|at| *cursor + at).filter(|at| joint(&items[*at]).is_none()) else { return Ok(None) };
+        if matches!(items[next].layout, Layout::Fence(..)) {
+            *cursor = next + 1;
+            return self.item(&items[next]).map(Some);
+        }
+        let rest = &items[next..];
+        *cursor = items.len();
+        self.term(rest).map(Some)
+    }
+
+    /// `\min_x` before a sum; `None` for anything else.
+    pub(in super::super) fn extremum(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
+        let Some(at) = items.iter().position(|item| !matches!(item.layout, Layout::Space(_))) else { return Ok(None) };
+        let rest = &items[at + 1..];
+        let has_terms = rest.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+        if !is_extremum(&items[at]) || !has_terms {
+            return Ok(None);
+        }
+        let inner = self.sum(rest, place)?;
+        let template = format!("{}(#)", printed(std::slice::from_ref(&items[at])));
+        Ok(Some(self.template(&template, vec![inner], place)))
+    }
+
+    /// `\max(a, b)`, `\mathrm{erf}(x)`, `\log x`: a named function of what follows.
+    pub(in super::super) fn named_function(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let item = &items[*cursor];
+        let (nucleus, is_bare) = match &item.layout {
+            Layout::Scripts { nucleus, primes: 0, .. } => (&**nucleus, false),
+            _ => (item, true),
+        };
+        let is_word = |item: &Item| matches!(item.layout, Layout::Letter(_) | Layout::Number(_) | Layout::Other('-'));
+        let is_function = match &nucleus.layout {
+            Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
+            Layout::Text(word) => {
+                let next = items.get(*cursor + 1).map(|next| &next.layout);
+                !is_prose(word) && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square, _)))
+            }
+            Layout::Style(style, inner) if style == "\\mathrm" && contents(inner).iter().all(is_word) => {
+                let word = printed(contents(inner));
+                let has_argument =
+                    matches!(items.get(*cursor + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
+                FUNCTIONS.contains(&word.as_str()) || contents(inner).len() > 1 && has_argument && is_bare
+            }
+            _ => false,
+        };
+        if !is_function {
+            return Ok(None);
+        }
+        *cursor += 1;
+        let name = printed(std::slice::from_ref(item));
+        if let Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), span }) =
+            items.get(*cursor)
+        {
+            *cursor += 1;
+            let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
+            let arguments = inside.split(is_comma).map(|part| self.sum(part, *span)).collect::<Read<Vec<_>>>()?;
+            let holes = vec!["#"; arguments.len()].join(", ");
+            return Ok(Some(self.template(&format!("{name}({holes})"), arguments, item.span.to(*span))));
+        }
+        let Some(inner) = self.on_the_next(items, cursor)? else {
+            return Ok(Some(self.template(&name, Vec::new(), item.span)));
+        };
+        let span = item.span.to(inner.span);
+        Ok(Some(self.template(&format!("{name}(#)"), vec![inner], span)))
+    }
+
+    /// `n!`, at the exclamation mark.
+    pub(in super::super) fn factorial(&mut self, value: Expr, items: &[Item], cursor: &mut usize) -> Expr {
+        let mut value = value;
+        while let Some(Item { layout: Layout::Other('!'), span }) = items.get(*cursor) {
+            *cursor += 1;
+            let whole = value.span.to(*span);
+            value = self.template("#!", vec![value], whole);
+        }
+        value
+    }
+}
+
+/// Whether an item is a derivative, or ∂ or ∇.
+fn is_derivative(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Fraction(above, below) => {
+            [above, below].iter().all(|part| contents(part).first().is_some_and(|first| mark(first).is_some()))
+        }
+        Layout::Scripts { nucleus, .. } => is_derivative(nucleus),
+        Layout::Command(name) => ["\\nabla", "\\partial"].contains(&name.as_str()),
+        _ => false,
+    }
+}
+
+fn is_parenthesis(item: &Item) -> bool {
+    let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
+    matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _))
+}
+
+/// `\min_x`, which acts on the whole sum after it.
+fn is_extremum(item: &Item) -> bool {
+    let Layout::Scripts { nucleus, sub: Some(_), sup: None, primes: 0 } = &item.layout else { return false };
+    match &nucleus.layout {
+        Layout::Command(name) => ["\\min", "\\max", "\\sup", "\\inf"].contains(&name.as_str()),
+        Layout::Style(_, inner) => ["argmin", "argmax"].contains(&printed(contents(inner)).as_str()),
+        _ => false,
+    }
+}
+
+/// Whether an item is a script without a base, `{}_{\\nu}`.
+fn is_bare_script(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Scripts { nucleus, .. } if nucleus.layout == Layout::Group(Vec::new()))
+}
+
+/// Functions that have a command or an upright name, and no value here.
+const FUNCTIONS: [&str; 34] = [
+    "log", "lg", "max", "min", "sup", "inf", "arg", "argmax", "argmin", "sgn", "sign", "dim", "ker", "rank", "span",
+    "erf", "erfc", "sinc", "gcd", "Pr", "hom", "Res", "Var", "Cov", "ad", "Ad", "div", "grad", "rot", "curl", "diag",
+    "arctanh", "arcsinh", "arccosh",
+];
+
+/// What begins the numerator of a derivative, with its order: d, ∂, δ, D.
+fn mark(item: &Item) -> Option<String> {
+    match &item.layout {
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
+            let order = whole_number(sup).map(|order| order.to_string()).or_else(|| {
+                names::printed(sup, None).filter(|found| found.sup.is_none()).map(|found| found.name.to_string())
+            })?;
+            mark_alone(nucleus).map(|mark| format!("{mark}^{{{order}}}"))
+        }
+        _ => mark_alone(item).map(str::to_owned),
+    }
+}
+
+fn mark_alone(item: &Item) -> Option<&'static str> {
+    match &item.layout {
+        Layout::Command(name) if name == "\\partial" => Some("\\partial"),
+        Layout::Command(name) if name == "\\delta" => Some("\\delta"),
+        Layout::Letter('D') => Some("D"),
+        Layout::Style(style, inner)
+            if style == "\\mathrm" && matches!(contents(inner), [Item { layout: Layout::Letter('D'), .. }]) =>
+        {
+            Some("D")
+        }
+        _ => (differential(item) == Some(1)).then_some("d"),
+    }
+}
+
+/// Whether a fraction is a derivative that follows the motion, `\frac{D\vec u}{Dt}`.
+pub(in super::super) fn is_material(above: &Item, below: &Item) -> bool {
+    let is_d = |item: &Item| mark_alone(item) == Some("D");
+    matches!(contents(below), [d, _] if is_d(d)) && contents(above).first().is_some_and(is_d)
+}

@@ -1,0 +1,99 @@
+//! What stands above a base that has no power: an index, a mark, a label; and T, −1 and † above what has no value.
+//!
+//! A letter above a symbol is an index if it is a usual index of space and time, or an index elsewhere in the display. In
+//! any other case it may be a power, and is refused.
+
+use crate::formula::shape::Shape;
+use crate::formula::tree::{Expr, Node};
+use crate::source::Span;
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::names;
+use super::super::items::{contents, is_minus_one, is_transpose, whole_number};
+use super::super::state::{Read, Reader};
+use super::printed;
+
+impl Reader<'_> {
+    /// A base with what stands above it; `None` if it may be a power.
+    pub(in super::super) fn marked(&mut self, base: &Expr, sup: &Item, span: Span) -> Read<Option<Expr>> {
+        let shape = self.shape_of(base)?;
+        let has_no_powers = matches!(shape, Shape::Abstract | Shape::Vector | Shape::Matrix(..));
+        let text = printed(contents(sup));
+        let is_number = matches!(base.node, Node::Number(_));
+        let is_mark = match is_transpose(sup) {
+            true => has_no_powers || self.symbols.inferred.has_transposes,
+            false => {
+                // Nobody writes the powers x⁰ and x¹.
+                is_sign(sup)
+                    || !is_number && matches!(whole_number(sup), Some(0 | 1))
+                    || !is_number && is_word(sup)
+                    || !is_number && self.is_index(sup)
+                    || has_no_powers && (is_minus_one(sup) || whole_number(sup).is_none())
+            }
+        };
+        Ok(is_mark.then(|| self.template(&format!("#^{{{text}}}"), vec![base.clone()], span)))
+    }
+
+    /// Whether letters above a base are indices.
+    pub(in super::super) fn is_index(&self, sup: &Item) -> bool {
+        let known = &self.symbols.inferred.index_letters;
+        let is_known = |item: &Item| match names::printed(item, None) {
+            Some(found) => {
+                SPACETIME.contains(&found.name.base.as_str()) || known.contains(&found.name.base) && found.sup.is_none()
+            }
+            // `T^{i}{}_{1}`, `x^{\mu'}`
+            None => {
+                matches!(&item.layout, Layout::Number(digits) if digits.len() == 1) || item.layout == Layout::Other(',')
+            }
+        };
+        let marks: Vec<&Item> = contents(sup).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        let has_letter = marks.iter().any(|item| names::printed(item, None).is_some());
+        match marks.as_slice() {
+            [] => false,
+            _ => has_letter && marks.into_iter().all(is_known),
+        }
+    }
+}
+
+/// The usual indices of space and time, which are no exponents.
+const SPACETIME: [&str; 5] = ["\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda"];
+
+/// Whether letters above a symbol spell one of the usual labels.
+fn is_word(sup: &Item) -> bool {
+    const WORDS: [&str; 20] = [
+        "ex", "ext", "in", "out", "eff", "tot", "kin", "pot", "int", "rot", "max", "min", "eq", "cl", "rel", "cm",
+        "el", "mag", "vib", "obs",
+    ];
+    WORDS.contains(&printed(contents(sup)).as_str())
+}
+
+/// Whether what stands above is a sign, a word or a number in parentheses, and so no power.
+fn is_sign(sup: &Item) -> bool {
+    let marks: Vec<&Item> = contents(sup).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    match marks.as_slice() {
+        [Item { layout: Layout::Command(name), .. }] => [
+            "\\dagger",
+            "\\ddagger",
+            "\\circ",
+            "\\ast",
+            "\\star",
+            "\\perp",
+            "\\parallel",
+            "\\pm",
+            "\\mp",
+            "\\prime",
+            "\\sharp",
+            "\\flat",
+            "\\wedge",
+            "\\times",
+            "\\vee",
+        ]
+        .contains(&name.as_str()),
+        [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†' | '!'), .. }] => true,
+        [Item { layout: Layout::Fence(Delimiter::Round, _), .. }] => true,
+        [Item { layout: Layout::Text(_), .. }] => true,
+        [Item { layout: Layout::Style(style, inner), .. }] if style == "\\mathrm" => contents(inner).len() > 1,
+        [Item { layout: Layout::Style(style, _), .. }] => style == "\\mathbf",
+        _ => false,
+    }
+}
