@@ -24,7 +24,14 @@ pub enum Shape {
     /// Does not change at all.
     Independent,
     /// Tends to a value (or diverges) as the variable approaches an end.
-    TendsTo(f64, Target),
+    TendsTo {
+        /// The end.
+        end: f64,
+        /// The formula of the end, which is a number.
+        formula: Box<Expr>,
+        /// What the function tends to.
+        target: Target,
+    },
     /// As an equation set to zero, has so many real solutions for the variable.
     Solutions(usize),
 }
