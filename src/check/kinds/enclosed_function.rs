@@ -19,8 +19,7 @@ use crate::scalar::enclosure::{Enclosure, evaluate_to};
 use crate::scalar::{Arithmetic, Primal};
 
 use crate::check::kinds::limit::Towards;
-use crate::check::kinds::scan::{Atoms, Still, value_of};
-use crate::check::kinds::shape::Target;
+use crate::check::kinds::shape::{Atoms, Still, Target, value_of};
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use num_dual::Dual;
 
 use crate::code::Code;
-use crate::formula::{Differentiable, Environment, Expr, SymbolId, Symbols, Unavailable, Value, evaluate};
+use crate::formula::{Expr, SymbolId};
 use crate::latex::typeset;
 use crate::notes::claims::Range;
 use crate::scalar::RunningError;
@@ -17,7 +17,7 @@ use crate::scalar::RunningError;
 use crate::check::kinds::enclosed_function::{Course, EnclosedFunction};
 use crate::check::kinds::limit::{Towards, sides};
 use crate::check::kinds::root_isolation::{count_roots_on_grid, minimum};
-use crate::check::kinds::shape::{Shape, Target};
+use crate::check::kinds::shape::{Atoms, Shape, Still, Target, difference, value_of};
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::sample::sampler::last;
@@ -37,45 +37,6 @@ const DIP: f64 = 1e-9;
 
 /// The relative difference above which two values are different.
 const CHANGED: f64 = 1e-9;
-
-/// The values of the atoms of a state.
-pub(crate) type Atoms = Vec<(SymbolId, f64)>;
-
-/// An environment in which atoms are numbers without rates.
-pub(crate) struct Still<'a, D> {
-    pub symbols: &'a Symbols,
-    pub values: Vec<(SymbolId, D)>,
-}
-
-impl<D: Differentiable> Environment<D> for Still<'_, D> {
-    fn symbols(&self) -> &Symbols {
-        self.symbols
-    }
-
-    fn symbol(&self, id: SymbolId, _indices: &[u8]) -> Result<Value<D>, Unavailable> {
-        let found = self.values.iter().find(|(known, _)| *known == id);
-        found.map(|(_, value)| Value::Scalar(*value)).ok_or(Unavailable::Symbol(id))
-    }
-}
-
-/// The left side minus the right side of a hypothesis at a state.
-pub(crate) fn difference<D: Differentiable>(
-    state: &Atoms,
-    hypothesis: &Hypothesis,
-    model: &Model,
-    mut number: impl FnMut(f64) -> D,
-) -> Option<D> {
-    let values = state.iter().map(|(id, x)| (*id, number(*x))).collect();
-    let still = Still { symbols: &model.symbols, values };
-    Some(value_of(&hypothesis.lhs, &still)? - value_of(&hypothesis.rhs, &still)?)
-}
-
-pub(crate) fn value_of<D: Differentiable>(expr: &Expr, environment: &dyn Environment<D>) -> Option<D> {
-    match evaluate(expr, environment, &[]) {
-        Ok(Value::Scalar(value)) => Some(value),
-        _ => None,
-    }
-}
 
 /// What a scan at one state shows of a claimed shape.
 pub(crate) enum Observation {
