@@ -74,8 +74,9 @@ fn to_all_digits(link: &Link, ensemble: &Ensemble<'_>, finding: Finding) -> Find
     if finding.verdict != Verdict::Verified {
         return finding;
     }
-    for state in ensemble.states.iter().take(STATES_TO_ALL_DIGITS) {
-        match enclosed::decided(link, state, &ensemble.projection) {
+    for (at, state) in ensemble.states.iter().take(STATES_TO_ALL_DIGITS).enumerate() {
+        let decide = if at == 0 { enclosed::decided_finely } else { enclosed::decided };
+        match decide(link, state, &ensemble.projection) {
             Decision::Differ(failure) if enclosed::is_beyond_doubles(&failure) => {
                 let by = failure.residual.log10().floor();
                 let message =
