@@ -87,6 +87,24 @@ impl Algebra {
         Algebra { work: Some(work), ..self }
     }
 
+    /// The number of atoms in a fraction as it is written out, with those within others.
+    pub fn written(&self, fraction: &Fraction) -> usize {
+        let mut sizes: Vec<usize> = Vec::with_capacity(self.atoms.len());
+        let of = |fraction: &Fraction, sizes: &[usize]| {
+            let all = std::iter::once(&fraction.top).chain(fraction.under.keys()).flat_map(Polynomial::terms);
+            let factors = all.flat_map(|(monomial, _)| monomial.factors());
+            let size = |(atom, _): &(u32, i32)| sizes.get(*atom as usize).copied().unwrap_or(1);
+            factors.map(size).fold(1_usize, usize::saturating_add)
+        };
+        for atom in &self.atoms {
+            sizes.push(match atom {
+                Atom::Input(_) | Atom::Pi => 1,
+                Atom::Call(_, inner) | Atom::Root(_, inner) => of(inner, &sizes),
+            });
+        }
+        of(fraction, &sizes)
+    }
+
     /// The atom of an input.
     pub fn input_place(&self, n: usize) -> u32 {
         self.places.get(&Atom::Input(n as u32)).copied().unwrap_or(u32::MAX)

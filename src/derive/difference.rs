@@ -23,8 +23,14 @@ pub fn difference(graph: &Graph, printed: Symbol, derived: Symbol, letters: &[Le
     let sides = algebra.normal(graph, &[printed, derived])?;
     let rest = algebra.plus(&sides[0], &sides[1], -Exact::one())?;
     let rest = algebra.presented(&rest)?;
+    if algebra.written(&rest) > LONGEST {
+        return Err(Error::new("the difference is too long to be written").help("compare shorter formulas"));
+    }
     Printer { algebra: &algebra, letters }.sum(&[rest])
 }
+
+/// The largest number of atoms in a difference that is written out.
+const LONGEST: usize = 20_000;
 
 /// The limit of work: the explanation of a refuted equation must not cost more than its refutation.
 const WORK: usize = 20_000;

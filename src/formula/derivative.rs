@@ -38,7 +38,16 @@ const DEEPEST: usize = 40;
 /// # Errors
 /// Where something in the formula has no known derivative.
 pub fn partial(expr: &Expr, by: &Variable, scope: Scope<'_>, span: Span) -> Derived {
-    Differentiator { scope, symbols: scope.symbols, span, how: How::Partial(by) }.of(expr, 0)
+    not_too_long(Differentiator { scope, symbols: scope.symbols, span, how: How::Partial(by) }.of(expr, 0)?)
+}
+
+/// The largest number of parts of a derivative: each further derivative multiplies them.
+const LONGEST: usize = 4000;
+
+fn not_too_long(formula: Expr) -> Derived {
+    let mut parts = 0;
+    formula.walk(&mut |_| parts += 1);
+    if parts > LONGEST { Err(NoDerivative::Operation("a formula as long as this")) } else { Ok(formula) }
 }
 
 /// `d expr/dt`, in which every definition is replaced by its formula.
@@ -46,7 +55,7 @@ pub fn partial(expr: &Expr, by: &Variable, scope: Scope<'_>, span: Span) -> Deri
 /// # Errors
 /// Where something in the formula has no known derivative.
 pub fn rate(expr: &Expr, scope: Scope<'_>, span: Span) -> Derived {
-    Differentiator { scope, symbols: scope.symbols, span, how: How::Rate }.of(expr, 0)
+    not_too_long(Differentiator { scope, symbols: scope.symbols, span, how: How::Rate }.of(expr, 0)?)
 }
 
 /// What of the independent variables a formula contains, through definitions too: each symbol with its indices and its

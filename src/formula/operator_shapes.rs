@@ -86,7 +86,7 @@ impl Binder<'_> {
         let found = self.bind(expr)?;
         match found.shape {
             Shape::Complex if found.free.iter().all(|letter| self.is_label(*letter)) => Ok(found),
-            _ => self.scalar(expr, what).map(|free| Type { shape: Shape::Scalar, free }),
+            _ => self.scalar_labels(found, expr.span, what).map(|free| Type { shape: Shape::Scalar, free }),
         }
     }
 

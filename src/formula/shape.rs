@@ -159,14 +159,16 @@ impl Binder<'_> {
     /// The free labels of a scalar, which may have no other free index.
     pub(super) fn scalar(&mut self, expr: &mut Expr, what: &str) -> Result<Vec<IndexId>, Fault> {
         let found = self.bind(expr)?;
+        self.scalar_labels(found, expr.span, what)
+    }
+
+    /// The free labels of what must be a scalar without other free indices.
+    pub(super) fn scalar_labels(&self, found: Type, span: Span, what: &str) -> Result<Vec<IndexId>, Fault> {
         if found.shape != Shape::Scalar && !self.symbols.is_abstract() {
-            return Err(Fault::shape(
-                expr.span,
-                format!("{what} must be a scalar, but this is {}", found.shape.noun()),
-            ));
+            return Err(Fault::shape(span, format!("{what} must be a scalar, but this is {}", found.shape.noun())));
         }
         if found.free.iter().any(|letter| !self.is_label(*letter)) {
-            return Err(Fault::index(expr.span, format!("{what} has a free index")));
+            return Err(Fault::index(span, format!("{what} has a free index")));
         }
         Ok(found.free)
     }

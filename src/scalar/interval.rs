@@ -127,7 +127,15 @@ impl Interval {
         }
         match (self, other) {
             (a, Interval { low: 0.0, high: 0.0 }) | (Interval { low: 0.0, high: 0.0 }, a) => a,
-            (a, b) => Self::rounded(a.low + b.low, a.high + b.high),
+            (a, b) => {
+                let (low, high) = (a.low + b.low, a.high + b.high);
+                // Ends that cancel do so exactly.
+                let is_exact = |sum: f64, one: f64| sum == 0.0 && one.is_finite();
+                Self::new(
+                    if is_exact(low, a.low) { low } else { down(low, 1) },
+                    if is_exact(high, a.high) { high } else { up(high, 1) },
+                )
+            }
         }
     }
 

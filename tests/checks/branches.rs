@@ -23,6 +23,10 @@ fn a_narrow_or_far_branch_is_found() {
         (r"\sqrt{(p - 10^6)^2} = 10^6 - p", "p < 1000000"),
         (r"\sqrt{x^2 - 30000x + 225000000} = 15000 - x", "x < 15000"),
         ("|u - v| = u - v", "v < 1"),
+        (r"|\sin x - 0.999999999| = 0.999999999 - \sin x", "\\sin x < 0.9"),
+        (r"\sqrt{(100\sin x - 99.9999)^2} = 99.9999 - 100\sin x", "\\sin x < 0.9"),
+        ("|(x - 3)(x - 3.0000000001)| = (x - 3)(x - 3.0000000001)", "x < 2"),
+        (r"|\sin x + \sin y - 1.999999| = 1.999999 - \sin x - \sin y", "\\sin x < 0.9"),
     ] {
         let found = under(latex, &[]);
         assert_eq!(found.verdict, Refuted, "{latex}: {found:?}");
@@ -54,6 +58,8 @@ fn what_keeps_its_branch_stays_so() {
         r"\sqrt{(x - 5)^2 + 1} \sqrt{(x - 5)^2 + 1} = (x - 5)^2 + 1",
         r"\ln(x^2 + y^2 + 1) = \frac12 \ln((x^2 + y^2 + 1)^2)",
         "|u - v + 0.02| = u - v + 0.02",
+        r"|\sin x - 1.000000001| = 1.000000001 - \sin x",
+        "|(x - 3)^2 (y - 2)^2| = (x - 3)^2 (y - 2)^2",
     ] {
         let found = under(latex, &[]);
         assert!(found.verdict.holds(), "{latex}: {found:?}");

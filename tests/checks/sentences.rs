@@ -79,6 +79,50 @@ fn a_limit_is_reached_however_steep_the_way() {
     assert_eq!(tends("a"), Verified);
 }
 
+/// Close to the end a double has lost all digits of 1 − cos x, and a slow approach looks like none.
+#[test]
+fn a_limit_rests_on_no_rounding() {
+    let positive = with(&numbers(), "constants", json!({ "a, b, c": "> 0", "x": "any" }));
+    let tends = |of: &str, end: &str, value: &str| sentence(&positive, json!({ "of": of, "tends to": { end: value } }));
+    let after = |of: &str, value: &str| {
+        sentence(&positive, json!({ "of": of, "tends to": { r"x \to 0": value }, "assume": "x > 0" }))
+    };
+    let top = r"\frac{abc \sin x}{x} - \frac{a^2 (1 - \cos x)^2}{b x \sin^3 x}";
+    assert_eq!(tends(top, r"x \to 0", r"abc - \frac{a^2}{4b}"), Verified);
+    for wrong in [r"abc", r"abc - \frac{a^2}{2b}", r"abc - \frac{a^2}{4.0000000000001b}", r"\infty"] {
+        assert_eq!(tends(top, r"x \to 0", wrong), Refuted, "{wrong}");
+    }
+    for (of, right, wrong) in [
+        (r"\frac{x - \sin x}{x^3}", r"\frac16", r"0.16666666666666666"),
+        (r"\frac{e^x - 1 - x - \frac{x^2}{2}}{x^3}", r"\frac16", r"\frac13"),
+        (r"\frac{\tan x - \sin x}{x^3}", r"\frac12", "0"),
+        (r"a + \frac{\sin(x^2)}{x}", "a", r"a + 10^{-12}"),
+    ] {
+        assert_eq!((tends(of, r"x \to 0", right), tends(of, r"x \to 0", wrong)), (Verified, Refuted), "{of}");
+    }
+    for (of, right, wrong) in [
+        (r"a + \frac{1}{\ln x}", "a", "2a"),
+        (r"\frac{a}{\ln x} - \ln x", r"\infty", "0"),
+        (r"a x \ln x", "0", "10^{-9}"),
+        (r"a e^{-1/x}", "0", "a"),
+    ] {
+        assert_eq!(after(of, right), Verified, "{of}");
+        assert!(matches!(after(of, wrong), Refuted | Undecided), "{of}");
+    }
+    assert_eq!(tends(r"\frac{\sin x}{x - \pi}", r"x \to \pi", "-1"), Verified);
+    assert_eq!(tends(r"\frac{1 + \cos x}{(x - \pi)^2}", r"x \to \pi", r"\frac12"), Verified);
+    assert_eq!(tends(r"\frac{1 + \cos x}{(x - \pi)^2}", r"x \to \pi", r"\frac13"), Refuted);
+}
+
+/// A dip that stays above zero by 10⁻¹⁴ is no root, and two roots 10⁻⁸ apart are two.
+#[test]
+fn a_close_dip_is_decided_with_many_digits() {
+    let sign = |of: &str| of_numbers(json!({ "of": of, "sign": "positive", "against": "x" }));
+    assert_eq!(sign("(x - a)^2 + 10^{-14} a^2"), Verified);
+    assert_eq!(sign("(x - a)^2 - 10^{-14} a^2"), Refuted);
+    assert_eq!(sign("(x - a)^2"), Refuted);
+}
+
 #[test]
 fn rising_and_falling() {
     let positive = with(&numbers(), "constants", json!({ "a, b, c, x": "> 0" }));

@@ -98,3 +98,24 @@ fn at_angles_that_are_special_together() {
         the_bound_is(right, wrong, &[]);
     }
 }
+
+/// A dip of 10⁻⁴ in three numbers, and what says that nothing is proved.
+#[test]
+fn a_narrow_dip_is_found_and_a_proof_is_named() {
+    the_bound_is(
+        "(x - y)^2 + (y - z)^2 + (z - 1.1)^2 + 10^{-8} > 0",
+        "(x - y)^2 + (y - z)^2 + (z - 1.1)^2 - 10^{-8} > 0",
+        &[],
+    );
+    for (latex, is_proved) in [
+        ("(w - 0.5)^2 + 10^{-6} > 0", true),
+        (r"\cos x \leq 1", true),
+        (r"r^2 + w > 0.99", true),
+        (r"e^x \geq 1 + x", false),
+    ] {
+        let found = under(latex, &[]);
+        assert_eq!(found.verdict, Verified, "{latex}: {found:?}");
+        let words = if is_proved { "proved over all values in the ranges" } else { "which is no proof" };
+        assert!(found.message.contains(words), "{latex}: {found:?}");
+    }
+}

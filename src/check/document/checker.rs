@@ -396,12 +396,8 @@ impl Checker<'_> {
 
     /// `x \to a`.
     pub fn limit(&self, latex: &Spanned<String>) -> Result<(SymbolId, Towards)> {
-        let wrong = || {
-            Error::at(&self.claims.source, latex.span, format!("“{}” is not a limit", latex.value))
-                .help("write a name, \\to, and a number or \\infty, such as \\omega_3 \\to \\infty")
-        };
-        let arrow = ["\\to", "\\rightarrow"].into_iter().find_map(|arrow| latex.value.split_once(arrow));
-        let (variable, end) = arrow.ok_or_else(wrong)?;
+        let wrong = || self.no_limit(latex);
+        let (variable, end) = at_arrow(latex).ok_or_else(wrong)?;
         let symbol = self.symbol(&Spanned { value: variable.trim().to_owned(), span: latex.span })?;
         let towards = match end.replace(' ', "").as_str() {
             "\\infty" | "+\\infty" => Towards::Infinity,
@@ -418,4 +414,20 @@ impl Checker<'_> {
         };
         Ok((symbol, towards))
     }
+
+    /// The formula of a in `x \to a`.
+    pub fn end_of_limit(&self, latex: &Spanned<String>) -> Result<Expr> {
+        let (_, end) = at_arrow(latex).ok_or_else(|| self.no_limit(latex))?;
+        self.formula(&Spanned { value: end.to_owned(), span: latex.span })
+    }
+
+    fn no_limit(&self, latex: &Spanned<String>) -> Error {
+        Error::at(&self.claims.source, latex.span, format!("“{}” is not a limit", latex.value))
+            .help("write a name, \\to, and a number or \\infty, such as \\omega_3 \\to \\infty")
+    }
+}
+
+/// The texts before and after the arrow of a limit.
+fn at_arrow(latex: &Spanned<String>) -> Option<(&str, &str)> {
+    ["\\to", "\\rightarrow"].into_iter().find_map(|arrow| latex.value.split_once(arrow))
 }

@@ -377,7 +377,8 @@ fn shapes(checker: &Checker<'_>, sentence: &Sentence, property: &Property) -> Re
                     "-\\infty" => Target::Infinite(Towards::MinusInfinity),
                     _ => Target::Finite(Box::new(checker.formula(value)?)),
                 };
-                Ok((variable, Shape::TendsTo(end, target)))
+                let formula = Box::new(checker.end_of_limit(at)?);
+                Ok((variable, Shape::TendsTo { end, formula, target }))
             });
             each.collect::<Result<_>>()?
         }

@@ -16,7 +16,9 @@ use crate::check::sample::context::Context;
 use crate::check::sample::enclosed;
 use crate::check::sample::enclosed::Decision;
 use crate::check::sample::ensemble::Ensemble;
-use crate::check::search::{boundary, branch_points, branches, double_range, family_sizes, magnitudes, worst_state};
+use crate::check::search::{
+    boundary, branch_points, branches, double_range, family_sizes, magnitudes, proof, worst_state,
+};
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual;
 use crate::check::state::residual::Point;
@@ -72,8 +74,9 @@ fn to_all_digits(link: &Link, ensemble: &Ensemble<'_>, finding: Finding) -> Find
     if finding.verdict != Verdict::Verified {
         return finding;
     }
-    for state in ensemble.states.iter().take(STATES_TO_ALL_DIGITS) {
-        match enclosed::decided(link, state, &ensemble.projection) {
+    for (at, state) in ensemble.states.iter().take(STATES_TO_ALL_DIGITS).enumerate() {
+        let decide = if at == 0 { enclosed::decided_finely } else { enclosed::decided };
+        match decide(link, state, &ensemble.projection) {
             Decision::Differ(failure) if enclosed::is_beyond_doubles(&failure) => {
                 let by = failure.residual.log10().floor();
                 let message =
@@ -150,7 +153,8 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
             ..finding
         };
         let finding = family_sizes::at_other_sizes(link, context, mode, finding)?;
-        return Ok((worst_state::at_worst_state(link, context, &ensemble, finding), next));
+        let finding = worst_state::at_worst_state(link, context, &ensemble, finding);
+        return Ok((proof::by_subdivision(link, context, &ensemble, finding), next));
     }
     let withheld =
         |code, message: String| Ok((finding.clone().replaced(code, Verdict::Undecided, message), Next::Settled));

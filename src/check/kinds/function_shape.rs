@@ -19,8 +19,8 @@ use crate::code::Code;
 use crate::formula::{Expr, Relation, SymbolId, text};
 use crate::scalar::RunningError;
 
-use crate::check::kinds::scan::{Atoms, Observation, Probe, difference};
-use crate::check::kinds::shape::{Shape, Target};
+use crate::check::kinds::scan::{Observation, Probe};
+use crate::check::kinds::shape::{Atoms, Shape, Target, difference};
 use crate::check::kinds::solves::mentions;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
@@ -35,6 +35,9 @@ use crate::check::verdict::finding::{Counterexample, Finding};
 /// A function that moves a state to a special place.
 type Place = Box<dyn Fn(&mut Atoms)>;
 
+/// The symbols for which hypotheses were solved, each with its hypothesis.
+type Solved = Vec<(SymbolId, Hypothesis)>;
+
 /// The number of random states, besides the special ones.
 const RANDOM: usize = 16;
 
@@ -47,7 +50,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
     let mut atoms: Vec<SymbolId> = Vec::new();
     let mut formulas = vec![function];
     formulas.extend(context.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]));
-    if let Shape::TendsTo(_, Target::Finite(value)) = shape {
+    if let Shape::TendsTo { target: Target::Finite(value), .. } = shape {
         formulas.push(value);
     }
     for (id, dots) in formulas.iter().flat_map(|formula| formula.symbols()) {
@@ -86,13 +89,13 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
     let range = model.range(variable);
     let (states, tried) = states(&atoms, variable, context);
     let mut points = 0;
-    for atoms in &states {
-        let probe = Probe { model, function, variable, atoms, bounds: &bounds };
+    for (atoms, solved) in &states {
+        let probe = Probe { model, function, variable, atoms, bounds: &bounds, solved };
         match probe.observe(shape, &range) {
             Observation::Holds => points += 1,
             Observation::Useless => {}
-            Observation::Open(message) => {
-                return Finding { points, tried, ..context.finding(Code::TooClose, Verdict::Undecided, message) };
+            Observation::Open(code, message) => {
+                return Finding { points, tried, ..context.finding(code, Verdict::Undecided, message) };
             }
             Observation::Fails { at, found, wanted, what } => {
                 let mut state: Vec<(String, f64)> =
@@ -121,8 +124,9 @@ fn is_momentum(quantity: crate::check::model::meaning::Quantity) -> bool {
     matches!(quantity, crate::check::model::meaning::Quantity::Momentum(_))
 }
 
-/// Atoms that satisfy the hypotheses, random and at special places, and the number of attempts.
-fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec<Atoms>, usize) {
+/// Atoms that satisfy the hypotheses, random and at special places, with the symbols for which hypotheses were solved; and
+/// the number of attempts.
+fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec<(Atoms, Solved)>, usize) {
     let model = context.model;
     let mut draw = Sampler::new(context.options.seed, context.topic);
     let mut places: Vec<Place> = Vec::new();
@@ -174,8 +178,8 @@ fn states(atoms: &[SymbolId], variable: SymbolId, context: &Context<'_>) -> (Vec
                 atoms.iter().map(|id| (*id, draw.value(&model.range(*id), Spread::Declared))).collect();
             place(&mut state);
             let in_range = |state: &Atoms| state.iter().all(|(id, x)| contains(&model.range(*id), *x));
-            if obey(&mut state, variable, model, &hypotheses) && in_range(&state) {
-                found.push(state);
+            if let Some(solved) = obey(&mut state, variable, model, &hypotheses).filter(|_| in_range(&state)) {
+                found.push((state, solved));
                 break;
             }
         }
@@ -191,8 +195,9 @@ fn set(state: &mut Atoms, id: SymbolId, f: impl Fn(f64) -> f64) {
     }
 }
 
-/// Projects a state onto the hypotheses that are equalities; returns whether it then satisfies all hypotheses.
-fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, hypotheses: &[Hypothesis]) -> bool {
+/// Projects a state onto the hypotheses that are equalities; returns the symbols for which they were solved, if it then
+/// satisfies all hypotheses.
+fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, hypotheses: &[Hypothesis]) -> Option<Solved> {
     let candidates = |hypothesis: &Hypothesis| -> Vec<SymbolId> {
         let ids = hypothesis.lhs.symbols().into_iter().chain(hypothesis.rhs.symbols()).map(|(id, _)| id);
         let mut ids: Vec<SymbolId> = ids.filter(|id| *id != variable).collect();
@@ -202,9 +207,10 @@ fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, hypotheses: &[Hypo
     };
     let mut equalities: Vec<&Hypothesis> = hypotheses.iter().filter(|c| is_equality(c.relation)).collect();
     equalities.sort_by_key(|hypothesis| candidates(hypothesis).len());
-    let mut taken = Vec::new();
-    for hypothesis in &equalities {
-        let solved = candidates(hypothesis).into_iter().filter(|id| !taken.contains(id)).find(|id| {
+    let mut taken: Solved = Vec::new();
+    for hypothesis in equalities {
+        let is_free = |id: &SymbolId| taken.iter().all(|(known, _)| known != id);
+        let solved = candidates(hypothesis).into_iter().filter(is_free).find(|id| {
             let mut moved = state.clone();
             let works = newton(&mut moved, *id, hypothesis, model);
             if works {
@@ -212,15 +218,13 @@ fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, hypotheses: &[Hypo
             }
             works
         });
-        match solved {
-            Some(id) => taken.push(id),
-            None => return false,
-        }
+        taken.push((solved?, hypothesis.clone()));
     }
-    hypotheses.iter().all(|hypothesis| {
+    let holds = |hypothesis: &Hypothesis| {
         difference::<RunningError>(state, hypothesis, model, RunningError::new)
             .is_some_and(|difference| residual::holds(hypothesis.relation, difference))
-    })
+    };
+    hypotheses.iter().all(holds).then_some(taken)
 }
 
 fn newton(state: &mut Atoms, id: SymbolId, hypothesis: &Hypothesis, model: &Model) -> bool {

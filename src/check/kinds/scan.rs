@@ -4,16 +4,20 @@
 //! variable restrict the range, and the grid is finer towards their edges. Minima, maxima and solutions are counted on a
 //! finer grid as well.
 
+use std::cmp::Ordering;
+
 use num_dual::Dual;
 
-use crate::formula::{Differentiable, Environment, Expr, SymbolId, Symbols, Unavailable, Value, evaluate};
+use crate::code::Code;
+use crate::formula::{Expr, SymbolId};
 use crate::latex::typeset;
 use crate::notes::claims::Range;
 use crate::scalar::RunningError;
 
+use crate::check::kinds::enclosed_function::{Course, EnclosedFunction};
 use crate::check::kinds::limit::{Towards, sides};
 use crate::check::kinds::root_isolation::{count_roots_on_grid, minimum};
-use crate::check::kinds::shape::{Shape, Target};
+use crate::check::kinds::shape::{Atoms, Shape, Still, Target, difference, value_of};
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::sample::sampler::last;
@@ -28,47 +32,11 @@ const NEAREST: i32 = 32;
 /// The largest absolute value at which roots are searched; the smallest is its inverse.
 const ROOTS: f64 = 1e7;
 
+/// The depth of a dip, relative to its edges, below which doubles may take it for a root.
+const DIP: f64 = 1e-9;
+
 /// The relative difference above which two values are different.
 const CHANGED: f64 = 1e-9;
-
-/// The values of the atoms of a state.
-pub(crate) type Atoms = Vec<(SymbolId, f64)>;
-
-/// An environment in which atoms are numbers without rates.
-pub(crate) struct Still<'a, D> {
-    symbols: &'a Symbols,
-    values: Vec<(SymbolId, D)>,
-}
-
-impl<D: Differentiable> Environment<D> for Still<'_, D> {
-    fn symbols(&self) -> &Symbols {
-        self.symbols
-    }
-
-    fn symbol(&self, id: SymbolId, _indices: &[u8]) -> Result<Value<D>, Unavailable> {
-        let found = self.values.iter().find(|(known, _)| *known == id);
-        found.map(|(_, value)| Value::Scalar(*value)).ok_or(Unavailable::Symbol(id))
-    }
-}
-
-/// The left side minus the right side of a hypothesis at a state.
-pub(crate) fn difference<D: Differentiable>(
-    state: &Atoms,
-    hypothesis: &Hypothesis,
-    model: &Model,
-    mut number: impl FnMut(f64) -> D,
-) -> Option<D> {
-    let values = state.iter().map(|(id, x)| (*id, number(*x))).collect();
-    let still = Still { symbols: &model.symbols, values };
-    Some(value_of(&hypothesis.lhs, &still)? - value_of(&hypothesis.rhs, &still)?)
-}
-
-fn value_of<D: Differentiable>(expr: &Expr, environment: &dyn Environment<D>) -> Option<D> {
-    match evaluate(expr, environment, &[]) {
-        Ok(Value::Scalar(value)) => Some(value),
-        _ => None,
-    }
-}
 
 /// What a scan at one state shows of a claimed shape.
 pub(crate) enum Observation {
@@ -76,8 +44,8 @@ pub(crate) enum Observation {
     Holds,
     /// The function has no value there.
     Useless,
-    /// The finer grid shows another number; the message says which.
-    Open(String),
+    /// Nothing is certain, such as where a finer grid shows another number; the code and the message say why.
+    Open(Code, String),
     /// The function does not have the shape.
     Fails {
         /// The value of the variable.
@@ -99,6 +67,8 @@ pub(crate) struct Probe<'a> {
     pub atoms: &'a Atoms,
     /// The hypotheses that restrict the variable.
     pub bounds: &'a [&'a Hypothesis],
+    /// The symbols for which hypotheses were solved, each with its hypothesis.
+    pub solved: &'a [(SymbolId, Hypothesis)],
 }
 
 impl Probe<'_> {
@@ -187,13 +157,13 @@ impl Probe<'_> {
         let name = typeset_name(self.model, self.variable);
         match shape {
             Shape::Solutions(wanted) => {
-                let found = count_roots_on_grid(range, |x| self.value(x));
+                let found = count_roots_on_grid(range, |x| self.value(x), |x| self.enclosed().sign_at_extremum(x));
                 let ordinary = |x: &f64| (ROOTS.recip()..ROOTS).contains(&x.abs());
                 let finer = grid(range, FINER).into_iter().filter(ordinary);
                 let values: Vec<f64> = finer.map(|x| self.value(x)).collect();
                 let changes = values.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
                 if changes > found {
-                    return Observation::Open(counts_differ(&name, "solutions", found, changes));
+                    return Observation::Open(Code::TooClose, counts_differ(&name, "solutions", found, changes));
                 }
                 if found == *wanted {
                     return Observation::Holds;
@@ -201,7 +171,7 @@ impl Probe<'_> {
                 let what = format!("there are {found} real solutions for {name}, not {wanted}");
                 Observation::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
             }
-            Shape::TendsTo(end, target) => self.tends(*end, target, range),
+            Shape::TendsTo { end, formula, target } => self.tends((*end, formula), target, range),
             _ => self.along(shape, range, &name),
         }
     }
@@ -211,7 +181,9 @@ impl Probe<'_> {
             let (what, minima) = if matches!(shape, Shape::Minima(_)) { ("minima", true) } else { ("maxima", false) };
             let Some(found) = self.extrema(range, 1, minima) else { return Observation::Useless };
             return match self.extrema(range, FINER, minima) {
-                Some(finer) if finer != found => Observation::Open(counts_differ(name, what, found, finer)),
+                Some(finer) if finer != found => {
+                    Observation::Open(Code::TooClose, counts_differ(name, what, found, finer))
+                }
                 _ if found == *wanted => Observation::Holds,
                 _ => {
                     let what = format!("the function has {found} {what} along {name}, not {wanted}");
@@ -224,6 +196,14 @@ impl Probe<'_> {
         let mut signs: Vec<(f64, f64, f64, f64)> = Vec::new();
         let mut last_value = None;
         let clear = |m: RunningError| if residual::vanishes(m) { 0.0 } else { m.value.signum() };
+        // What would refute the claim is no rounding error.
+        let enclosed = self.enclosed();
+        let is_certain = |x: f64, is_slope: bool, sign: f64| match enclosed.sign(x, is_slope) {
+            Some(Ordering::Less) => sign < 0.0,
+            Some(Ordering::Equal) => false,
+            Some(Ordering::Greater) => sign > 0.0,
+            None => true,
+        };
         for (x, is_first) in self.pieces(range, 1).into_iter().flat_map(beginning) {
             if is_first {
                 last_value = None;
@@ -245,11 +225,19 @@ impl Probe<'_> {
                 Shape::Falls if step.is_some_and(|step| step > 0.0) => {
                     return fails(value.value, "the function rises before this state");
                 }
-                Shape::Positive if sign < 0.0 => return fails(value.value, "the function is negative at this state"),
-                Shape::Negative if sign > 0.0 => return fails(value.value, "the function is positive at this state"),
-                Shape::Rises if slope_sign < 0.0 => return fails(slope.value, "the function falls at this state"),
-                Shape::Falls if slope_sign > 0.0 => return fails(slope.value, "the function rises at this state"),
-                Shape::Independent if slope_sign != 0.0 => {
+                Shape::Positive if sign < 0.0 && is_certain(x, false, sign) => {
+                    return fails(value.value, "the function is negative at this state");
+                }
+                Shape::Negative if sign > 0.0 && is_certain(x, false, sign) => {
+                    return fails(value.value, "the function is positive at this state");
+                }
+                Shape::Rises if slope_sign < 0.0 && is_certain(x, true, slope_sign) => {
+                    return fails(slope.value, "the function falls at this state");
+                }
+                Shape::Falls if slope_sign > 0.0 && is_certain(x, true, slope_sign) => {
+                    return fails(slope.value, "the function rises at this state");
+                }
+                Shape::Independent if slope_sign != 0.0 && is_certain(x, true, slope_sign) => {
                     return fails(slope.value, "the function changes at this state");
                 }
                 Shape::Independent if has_changed(first, value) => {
@@ -273,7 +261,13 @@ impl Probe<'_> {
             let dip = |pair: &&[(f64, f64, f64, f64)]| pair[0].3 == pair[1].3 && pair[0].2 < 0.0 && pair[1].2 > 0.0;
             for pair in signs.windows(2).filter(dip) {
                 let (least, x) = minimum(pair[0].0, pair[1].0, |x| pair[0].3 * self.value(x));
-                if least <= 1e-13 * pair[0].1.max(pair[1].1) {
+                let is_close = least.abs() <= DIP * pair[0].1.max(pair[1].1);
+                let sign = if is_close { enclosed.sign_at_extremum(x) } else { None };
+                let reaches = match sign {
+                    Some(sign) => (sign == Ordering::Greater) != (pair[0].3 > 0.0),
+                    None => least <= 1e-13 * pair[0].1.max(pair[1].1),
+                };
+                if reaches {
                     let what = "the function reaches zero at this state".to_owned();
                     return Observation::Fails { at: Some(x), found: pair[0].3 * least, wanted: 0.0, what };
                 }
@@ -310,11 +304,11 @@ impl Probe<'_> {
         seen.then_some(found)
     }
 
-    fn tends(&self, end: f64, target: &Target, range: &Range) -> Observation {
+    fn tends(&self, (end, formula): (f64, &Expr), target: &Target, range: &Range) -> Observation {
         let near = |inward: &&f64| self.runs_through(end + *inward * 0.5f64.powi(NEAREST));
         let mut look = Observation::Useless;
         for inward in sides(range, end).iter().filter(near) {
-            look = self.tends_from(end, *inward, target);
+            look = self.tends_from((end, formula), *inward, target);
             if !matches!(look, Observation::Holds) {
                 break;
             }
@@ -323,7 +317,7 @@ impl Probe<'_> {
     }
 
     /// The observation of a limit from one side.
-    fn tends_from(&self, end: f64, inward: f64, target: &Target) -> Observation {
+    fn tends_from(&self, (end, formula): (f64, &Expr), inward: f64, target: &Target) -> Observation {
         let wanted = match target {
             Target::Infinite(Towards::MinusInfinity) => f64::NEG_INFINITY,
             Target::Infinite(_) => f64::INFINITY,
@@ -335,31 +329,36 @@ impl Probe<'_> {
                 }
             }
         };
-        let steps: Vec<(f64, RunningError)> = (2..=NEAREST)
-            .filter_map(|k| {
-                let x = end + inward * 0.5f64.powi(k);
-                let (value, _) = self.at(x)?;
-                (value.value.abs() > 1e-9 * value.magnitude || value.magnitude < 1e-7).then_some((x, value))
-            })
-            .collect();
-        let [_, _, _, _, .., last] = steps.as_slice() else { return Observation::Useless };
-        let fails =
-            |what: &str| Observation::Fails { at: Some(last.0), found: last.1.value, wanted, what: what.to_owned() };
-        if wanted.is_infinite() {
-            // Each halving of the distance adds about as much as the one before, or more, as for a logarithm.
-            let gains: Vec<f64> =
-                steps.windows(2).map(|two| (two[1].1.value - two[0].1.value) * wanted.signum()).collect();
-            let tail = &gains[gains.len().saturating_sub(4)..];
-            let diverges = tail.iter().all(|gain| *gain > 0.0)
-                && tail.windows(2).all(|two| two[1] > 0.95 * two[0])
-                && last.1.value * wanted.signum() > 0.0;
-            return if diverges { Observation::Holds } else { fails("the function does not diverge there") };
+        let shown = (2..=NEAREST).rev().find_map(|k| {
+            let x = end + inward * 0.5f64.powi(k);
+            let (value, _) = self.at(x)?;
+            (value.value.abs() > 1e-6 * value.magnitude || value.magnitude < 1e-7).then_some((x, value.value))
+        });
+        let Some((at, found)) = shown else { return Observation::Useless };
+        match self.enclosed().limit(formula, inward, target) {
+            Course::Reached => Observation::Holds,
+            Course::Missed => {
+                let what = match wanted.is_infinite() {
+                    true => "the function does not diverge there",
+                    false => "the function does not tend to this value",
+                };
+                Observation::Fails { at: Some(at), found, wanted, what: what.to_owned() }
+            }
+            Course::Open => {
+                let name = typeset_name(self.model, self.variable);
+                let message = format!(
+                    "close to the limit the values of the function do not decide this; assume more about its symbols, or \
+                     name another range for {name}"
+                );
+                Observation::Open(Code::NotDecided, message)
+            }
         }
-        let errors: Vec<f64> = steps.iter().map(|(_, value)| (value.value - wanted).abs()).collect();
-        let scale = wanted.abs().max(1e-3 * last.1.magnitude);
-        let [.., a, b] = errors.as_slice() else { return Observation::Useless };
-        let approaches = *b <= 1e-9 * scale || b < &(0.95 * a) && *b < 0.05 * errors[0].max(scale);
-        if approaches { Observation::Holds } else { fails("the function does not tend to this value") }
+    }
+
+    /// The same function with many digits.
+    fn enclosed(&self) -> EnclosedFunction<'_> {
+        let Probe { model, function, variable, atoms, solved, .. } = *self;
+        EnclosedFunction { model, function, variable, atoms, solved }
     }
 }
 

@@ -212,13 +212,17 @@ fn refuted(
 /// The number of real roots of `target` in the unknown at a state.
 fn count_roots(target: &Link, unknown: SymbolId, state: &mut SampledState<'_, RunningError>) -> usize {
     let range = state.model().range(unknown);
-    let roots = count_roots_on_grid(&range, |x| {
-        state.set_only(&[(unknown, Series::from_derivatives(&[RunningError::new(x)]))]);
-        match (state.now(&target.lhs, &[]), state.now(&target.rhs, &[])) {
-            (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) => (a - b).value,
-            _ => f64::NAN,
-        }
-    });
+    let roots = count_roots_on_grid(
+        &range,
+        |x| {
+            state.set_only(&[(unknown, Series::from_derivatives(&[RunningError::new(x)]))]);
+            match (state.now(&target.lhs, &[]), state.now(&target.rhs, &[])) {
+                (Ok(Value::Scalar(a)), Ok(Value::Scalar(b))) => (a - b).value,
+                _ => f64::NAN,
+            }
+        },
+        |_| None,
+    );
     state.set_only(&[]);
     roots
 }

@@ -47,6 +47,9 @@ const DOCUMENTS: usize = 4;
 /// The largest number of edits that are tried, the likeliest first, since each makes another document.
 const TRIED: usize = 160;
 
+/// The largest number of displays that cannot be read and are still tried with edits.
+const MOST_UNREADABLE: usize = 12;
+
 /// The number of states that reject most edits.
 const STATES: usize = 2;
 
@@ -63,7 +66,7 @@ impl Checker<'_> {
             .enumerate()
             .filter(|(_, equation)| equation.finding.follows_from.is_none() && !equation.ok && is_wrong(equation))
             .filter_map(|(nth, equation)| Some((nth, self.display_of(equation)?)))
-            .filter(|(_, at)| self.may_be_edited(*at))
+            .filter(|(_, at)| self.may_be_edited(*at) && self.is_tried(*at))
             .collect();
         let failing: Vec<Item> =
             (0..sentences.len()).filter(|at| is_refuted(&sentences[*at])).map(Item::Sentence).collect();
@@ -72,7 +75,7 @@ impl Checker<'_> {
         }
         let passing = self.items_as_expected(&equations, sentences);
         let mut best: Vec<SharedEdit> = Vec::new();
-        for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at)) {
+        for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at) && self.is_tried(*at)) {
             let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
             let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
             // Which equations use a display that cannot be read is unknown, so all are tried.
@@ -303,6 +306,18 @@ impl Checker<'_> {
             statement.as_ref().is_err_and(|fault| self.cause(fault.missing.as_ref()).is_none())
         };
         self.readings[at].statements.iter().any(own)
+    }
+
+    /// Whether edits of a display are tried: of one that cannot be read only where there are few of these.
+    pub(crate) fn is_tried(&self, at: usize) -> bool {
+        !self.is_unreadable(at) || !self.has_many_unreadable()
+    }
+
+    /// Whether so many displays cannot be read that no edits of them are tried: each edit means that the document is read
+    /// again, and where hardly anything can be read, none of them helps.
+    pub(crate) fn has_many_unreadable(&self) -> bool {
+        let unread = self.readings.iter().filter(|reading| reading.statements.iter().any(Result::is_err));
+        unread.take(MOST_UNREADABLE + 1).count() > MOST_UNREADABLE
     }
 
     /// Whether a text in place of a display can be read, with any names.

@@ -77,6 +77,10 @@ impl Checker<'_> {
         if equation.ok || is_known || !self.options.explain {
             return Ok(equation);
         }
+        if !self.is_tried(at) {
+            equation.finding.message.push_str("; no edits were tried, since many displays cannot be read");
+            return Ok(equation);
+        }
         let (display, reading) = (&self.notes.equations[at], &self.readings[at]);
         let places = places(&equation, display.body);
         let steps = repairable_steps(&equation, reading, display.body.start);

@@ -53,7 +53,8 @@ impl Checker<'_> {
         let passing = self.items_as_expected(&equations, sentences);
         let mut confirmed: Vec<Option<bool>> = vec![None; self.notes.equations.len()];
         for (equation, own) in equations.iter_mut().zip(&displays) {
-            if let Some(own) = own.filter(|at| self.may_be_edited(*at) && self.is_unreadable(*at)) {
+            if let Some(own) = own.filter(|at| self.may_be_edited(*at) && self.is_unreadable(*at) && self.is_tried(*at))
+            {
                 self.reread(run, equation, own, &passing);
             }
             let is_shared = equation.repairs.iter().any(|repair| repair.shared.is_some());

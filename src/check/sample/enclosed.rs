@@ -2,7 +2,7 @@
 //!
 //! Doubles screen. What they cannot decide, and what they accept or refute by a small margin, is evaluated again at the
 //! same state over [`Enclosure`]s of rising precision. The sides differ if their difference excludes 0, and agree if it
-//! contains 0 and is below 10⁻⁶⁰ of the size of their terms. A state that solves hypotheses is refined to the same
+//! contains 0 and is below 10⁻⁶⁰ of the size of their terms; for printed numbers of more digits, below all of these. A state that solves hypotheses is refined to the same
 //! precision first.
 //!
 //! What rests on a quadrature, on eigenvectors, or on a double in a Lagrangian that is no short decimal, is known to the digits of a
@@ -11,7 +11,8 @@
 use nalgebra::DVector;
 use num_dual::DualStruct;
 
-use crate::formula::{IndexId, Relation};
+use crate::formula::evaluate::constant_exponent;
+use crate::formula::{Expr, IndexId, Node, Relation};
 use crate::scalar::enclosure::{Enclosure, evaluate_to};
 use crate::scalar::{Primal, RunningError};
 
@@ -27,11 +28,24 @@ use crate::check::state::sampled_state::SampledState;
 /// The precisions that are tried in turn, in bits.
 const PRECISIONS: [usize; 3] = [320, 640, 1280];
 
+/// The precision for one state of each claim that agrees at the lower ones.
+const FINEST: usize = 2000;
+
 /// The number of results that one evaluation may take.
 const STEPS: usize = 60_000;
 
 /// Sides whose difference is below this power of 2 of their terms agree: 6·10⁻⁶¹.
 const AGREEMENT: f64 = -200.0;
+
+/// The number of printed digits that a claim may have before it is tested to more of them, and the bits of each.
+const USUAL_DIGITS: f64 = 40.0;
+const BITS_PER_DIGIT: f64 = 3.33;
+
+/// The largest number of bits that are added for printed digits.
+const MOST_PRINTED_BITS: f64 = 2400.0;
+
+/// The largest depth of definitions within definitions.
+const DEEPEST: usize = 8;
 
 /// A state that solves hypotheses is a solution to this power of 2, relative to its numbers.
 const SOLVED: f64 = -256.0;
@@ -98,20 +112,62 @@ pub(crate) fn is_beyond_doubles(failure: &Failure) -> bool {
 
 /// Decides an equality at a state.
 pub(crate) fn decided(link: &Link, state: &SampledState<'_, RunningError>, projection: &Projection<'_>) -> Decision {
+    decided_in(&PRECISIONS, link, state, projection)
+}
+
+/// Decides an equality at a state with the highest precision at once: 1 − tanh 100 is 10⁻⁸⁷.
+pub(crate) fn decided_finely(
+    link: &Link,
+    state: &SampledState<'_, RunningError>,
+    projection: &Projection<'_>,
+) -> Decision {
+    decided_in(&[FINEST], link, state, projection)
+}
+
+fn decided_in(
+    precisions: &[usize],
+    link: &Link,
+    state: &SampledState<'_, RunningError>,
+    projection: &Projection<'_>,
+) -> Decision {
     let is_equality = matches!(link.relation, Relation::Equal | Relation::Identical);
     if !is_equality || !state.is_as_drawn() || is_found_in_doubles(state.model()) {
         return Decision::Open;
     }
     let base: Vec<f64> = state.base.numbers().iter().map(|x| x.value).collect();
-    for bits in PRECISIONS {
-        let found = evaluate_to(bits, STEPS, || at_precision(link, state, projection, &base));
+    let printed = printed_bits(link, state.model());
+    for bits in precisions {
+        let found = evaluate_to(bits + printed, STEPS, || at_precision(link, state, projection, &base, printed as f64));
         match found {
             Some(Ok(decision)) => return decision,
-            Some(Err(width)) if width < HOPELESS => {}
+            Some(Err(width)) if width < HOPELESS - printed as f64 => {}
             _ => return Decision::Open,
         }
     }
     Decision::Open
+}
+
+/// The number of bits that the printed numbers of a claim have beyond those that any claim is tested to: two numbers of a
+/// hundred digits may differ in the last one, and 10⁻⁸⁰ is printed with two digits.
+fn printed_bits(link: &Link, model: &Model) -> usize {
+    fn digits(expr: &Expr, model: &Model, depth: usize) -> f64 {
+        let own = match &expr.node {
+            Node::Number(digits) => digits.len() as f64,
+            Node::Power(base, exponent) => {
+                let times = constant_exponent(exponent).map_or(0.0, |times| times.value().abs());
+                times * base.as_digits().map_or(0.0, |digits| digits.len() as f64)
+            }
+            Node::Symbol { id, .. } if depth < DEEPEST => match model.meaning(*id) {
+                Some(Meaning::Defined(formula)) => digits(formula, model, depth + 1),
+                _ => 0.0,
+            },
+            _ => 0.0,
+        };
+        expr.children().into_iter().map(|child| digits(child, model, depth)).fold(own, |a, b| a + b)
+    }
+    let all = digits(&link.lhs, model, 0) + digits(&link.rhs, model, 0);
+    let beyond = (all - USUAL_DIGITS).max(0.0) * BITS_PER_DIGIT;
+    beyond.min(MOST_PRINTED_BITS) as usize
 }
 
 /// Whether a model has values that a double's digits end: a quadrature, eigenvectors, a Legendre transform by Newton's
@@ -132,6 +188,7 @@ fn at_precision(
     measured: &SampledState<'_, RunningError>,
     projection: &Projection<'_>,
     base: &[f64],
+    printed: f64,
 ) -> Option<Result<Decision, f64>> {
     let numbers = refined(base, projection)?;
     let state = projection.state(&numbers, projection.mode.order + 1).ok()?;
@@ -150,7 +207,8 @@ fn at_precision(
             }
             let scale = a.log2().max(b.log2()).max(scales.get(k).copied().unwrap_or(f64::NEG_INFINITY));
             let size = difference.log2() - scale;
-            if size.is_nan() || size == f64::NEG_INFINITY || size < AGREEMENT {
+            let is_agreement = size.is_nan() || size == f64::NEG_INFINITY || size < AGREEMENT - printed;
+            if is_agreement && (is_solved || !difference.excludes_zero()) {
                 continue;
             }
             if difference.excludes_zero() && (!is_solved || size > CLEAR_AT_SOLUTION) {

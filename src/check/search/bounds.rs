@@ -38,7 +38,7 @@ pub(crate) struct Unknown {
     /// Its values.
     pub(crate) range: Interval,
     /// Whether it has whole values only, so that its range is not divided.
-    is_whole: bool,
+    pub(crate) is_whole: bool,
 }
 
 /// The numbers on which some formulas depend, each with its range, and the inequalities that restrict them.

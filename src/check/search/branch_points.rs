@@ -3,8 +3,9 @@
 //! An even root, an absolute value, a logarithm and an inverse function change their branch, or lose their value, where
 //! what is inside of them passes through 0 or touches it. Random states lie on one side of most such places:
 //! `|x² − 9x + 20|` is x² − 9x + 20 except between 4 and 5. So the roots of each inside are isolated by interval
-//! arithmetic, along lines through sampled states to far magnitudes, and sought in all numbers together. The claim is
-//! then judged on both sides.
+//! arithmetic, along lines through sampled states to far magnitudes, and sought in all numbers together; a branch that is
+//! narrow is found by descent ([`super::dips`]), between the roots of two factors, or at the end of a range. The claim is
+//! then judged on both sides, with many digits where the sides differ by little.
 //!
 //! A divisor that vanishes at isolated points takes the value of one side there. Such a claim holds, and says except where.
 
@@ -19,7 +20,7 @@ use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::sampler::contains;
 use crate::check::search::bounds::{Least, Ranges, fraction};
-use crate::check::search::magnitudes;
+use crate::check::search::{dips, magnitudes};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::finding::Finding;
 
@@ -29,7 +30,10 @@ const MOST_INSIDES: usize = 8;
 /// The number of states through which lines are drawn.
 const FROM: usize = 2;
 
-/// The largest number of states at which a claim is judged for each inside.
+/// The number of states from which a formula is followed to where it is lowest.
+const DESCENTS: usize = 6;
+
+/// The largest number of states at which a claim is judged for each inside, and as many that are judged closely.
 const JUDGED: usize = 16;
 
 /// The largest number of parts of a line, and of all ranges.
@@ -75,9 +79,11 @@ pub(crate) fn on_both_sides(
         let branches = insides.iter().take(MOST_INSIDES);
         for inside in branches {
             let name = text::formula(&inside.formula, &context.model.symbols);
-            let states = beside(&inside.formula, context, ensemble);
+            let (states, closely) = beside(&inside.formula, context, ensemble);
             let message = format!("the two sides agree on one side of {name} = 0 and differ on the other");
-            let found = magnitudes::judged(link, context, (&ensemble.projection, &states), &message, &finding);
+            let all = (&ensemble.projection, states.as_slice());
+            let found = magnitudes::judged(link, context, all, &message, &finding)
+                .or_else(|| magnitudes::judged_closely(link, context, all, (closely, &message), &finding));
             if let Some(found) = found {
                 return found;
             }
@@ -89,10 +95,14 @@ pub(crate) fn on_both_sides(
 /// What is inside of roots, absolute values, logarithms and inverse functions of a formula, and its divisors, through
 /// definitions too.
 fn collect(expr: &Expr, model: &Model, into: &mut Vec<Inside>) {
-    let mut add = |formula: Expr, is_divisor| {
-        let inside = Inside { formula, is_divisor };
-        if !inside.formula.symbols().is_empty() && !into.contains(&inside) {
-            into.push(inside);
+    let mut add = |formula: Expr, is_divisor: bool| {
+        // The square of what changes its sign does not: √(x − 5)² is x − 5 on one side only.
+        let parts: Vec<Expr> = if is_divisor { Vec::new() } else { factors(&formula).into_iter().cloned().collect() };
+        for formula in std::iter::once(formula).chain(parts) {
+            let inside = Inside { formula, is_divisor };
+            if !inside.formula.symbols().is_empty() && !into.contains(&inside) {
+                into.push(inside);
+            }
         }
     };
     let call = |function, inner: &Expr| Expr::new(Node::Call(function, Box::new(inner.clone())), inner.span);
@@ -135,57 +145,138 @@ fn collect(expr: &Expr, model: &Model, into: &mut Vec<Inside>) {
     expr.children().into_iter().for_each(|child| collect(child, model, into));
 }
 
-/// States on both sides of the places where a formula of drawn numbers vanishes.
+/// States on both sides of the places where a formula of drawn numbers vanishes, and the number of those, from the first,
+/// at which its sign changes by little.
 fn beside<'m>(
     formula: &Expr,
     context: &Context<'_>,
     ensemble: &mut Ensemble<'m>,
-) -> Vec<SampledState<'m, RunningError>> {
-    let mut bases: Vec<Vec<f64>> = Vec::new();
+) -> (Vec<SampledState<'m, RunningError>>, usize) {
+    let nothing = (Vec::new(), 0);
+    let (mut close, mut bases): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
     {
-        let Some(ranges) = Ranges::of(&[formula], context.model, &ensemble.projection) else { return Vec::new() };
+        let Some(ranges) = Ranges::of(&[formula], context.model, &ensemble.projection) else { return nothing };
         let value = |values: &[Interval]| ranges.bounds(formula, values).unwrap_or(Interval::ALL);
         if !value(&ranges.whole()).contains(0.0) {
-            return Vec::new();
+            return nothing;
+        }
+        let clear = ensemble.bases.iter().find(|base| !value(&ranges.point(base)).contains(0.0));
+        if let Some(base) = clear {
+            let is_positive = value(&ranges.point(base)).low > 0.0;
+            let from_here = |values: &[Interval]| if is_positive { value(values) } else { value(values).negated() };
+            match ranges.least(&from_here, false, STEPS_TOGETHER, &mut |_: &[f64]| true) {
+                Least::Below(values) => bases.push(ranges.moved(base, &values)),
+                Least::Proved | Least::Open => {}
+            }
         }
         let lines = if ranges.unknowns.len() == 1 { 1 } else { FROM };
         for base in ensemble.bases.iter().take(lines) {
             for (at, unknown) in ranges.unknowns.iter().enumerate() {
                 let point = ranges.point(base);
-                let along = |x: Interval| {
+                let on_line = |of: &Expr, x: Interval| {
                     let mut moved = point.clone();
                     moved[at] = x;
-                    value(&moved)
+                    ranges.bounds(of, &moved).unwrap_or(Interval::ALL)
                 };
-                for x in around(&along, &roots(&along, unknown.range), unknown.range) {
+                let along = |x: Interval| on_line(formula, x);
+                let moved = |x: f64| {
                     let mut moved = base.clone();
                     moved[unknown.slot] = x;
-                    bases.push(moved);
-                }
+                    moved
+                };
+                bases.extend(around(&along, &roots(&along, unknown.range), unknown.range).into_iter().map(moved));
+                // Between the roots of two factors the sign may differ, however close they are.
+                let of_factor = |factor: &Expr| {
+                    let along = |x: Interval| on_line(factor, x);
+                    roots(&along, unknown.range).into_iter().filter_map(|root| crossing(&along, root)).collect()
+                };
+                let mut crossings: Vec<f64> = factors(formula).into_iter().flat_map::<Vec<f64>, _>(of_factor).collect();
+                crossings.sort_by(f64::total_cmp);
+                let between = crossings.windows(2).map(|two| 0.5 * two[0] + 0.5 * two[1]);
+                close.extend(between.map(moved));
             }
         }
-        if let (Some(base), 2..) = (ensemble.bases.first(), ranges.unknowns.len()) {
+        for base in ensemble.bases.iter().take(DESCENTS) {
+            let start: Vec<f64> = ranges.unknowns.iter().map(|unknown| base[unknown.slot]).collect();
             let here = value(&ranges.point(base));
-            let from_here = |values: &[Interval]| if here.low > 0.0 { value(values) } else { value(values).negated() };
-            let found = &mut |_: &[f64]| true;
+            let height = |at: &[f64]| {
+                let found = value(&at.iter().map(|x| Interval::point(*x)).collect::<Vec<_>>());
+                if here.low > 0.0 { found } else { found.negated() }
+            };
             if !here.contains(0.0)
-                && let Least::Below(values) = ranges.least(&from_here, false, STEPS_TOGETHER, found)
+                && let Some(found) = dips::below_zero(&height, &ranges, start)
             {
-                bases.push(ranges.moved(base, &values));
+                close.push(ranges.moved(base, &found));
+            }
+        }
+        // A branch may begin just before the end of a range.
+        for (base, unknown) in
+            ensemble.bases.iter().take(1).flat_map(|base| ranges.unknowns.iter().map(move |u| (base, u)))
+        {
+            for end in [unknown.range.low, unknown.range.high].into_iter().filter(|end| end.is_finite()) {
+                let mut moved = base.clone();
+                moved[unknown.slot] = end;
+                close.push(moved);
             }
         }
     }
+    close.truncate(JUDGED);
     let mut states = Vec::new();
-    for base in bases.into_iter().take(JUDGED) {
+    let mut closely = 0;
+    let count = close.len();
+    for (at, base) in close.into_iter().chain(bases.into_iter().take(JUDGED)).enumerate() {
         let slots = &ensemble.projection.slots;
         // Some of these states have no motion, such as a particle with the speed of light: they say nothing.
         if slots.iter().zip(&base).all(|(slot, x)| contains(&slot.range, *x))
             && let Ok(Some((_, state))) = ensemble.projection.project(base)
         {
             states.push(state);
+            closely += usize::from(at < count);
         }
     }
-    states
+    (states, closely)
+}
+
+/// The factors of a product, and the bases of powers among them; of anything else none.
+fn factors(formula: &Expr) -> Vec<&Expr> {
+    let parts = |inner| {
+        let parts = factors(inner);
+        if parts.is_empty() { vec![inner] } else { parts }
+    };
+    match &formula.node {
+        Node::Product(factors) => factors.iter().flat_map(parts).collect(),
+        Node::Power(base, _) => parts(base),
+        _ => Vec::new(),
+    }
+}
+
+/// The double next to a root at which a function changes its sign, by bisection.
+fn crossing(along: &dyn Fn(Interval) -> Interval, root: Interval) -> Option<f64> {
+    let sign = |x: f64| {
+        let value = along(Interval::point(x));
+        if value.low > 0.0 {
+            1.0
+        } else if value.high < 0.0 {
+            -1.0
+        } else {
+            0.0
+        }
+    };
+    let (mut low, mut high) = (root.low, root.high);
+    let (below, above) = (sign(low), sign(high));
+    if below * above >= 0.0 {
+        return None;
+    }
+    for _ in 0..64 {
+        let middle = 0.5 * low + 0.5 * high;
+        match sign(middle) {
+            _ if middle <= low || middle >= high => break,
+            0.0 => return Some(middle),
+            same if same == below => low = middle,
+            _ => high = middle,
+        }
+    }
+    Some(low)
 }
 
 /// Parts of a line that contain all roots of a function, in their order; narrow ones, as far as the budget suffices. A

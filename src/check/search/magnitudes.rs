@@ -125,6 +125,26 @@ pub(crate) fn judged(
     Some(found((Code::DomainDiffers, Verdict::Domain), &message, state, failure))
 }
 
+/// The finding that an equality which passed fails at one of the first `closely` states by less than doubles tell.
+pub(crate) fn judged_closely(
+    link: &Link,
+    context: &Context<'_>,
+    (projection, states): (&Projection<'_>, &[SampledState<'_, RunningError>]),
+    (closely, message): (usize, &str),
+    passed: &Finding,
+) -> Option<Finding> {
+    states[..closely].iter().find_map(|state| match enclosed::decided(link, state, projection) {
+        Decision::Differ(failure) => Some(Finding {
+            points: passed.points,
+            tried: passed.tried + states.len(),
+            max_residual: Some(failure.residual),
+            counterexample: Some(counterexample(link, state, &failure)),
+            ..context.finding(Code::SidesDiffer, Verdict::Refuted, message)
+        }),
+        _ => None,
+    })
+}
+
 /// Whether a claim contains eigenvalues or eigenvectors, through definitions too.
 fn has_eigenvectors(link: &Link, model: &Model) -> bool {
     let mut waiting: Vec<SymbolId> =
