@@ -39,6 +39,8 @@ mod reprint;
 mod requests;
 #[path = "cli/steps.rs"]
 mod steps;
+#[path = "cli/strangers.rs"]
+mod strangers;
 #[path = "cli/unaided.rs"]
 mod unaided;
 #[path = "cli/widths.rs"]
