@@ -27,7 +27,7 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 /// The seed and the number of states of `onshell check`.
-const OPTIONS: Options = Options { seed: 1, points: 24, explain: true };
+const OPTIONS: Options = Options { seed: 1, points: 24, explain: true, deduction: false };
 
 /// Checks a document on disk. `path` is a claims file, or notes with a claims file beside them.
 ///

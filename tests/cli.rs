@@ -43,6 +43,8 @@ mod requests;
 mod steps;
 #[path = "cli/typst.rs"]
 mod typst;
+#[path = "cli/strangers.rs"]
+mod strangers;
 #[path = "cli/unaided.rs"]
 mod unaided;
 #[path = "cli/widths.rs"]

@@ -34,7 +34,7 @@ use crate::check::document::reading::corrected;
 use crate::check::document::reread;
 use crate::check::document::setup::{Run, wanted, with_checker};
 use crate::check::equations::definition_tests::DefinitionTests;
-use crate::check::repair::suggest::{is_in_source, suggestions};
+use crate::check::repair::suggest::{Search, is_in_source, suggestions};
 use crate::check::run::check_in;
 use crate::check::trial::edited_document::with_text;
 use crate::check::trial::failed_display::FailedDisplay;
@@ -278,7 +278,7 @@ fn repairs(checker: &Checker<'_>, at: usize, claim: &Claim, slips: &[&Edit]) -> 
         let (places, steps) = (Vec::new(), Vec::new());
         let wrong = FailedDisplay { at, text: &text, reading: &reading, claim, places, steps };
         let trial = Trial::new(checker, at, &checker.readings[at], claim)?;
-        let found = suggestions(checker, &wrong)?;
+        let found = suggestions(checker, &wrong, Search::Thorough)?;
         for (place, found) in found.iter().enumerate() {
             if found.edit.applied(&text) == *original || trial.is_equivalent(&found.reading)? {
                 return Ok((Some(place), String::new()));

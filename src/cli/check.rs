@@ -145,7 +145,7 @@ pub(super) fn documents(paths: &[PathBuf], claims: &[PathBuf], registry: &Regist
 
 /// The report on the documents that are named, and the errors of those that could not be checked.
 fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
-    let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
+    let options = Options { seed: arguments.seed, points: arguments.points as usize, ..Options::default() };
     let mut errors: Vec<Error> = Vec::new();
     let mut result = Report::default();
     let mut jobs = Vec::new();

@@ -63,7 +63,7 @@ fn answered(arguments: &Arguments) -> Result<Comparison> {
         };
         ranges.push(range(given).ok_or_else(wrong)?);
     }
-    let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
+    let options = Options { seed: arguments.seed, points: arguments.points as usize, ..Options::default() };
     compare(&arguments.left, &arguments.right, &ranges, options)
 }
 

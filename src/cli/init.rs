@@ -91,7 +91,7 @@ fn write(path: &Path, overwrite: bool, registry: &Registry) -> Result<String> {
         return Err(Error::new(format!("{to} is there already")).help("add --overwrite to replace it"));
     }
     let notes = Notes::read(path, &from.to_string())?;
-    let options = Options { seed: 1, points: 24, explain: false };
+    let options = Options { seed: 1, points: 24, explain: false, ..Options::default() };
     let draft = draft(&Run { registry, options, only: None, progress: &() }, &notes)?;
     if exists {
         let before =

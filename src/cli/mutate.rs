@@ -45,7 +45,7 @@ pub struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
-    let options = Options { seed: arguments.seed, points: arguments.points as usize, explain: true };
+    let options = Options { seed: arguments.seed, points: arguments.points as usize, ..Options::default() };
     let only = arguments.only.as_deref();
     let mut errors: Vec<Error> = Vec::new();
     let mut jobs = Vec::new();

@@ -97,7 +97,7 @@ impl Lecture {
 fn checked(notes: &str, claims: &str, seed: u64) -> Result<Document> {
     let claims = Claims::parse(Arc::new(Source::new("lecture.json", claims)), Path::new("lecture.json"))?;
     let notes = Notes::parse(Arc::new(Source::new(NOTES, notes)), Kind::Markdown)?;
-    let options = Options { seed, points: 24, explain: false };
+    let options = Options { seed, points: 24, explain: false, ..Options::default() };
     check_document(&claims, &notes, &Registry::empty(), options, None)
         .map_err(|error| Error::new(format!("the lecture cannot be checked: {}", error.message())))
 }

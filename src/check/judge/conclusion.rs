@@ -40,7 +40,8 @@ pub(crate) fn conclude(
         }
         return finding;
     }
-    if let (Some((failure, at)), true) = (&outcome.one_sided, outcome.points > 0) {
+    let may_be_one_sided = context.options.deduction && outcome.points >= FEWEST;
+    if let (Some((failure, at)), true) = (&outcome.one_sided, outcome.points > 0 && !may_be_one_sided) {
         let mut finding = evidence(Code::DomainDiffers, Verdict::Domain, failure.domain_message());
         finding.counterexample = Some(counterexample(link, &ensemble.states[*at], failure));
         return finding;

@@ -163,13 +163,16 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     }
     let special = on_shell || !context.hypotheses.is_empty();
     if special && premises::vanishes_throughout(link, &ensemble.states) {
+        if context.options.deduction {
+            return Ok((finding, Next::Settled));
+        }
         let place = if on_shell { "on shell" } else { "under its hypotheses" };
         let message = format!(
             "both sides are 0 {place}, so a wrong factor would not be noticed; state that each side is 0 instead"
         );
         return withheld(Code::SideAlwaysZero, message);
     }
-    let vacuity = premises::vacuity(link, context, on_shell)?;
+    let vacuity = if context.options.deduction { Vacuity::None } else { premises::vacuity(link, context, on_shell)? };
     if let Vacuity::Vacuous(code, reason) = vacuity {
         return withheld(code, reason.to_owned());
     }
@@ -181,7 +184,8 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         if let Vacuity::FollowsFromHypotheses = vacuity {
             finding.message.push_str("; it follows from its hypotheses alone");
         }
-        let unneeded = premises::unneeded(link, context, on_shell)?;
+        let unneeded =
+            if context.options.deduction { Vec::new() } else { premises::unneeded(link, context, on_shell)? };
         if !unneeded.is_empty() {
             finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
         }

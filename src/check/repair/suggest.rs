@@ -44,6 +44,9 @@ const SHARE: usize = 32;
 /// The index of the last pool of parts to insert.
 const LAST: usize = 4;
 
+/// The number of pools that hold parts of the displays.
+const LIKELY: usize = 3;
+
 /// A suggestion, with the reading of the edited display.
 pub(crate) struct Suggestion {
     /// The edit, in the text of the display.
@@ -81,10 +84,8 @@ impl Checker<'_> {
             equation.finding.message.push_str("; no edits were tried, since many displays cannot be read");
             return Ok(equation);
         }
-        let (display, reading) = (&self.notes.equations[at], &self.readings[at]);
-        let places = places(&equation, display.body);
-        let steps = repairable_steps(&equation, reading, display.body.start);
-        let wrong = FailedDisplay { at, text: &display.text, reading, claim, places, steps };
+        let display = &self.notes.equations[at];
+        let wrong = self.failed_display(at, &equation, claim);
         // If its hypotheses need a name of an unreadable display, no text can be checked.
         let is_judged = self.hypotheses(claim).is_ok() && self.local(claim).is_ok();
         if is_wrong(&equation) && is_judged {
@@ -94,7 +95,7 @@ impl Checker<'_> {
             }
             if equation.repairs.len() < OFFERED {
                 // The units of a wrong equation may be wrong as well, so none is inferred from it.
-                let found = suggestions(&self.without_units_of(at), &wrong)?;
+                let found = suggestions(&self.without_units_of(at), &wrong, Search::Thorough)?;
                 for repair in as_repairs(self, &wrong, display.body.start, found) {
                     let is_it = |known: &Repair| (known.span, &known.replacement) == (repair.span, &repair.replacement);
                     if !equation.repairs.iter().any(is_it) {
@@ -113,6 +114,40 @@ impl Checker<'_> {
         }
         Ok(equation)
     }
+
+    fn failed_display<'w>(&'w self, at: usize, equation: &Equation, claim: &'w Claim) -> FailedDisplay<'w> {
+        let (display, reading) = (&self.notes.equations[at], &self.readings[at]);
+        let places = places(equation, display.body);
+        let steps = repairable_steps(equation, reading, display.body.start);
+        FailedDisplay { at, text: &display.text, reading, claim, places, steps }
+    }
+
+    /// The corrections of a wrong display in its own text.
+    ///
+    /// # Errors
+    /// As for a check of the equation.
+    #[cfg(feature = "cli")]
+    pub(crate) fn own_repairs(
+        &self,
+        at: usize,
+        equation: &Equation,
+        claim: &Claim,
+        search: Search,
+    ) -> Result<Vec<Repair>> {
+        let wrong = self.failed_display(at, equation, claim);
+        let found = suggestions(self, &wrong, search)?;
+        Ok(as_repairs(self, &wrong, self.notes.equations[at].body.start, found))
+    }
+}
+
+/// How far suggestions are sought.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Search {
+    /// Edits with parts of the document.
+    #[cfg(feature = "cli")]
+    Likely,
+    /// Also with quantities of the prose, and with fitted terms.
+    Thorough,
 }
 
 /// The places in the text of a display where an equation is refuted; none, if it cannot be read.
@@ -131,7 +166,7 @@ fn places(equation: &Equation, body: Span) -> Vec<Span> {
 ///
 /// # Errors
 /// As for a check of the display itself.
-pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>) -> Result<Vec<Suggestion>> {
+pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, search: Search) -> Result<Vec<Suggestion>> {
     let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
     let mut tried = Vec::new();
     let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);
@@ -147,7 +182,8 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>) -> R
     let mut removals: Vec<Suggestion> = Vec::new();
     // An edit after which the equation says nothing is offered only if there is no other.
     let mut vacuous: Vec<Suggestion> = Vec::new();
-    for (at, pool) in pools.iter().enumerate() {
+    let far = if search == Search::Thorough { pools.len() } else { LIKELY };
+    for (at, pool) in pools.iter().take(far).enumerate() {
         // Fitted terms come after parts of the document, and before parts that only resemble them.
         if at == LAST {
             let mut found = passing_edits(checker, wrong, &missing_terms::edits(checker, wrong)?)?;

@@ -32,11 +32,14 @@ pub struct Options {
     /// Whether refuted claims are explained: their difference, what may have been meant, and suggestions. True by
     /// default.
     pub explain: bool,
+    /// Whether a claim that follows from its hypotheses alone passes: it was meant as a deduction. Then
+    /// it need hold only where both sides are defined, since nobody declared ranges. False by default.
+    pub(crate) deduction: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { seed: 1, points: 24, explain: true }
+        Options { seed: 1, points: 24, explain: true, deduction: false }
     }
 }
 

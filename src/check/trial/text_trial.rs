@@ -274,8 +274,10 @@ impl<'d, 'a> Trial<'d, 'a> {
             _ => None,
         };
         (0..reading.statements.len()).any(|n| {
-            screen(n)
-                .is_some_and(|s| tested_links(self.checker, (reading, n), self.claim).any(|link| refuted(&link, s)))
+            let deduction = self.checker.options.deduction;
+            screen(n).is_some_and(|s| {
+                tested_links(self.checker, (reading, n), self.claim).any(|link| refuted(&link, s, deduction))
+            })
         })
     }
 }
@@ -332,8 +334,12 @@ fn is_tested(relation: Relation) -> bool {
         || matches!(relation, Relation::Less | Relation::Greater | Relation::LessEqual | Relation::GreaterEqual)
 }
 
-fn refuted(link: &Link, screen: &Ensemble<'_>) -> bool {
-    screen.states.iter().any(|state| matches!(residual::test(link, state), Ok(Point::Fails(_) | Point::OneSided(_))))
+fn refuted(link: &Link, screen: &Ensemble<'_>, deduction: bool) -> bool {
+    screen.states.iter().any(|state| match residual::test(link, state) {
+        Ok(Point::Fails(_)) => true,
+        Ok(Point::OneSided(_)) => !deduction,
+        _ => false,
+    })
 }
 
 /// Whether the equalities and inequalities of a claim's equation must hold at each state.

@@ -1,16 +1,18 @@
 //! What a finding means where no claims file says what the symbols are: whether the display follows, introduces a name,
 //! is taken for granted, or is wrong.
 
-use crate::Result;
+use std::collections::HashSet;
+
 use crate::code::Code;
 use crate::formula::{Expr, Node, Sign, Statement, SymbolId, Symbols, text};
-use crate::latex::read_display;
-use crate::notes::{Claims, Display, Notes};
+use crate::latex::{Reading, read_display};
+use crate::notes::Display;
+use crate::source::Span;
 
-use crate::check::document::setup::{Run, with_checker};
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
+use crate::check::unaided::prose::{Announced, Words};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
@@ -22,29 +24,48 @@ const MOST_ON_ONE_SIDE: usize = 2;
 /// The fewest symbols, each as often as it stands there, of a correction that is no triviality.
 const FEWEST_SYMBOLS: usize = 4;
 
-/// The displays that may be one slip away from what follows.
-///
-/// # Errors
-/// For claims that do not fit the notes.
-pub(super) fn candidates(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Vec<String>> {
-    with_checker(run, claims, notes, |checker| {
-        let may_be = |statement: &Statement| may_be_a_slip(statement, checker.model);
-        let found = notes
-            .equations
-            .iter()
-            .zip(checker.readings)
-            .filter(|(_, reading)| reading.statements.iter().flatten().any(may_be));
-        Ok(found.filter_map(|(display, _)| display.id().map(str::to_owned)).collect())
-    })
+/// What the correction of a display rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Basis {
+    /// Definitions and the motion.
+    Definitions,
+    /// One relation that is taken for granted.
+    Premise,
+    /// Several of them.
+    Premises,
 }
 
-fn may_be_a_slip(statement: &Statement, model: &Model) -> bool {
+/// What stands around a display.
+pub(super) struct Around<'a> {
+    /// The symbols of the document.
+    pub model: &'a Model,
+    /// The symbols of the displays before it.
+    pub before: &'a HashSet<SymbolId>,
+    /// What the correction rests on.
+    pub basis: Basis,
+    /// The words before the display.
+    pub words: &'a Words,
+}
+
+/// Whether a display may be one slip away from what follows.
+pub(super) fn may_be_a_slip(reading: &Reading, model: &Model, basis: Basis, words: &Words) -> bool {
+    reading.statements.iter().flatten().any(|statement| may_be(statement, model, basis, words))
+}
+
+fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> bool {
     let members = &statement.members;
-    if let ([first, _], Some(id)) = (members.as_slice(), members.first().and_then(Expr::as_plain_symbol)) {
+    let is_announced = words.announced == Announced::Consequence;
+    if let ([first, _], Some(id), false) =
+        (members.as_slice(), members.first().and_then(Expr::as_plain_symbol), is_announced)
+    {
         // Another formula for a name that has one is a law, a case or a new meaning; for a derived quantity it is a claim.
-        if !is_derived(first, model) && model.meaning(id).is_some() {
+        let has_formula = model.meaning(id).is_some_and(|meaning| matches!(meaning, Meaning::Defined(_)));
+        if !is_derived(first, model) && (has_formula || basis == Basis::Definitions && model.meaning(id).is_some()) {
             return false;
         }
+    }
+    if basis != Basis::Definitions {
+        return true;
     }
     let pairs = members.windows(2).zip(&statement.relations);
     pairs.filter(|(_, relation)| is_equality(relation.0)).any(|(pair, _)| {
@@ -60,8 +81,20 @@ fn is_derived(formula: &Expr, model: &Model) -> bool {
     formula.as_plain_symbol().is_some_and(|id| matches!(model.meaning(id), Some(Meaning::System(_))))
 }
 
+/// Whether a symbol is a constant that the Lagrangian does not contain and no formula defines.
+fn is_foreign(id: SymbolId, model: &Model) -> bool {
+    let moves = model.coordinates.iter().any(|coordinate| coordinate.symbol == id);
+    let has_meaning = matches!(model.meaning(id), Some(Meaning::Defined(_) | Meaning::System(_)));
+    let printed = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
+    let contains = printed.is_some_and(|(lagrangian, _)| {
+        let node = Node::Symbol { id: lagrangian, indices: Vec::new(), dots: 0 };
+        model.depends_on(&Expr::new(node, Span::default()), &[id])
+    });
+    !moves && !has_meaning && !contains
+}
+
 /// The symbols of a formula that no formula defines.
-fn leaves(formula: &Expr, model: &Model) -> Vec<SymbolId> {
+pub(super) fn leaves(formula: &Expr, model: &Model) -> Vec<SymbolId> {
     let (mut found, mut at) = (formula.symbols().into_iter().map(|(id, _)| id).collect::<Vec<_>>(), 0);
     while let Some(next) = found.get(at).copied() {
         at += 1;
@@ -92,36 +125,41 @@ fn symbols_of(text: &str, model: &Model) -> Vec<SymbolId> {
     found
 }
 
-/// The equation as it counts in notes without a claims file. `elsewhere` are the symbols of the other displays.
-pub(super) fn weigh(mut equation: Equation, display: &Display, (model, elsewhere): (&Model, &[SymbolId])) -> Equation {
-    let is_wrong = equation.finding.verdict == Verdict::Refuted
-        && equation.repairs.iter().any(|repair| is_likely(repair, display, (model, elsewhere)));
-    if is_wrong {
-        equation.repairs.retain(|repair| is_likely(repair, display, (model, elsewhere)));
-    } else {
-        equation.repairs.clear();
-    }
-    equation.finding = as_it_counts(equation.finding, is_wrong);
+/// The equation as it counts in notes without a claims file, where no likely slip was found in it.
+pub(super) fn as_it_counts(mut equation: Equation) -> Equation {
+    equation.repairs.clear();
+    equation.elsewhere.clear();
+    equation.finding = finding_as_it_counts(equation.finding);
     for part in &mut equation.parts {
-        part.finding = as_it_counts(part.finding.clone(), is_wrong);
+        part.finding = finding_as_it_counts(part.finding.clone());
         part.ok = part.finding.verdict != Verdict::Refuted;
     }
-    equation.ok = equation.finding.verdict != Verdict::Refuted;
-    equation.elsewhere.clear();
+    equation.ok = true;
     equation
 }
 
-fn as_it_counts(finding: Finding, is_wrong: bool) -> Finding {
+/// The equation as it counts where it gives a new name a formula.
+pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
+    let finding =
+        Finding::new(Code::Introduced, Verdict::Definition, equation.finding.span, format!("introduces {name}"));
+    Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
+}
+
+fn finding_as_it_counts(finding: Finding) -> Finding {
     let is_untested =
         matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign);
     match finding.verdict {
-        Verdict::Refuted if !is_wrong => Finding::new(
+        Verdict::Refuted => Finding::new(
             Code::Assumed,
             Verdict::Assumed,
             finding.span,
             "this does not follow from the other displays, and no likely slip explains that; it is taken for granted",
         ),
-        Verdict::Domain => Finding { verdict: Verdict::Undecided, ..finding },
+        // The ranges of the symbols were guessed, so where both sides are defined they must agree, and no more.
+        Verdict::Domain => {
+            let message = "the two sides agree wherever both are defined";
+            Finding::new(Code::Holds, Verdict::Verified, finding.span, message)
+        }
         Verdict::Undecided if is_untested => {
             let message = match finding.message.split_once([';', ',']) {
                 Some((what, _)) => what.to_owned(),
@@ -138,7 +176,8 @@ fn as_it_counts(finding: Finding, is_wrong: bool) -> Finding {
 }
 
 /// Whether a correction makes it likely that a slip was made: it is certified, in this display, and no triviality.
-fn is_likely(repair: &Repair, display: &Display, (model, elsewhere): (&Model, &[SymbolId])) -> bool {
+pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>) -> bool {
+    let Around { model, before: seen, basis, words } = *around;
     let holds = matches!(repair.verdict, Verdict::Certified | Verdict::Verified);
     if !holds || repair.idle || repair.shared.is_some() || !display.body.contains(repair.span) {
         return false;
@@ -158,6 +197,11 @@ fn is_likely(repair: &Repair, display: &Display, (model, elsewhere): (&Model, &[
     let mut symbols = model.symbols.clone();
     let reading = read_display(&corrected, &mut symbols, &model.macros);
     let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
+    // In other words, what one relation says is a law of its own more often than a slip, unless the author says otherwise.
+    let is_chain = statements.iter().any(|statement| statement.members.len() > 2);
+    if basis == Basis::Premise && words.announced != Announced::Consequence && !is_chain {
+        return false;
+    }
     if statements.len() < reading.statements.len() {
         return false;
     }
@@ -166,8 +210,17 @@ fn is_likely(repair: &Repair, display: &Display, (model, elsewhere): (&Model, &[
     if after.len() + 1 < before.len() {
         return false;
     }
-    // A name that stands nowhere else is new, and no slip for another one.
-    if before.iter().any(|id| !after.contains(id) && !elsewhere.contains(id)) {
+    // What has a value of 0, or comes to have several new symbols, was meant as another statement.
+    let is_zero = statements.iter().any(|statement| statement.members.iter().any(Expr::is_null));
+    let mut new: Vec<&SymbolId> = after.iter().filter(|id| !before.contains(id)).collect();
+    new.dedup();
+    if after.len() > before.len() && !new.is_empty() && (is_zero || new.len() > 1) {
+        return false;
+    }
+    // A name that no display before has is new, and no slip for another one. Neither is a free constant that the motion
+    // does not contain: the display says what it is.
+    let is_new = |id: &SymbolId| !seen.contains(id) || model.system.is_some() && is_foreign(*id, model);
+    if before.iter().any(|id| !after.contains(id) && is_new(id)) {
         return false;
     }
     // Of a motion, what lacks a term is a special case as often as a slip: a circular orbit, a length of 1.
@@ -175,17 +228,31 @@ fn is_likely(repair: &Repair, display: &Display, (model, elsewhere): (&Model, &[
     if model.system.is_some() && before.iter().any(moves) && after.len() > before.len() {
         return false;
     }
-    // A name beside its formula is a definition, and says nothing of its own.
-    let is_claim = |pair: &&[Expr]| pair.iter().all(|side| side.as_plain_symbol().is_none() || is_derived(side, model));
+    // A name beside its formula is a definition, and says nothing of its own, unless the formula contains the name.
+    let is_bound = |side: &Expr, other: &Expr| {
+        let others = leaves(other, model);
+        side.as_plain_symbol().is_none()
+            || is_derived(side, model)
+            || leaves(side, model).iter().all(|id| others.contains(id))
+    };
+    let is_claim = |pair: &&[Expr]| is_bound(&pair[0], &pair[1]) && is_bound(&pair[1], &pair[0]);
+    let edited = Span::new(start, start + repair.replacement.len());
+    let is_edited = |pair: &&[Expr]| pair[0].span.to(pair[1].span).contains(edited);
     let pairs = statements.iter().flat_map(|statement| statement.members.windows(2));
-    let mut claims = pairs.filter(is_claim).peekable();
-    claims.peek().is_some() && claims.all(|pair| is_content(&pair[0], &pair[1], &symbols))
+    let mut claims = pairs.filter(is_edited).filter(is_claim).peekable();
+    // A derivative that is written out says more than its value, which is what was read.
+    let is_differentiated = |pair: &[Expr]| {
+        display.text.contains("\\partial")
+            && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS
+    };
+    let says_something = |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_differentiated(pair);
+    claims.peek().is_some() && claims.all(says_something)
 }
 
 /// Whether an equality says more than that something is equal to itself: what is left of it without the terms that both
 /// sides have is no triviality.
-fn is_content(left: &Expr, right: &Expr, symbols: &Symbols) -> bool {
-    let (mut left, mut right) = (terms(left, symbols), terms(right, symbols));
+fn is_content(left: &Expr, right: &Expr, symbols: &Symbols, model: &Model) -> bool {
+    let (mut left, mut right) = (terms(left, symbols, model), terms(right, symbols, model));
     left.retain(|(term, _)| match right.iter().position(|(other, _)| other == term) {
         Some(at) => {
             right.remove(at);
@@ -198,10 +265,10 @@ fn is_content(left: &Expr, right: &Expr, symbols: &Symbols) -> bool {
 }
 
 /// The terms of a formula, with their signs, and the number of symbols in each.
-fn terms(formula: &Expr, symbols: &Symbols) -> Vec<(String, usize)> {
+fn terms(formula: &Expr, symbols: &Symbols, model: &Model) -> Vec<(String, usize)> {
     let one = |sign: Sign, term: &Expr| {
         let sign = if sign == Sign::Plus { '+' } else { '-' };
-        (format!("{sign}{}", canonical(term, symbols)), occurrences(term))
+        (format!("{sign}{}", canonical(term, symbols)), occurrences(term, model))
     };
     match &formula.node {
         Node::Sum(terms) => terms.iter().map(|term| one(term.sign, &term.expr)).collect(),
@@ -209,10 +276,17 @@ fn terms(formula: &Expr, symbols: &Symbols) -> Vec<(String, usize)> {
     }
 }
 
-/// The number of symbols in a formula, each as often as it stands there.
-fn occurrences(formula: &Expr) -> usize {
+/// The number of symbols and functions in a formula, each as often as it stands there. What a formula defines counts
+/// twice, since it stands for that formula.
+fn occurrences(formula: &Expr, model: &Model) -> usize {
     let mut count = 0;
-    formula.walk(&mut |part| count += usize::from(matches!(part.node, Node::Symbol { .. })));
+    formula.walk(&mut |part| {
+        count += match &part.node {
+            Node::Symbol { id, .. } if matches!(model.meaning(*id), Some(Meaning::Defined(_))) => 2,
+            Node::Symbol { .. } | Node::Call(..) => 1,
+            _ => 0,
+        }
+    });
     count
 }
 

@@ -88,6 +88,32 @@ fn lagrangian<'u>(notes: &Notes, usages: &'u [Usage]) -> Option<&'u Name> {
     usages.iter().find(is_it).filter(|_| is_spoken_of && moves).map(|usage| &usage.name)
 }
 
+/// A coordinate that is a multiple of another one, x = Rφ, where the Lagrangian is differentiated by the first.
+struct Rolling {
+    /// φ
+    depends: Name,
+    /// x
+    coordinate: Name,
+    /// R
+    factors: Vec<Name>,
+}
+
+fn rolling(usages: &[Usage]) -> Option<Rolling> {
+    let find = |name: &Name| usages.iter().find(|usage| usage.name == *name);
+    usages.iter().filter(|usage| usage.differentiates && usage.moves && defined(usage)).find_map(|usage| {
+        let product = usage.product.as_ref()?;
+        let (moving, factors): (Vec<&Name>, Vec<&Name>) =
+            product.iter().partition(|name| find(name).is_some_and(|usage| usage.moves));
+        let [depends] = moving.as_slice() else { return None };
+        let is_free = find(depends).is_some_and(|usage| !usage.differentiates && !defined(usage));
+        (is_free && !factors.is_empty()).then(|| Rolling {
+            depends: (*depends).clone(),
+            coordinate: usage.name.clone(),
+            factors: factors.into_iter().cloned().collect(),
+        })
+    })
+}
+
 /// Whether a display defines a name, before any other display uses it.
 fn defined(usage: &Usage) -> bool {
     usage.introduced == Some(usage.first)
@@ -103,7 +129,14 @@ impl Guess {
     fn of(usages: &[Usage], lagrangian: Option<&Name>) -> Guess {
         let mut guess = Guess::default();
         let is_function = |usage: &Usage| usage.arguments.as_ref().is_some_and(|of| *of != [Name::plain("t")]);
-        for usage in usages.iter().filter(|usage| !is_reserved(&usage.name) && !defined(usage)) {
+        let is_of_time = |usage: &Usage| usage.arguments.as_ref().is_some_and(|of| *of == [Name::plain("t")]);
+        let rolling = lagrangian.and_then(|_| rolling(usages));
+        let is_known = |usage: &Usage| match &rolling {
+            Some(rolling) if rolling.depends == usage.name => true,
+            Some(rolling) if rolling.coordinate == usage.name => false,
+            _ => defined(usage) && !is_of_time(usage),
+        };
+        for usage in usages.iter().filter(|usage| !is_reserved(usage) && !is_known(usage)) {
             let name = usage.name.to_string();
             let plain = Name { primes: 0, ..usage.name.clone() };
             // A prime on a function is its derivative.
@@ -114,7 +147,7 @@ impl Guess {
             let is_argument = usages.iter().any(|other| {
                 other.introduced.is_some() && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name))
             });
-            let moves = usage.moves || usage.arguments.as_ref().is_some_and(|of| *of == [Name::plain("t")]);
+            let moves = usage.moves || is_of_time(usage);
             let range = match (is_vector, usage.angle, usage.positive) {
                 (true, ..) => "any",
                 (_, true, _) => "angle",
@@ -127,9 +160,14 @@ impl Guess {
                     guess.declare("functions", &name, &format!("of {}", of.join(", ")));
                 }
                 _ if moves && lagrangian.is_some() && !is_vector => guess.declare("coordinates", &name, range),
-                _ if moves || is_argument => guess.declare("varies with time", &name, range),
+                _ if moves || usage.follows || is_argument => guess.declare("varies with time", &name, range),
                 _ => guess.declare("constants", &name, range),
             }
+        }
+        if let Some(Rolling { depends, coordinate, factors }) = &rolling {
+            let factors: Vec<String> = factors.iter().map(ToString::to_string).collect();
+            let formula = format!("\\frac{{{coordinate}}}{{{}}}", factors.join(" "));
+            guess.keys.insert("define".to_owned(), json!({ depends.to_string(): formula }));
         }
         if let Some(lagrangian) = lagrangian {
             guess.keys.insert("means".to_owned(), json!({ lagrangian.to_string(): "Lagrangian" }));
@@ -151,7 +189,7 @@ impl Guess {
             let Some((parsed, _)) = names::parse(name) else { continue };
             let name = parsed.to_string();
             let is_known = self.keys.values().any(|group| group.get(&name).is_some());
-            if !is_known && !is_reserved(&parsed) && !name.starts_with("\\hat") {
+            if !is_known && !is_reserved_name(&parsed) && !name.starts_with("\\hat") {
                 self.declare("constants", &name, "any");
                 is_new = true;
             }
@@ -185,8 +223,18 @@ impl Guess {
     }
 }
 
+/// Whether a name is known without a declaration, and is not used as a quantity of the notes either.
+fn is_reserved(usage: &Usage) -> bool {
+    let is_quantity = match usage.name.base.as_str() {
+        "i" => usage.moves || usage.arguments.is_some(),
+        "d" => usage.divides,
+        _ => false,
+    };
+    is_reserved_name(&usage.name) && !is_quantity
+}
+
 /// Whether a name is known without a declaration, or cannot be declared.
-fn is_reserved(name: &Name) -> bool {
+fn is_reserved_name(name: &Name) -> bool {
     let alone = name.subscript.is_empty() && name.primes == 0;
     alone && ["t", "e", "d", "i", "\\pi", "\\mathrm{d}", "\\mathrm{e}", "\\mathrm{i}"].contains(&name.base.as_str())
         || name.base.starts_with("\\hat{")

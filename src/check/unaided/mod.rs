@@ -14,19 +14,19 @@
 //! Offers [`unaided`], [`draft`] for the inferred claims as a file, and `guessed` for the check with such a file. Knows all
 //! other folders of `check`.
 
+mod course;
 #[cfg(feature = "cli")]
 mod draft;
 mod gate;
 mod inference;
 pub(super) mod names;
+mod premises;
+mod prose;
 
 use crate::Result;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::run::check_in;
-use crate::check::sample::context::Options;
-use crate::check::verdict::Verdict;
 use crate::check::verdict::report::{Document, Equation};
-use crate::formula::{Expr, SymbolId};
 use crate::notes::{Claims, Notes, Numbered};
 
 #[cfg(feature = "cli")]
@@ -53,35 +53,34 @@ pub(super) fn guessed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<D
 
 /// Checks notes with claims that nobody has confirmed.
 fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
-    // Corrections take long to find, so they are sought only for what may be a slip.
-    let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
-    let mut document = check_in(&brief, claims, notes)?;
-    let candidates = gate::candidates(run, claims, notes)?;
-    for equation in &mut document.equations {
-        let is_candidate = |id: &String| *id == equation.id;
-        if equation.finding.verdict == Verdict::Refuted && candidates.iter().any(is_candidate) {
-            let only = Run { only: Some(equation.id.as_str()), ..*run };
-            let again = check_in(&only, claims, notes)?;
-            if let Some(found) = again.equations.into_iter().next() {
+    let claimed = |equation: &Equation| -> Result<Option<Equation>> {
+        let only = Run { only: Some(equation.id.as_str()), ..*run };
+        Ok(check_in(&only, claims, notes)?.equations.into_iter().next())
+    };
+    let sentences = if claims.sentences.is_empty() { Vec::new() } else { check_in(run, claims, notes)?.sentences };
+    with_checker(run, claims, notes, |checker| {
+        let mut equations = course::judged(&checker)?;
+        for (at, equation) in equations.iter_mut().enumerate() {
+            if checker.assigned[at].is_some()
+                && let Some(found) = claimed(equation)?
+            {
                 *equation = found;
             }
         }
-    }
-    let equations = std::mem::take(&mut document.equations);
-    document.equations = with_checker(run, claims, notes, |checker| {
-        let weighed = |equation: Equation| {
-            let at = notes.equations.iter().position(|display| display.id() == Some(&equation.id));
-            let Some(at) = at.filter(|at| checker.assigned[*at].is_none()) else { return equation };
-            let others = checker.readings.iter().enumerate().filter(|(other, _)| *other != at);
-            let members = others.flat_map(|(_, reading)| reading.statements.iter().flatten()).flat_map(|s| &s.members);
-            let elsewhere: Vec<SymbolId> = members.flat_map(Expr::symbols).map(|(id, _)| id).collect();
-            gate::weigh(equation, &notes.equations[at], (checker.model, &elsewhere))
-        };
-        Ok(equations.into_iter().map(weighed).collect())
-    })?;
-    document.is_guessed = true;
-    document.unnumbered = 0;
-    Ok(document)
+        if let Some(only) = run.only {
+            equations.retain(|equation| equation.id == only);
+        }
+        Ok(Document {
+            path: notes.source.path.clone(),
+            claims: Some(claims.source.path.clone()),
+            is_guessed: true,
+            source: notes.source.clone(),
+            equations,
+            sentences,
+            unnumbered: 0,
+            inferred: checker.model.inferred.clone(),
+        })
+    })
 }
 
 /// The notes, in which each display without a number has the name `L` and its line, and no number is there twice.

@@ -16,6 +16,14 @@ pub(in crate::check) struct Usage {
     pub positive: bool,
     /// Whether it stands alone in a sine or a cosine.
     pub angle: bool,
+    /// Whether it stands alone on one side of a relation whose other side moves.
+    pub follows: bool,
+    /// The names of which it is the product, where a display says so.
+    pub product: Option<Vec<Name>>,
+    /// Whether it is all of a numerator or a denominator.
+    pub divides: bool,
+    /// Whether something is differentiated by it, or by its rate.
+    pub differentiates: bool,
     /// The first display with it.
     pub first: usize,
     /// The first display of which it is the whole left side.
@@ -34,7 +42,7 @@ struct Place {
 
 /// All names of some displays, in the order of their first occurrence.
 pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
-    let mut found = Vec::new();
+    let (mut found, mut statements) = (Vec::new(), Vec::new());
     for (at, display) in displays.iter().enumerate() {
         let Ok(items) = typeset_items(&display.text, macros) else { continue };
         let mut left = true;
@@ -48,8 +56,93 @@ pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<U
                 || matches!(&item.layout, Layout::Command(name) if name == "\\quad" || name == "\\qquad");
         }
         walk(&items, Place::default(), at, &mut found);
+        for statement in items.split(ends_statement) {
+            if let [left, right] = statement.split(is_relation).collect::<Vec<_>>().as_slice()
+                && let Some(name) = lone_name(left)
+                && let Some(product) = product(right)
+            {
+                entry(&mut found, &name, at).product.get_or_insert(product);
+            }
+            statements.push(sides(statement));
+        }
     }
+    follow(&statements, &mut found);
     found
+}
+
+/// The sides of a statement: the name that is all of it, if one is; and the names in it.
+type Side = (Option<Name>, Vec<Name>);
+
+fn sides(statement: &[Item]) -> Vec<Side> {
+    let side = |items: &[Item]| {
+        let mut inside = Vec::new();
+        walk(items, Place::default(), 0, &mut inside);
+        (lone_name(items), inside.into_iter().map(|usage| usage.name).collect())
+    };
+    statement.split(is_relation).map(side).collect()
+}
+
+/// The name that is all of some items.
+fn lone_name(items: &[Item]) -> Option<Name> {
+    match product(items)?.as_slice() {
+        [only] => Some(only.clone()),
+        _ => None,
+    }
+}
+
+/// The names of which some items are the product, if they are nothing else.
+fn product(items: &[Item]) -> Option<Vec<Name>> {
+    let significant = items.iter().filter(|item| !is_space(item) && !matches!(item.layout, Layout::Other('.' | ',')));
+    significant
+        .map(|item| match names::printed(item, None) {
+            Some(printed) if printed.dots == 0 && printed.sup.is_none() => Some(printed.name),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Marks the names that are equal to something that moves or contains the time.
+fn follow(statements: &[Vec<Side>], found: &mut [Usage]) {
+    let named = |found: &[Usage], is_it: fn(&Usage) -> bool| {
+        let names = found.iter().filter(|usage| is_it(usage)).map(|usage| usage.name.clone());
+        names.chain([Name::plain("t")]).collect::<Vec<Name>>()
+    };
+    let dotted = named(found, |usage| usage.moves);
+    loop {
+        let moving = named(found, |usage| usage.moves || usage.follows);
+        let mut more = Vec::new();
+        for sides in statements {
+            let contains = |names: &[Name]| {
+                sides.iter().any(|(alone, inside)| alone.is_none() && inside.iter().any(|name| names.contains(name)))
+            };
+            // On the right a constant may stand, as of a conserved quantity.
+            let (on_the_left, on_the_right) = (contains(&moving), contains(&dotted));
+            let alone = sides.iter().enumerate().filter(|(at, _)| if *at == 0 { on_the_left } else { on_the_right });
+            let alone = alone.filter_map(|(_, (alone, _))| alone.as_ref());
+            more.extend(alone.filter(|name| !moving.contains(name)).cloned());
+        }
+        if more.is_empty() {
+            return;
+        }
+        for usage in found.iter_mut().filter(|usage| more.contains(&usage.name)) {
+            usage.follows = true;
+        }
+    }
+}
+
+/// Whether an item is the time or a place: before one, a name in a sine is a factor, as in sin ωt, and no angle.
+fn is_variable(item: &Item) -> bool {
+    names::printed(item, None)
+        .is_some_and(|printed| ["t", "x", "y", "z"].iter().any(|name| printed.name == Name::plain(*name)))
+}
+
+/// Whether a statement ends here.
+fn ends_statement(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Row | Layout::Other(',' | ';') => true,
+        Layout::Command(name) => name == "\\quad" || name == "\\qquad",
+        _ => false,
+    }
 }
 
 fn starts(item: &Item) -> bool {
@@ -91,6 +184,10 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             moves: false,
             positive: false,
             angle: false,
+            follows: false,
+            product: None,
+            divides: false,
+            differentiates: false,
             first: at,
             introduced: None,
             arguments: None,
@@ -116,7 +213,7 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             let usage = entry(found, &printed.name, at);
             usage.moves |= printed.dots > 0 || place.moves;
             usage.positive |= place.positive;
-            usage.angle |= here.angle;
+            usage.angle |= here.angle && !follows.is_some_and(is_variable);
             if let Some(arguments) = follows.and_then(names_in_parentheses) {
                 usage.arguments.get_or_insert(arguments);
             }
@@ -143,8 +240,20 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
                 let above_place = Place { moves: moves && differentiated, ..place };
                 walk(&contents(above)[usize::from(differentiated)..], above_place, at, found);
                 match is_differential(below) {
-                    true => walk(&contents(below)[1..], Place::default(), at, found),
+                    true => {
+                        walk(&contents(below)[1..], Place::default(), at, found);
+                        for printed in contents(below)[1..].iter().filter_map(|item| names::printed(item, None)) {
+                            entry(found, &printed.name, at).differentiates = true;
+                        }
+                    }
                     false => walk(contents(below), Place { positive: true, ..place }, at, found),
+                }
+                for part in [above, below].map(|part| contents(part)) {
+                    if let ([only], false) = (part, is_differential(below))
+                        && let Some(printed) = names::printed(only, None)
+                    {
+                        entry(found, &printed.name, at).divides = true;
+                    }
                 }
             }
             Layout::Root(_, inner) => walk(contents(inner), Place { positive: true, ..place }, at, found),

@@ -95,7 +95,7 @@ fn marked(arguments: &Arguments, registry: &Registry) -> Result<(Vec<Marked>, Ve
     let claims = Claims::read(at, &at.display().to_string())?;
     let path = claims.notes_path();
     let notes = Notes::read(&path, &path.display().to_string())?;
-    let options = Options { seed: arguments.seed, points: 24, explain: true };
+    let options = Options { seed: arguments.seed, points: 24, explain: true, ..Options::default() };
     let run = Run { registry, options, only: None, progress: &() };
     let problem = Problem::prepare(&run, &claims, &notes)?;
     let mut errors = Vec::new();

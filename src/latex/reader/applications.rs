@@ -177,7 +177,7 @@ impl Reader<'_> {
         if is_lorentz {
             return Ok(());
         }
-        if self.shifts_the_time(&inside) && (entry.varies || self.symbols.open) {
+        if self.shifts_the_time(&inside) && (entry.varies && !entry.steady || self.symbols.open) {
             return ambiguous();
         }
         if !self.symbols.open {

@@ -1,0 +1,165 @@
+//! The displays of notes in their order, each judged by what was said before it.
+//!
+//! A display follows by itself, or from relations that were taken for granted before it ([`premises`]). If it does not, a
+//! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
+//! granted, and is a premise of what comes later. What is wrong is no premise.
+
+use std::collections::HashSet;
+
+use crate::Result;
+use crate::check::document::checker::Checker;
+use crate::check::repair::suggest::Search;
+use crate::check::sample::context::Options;
+use crate::check::unaided::gate::{self, Basis};
+use crate::check::unaided::premises::{self, Premise};
+use crate::check::unaided::prose::{self, Announced, Words};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::report::Equation;
+use crate::formula::{Expr, SymbolId, text};
+use crate::notes::claims::Claim;
+
+/// The most sets of premises with which a slip is sought.
+const SETS_FOR_SLIPS: usize = 2;
+
+/// The findings on all displays, in their order.
+///
+/// # Errors
+/// When a claim does not fit the notes.
+pub(super) fn judged(checker: &Checker<'_>) -> Result<Vec<Equation>> {
+    let explained = &with_options(checker, true);
+    let mut course =
+        Course { checker: explained, quick: with_options(checker, false), known: Vec::new(), seen: HashSet::new() };
+    (0..checker.notes.equations.len()).map(|at| course.judge(at)).collect()
+}
+
+fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
+    let options = Options { explain, deduction: true, ..checker.options };
+    Checker { options, units: checker.units.clone(), ..*checker }
+}
+
+/// The way through the displays.
+struct Course<'c, 'a> {
+    checker: &'c Checker<'a>,
+    /// The same checker without explanations.
+    quick: Checker<'a>,
+    /// What was taken for granted so far.
+    known: Vec<Premise>,
+    /// The symbols of the displays so far.
+    seen: HashSet<SymbolId>,
+}
+
+impl Course<'_, '_> {
+    fn judge(&mut self, at: usize) -> Result<Equation> {
+        let found = self.weighed(at)?;
+        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        self.seen.extend(members.flat_map(Expr::symbols).map(|(id, _)| id));
+        Ok(found)
+    }
+
+    fn weighed(&mut self, at: usize) -> Result<Equation> {
+        let none = Claim::default();
+        let claim = self.checker.assigned[at].unwrap_or(&none);
+        let found = self.equation(&self.quick, at, claim)?;
+        let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
+            return Ok(gate::as_it_counts(found));
+        };
+        let words = prose::before(self.checker.notes, at);
+        let sets = premises::sets(&self.known, &symbols, &words.named);
+        for set in &sets {
+            if let Some(follows) = self.follows_from(at, set)? {
+                return Ok(gate::as_it_counts(follows));
+            }
+        }
+        if let Some(wrong) = self.slip(at, claim, &[], &words)? {
+            return Ok(wrong);
+        }
+        for set in sets.iter().take(SETS_FOR_SLIPS) {
+            if let Some(wrong) = self.slip(at, &premises::claim(set), set, &words)? {
+                return Ok(wrong);
+            }
+        }
+        // Beside a motion, what is taken for granted is a special case of it or contradicts it.
+        if let (Some(id), None) = (self.checker.notes.equations[at].id(), &self.checker.model.system) {
+            self.known.push(Premise { at, id: id.to_owned(), symbols });
+        }
+        Ok(match self.introduced(at) {
+            Some(name) => gate::introduces(found, &name),
+            None => gate::as_it_counts(found),
+        })
+    }
+
+    /// The name that a display gives a formula, if no display before has it.
+    fn introduced(&self, at: usize) -> Option<String> {
+        let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return None };
+        let [first, _] = statement.members.as_slice() else { return None };
+        let id = first.as_plain_symbol().filter(|id| !self.seen.contains(id))?;
+        Some(text::plain(&self.checker.model.name(id)))
+    }
+
+    fn equation(&self, checker: &Checker<'_>, at: usize, claim: &Claim) -> Result<Equation> {
+        let found = checker.equation(at, Some(claim)).or_else(|error| checker.equation_left_open(at, error))?;
+        Ok(checker.without_unreadable_laws(found, None))
+    }
+
+    /// The symbols that a display relates, if it was read.
+    fn symbols(&self, at: usize) -> Option<Vec<SymbolId>> {
+        let mut found = Vec::new();
+        for statement in &self.checker.readings[at].statements {
+            for member in &statement.as_ref().ok()?.members {
+                for id in gate::leaves(member, self.checker.model) {
+                    if !found.contains(&id) {
+                        found.push(id);
+                    }
+                }
+            }
+        }
+        Some(found)
+    }
+
+    /// The finding that a display follows from premises, if it does.
+    fn follows_from(&self, at: usize, set: &[&Premise]) -> Result<Option<Equation>> {
+        let mut found = self.equation(&self.quick, at, &premises::claim(set))?;
+        if !found.finding.verdict.passes() {
+            return Ok(None);
+        }
+        found.finding.message = match found.finding.message.as_str() {
+            "" => format!("follows from {}", named(set)),
+            message => format!("{message}; it follows from {}", named(set)),
+        };
+        Ok(Some(found))
+    }
+
+    /// The finding that a display is wrong, if a likely slip separates it from what follows.
+    fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
+        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
+        let (basis, search) = match set {
+            [] => (Basis::Definitions, Search::Thorough),
+            [_] => (Basis::Premise, Search::Likely),
+            _ => (Basis::Premises, Search::Likely),
+        };
+        if !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
+            || words.announced == Announced::Assumption
+        {
+            return Ok(None);
+        }
+        let mut found = self.equation(checker, at, claim)?;
+        if found.finding.verdict != Verdict::Refuted {
+            return Ok(None);
+        }
+        found.repairs = checker.own_repairs(at, &found, claim, search)?;
+        let around = gate::Around { model: checker.model, before: &self.seen, basis, words };
+        found.repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        if found.repairs.is_empty() {
+            return Ok(None);
+        }
+        if !set.is_empty() {
+            found.finding.message = format!("{}, given {}", found.finding.message, named(set));
+        }
+        Ok(Some(found))
+    }
+}
+
+fn named(set: &[&Premise]) -> String {
+    let ids: Vec<String> = set.iter().map(|premise| format!("({})", premise.id)).collect();
+    ids.join(", ")
+}

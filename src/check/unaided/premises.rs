@@ -1,0 +1,93 @@
+//! Which accepted relations a later statement may follow from.
+//!
+//! A display that does not follow and is not wrong is taken for granted, and so it is a premise of what comes after it. A
+//! statement is checked with a few small sets of premises, the likeliest first. A set is worth a check only if it can
+//! eliminate what the statement does not contain: n relations eliminate at most n − 1 symbols and leave something to say.
+
+use crate::formula::SymbolId;
+use crate::notes::claims::{Claim, Spanned};
+use crate::source::Span;
+
+/// The number of the last premises from which sets are made.
+const RECENT: usize = 8;
+
+/// The most sets of premises that are tried.
+const TRIED: usize = 6;
+
+/// The most premises in a set.
+const MOST: usize = 3;
+
+/// A relation that is taken for granted.
+#[derive(Clone, Debug)]
+pub(super) struct Premise {
+    /// The place of its display.
+    pub at: usize,
+    /// The name of its display.
+    pub id: String,
+    /// The symbols that it relates; those that a formula defines are replaced by what the formula contains.
+    pub symbols: Vec<SymbolId>,
+}
+
+/// The sets of premises that a statement with these symbols may follow from. `named` are the displays that the prose names.
+pub(super) fn sets<'p>(known: &'p [Premise], symbols: &[SymbolId], named: &[usize]) -> Vec<Vec<&'p Premise>> {
+    let shares = |premise: &Premise| premise.symbols.iter().any(|symbol| symbols.contains(symbol));
+    let mut found: Vec<Vec<&Premise>> = Vec::new();
+    let by_name: Vec<&Premise> = known.iter().filter(|premise| named.contains(&premise.at)).collect();
+    if !by_name.is_empty() && by_name.len() <= RECENT {
+        found.push(by_name.clone());
+    }
+    let mut recent: Vec<&Premise> = known.iter().rev().take(RECENT).collect();
+    recent.extend(by_name.into_iter().filter(|named| known.iter().rev().take(RECENT).all(|other| other != *named)));
+    let mut sets: Vec<Vec<usize>> = (0..recent.len()).map(|at| vec![at]).collect();
+    // What may drop out of a set without being eliminated, as the magnetic field does from the power.
+    let mut less_likely = Vec::new();
+    for _ in 0..MOST {
+        for set in &sets {
+            let chosen: Vec<&Premise> = set.iter().map(|at| recent[*at]).collect();
+            if !chosen.iter().any(|premise| shares(premise)) || found.contains(&chosen) {
+                continue;
+            }
+            match surplus(&chosen, symbols) {
+                Some(0) => found.push(chosen),
+                Some(1) => less_likely.push(chosen),
+                _ => {}
+            }
+        }
+        let longer = |set: &Vec<usize>| {
+            let after = set.last().map_or(0, |last| last + 1);
+            (after..recent.len()).map(|at| [set.as_slice(), &[at]].concat()).collect::<Vec<_>>()
+        };
+        sets = sets.iter().flat_map(longer).collect();
+    }
+    found.extend(less_likely);
+    found.truncate(TRIED);
+    found
+}
+
+/// The number of symbols that premises cannot eliminate to leave a relation between these symbols; `None`, if one of the
+/// premises has nothing to do with the others.
+fn surplus(premises: &[&Premise], symbols: &[SymbolId]) -> Option<usize> {
+    let mut others: Vec<SymbolId> =
+        premises.iter().flat_map(|premise| &premise.symbols).copied().filter(|id| !symbols.contains(id)).collect();
+    others.sort_unstable_by_key(|id| id.0);
+    others.dedup();
+    let connected = premises.iter().enumerate().all(|(at, premise)| {
+        premises.len() == 1
+            || premises.iter().enumerate().any(|(other, beside)| {
+                other != at && premise.symbols.iter().any(|symbol| beside.symbols.contains(symbol))
+            })
+    });
+    connected.then(|| (others.len() + 1).saturating_sub(premises.len()))
+}
+
+/// The claim that a display follows from premises.
+pub(super) fn claim(premises: &[&Premise]) -> Claim {
+    let throughout = premises.iter().map(|premise| Spanned::new(premise.id.clone(), Span::default())).collect();
+    Claim { throughout, ..Claim::default() }
+}
+
+impl PartialEq for Premise {
+    fn eq(&self, other: &Premise) -> bool {
+        self.at == other.at
+    }
+}

@@ -1,0 +1,235 @@
+//! The words before a display: which displays they name, and whether they announce a consequence or an assumption.
+
+use std::ops::Range;
+
+use crate::notes::Notes;
+
+/// The most bytes before a display that are taken for its words.
+const LONGEST: usize = 400;
+
+/// The number of displays over which the words of an earlier one hold.
+const FAR_BACK: usize = 8;
+
+/// The most letters of words that say nothing of their own.
+const GOES_ON: usize = 3;
+
+/// Words that announce what follows from what was said before.
+const CONSEQUENCE: [&str; 35] = [
+    "hence",
+    "thus",
+    "therefore",
+    "follow",
+    "we get",
+    "we find",
+    "we obtain",
+    "one gets",
+    "one finds",
+    "one has",
+    "give",
+    "yield",
+    "become",
+    "implies",
+    "from which",
+    "from (",
+    "from eq",
+    "using",
+    "substitut",
+    "insert",
+    "that is",
+    "i.e.",
+    "consequently",
+    "leads to",
+    "reduces to",
+    "differentiat",
+    "so that",
+    "so ",
+    "in terms of",
+    "solving",
+    "expand",
+    "simplif",
+    "this means",
+    "equivalent",
+    "then",
+];
+
+/// Words that announce what is assumed, chosen or only nearly true.
+const ASSUMPTION: [&str; 34] = [
+    "assum",
+    "suppos",
+    "if ",
+    "convention",
+    "approximat",
+    "neglect",
+    "small",
+    "limit",
+    "special case",
+    "instead",
+    "let ",
+    "consider",
+    "choos",
+    "postulat",
+    "ansatz",
+    "we try",
+    "boundary",
+    "initial",
+    "condition",
+    "gauge",
+    "empiric",
+    "circular",
+    "at rest",
+    "when ",
+    "in the case",
+    "guess",
+    "hypothes",
+    "imagin",
+    "another",
+    "other ",
+    "wrong",
+    "not ",
+    "mistake",
+    "require",
+];
+
+/// What the words before a display announce.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Announced {
+    /// A consequence.
+    Consequence,
+    /// An assumption, a choice, a special case.
+    Assumption,
+    /// Neither.
+    Nothing,
+}
+
+/// The words before a display.
+#[derive(Clone, Debug)]
+pub(super) struct Words {
+    /// What they announce.
+    pub announced: Announced,
+    /// The displays that they name, by their places, the first first.
+    pub named: Vec<usize>,
+}
+
+/// The words before the `at`-th display.
+pub(super) fn before(notes: &Notes, at: usize) -> Words {
+    looking_back(notes, at, FAR_BACK)
+}
+
+fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
+    let text = &notes.source.text;
+    let all = without_comments(&text[range(notes, at)]);
+    let all = all.as_str();
+    let sentence = last_sentence(all).to_lowercase();
+    let says = |words: &[&str]| words.iter().any(|word| has_word(&sentence, word));
+    // "and" goes on as before.
+    if at > 0 && further > 0 && sentence.chars().filter(|c| c.is_alphabetic()).count() <= GOES_ON {
+        let before = looking_back(notes, at - 1, further - 1);
+        let named = cited(notes, at, all).into_iter().chain(before.named).collect();
+        return Words { announced: before.announced, named };
+    }
+    let announced = match (says(&ASSUMPTION), says(&CONSEQUENCE)) {
+        (true, _) => Announced::Assumption,
+        (false, true) => Announced::Consequence,
+        (false, false) => Announced::Nothing,
+    };
+    Words { announced, named: cited(notes, at, all) }
+}
+
+/// The displays that the words before the `at`-th display cite.
+fn cited(notes: &Notes, at: usize, words: &str) -> Vec<usize> {
+    let mut named: Vec<usize> = Vec::new();
+    for id in references(words) {
+        for place in notes.find(id).into_iter().filter(|place| *place != at) {
+            if !named.contains(&place) {
+                named.push(place);
+            }
+        }
+    }
+    named
+}
+
+/// The bytes between a display and the one before it, or the last of these.
+fn range(notes: &Notes, at: usize) -> Range<usize> {
+    let text = &notes.source.text;
+    let end = notes.equations[at].span.start;
+    let before = notes.equations[..at].iter().map(|display| display.span.end).filter(|before| *before <= end).max();
+    let mut start = before.unwrap_or(0).max(end.saturating_sub(LONGEST));
+    while !text.is_char_boundary(start) {
+        start += 1;
+    }
+    start..end
+}
+
+/// A text without the comments of TeX and Markdown.
+fn without_comments(text: &str) -> String {
+    let mut kept = String::new();
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once("<!--") {
+        kept.push_str(before);
+        rest = after.split_once("-->").map_or("", |(_, after)| after);
+    }
+    kept.push_str(rest);
+    let lines = kept
+        .lines()
+        .map(|line| line.find('%').filter(|at| !line[..*at].ends_with('\\')).map_or(line, |at| &line[..at]));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The sentence that ends with the display, or the last one before it.
+fn last_sentence(text: &str) -> &str {
+    let text = text.trim_end();
+    let body = text.trim_end_matches(['.', ':', ',', ';']);
+    let end = body.rmatch_indices(['.', '?', '!', '\n']).find(|(at, mark)| {
+        let after = &body[at + mark.len()..];
+        match *mark {
+            "\n" => after.starts_with('\n') || after.starts_with('#') || text[..*at].ends_with('\n'),
+            _ => after.starts_with(char::is_whitespace),
+        }
+    });
+    end.map_or(text, |(at, mark)| &text[at + mark.len()..])
+}
+
+/// Whether a text has a word, or the beginning of one.
+fn has_word(text: &str, word: &str) -> bool {
+    text.match_indices(word).any(|(at, _)| !text[..at].ends_with(char::is_alphanumeric))
+}
+
+/// The numbers and labels that a text cites.
+fn references(text: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    for command in ["\\eqref{", "\\ref{", "\\cref{", "\\Cref{", "\\autoref{"] {
+        for (at, _) in text.match_indices(command) {
+            if let Some((label, _)) = text[at + command.len()..].split_once('}') {
+                found.push((at, label));
+            }
+        }
+    }
+    for (at, _) in text.match_indices('(') {
+        if let Some((number, _)) = text[at + 1..].split_once(')')
+            && number.len() <= 8
+            && number.starts_with(|c: char| c.is_ascii_alphanumeric())
+        {
+            found.push((at, number));
+        }
+    }
+    found.sort_unstable();
+    found.into_iter().map(|(_, id)| id).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_sentence_decides() {
+        assert_eq!(last_sentence("Let $x$ be small. Then we get"), " Then we get");
+        assert_eq!(last_sentence("# Springs\n\nWe find"), "We find");
+        assert!(has_word("hence we", "hence"));
+        assert!(!has_word("whence we", "hence"));
+    }
+
+    #[test]
+    fn labels_and_numbers_are_references() {
+        assert_eq!(references(r"From \eqref{newton} and (3) of the text"), ["newton", "3"]);
+    }
+}
