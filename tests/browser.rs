@@ -109,8 +109,10 @@ impl Browser {
             .map_err(failed)?;
         let dom = String::from_utf8_lossy(&run.stdout).into_owned();
         let found = dom.split_once("<pre id=\"found\">").and_then(|(_, rest)| rest.split_once("</pre>"));
-        let found = found.map(|(found, _)| found).filter(|found| found.contains(&format!("{} frames", 4 * pages.len())));
-        let found = found.ok_or_else(|| format!("the page was not looked at: {}", String::from_utf8_lossy(&run.stderr)))?;
+        let found =
+            found.map(|(found, _)| found).filter(|found| found.contains(&format!("{} frames", 4 * pages.len())));
+        let found =
+            found.ok_or_else(|| format!("the page was not looked at: {}", String::from_utf8_lossy(&run.stderr)))?;
         Ok(found.lines().skip(1).map(str::to_owned).collect())
     }
 
@@ -168,11 +170,17 @@ fn single_page(browser: &Browser) -> Result<(), String> {
 fn pages_of_a_class(browser: &Browser) -> Result<(), String> {
     let folder = desk("class");
     let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).expect("the file can be written");
-    write("fall.md", "$$ v = v_0 - g t $$\n\n$$ t_1 = \\frac{v_0}{g} $$\n\n$$ H = v_0 t_1 - \\frac12 g t_1^2 = \\frac{v_0^2}{2g} \\tag{1} $$\n");
+    write(
+        "fall.md",
+        "$$ v = v_0 - g t $$\n\n$$ t_1 = \\frac{v_0}{g} $$\n\n$$ H = v_0 t_1 - \\frac12 g t_1^2 = \\frac{v_0^2}{2g} \\tag{1} $$\n",
+    );
     write("fall.json", "{ \"notes\": \"fall.md\", \"constants\": { \"v_0, g\": \"> 0\" } }");
     std::fs::create_dir_all(folder.join("class")).expect("the folder can be made");
     write("class/anna.md", "$$ t_1 = \\frac{v_0}{g} $$\n\n$$ H = \\frac{v_0^2}{2g} $$\n");
-    write("class/ben.md", "$$ t_1 = \\frac{v_0}{2g} $$\n\n$$ H = v_0 t_1 - \\frac12 g t_1^2 = \\frac{3 v_0^2}{8 g} $$\n");
+    write(
+        "class/ben.md",
+        "$$ t_1 = \\frac{v_0}{2g} $$\n\n$$ H = v_0 t_1 - \\frac12 g t_1^2 = \\frac{3 v_0^2}{8 g} $$\n",
+    );
     onshell(&folder, &["mark", "class", "--claims", "fall.json", "--hints", "3", "--out", "pages"]);
     browser.expect_none(&folder.join("pages"))
 }

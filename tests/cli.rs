@@ -41,10 +41,10 @@ mod reprint;
 mod requests;
 #[path = "cli/steps.rs"]
 mod steps;
-#[path = "cli/typst.rs"]
-mod typst;
 #[path = "cli/strangers.rs"]
 mod strangers;
+#[path = "cli/typst.rs"]
+mod typst;
 #[path = "cli/unaided.rs"]
 mod unaided;
 #[path = "cli/widths.rs"]

@@ -68,12 +68,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
             } else {
                 equations
             },
-            automatic_numbers: notes
-                .equations
-                .iter()
-                .filter_map(|display| Some((display.id()?.to_owned(), display.automatic.clone())))
-                .filter(|(_, numbers)| !numbers.is_empty())
-                .collect(),
+            automatic_numbers: notes.automatic_numbers(),
             sentences,
             unnumbered: checker
                 .assigned

@@ -1,6 +1,6 @@
 //! A document: a file with its display equations in order, each with its place and its number.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -35,6 +35,12 @@ pub struct Notes {
 }
 
 impl Notes {
+    /// The numbers that LaTeX prints beside the rows of each display, by the display's own name.
+    pub fn automatic_numbers(&self) -> BTreeMap<String, Vec<String>> {
+        let named = self.equations.iter().filter(|display| !display.automatic.is_empty());
+        named.filter_map(|display| Some((display.id()?.to_owned(), display.automatic.clone()))).collect()
+    }
+
     /// Reads the file at `path`, known in messages as `shown_as`.
     pub fn read(path: &Path, shown_as: &str) -> Result<Notes> {
         let Some(format) = Format::of(path) else {

@@ -75,6 +75,7 @@ fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
             claims: Some(claims.source.path.clone()),
             is_guessed: true,
             source: notes.source.clone(),
+            automatic_numbers: notes.automatic_numbers(),
             equations,
             sentences,
             unnumbered: 0,
