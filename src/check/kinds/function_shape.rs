@@ -19,7 +19,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Relation, SymbolId, text};
 use crate::scalar::RunningError;
 
-use crate::check::kinds::shape::scan::{Observation, Probe};
+use crate::check::kinds::scan::{Observation, Probe};
 use crate::check::kinds::shape::{Atoms, Shape, Target, difference};
 use crate::check::kinds::solves::mentions;
 use crate::check::model::Model;

@@ -1,15 +1,11 @@
 //! The shapes of functions that sentences claim: minima, divergences, monotonicity, signs; and the values of such a
-//! function, of which each symbol is an independent number. [`scan`] follows a function along its range, and [`enclosed_function`]
-//! computes it with many digits.
+//! function, of which each symbol is an independent number.
 
 use crate::formula::{Differentiable, Environment, Expr, SymbolId, Symbols, Unavailable, Value, evaluate};
 
 use crate::check::kinds::limit::Towards;
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
-
-pub(crate) mod enclosed_function;
-pub(crate) mod scan;
 
 /// A claim about the shape of a function.
 #[derive(Clone, Debug)]
