@@ -1,23 +1,19 @@
 //! The kinds of claim other than an identity, one file for each.
 //!
 //! A new kind of claim goes here. The file of a kind has a function `check(…, &Context) -> Result<Finding>`, which samples states with
-//! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and tests mutants of the claim. [`shape`],
-//! [`scan`], [`root_isolation`] and [`enclosed_function`] are helpers: they follow a function along one variable. [`compare`] compares two
+//! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and tests mutants of the claim. [`shapes`] has
+//! the sentences about a function of one variable. [`compare`] compares two
 //! formulas without a document. An identity between two formulas is judged in [`crate::check::judge::identity`]. Knows `judge` and below; `equations` calls it.
 
 pub(crate) mod compare;
 pub(crate) mod conserved;
 pub(crate) mod continuum;
 pub(crate) mod definitions;
-pub(crate) mod enclosed_function;
 pub(crate) mod exactly_when;
-pub(crate) mod function_shape;
 pub(crate) mod generates;
 pub(crate) mod limit;
 pub(crate) mod rate;
-pub(crate) mod root_isolation;
-pub(crate) mod scan;
-pub(crate) mod shape;
+pub(crate) mod shapes;
 pub(crate) mod small;
 pub(crate) mod solution;
 pub(crate) mod solves;

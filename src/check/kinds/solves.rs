@@ -10,7 +10,7 @@ use crate::scalar::{RunningError, Series};
 
 use crate::check::certificate::solutions::certify_solutions;
 use crate::check::judge::mutants::mutants_of;
-use crate::check::kinds::root_isolation::count_roots_on_grid;
+use crate::check::kinds::shapes::root_isolation::count_roots_on_grid;
 use crate::check::model::claim::Link;
 use crate::check::sample::context::Context;
 use crate::check::sample::sampler::contains;

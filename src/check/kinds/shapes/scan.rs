@@ -14,10 +14,10 @@ use crate::latex::typeset;
 use crate::notes::claims::Range;
 use crate::scalar::RunningError;
 
-use crate::check::kinds::enclosed_function::{Course, EnclosedFunction};
 use crate::check::kinds::limit::{Towards, sides};
-use crate::check::kinds::root_isolation::{count_roots_on_grid, minimum};
-use crate::check::kinds::shape::{Atoms, Shape, Still, Target, difference, value_of};
+use crate::check::kinds::shapes::enclosed_function::{Course, EnclosedFunction};
+use crate::check::kinds::shapes::root_isolation::{count_roots_on_grid, minimum};
+use crate::check::kinds::shapes::shape::{Atoms, Shape, Still, Target, difference, value_of};
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::sample::sampler::last;

@@ -19,8 +19,8 @@ use crate::code::Code;
 use crate::formula::{Expr, Relation, SymbolId, text};
 use crate::scalar::RunningError;
 
-use crate::check::kinds::scan::{Observation, Probe};
-use crate::check::kinds::shape::{Atoms, Shape, Target, difference};
+use crate::check::kinds::shapes::scan::{Observation, Probe};
+use crate::check::kinds::shapes::shape::{Atoms, Shape, Target, difference};
 use crate::check::kinds::solves::mentions;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};

@@ -19,7 +19,7 @@ use crate::scalar::enclosure::{Enclosure, evaluate_to};
 use crate::scalar::{Arithmetic, Primal};
 
 use crate::check::kinds::limit::Towards;
-use crate::check::kinds::shape::{Atoms, Still, Target, value_of};
+use crate::check::kinds::shapes::shape::{Atoms, Still, Target, value_of};
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 
