@@ -11,6 +11,7 @@ use super::super::items::{contents, is_transpose};
 pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
     let mut found = Found::default();
     found.list(items);
+    inferred.index_letters.extend(found.lower);
     inferred.has_tensors |= found.has_pairs;
     inferred.has_operators |= found.has_operators;
     if found.has_pairs {
