@@ -8,6 +8,7 @@
 //! | [`environment`], [`mod@evaluate`] | the value of a formula over any [`crate::scalar::Number`] |
 //! | [`assignment`] | an environment with values given by hand |
 //! | [`derivative`] | the derivative of a formula as a formula |
+//! | [`calculus`] | integrals and sums as formulas |
 //! | [`text`] | the formula in readable Unicode |
 //! | `operator` | functions and operators that have no formula |
 //! | [`units`] | dimensional analysis: the term whose unit does not fit |
@@ -18,12 +19,15 @@
 #[cfg(feature = "notes")]
 pub mod assignment;
 #[cfg(feature = "notes")]
+pub mod calculus;
+#[cfg(feature = "notes")]
 pub mod derivative;
 #[cfg(feature = "notes")]
 pub mod environment;
 #[cfg(feature = "notes")]
 pub mod evaluate;
 mod ids;
+mod name;
 #[cfg(feature = "notes")]
 pub mod numbers;
 #[cfg(feature = "notes")]
