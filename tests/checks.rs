@@ -55,6 +55,8 @@ mod steps;
 mod terms;
 #[path = "checks/units.rs"]
 mod units;
+#[path = "checks/values.rs"]
+mod values;
 #[path = "checks/wide.rs"]
 mod wide;
 #[path = "checks/worst.rs"]

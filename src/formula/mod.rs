@@ -8,9 +8,9 @@
 //! | [`environment`], [`mod@evaluate`] | the value of a formula over any [`crate::scalar::Number`] |
 //! | [`assignment`] | an environment with values given by hand |
 //! | [`derivative`] | the derivative of a formula as a formula |
+//! | [`calculus`] | integrals and sums as formulas |
 //! | [`text`], `glyphs` | the formula in readable Unicode |
 //! | `operators` | functions, relations, and operators that have no formula |
-//! | `kind` | the kinds of symbols |
 //! | [`units`] | dimensional analysis: the term whose unit does not fit |
 //!
 //! This folder may import [`crate::scalar`], [`crate::source`] and [`crate::suggest`]. It knows nothing of LaTeX, of
@@ -19,6 +19,8 @@
 #[cfg(feature = "notes")]
 pub mod assignment;
 #[cfg(feature = "notes")]
+pub mod calculus;
+#[cfg(feature = "notes")]
 pub mod derivative;
 #[cfg(feature = "notes")]
 pub mod environment;
@@ -26,7 +28,7 @@ pub mod environment;
 pub mod evaluate;
 mod glyphs;
 mod ids;
-mod kind;
+mod name;
 #[cfg(feature = "notes")]
 pub mod numbers;
 #[cfg(feature = "notes")]

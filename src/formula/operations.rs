@@ -52,7 +52,8 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 return self.value(&branch.value);
             }
         }
-        Err(Unavailable::Operation("a value outside of all cases"))
+        // Outside of all cases there is no value, as there is none of a root of a negative number.
+        Ok(Value::Scalar(D::from(f64::NAN)))
     }
 }
 

@@ -6,60 +6,16 @@
 //! here; `check` stores it by [`SymbolId`].
 
 use std::collections::{BTreeMap, HashMap, HashSet};
-use std::fmt;
 use std::sync::Arc;
 
 use crate::suggest;
 
 use super::ids::{Index, IndexId, Variable};
-pub use super::kind::Kind;
+pub use super::name::{Kind, Name};
 pub use super::operators::Operator;
 use super::tree::{Expr, Node};
 
 pub use super::ids::SymbolId;
-
-/// A name as printed, which identifies a symbol.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Name {
-    /// The letter or command with its accents, in one spelling: `M`, `\lambda`, `\hat{e}`.
-    pub base: String,
-    /// The tokens of the subscript, digits and letters one by one: `["1"]`, `["a", "(", "0", ")"]`.
-    pub subscript: Vec<String>,
-    /// The number of primes.
-    pub primes: u8,
-}
-
-impl Name {
-    /// A name without subscript or primes.
-    pub fn plain(base: impl Into<String>) -> Self {
-        Name { base: base.into(), subscript: Vec::new(), primes: 0 }
-    }
-}
-
-impl fmt::Display for Name {
-    /// The name as LaTeX, in one canonical spelling.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.base)?;
-        f.write_str(&"'".repeat(self.primes.into()))?;
-        match self.subscript.as_slice() {
-            [] => Ok(()),
-            [token] => write!(f, "_{token}"),
-            tokens => {
-                let mut joined = String::new();
-                for token in tokens {
-                    let after_command = joined.rsplit('\\').next().is_some_and(|last| {
-                        joined.contains('\\') && !last.is_empty() && last.bytes().all(|b| b.is_ascii_alphabetic())
-                    });
-                    if after_command && token.starts_with(|c: char| c.is_ascii_alphabetic()) {
-                        joined.push(' ');
-                    }
-                    joined.push_str(token);
-                }
-                write!(f, "_{{{joined}}}")
-            }
-        }
-    }
-}
 
 /// One symbol.
 #[derive(Clone, Debug)]
@@ -88,6 +44,8 @@ pub struct Entry {
     pub hidden: bool,
     /// Whether the display that defines it says that it is constant; a derivative by a symbol leaves it fixed.
     pub conserved: bool,
+    /// Whether it was the letter of a sum or an integral, which occurs in no formula after that.
+    pub bound: bool,
     /// Whether it is a momentum, which a derivative of a Hamiltonian takes for a variable of its own.
     pub momentum: bool,
     /// The argument that may follow in parentheses without a change of meaning: the `\vec{r}` of `\rho(\vec r)`.
@@ -296,6 +254,7 @@ impl Symbols {
             steady: false,
             derived: false,
             conserved: false,
+            bound: false,
             momentum: false,
             hidden: false,
             members: Vec::new(),
@@ -339,6 +298,24 @@ impl Symbols {
     pub fn forget(&mut self, id: SymbolId) {
         self.exact.remove(&self.entries[id.0].name);
         self.entries[id.0].name = Name::plain("");
+    }
+
+    /// Gives a name to a new number for a while: the letter of a sum or an integral. Returns it with the symbol that had the
+    /// name before, for [`Symbols::release`].
+    pub fn bind(&mut self, name: &Name) -> (SymbolId, Option<SymbolId>) {
+        let before = self.exact.remove(name);
+        let slots = Vec::new();
+        let id = self.add_family(name.clone(), Kind::Scalar, slots).unwrap_or(SymbolId(self.entries.len()));
+        self.entry_mut(id).bound = true;
+        (id, before)
+    }
+
+    /// Ends what [`Symbols::bind`] began.
+    pub fn release(&mut self, name: &Name, before: Option<SymbolId>) {
+        match before {
+            Some(id) => self.exact.insert(name.clone(), id),
+            None => self.exact.remove(name),
+        };
     }
 
     /// The axes of a vector's components, if they are declared.

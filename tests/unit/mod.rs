@@ -9,3 +9,4 @@ mod printing;
 mod reading;
 mod snippets;
 mod units;
+mod values;

@@ -59,7 +59,8 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
         }
     }
     let mut assumed = Vec::new();
-    let letters: Vec<(SymbolId, Name)> = model.symbols.iter().map(|(id, entry)| (id, entry.name.clone())).collect();
+    let letters = model.symbols.iter().filter(|(_, entry)| !entry.bound);
+    let letters: Vec<(SymbolId, Name)> = letters.map(|(id, entry)| (id, entry.name.clone())).collect();
     for (symbol, name) in letters {
         let given = ranges.iter().find(|(known, _)| *known == name).map(|(_, range)| range.clone());
         let shown = text::plain(&name.to_string());

@@ -13,6 +13,7 @@ use super::algebra::evidence::is_matrix;
 use super::items::{contents, is_number, starts_differential, whole_number};
 use super::state::{Read, Reader, unknown_command};
 use super::structure::is_material;
+use super::values::Place;
 
 impl Reader<'_> {
     /// A single item as a formula.
@@ -94,20 +95,20 @@ impl Reader<'_> {
                 Ok(Expr::new(Node::Identity, span))
             }
             Layout::Scripts { nucleus, sub, sup, primes: 0 }
-                if self.symbols.infers() && matches!(nucleus.layout, Layout::Fence(Delimiter::Evaluation, _)) =>
+                if matches!(nucleus.layout, Layout::Fence(Delimiter::Evaluation, _)) =>
             {
                 let Layout::Fence(_, inside) = &nucleus.layout else {
                     return Err(Fault::new(span, "this bar is not supported"));
                 };
                 let inner = self.sum(inside, span)?;
-                self.evaluated(inner, (sub.as_deref(), sup.as_deref()), span)
+                self.value_at(inner, (sub.as_deref(), sup.as_deref()), span)
             }
             // `[F]_a^b` is a difference.
             Layout::Scripts { nucleus, sub: Some(sub), sup: Some(sup), primes: 0 }
-                if self.symbols.infers() && matches!(nucleus.layout, Layout::Fence(Delimiter::Square, _)) =>
+                if matches!(nucleus.layout, Layout::Fence(Delimiter::Square, _)) =>
             {
                 let inner = self.item(nucleus)?;
-                self.evaluated(inner, (Some(sub), Some(sup)), span)
+                self.value_at(inner, (Some(sub), Some(sup)), span)
             }
             Layout::Command(name) if name == "\\dots" && self.symbols.infers() => Ok(self.ellipsis(span)),
             Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }
@@ -164,6 +165,14 @@ impl Reader<'_> {
             Layout::Letter(_) | Layout::Space(_) | Layout::Row | Layout::Align => {
                 Err(Fault::unsupported(span, "this is not supported here"))
             }
+        }
+    }
+
+    /// A formula at a place: its value, or where letters are inferred an operator.
+    fn value_at(&mut self, inner: Expr, place: Place<'_>, span: Span) -> Read<Expr> {
+        match self.symbols.infers() {
+            true => self.evaluated(inner, place, span),
+            false => self.at_place(&inner, place, span),
         }
     }
 

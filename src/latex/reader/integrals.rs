@@ -47,11 +47,9 @@ impl Reader<'_> {
         let Layout::Scripts { sub: Some(below), sup: None, .. } = &sign.layout else {
             let in_one_variable = matches!(&sign.layout, Layout::Scripts { sup: Some(_), .. });
             let (message, help) = match in_one_variable {
-                true => (
-                    "definite integrals in one variable are not supported yet",
-                    "state the value of the integral as its antiderivative at the two limits, or leave the equation out \
-                     with \"skip\" in the claims file",
-                ),
+                true => {
+                    ("a definite integral needs both of its limits", "write the lower limit under the integral sign")
+                }
                 false => (
                     "only integrals over a declared continuum are supported",
                     "write \\int_V … d^3r, with V under \"continua\" in the claims file",

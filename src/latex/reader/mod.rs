@@ -18,6 +18,7 @@
 //! | `integrals` | `\int` over a declared continuum, and `\lim` |
 //! | `state` | the reader itself: symbol table, branch of ±, open sums |
 //! | `items` | predicates on layout items |
+//! | `values` | sums, integrals and bars that have a value |
 //! | `undeclared` | in formulas without declarations: functions, sums, integrals, ∇, bars |
 //! | `structure` | in displays with operators, tensors or states: what has no value |
 //!
@@ -66,6 +67,7 @@ mod superscripts;
 mod symbols;
 mod terms;
 mod undeclared;
+mod values;
 mod vector_names;
 mod words;
 

@@ -87,7 +87,7 @@ impl Reader<'_> {
 
     /// The number of items of the term that starts here: up to a sign that follows no operator.
     fn term_length(&self, items: &[Item]) -> Read<usize> {
-        if let Some(integral) = self.integral_length(items) {
+        if let Some(integral) = self.integral_length(items).or_else(|| self.definite_length(items)) {
             return Ok(integral.max(integral + self.term_length(items.get(integral..).unwrap_or_default())?));
         }
         let mut after_operator = false;
@@ -155,7 +155,7 @@ impl Reader<'_> {
                 return Err(Fault::ambiguous(slash.to(item.span), "a/bc may be a/(bc) or (a/b)c")
                     .help("write \\frac{a}{bc} or \\frac{a}{b}c"));
             }
-            if let (true, Some(limits)) = (self.symbols.infers(), bar(item)) {
+            if let Some(limits) = bar(item) {
                 match runs.as_mut_slice() {
                     // A bar with two limits belongs to all before it.
                     [(_, run)] if self.is_abstract() && limits.0.is_some() && limits.1.is_some() && !run.is_empty() => {
@@ -176,7 +176,10 @@ impl Reader<'_> {
                     [(_, run)] if run.len() == 1 => {
                         let inner = run.remove(0);
                         let span = inner.span.to(item.span);
-                        let found = self.evaluated(inner, limits, span)?;
+                        let found = match self.symbols.infers() {
+                            true => self.evaluated(inner, limits, span)?,
+                            false => self.at_place(&inner, limits, span)?,
+                        };
                         runs = vec![(Joint::Beside, vec![found])];
                         cursor += 1;
                         continue;
@@ -386,6 +389,13 @@ impl Reader<'_> {
         if let Some(found) = self.algebra(items, cursor)? {
             return Ok((found, true));
         }
+        if is_big_sum(item) || is_big_product(item) {
+            let rest = &items[*cursor + 1..];
+            if let Some(counted) = self.counted(item, rest)? {
+                *cursor = items.len();
+                return Ok((counted, true));
+            }
+        }
         if is_big_sum(item) {
             let rest = &items[*cursor + 1..];
             *cursor = items.len();
@@ -393,6 +403,9 @@ impl Reader<'_> {
         }
         if is_integral(item) {
             *cursor += 1;
+            if let Some(value) = self.definite_integral(item, items, cursor)? {
+                return Ok((value, true));
+            }
             return Ok((self.integral(item, items, cursor)?, true));
         }
         if is_limit(item) {

@@ -1,0 +1,30 @@
+//! Definite integrals and sums of formulas as formulas without ∫ and Σ.
+//!
+//! What is not of a known form has no value here, and the caller refuses it. Each rule is exact: it holds for all real
+//! values of the other letters at which its result is a number. Where an integral has no value, or its rule does not
+//! apply, the result has none: a condition in the form of `cases` sees to that.
+//!
+//! | file | content |
+//! | --- | --- |
+//! | `build` | sums, products and quotients without zeros and ones |
+//! | [`expansion`] | a formula as a sum of terms c·xⁿ·e^{γx²+αx+β}·sin(ωx+φ) |
+//! | [`definite`] | definite integrals |
+//! | `algebraic` | integrals of powers of linear and quadratic formulas |
+//! | [`places`] | the ends of an interval, and the value of a formula at a place |
+//! | [`series`] | sums over a whole number up to a letter, or to infinity |
+
+mod algebraic;
+mod build;
+pub mod definite;
+pub mod expansion;
+pub mod places;
+pub mod series;
+
+/// Why an integral or a sum has no formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoFormula {
+    /// No rule fits.
+    Unknown,
+    /// It has no finite value.
+    Diverges,
+}

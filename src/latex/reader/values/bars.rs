@@ -1,0 +1,68 @@
+//! Values at a place: `\left. f \right|_{x=a}`, `\left. F \right|_a^b`, `\left[F\right]_a^b`.
+
+use crate::formula::calculus::places::{End, at};
+use crate::formula::tree::{Expr, Node, Variable};
+use crate::source::{Fault, Span};
+
+use super::super::super::layout::{Item, Layout};
+use super::super::items::contents;
+use super::super::state::{Read, Reader};
+use super::sums::as_step;
+
+/// What stands below and above a bar.
+pub(in super::super) type Place<'i> = (Option<&'i Item>, Option<&'i Item>);
+
+impl Reader<'_> {
+    /// A formula at a place, or its difference between two places.
+    pub(in super::super) fn at_place(&mut self, inner: &Expr, (below, above): Place<'_>, span: Span) -> Read<Expr> {
+        let refused = |what: &str| {
+            Fault::unsupported(span, what).help("write the variable under the bar, such as |_{x=a} or |_{x=0}^{x=1}")
+        };
+        let below = below.ok_or_else(|| refused("this bar has no place"))?;
+        let Some((letter, lower)) = self.placement(below)? else {
+            // Without a letter, the formula must have one variable only.
+            let Some(above) = above else { return Err(refused("the variable of this place is not said")) };
+            let symbols = inner.symbols();
+            let ends = (self.end(below)?, self.end(above)?);
+            let ([(letter, 0)], (End::At(lower), End::At(upper))) = (symbols.as_slice(), ends) else {
+                return Err(refused("the variable of these places is not said"));
+            };
+            let inner = self.written_out(inner, *letter)?;
+            return Ok(as_step(at(&inner, *letter, &upper).minus(at(&inner, *letter, &lower))));
+        };
+        let upper = match above {
+            None => None,
+            Some(above) => Some(match self.placement(above)? {
+                Some((other, upper)) if other == letter => upper,
+                Some(_) => return Err(refused("the two places have different variables")),
+                None => self.sum(contents(above), above.span)?,
+            }),
+        };
+        let inner = self.written_out(inner, letter.id)?;
+        let mut placed = at(&inner, letter.id, &lower);
+        placed.move_to(span);
+        Ok(as_step(match upper {
+            None => placed,
+            Some(upper) => {
+                let mut upper = at(&inner, letter.id, &upper);
+                upper.move_to(span);
+                upper.minus(placed)
+            }
+        }))
+    }
+
+    /// `x = a`: the letter and its value.
+    fn placement(&mut self, item: &Item) -> Read<Option<(Variable, Expr)>> {
+        let items = contents(item);
+        let Some(equals) = items.iter().position(|item| item.layout == Layout::Other('=')) else { return Ok(None) };
+        let letter = self.sum(&items[..equals], item.span)?;
+        let Node::Symbol { id, indices, dots: 0 } = &letter.node else {
+            return Err(Fault::unsupported(letter.span, "a value at a place needs one letter before the ="));
+        };
+        let letter = Variable { id: *id, indices: indices.clone(), dots: 0 };
+        if !letter.indices.is_empty() || self.symbols.entry(letter.id).definition.is_some() {
+            return Err(Fault::unsupported(item.span, "a value at a place of a defined name is not supported"));
+        }
+        Ok(Some((letter, self.sum(&items[equals + 1..], item.span)?)))
+    }
+}

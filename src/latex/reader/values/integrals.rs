@@ -1,0 +1,127 @@
+//! Definite integrals in one variable: `\int_0^a x\,dx`, `\int_0^\infty \frac{dx}{x^2 + a^2}`, `\int_a^b dx\, f`.
+//!
+//! An integral reaches to its differential. If that is first, or in a fraction, it reaches to the end of the term.
+
+use crate::formula::calculus::NoFormula;
+use crate::formula::calculus::definite::integral;
+use crate::formula::symbols::Name;
+use crate::formula::tree::Expr;
+use crate::source::{Fault, Span};
+
+use super::super::super::layout::{Item, Layout};
+use super::super::super::names;
+use super::super::items::{contents, differential, is_integral};
+use super::super::state::{Read, Reader};
+use super::sums::as_step;
+
+/// What is integrated, and the items that the integral takes.
+struct Parts {
+    integrand: Vec<Item>,
+    variable: Item,
+    taken: usize,
+}
+
+impl Reader<'_> {
+    /// A definite integral; the cursor is after its sign. `None` for one over a declared continuum.
+    pub(in super::super) fn definite_integral(
+        &mut self,
+        sign: &Item,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Option<Expr>> {
+        let Layout::Scripts { sub: Some(below), sup: Some(above), primes: 0, .. } = &sign.layout else {
+            return Ok(None);
+        };
+        let rest = &items[*cursor..];
+        let missing = || {
+            Fault::new(sign.span, "this integral has no differential").help("end it with dx; put a sum in parentheses")
+        };
+        let Parts { integrand, variable, taken } = parts(rest).ok_or_else(missing)?;
+        if self.symbols.find(&Name::plain("d")).is_some() && !self.symbols.open {
+            return Err(Fault::ambiguous(variable.span, "d may be a differential or the declared symbol")
+                .help("rename the symbol d"));
+        }
+        *cursor += taken;
+        let span = rest[..taken].iter().fold(sign.span, |span, item| span.to(item.span));
+        let ends = (self.end(below)?, self.end(above)?);
+        let bound = self.bind(&variable)?;
+        let body = self.sum(&integrand, span);
+        self.release(&bound);
+        let body = self.written_out(&body?, bound.id)?;
+        let found = integral(&body, bound.id, (&ends.0, &ends.1), span);
+        found.map(|formula| Some(as_step(formula))).map_err(|reason| refused(reason, sign.span.to(span)))
+    }
+
+    /// The number of items of a term that begins with an integral whose integrand is a sum without parentheses.
+    pub(in super::super) fn definite_length(&self, items: &[Item]) -> Option<usize> {
+        let at = items.iter().position(|item| matches!(item.layout, Layout::Scripts { .. }) && is_integral(item))?;
+        let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+        if items[..at].iter().any(is_sign) {
+            return None;
+        }
+        let found = own_differential(&items[at + 1..])?;
+        let before = &items[at + 1..at + 1 + found];
+        before.iter().any(is_sign).then_some(at + 1 + found + 2)
+    }
+}
+
+/// The items of an integral.
+fn parts(rest: &[Item]) -> Option<Parts> {
+    let blank = |items: &[Item]| items.iter().all(|item| matches!(item.layout, Layout::Space(_)));
+    if let Some(at) = own_differential(rest) {
+        let spaces = rest[at + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count();
+        let variable = rest.get(at + 1 + spaces)?.clone();
+        let end = at + 2 + spaces;
+        let one = || vec![Item { layout: Layout::Number("1".to_owned()), span: rest[at].span }];
+        return Some(match (blank(&rest[..at]), blank(&rest[end..])) {
+            (true, true) => Parts { integrand: one(), variable, taken: end },
+            (true, false) => Parts { integrand: rest[end..].to_vec(), variable, taken: rest.len() },
+            (false, _) => Parts { integrand: rest[..at].to_vec(), variable, taken: end },
+        });
+    }
+    let (at, above, below) = rest.iter().enumerate().find_map(|(at, item)| match &item.layout {
+        Layout::Fraction(above, below) => Some((at, above, below)),
+        _ => None,
+    })?;
+    let above_items = contents(above);
+    let d = own_differential(above_items)?;
+    let spaces = above_items[d + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count();
+    let variable = above_items.get(d + 1 + spaces)?.clone();
+    let mut left: Vec<Item> = above_items[..d].iter().chain(&above_items[d + 2 + spaces..]).cloned().collect();
+    if blank(&left) {
+        left = vec![Item { layout: Layout::Number("1".to_owned()), span: above.span }];
+    }
+    let above = Item { layout: Layout::Group(left), span: above.span };
+    let mut integrand = rest.to_vec();
+    integrand[at].layout = Layout::Fraction(Box::new(above), below.clone());
+    Some(Parts { integrand, variable, taken: rest.len() })
+}
+
+/// The position of the differential of the integral before these items; inner integrals have their own before it.
+fn own_differential(rest: &[Item]) -> Option<usize> {
+    let mut inner = 0_usize;
+    for (at, item) in rest.iter().enumerate() {
+        inner += usize::from(is_integral(item));
+        let next = rest[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+        let is_own = differential(item) == Some(1)
+            && next
+                .and_then(|next| names::printed(next, None))
+                .is_some_and(|name| name.sup.is_none() && name.dots == 0);
+        match (is_own, inner) {
+            (true, 0) => return Some(at),
+            (true, _) => inner -= 1,
+            (false, _) => {}
+        }
+    }
+    None
+}
+
+fn refused(reason: NoFormula, span: Span) -> Fault {
+    let what = match reason {
+        NoFormula::Unknown => "no antiderivative of this integrand is known here, so the integral has no value",
+        NoFormula::Diverges => "this integral has no finite value, or none that can be shown",
+    };
+    Fault::unsupported(span, what).help(
+        "state the value as its antiderivative at the two limits, or leave the equation out with \"skip\" in the claims file",
+    )
+}

@@ -1,0 +1,136 @@
+//! Sums, integrals and bars that have a value: each is read as a formula without Σ, ∫ and bars.
+//!
+//! | file | what is read there |
+//! | --- | --- |
+//! | `sums` | `\sum_{k=1}^{n} k^2`, `\prod_{k=1}^{3} k`, `\sum_{k=0}^{\infty} x^k` over letters that are no declared indices |
+//! | `integrals` | `\int_0^a x\,dx`, `\int_0^\infty e^{-ax}\,dx` |
+//! | `bars` | `\left. f \right|_{x=a}`, `[F]_a^b` |
+//!
+//! The letter of a sum or an integral is a number of its own while its body is read, unless it is a declared number:
+//! then names that a formula defines by it are written out.
+
+mod bars;
+mod integrals;
+mod sums;
+
+pub(super) use bars::Place;
+
+use crate::formula::SymbolId;
+use crate::formula::calculus::places::depends_on;
+use crate::formula::symbols::{Kind, Name};
+use crate::formula::tree::{Expr, Node};
+use crate::source::{Fault, Span};
+
+use super::super::layout::{Item, Layout};
+use super::super::names;
+use super::items::contents;
+use super::state::{Read, Reader};
+
+/// The deepest chain of definitions that is written out.
+const DEEPEST: usize = 20;
+
+/// A letter that a sum or an integral binds.
+pub(super) struct Bound {
+    pub id: SymbolId,
+    /// Its name, and the symbol that had it before; `None` for a declared number.
+    released: Option<(Name, Option<SymbolId>)>,
+}
+
+impl Reader<'_> {
+    /// Binds the letter that an item prints.
+    pub(super) fn bind(&mut self, item: &Item) -> Read<Bound> {
+        let wanted = || Fault::new(item.span, "a sum or an integral needs a letter as its variable");
+        let printed = names::printed(item, None).ok_or_else(wanted)?;
+        if printed.dots > 0 || printed.sup.is_some() {
+            return Err(wanted());
+        }
+        if let Some((id, indices)) = self.symbols.find(&printed.name) {
+            let entry = self.symbols.entry(id);
+            let is_number = entry.kind == Kind::Scalar && indices.is_empty() && entry.slots.is_empty();
+            let is_free = entry.definition.is_none() && !entry.derived && !entry.squared && entry.operator.is_none();
+            if is_number && is_free {
+                return Ok(Bound { id, released: None });
+            }
+        }
+        let (id, before) = self.symbols.bind(&printed.name);
+        Ok(Bound { id, released: Some((printed.name, before)) })
+    }
+
+    /// Ends the life of a bound letter.
+    pub(super) fn release(&mut self, bound: &Bound) {
+        if let Some((name, before)) = &bound.released {
+            self.symbols.release(name, *before);
+        }
+    }
+
+    /// A formula in which no definition, no rate and no vector hides the letter.
+    pub(super) fn written_out(&self, body: &Expr, letter: SymbolId) -> Read<Expr> {
+        let mut body = body.clone();
+        let hidden = |id: SymbolId, depth: usize| self.hides(id, letter, depth);
+        let mut depth = 0;
+        while body.symbols().iter().any(|(id, _)| hidden(*id, 0)) {
+            depth += 1;
+            if depth > DEEPEST {
+                return Err(unclear(body.span, "a definition contains itself"));
+            }
+            let span = body.span;
+            body.substitute(&|node| match node {
+                Node::Symbol { id, dots: 0, indices } if indices.is_empty() && hidden(*id, 0) => {
+                    let mut formula = self.symbols.entry(*id).definition.as_ref()?.as_ref().clone();
+                    formula.move_to(span);
+                    Some(formula)
+                }
+                _ => None,
+            });
+        }
+        let entry = self.symbols.entry(letter);
+        let is_time = self.symbols.time.as_ref() == Some(&entry.name);
+        let mut fault = None;
+        body.walk(&mut |part| match &part.node {
+            Node::Symbol { id, dots, .. } => {
+                let other = self.symbols.entry(*id);
+                if *dots > 0 {
+                    fault.get_or_insert(unclear(part.span, "a rate may vary with the letter"));
+                } else if is_time && *id != letter && other.varies && !other.steady {
+                    fault.get_or_insert(unclear(part.span, "what varies with time has no formula in it here"));
+                } else if *id != letter && other.definition.is_none() && other.derived {
+                    fault.get_or_insert(unclear(part.span, "nothing says whether this name depends on the letter"));
+                }
+            }
+            Node::TimeDerivative(..) => {
+                fault.get_or_insert(unclear(part.span, "a rate may vary with the letter"));
+            }
+            Node::Integral(..) | Node::Shrinking(..) | Node::Apply(..) if depends_on(part, letter) => {
+                fault.get_or_insert(unclear(part.span, "this operator is not supported inside"));
+            }
+            _ => {}
+        });
+        fault.map_or(Ok(body), Err)
+    }
+
+    /// Whether a definition contains a letter.
+    fn hides(&self, id: SymbolId, letter: SymbolId, depth: usize) -> bool {
+        let Some(formula) = &self.symbols.entry(id).definition else { return false };
+        id != letter
+            && depth < DEEPEST
+            && formula.symbols().iter().any(|(inner, _)| *inner == letter || self.hides(*inner, letter, depth + 1))
+    }
+
+    /// A limit: ±∞, or a formula.
+    pub(super) fn end(&mut self, item: &Item) -> Read<crate::formula::calculus::places::End> {
+        use crate::formula::calculus::places::End;
+        let is_infinity = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\infty");
+        let items: Vec<&Item> = contents(item).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        Ok(match items.as_slice() {
+            [only] if is_infinity(only) => End::Infinity,
+            [Item { layout: Layout::Other('+'), .. }, only] if is_infinity(only) => End::Infinity,
+            [Item { layout: Layout::Other('-'), .. }, only] if is_infinity(only) => End::MinusInfinity,
+            _ => End::At(self.sum(contents(item), item.span)?),
+        })
+    }
+}
+
+fn unclear(span: Span, why: &str) -> Fault {
+    Fault::unsupported(span, format!("this sum or integral has no value here: {why}"))
+        .help("write the value of the integral or the sum in a display of its own")
+}

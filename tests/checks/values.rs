@@ -1,0 +1,99 @@
+//! Sums and integrals in notes as textbooks print them: each display is true, and each has a slip beside it that is false.
+
+use onshell::check::Verdict::{Refuted, Unreadable};
+use onshell::systems::Registry;
+use serde_json::{Value as Json, json};
+
+use crate::support::{document, numbered, outcome};
+
+fn letters() -> Json {
+    json!({
+        "constants": { r"a, b, k, l, m, R, z, \rho, \beta, \hbar, \omega, \gamma, T": "> 0", "n": "integer 2..6" },
+    })
+}
+
+/// What the notes print, and the same with one slip.
+const DISPLAYS: [[&str; 2]; 12] = [
+    [r"\int_0^a k x \, dx = \frac{k a^2}{2}", r"\int_0^a k x \, dx = \frac{k a^2}{3}"],
+    [
+        r"\int_{-l/2}^{l/2} \frac{m}{l} x^2 \, dx = \frac{m l^2}{12}",
+        r"\int_0^{l/2} \frac{m}{l} x^2 \, dx = \frac{m l^2}{12}",
+    ],
+    [r"\int_0^R 4\pi\rho r^4 \, dr = \frac{4\pi\rho R^5}{5}", r"\int_0^R 4\pi\rho r^3 \, dr = \frac{4\pi\rho R^5}{5}"],
+    [
+        r"\int_0^\pi \int_0^{2\pi} R^2 \sin\theta \, d\phi \, d\theta = 4\pi R^2",
+        r"\int_0^\pi \int_0^{\pi} R^2 \sin\theta \, d\phi \, d\theta = 4\pi R^2",
+    ],
+    [
+        r"\frac{\omega}{2\pi} \int_0^{2\pi/\omega} \cos^2(\omega t) \, dt = \frac12",
+        r"\frac{\omega}{2\pi} \int_0^{2\pi/\omega} \cos(\omega t) \, dt = \frac12",
+    ],
+    [
+        r"\int_0^\infty e^{-\gamma t} \sin(\omega t) \, dt = \frac{\omega}{\gamma^2 + \omega^2}",
+        r"\int_0^\infty e^{-\gamma t} \sin(\omega t) \, dt = \frac{\gamma}{\gamma^2 + \omega^2}",
+    ],
+    [
+        r"\int_{-\infty}^{\infty} x^2 e^{-a x^2} \, dx = \frac{1}{2a} \sqrt{\frac{\pi}{a}}",
+        r"\int_{-\infty}^{\infty} x^2 e^{-a x^2} \, dx = \frac{1}{a} \sqrt{\frac{\pi}{a}}",
+    ],
+    [
+        r"\int_{-\infty}^{\infty} \frac{b \, dx}{(x^2 + b^2)^{3/2}} = \frac{2}{b}",
+        r"\int_0^{\infty} \frac{b \, dx}{(x^2 + b^2)^{3/2}} = \frac{2}{b}",
+    ],
+    [
+        r"\int_R^\infty \frac{k}{r^2} \, dr = \left[ -\frac{k}{r} \right]_{r=R}^{r=2R} + \frac{k}{2R}",
+        r"\int_R^\infty \frac{k}{r^2} \, dr = \left[ -\frac{k}{r} \right]_{r=R}^{r=2R} + \frac{k}{R}",
+    ],
+    [r"\sum_{j=1}^{n} j^2 = \frac{n(n+1)(2n+1)}{6}", r"\sum_{j=1}^{n} j^2 = \frac{n(n+1)(2n-1)}{6}"],
+    [
+        r"\sum_{s=0}^{\infty} e^{-\beta\hbar\omega s} = \frac{1}{1 - e^{-\beta\hbar\omega}}",
+        r"\sum_{s=1}^{\infty} e^{-\beta\hbar\omega s} = \frac{1}{1 - e^{-\beta\hbar\omega}}",
+    ],
+    [
+        r"\left. \frac{d}{dx} \left( x^3 - b x \right) \right|_{x=a} = 3a^2 - b",
+        r"\left. \frac{d}{dx} \left( x^3 - b x \right) \right|_{x=a} = 3a^2 + b",
+    ],
+];
+
+#[test]
+fn what_textbooks_print_holds_and_its_slips_are_refuted() {
+    let judge = |which: usize| {
+        let displays: Vec<&str> = DISPLAYS.iter().map(|pair| pair[which]).collect();
+        let found = document(&letters(), &numbered(&displays), &Registry::standard(), None).unwrap();
+        found.equations.into_iter().map(|equation| equation.finding).collect::<Vec<_>>()
+    };
+    let wrong = |(_, passes): &(usize, bool)| !*passes;
+    let held = judge(0);
+    let open: Vec<String> = held
+        .iter()
+        .map(|finding| finding.verdict.passes())
+        .enumerate()
+        .filter(wrong)
+        .map(|(at, _)| format!("{}: {}", DISPLAYS[at][0], held[at].message))
+        .collect();
+    assert!(open.is_empty(), "{}", open.join("\n"));
+    let refuted = judge(1);
+    let missed: Vec<String> = refuted
+        .iter()
+        .map(|finding| finding.verdict == Refuted)
+        .enumerate()
+        .filter(wrong)
+        .map(|(at, _)| format!("{}: {}", DISPLAYS[at][1], refuted[at].message))
+        .collect();
+    assert!(missed.is_empty(), "{}", missed.join("\n"));
+}
+
+#[test]
+fn what_has_no_value_is_said_to_have_none() {
+    let none = [
+        r"\int_0^a \sin(x^2) \, dx = a",
+        r"\int_{-a}^{a} \frac{dx}{x - x} = 0",
+        r"\int_0^\infty e^{x} \, dx = -1",
+        r"\sum_{j=1}^{n} \frac1j = n",
+        r"\sum_{j=1}^{n} a = n a",
+    ];
+    let found = document(&letters(), &numbered(&none), &Registry::standard(), None).unwrap();
+    for (latex, equation) in none.iter().zip(&found.equations) {
+        assert_eq!(outcome(&equation.finding), Unreadable, "{latex}: {}", equation.finding.message);
+    }
+}
