@@ -3,6 +3,7 @@
 //! Most values are never differentiated, and a [`Series`](super::Series) would carry six coefficients to use one. Every
 //! operation on a [`Primal`] rounds as the same operation on a series does, so that both give the same number.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use super::arithmetic::{dual_number, power_by_squaring};
@@ -24,6 +25,20 @@ impl<B: Number> Arithmetic for Primal<B> {
     }
     fn same(self, other: Self) -> bool {
         self.0 == other.0
+    }
+    /// The order; where doubles show none, that of the numbers below: 10⁻⁴⁰⁰ is 0 to a double.
+    fn order(self, other: Self) -> Option<Ordering> {
+        match self.real().partial_cmp(&other.real()) {
+            Some(Ordering::Equal) => {
+                let difference = self.0 - other.0;
+                Some(match (difference.is_negative(), difference.is_positive()) {
+                    (true, _) => Ordering::Less,
+                    (_, true) => Ordering::Greater,
+                    _ => Ordering::Equal,
+                })
+            }
+            found => found,
+        }
     }
     #[inline]
     fn plus(self, other: Self) -> Self {

@@ -82,7 +82,8 @@ pub(crate) fn on_both_sides(
             let (states, closely) = beside(&inside.formula, context, ensemble);
             let message = format!("the two sides agree on one side of {name} = 0 and differ on the other");
             let all = (&ensemble.projection, states.as_slice());
-            let found = magnitudes::judged(link, context, all, &message, &finding)
+            let clear = (all.0, &all.1[closely..]);
+            let found = magnitudes::judged(link, context, clear, &message, &finding)
                 .or_else(|| magnitudes::judged_closely(link, context, all, (closely, &message), &finding));
             if let Some(found) = found {
                 return found;

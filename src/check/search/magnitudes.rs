@@ -133,7 +133,8 @@ pub(crate) fn judged_closely(
     (closely, message): (usize, &str),
     passed: &Finding,
 ) -> Option<Finding> {
-    states[..closely].iter().find_map(|state| match enclosed::decided(link, state, projection) {
+    let mut known = states[..closely].iter().filter(|state| is_moderate(link, state));
+    known.find_map(|state| match enclosed::decided(link, state, projection) {
         Decision::Differ(failure) => Some(Finding {
             points: passed.points,
             tried: passed.tried + states.len(),
