@@ -4,7 +4,9 @@
 //! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, VecDeque};
+
+use rayon::prelude::*;
 
 use crate::Result;
 use crate::check::document::checker::Checker;
@@ -13,6 +15,7 @@ use crate::check::sample::context::Options;
 use crate::check::unaided::gate::{self, Basis};
 use crate::check::unaided::premises::{self, Premise};
 use crate::check::unaided::prose::{self, Announced, Words};
+use crate::check::unaided::scopes::Scope;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, SymbolId, text};
@@ -21,15 +24,36 @@ use crate::notes::claims::Claim;
 /// The most sets of premises with which a slip is sought.
 const SETS_FOR_SLIPS: usize = 2;
 
-/// The findings on all displays, in their order.
+/// The number of displays that are first judged by themselves at once.
+const AT_ONCE: usize = 16;
+
+/// The findings on the displays of a scope, in their order, up to the section in which a letter has another meaning.
 ///
 /// # Errors
 /// When a claim does not fit the notes.
-pub(super) fn judged(checker: &Checker<'_>) -> Result<Vec<Equation>> {
+pub(super) fn judged(checker: &Checker<'_>, scope: &Scope) -> Result<Vec<Equation>> {
     let explained = &with_options(checker, true);
-    let mut course =
-        Course { checker: explained, quick: with_options(checker, false), known: Vec::new(), seen: HashSet::new() };
-    (0..checker.notes.equations.len()).map(|at| course.judge(at)).collect()
+    let mut course = Course {
+        checker: explained,
+        quick: with_options(checker, false),
+        known: Vec::new(),
+        seen: HashMap::new(),
+        at_first: VecDeque::new(),
+    };
+    (0..scope.carried).for_each(|at| course.note_symbols(at));
+    let mut found = Vec::new();
+    for at in scope.carried..checker.notes.equations.len() {
+        let equation = course.judge(at)?;
+        let section = scope.section_of(at);
+        if equation.finding.verdict == Verdict::Assumed && course.is_given_again(at, section) && section > scope.carried
+        {
+            found.truncate(section - scope.carried);
+            return Ok(found);
+        }
+        course.note_symbols(at);
+        found.push(equation);
+    }
+    Ok(found)
 }
 
 fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
@@ -44,22 +68,49 @@ struct Course<'c, 'a> {
     quick: Checker<'a>,
     /// What was taken for granted so far.
     known: Vec<Premise>,
-    /// The symbols of the displays so far.
-    seen: HashSet<SymbolId>,
+    /// The symbols of the displays so far, with the first display of each.
+    seen: HashMap<SymbolId, usize>,
+    /// The findings on the next displays by themselves.
+    at_first: VecDeque<Result<Equation>>,
 }
 
 impl Course<'_, '_> {
-    fn judge(&mut self, at: usize) -> Result<Equation> {
-        let found = self.weighed(at)?;
+    fn note_symbols(&mut self, at: usize) {
         let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-        self.seen.extend(members.flat_map(Expr::symbols).map(|(id, _)| id));
-        Ok(found)
+        for (id, _) in members.flat_map(Expr::symbols) {
+            self.seen.entry(id).or_insert(at);
+        }
     }
 
-    fn weighed(&mut self, at: usize) -> Result<Equation> {
+    /// Whether a display gives a formula to a name that a display before this section has.
+    fn is_given_again(&self, at: usize, section: usize) -> bool {
+        let is_old = |id: SymbolId| self.seen.get(&id).is_some_and(|first| *first < section);
+        self.checker.readings[at].statements.iter().flatten().any(|statement| {
+            statement.members.first().and_then(Expr::as_plain_symbol).is_some_and(is_old) && statement.members.len() > 1
+        })
+    }
+
+    /// The finding on a display by itself. Several displays are judged at once.
+    fn by_itself(&mut self, at: usize) -> Result<Equation> {
+        if self.at_first.is_empty() {
+            let end = (at + AT_ONCE).min(self.checker.notes.equations.len());
+            let none = Claim::default();
+            let judged = |at: usize| self.equation(&self.quick, at, self.checker.assigned[at].unwrap_or(&none));
+            let found: Vec<Result<Equation>> = (at..end).into_par_iter().with_max_len(1).map(judged).collect();
+            self.at_first.extend(found);
+        }
+        self.at_first.pop_front().unwrap_or_else(|| self.equation(&self.quick, at, &Claim::default()))
+    }
+
+    fn judge(&mut self, at: usize) -> Result<Equation> {
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
-        let found = self.equation(&self.quick, at, claim)?;
+        let found = self.by_itself(at)?;
+        if found.finding.verdict == Verdict::Refuted
+            && gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at])
+        {
+            return Ok(gate::left_open(found));
+        }
         let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
             return Ok(gate::as_it_counts(found));
         };
@@ -92,7 +143,7 @@ impl Course<'_, '_> {
     fn introduced(&self, at: usize) -> Option<String> {
         let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return None };
         let [first, _] = statement.members.as_slice() else { return None };
-        let id = first.as_plain_symbol().filter(|id| !self.seen.contains(id))?;
+        let id = first.as_plain_symbol().filter(|id| !self.seen.contains_key(id))?;
         Some(text::plain(&self.checker.model.name(id)))
     }
 

@@ -1,7 +1,7 @@
 //! What a finding means where no claims file says what the symbols are: whether the display follows, introduces a name,
 //! is taken for granted, or is wrong.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, Sign, Statement, SymbolId, Symbols, text};
@@ -40,7 +40,7 @@ pub(super) struct Around<'a> {
     /// The symbols of the document.
     pub model: &'a Model,
     /// The symbols of the displays before it.
-    pub before: &'a HashSet<SymbolId>,
+    pub before: &'a HashMap<SymbolId, usize>,
     /// What the correction rests on.
     pub basis: Basis,
     /// The words before the display.
@@ -145,6 +145,26 @@ pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
 }
 
+/// Whether a derivative in a display was read as 0, since nothing says what the formula of the derived quantity is.
+pub(super) fn lost_derivative(reading: &Reading, display: &Display) -> bool {
+    let is_printed = |part: &Expr| {
+        let text = display.text.get(part.span.start..part.span.end).unwrap_or_default();
+        text.contains(|c: char| c.is_ascii_alphabetic())
+    };
+    let mut is_lost = false;
+    for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
+        member.walk(&mut |part| is_lost |= part.is_null() && is_printed(part));
+    }
+    is_lost
+}
+
+/// The equation as it counts where a derivative is one of an unknown formula.
+pub(super) fn left_open(equation: Equation) -> Equation {
+    let message = "no display before gives the formula that is differentiated here, so this was not decided";
+    let finding = Finding::new(Code::NotDecided, Verdict::Undecided, equation.finding.span, message);
+    Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
+}
+
 fn finding_as_it_counts(finding: Finding) -> Finding {
     let is_untested =
         matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign);
@@ -219,7 +239,7 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     }
     // A name that no display before has is new, and no slip for another one. Neither is a free constant that the motion
     // does not contain: the display says what it is.
-    let is_new = |id: &SymbolId| !seen.contains(id) || model.system.is_some() && is_foreign(*id, model);
+    let is_new = |id: &SymbolId| !seen.contains_key(id) || model.system.is_some() && is_foreign(*id, model);
     if before.iter().any(|id| !after.contains(id) && is_new(id)) {
         return false;
     }

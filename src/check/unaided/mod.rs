@@ -22,6 +22,7 @@ mod inference;
 pub(super) mod names;
 mod premises;
 mod prose;
+mod scopes;
 
 use crate::Result;
 use crate::check::document::setup::{Run, with_checker};
@@ -38,9 +39,21 @@ pub use draft::draft;
 /// When no claims file makes sense of the notes.
 pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
     let notes = with_ids(notes);
-    let claims = inference::claims(run, &notes)?;
-    let document = weighed(run, &claims, &notes)?;
-    Ok(Document { claims: None, ..document })
+    let sections = scopes::sections(&notes);
+    let (mut equations, mut inferred) = (Vec::new(), Vec::new());
+    // A letter that a later section uses for something else is another letter, so a new scope begins there.
+    while equations.len() < notes.equations.len() {
+        let scope = scopes::from(run, &notes, equations.len(), &sections);
+        let claims = inference::claims(run, &scope.notes)?;
+        with_checker(run, &claims, &scope.notes, |checker| {
+            equations.extend(course::judged(&checker, &scope)?);
+            let new = checker.model.inferred.iter().filter(|known| !inferred.contains(*known));
+            let new: Vec<String> = new.cloned().collect();
+            inferred.extend(new);
+            Ok(())
+        })?;
+    }
+    Ok(Document { claims: None, ..document(run, &notes, (equations, Vec::new(), inferred)) })
 }
 
 /// Checks notes whose claims file has guesses. A display with a claim of its own is judged by it; the others are weighed.
@@ -59,7 +72,7 @@ fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     };
     let sentences = if claims.sentences.is_empty() { Vec::new() } else { check_in(run, claims, notes)?.sentences };
     with_checker(run, claims, notes, |checker| {
-        let mut equations = course::judged(&checker)?;
+        let mut equations = course::judged(&checker, &scopes::Scope::whole(notes))?;
         for (at, equation) in equations.iter_mut().enumerate() {
             if checker.assigned[at].is_some()
                 && let Some(found) = claimed(equation)?
@@ -67,21 +80,31 @@ fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
                 *equation = found;
             }
         }
-        if let Some(only) = run.only {
-            equations.retain(|equation| equation.id == only);
-        }
-        Ok(Document {
-            path: notes.source.path.clone(),
-            claims: Some(claims.source.path.clone()),
-            is_guessed: true,
-            source: notes.source.clone(),
-            automatic_numbers: notes.automatic_numbers(),
-            equations,
-            sentences,
-            unnumbered: 0,
-            inferred: checker.model.inferred.clone(),
-        })
+        let document = document(run, notes, (equations, sentences, checker.model.inferred.clone()));
+        Ok(Document { claims: Some(claims.source.path.clone()), ..document })
     })
+}
+
+/// The report on notes with these findings on equations and sentences, and these conclusions about symbols.
+fn document(
+    run: &Run<'_>,
+    notes: &Notes,
+    (mut equations, sentences, inferred): (Vec<Equation>, Vec<Equation>, Vec<String>),
+) -> Document {
+    if let Some(only) = run.only {
+        equations.retain(|equation| equation.id == only);
+    }
+    Document {
+        path: notes.source.path.clone(),
+        claims: None,
+        is_guessed: true,
+        source: notes.source.clone(),
+        equations,
+        sentences,
+        unnumbered: 0,
+        inferred,
+        automatic_numbers: notes.automatic_numbers(),
+    }
 }
 
 /// The notes, in which each display without a number has the name `L` and its line, and no number is there twice.
