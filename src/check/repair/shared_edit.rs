@@ -28,6 +28,7 @@ use crate::check::certificate::formulas;
 use crate::check::document::checker::Checker;
 use crate::check::document::names;
 use crate::check::document::names::{is_wrong, shown};
+use crate::check::document::printed_lagrangian;
 use crate::check::document::reading::for_each;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::equations::sentences;
@@ -74,6 +75,9 @@ impl Checker<'_> {
             return equations;
         }
         let passing = self.items_as_expected(&equations, sentences);
+        // Every motion follows from the Lagrangian. It is in doubt where more lines fail than hold.
+        let holding = equations.iter().filter(|equation| equation.finding.verdict.holds()).count();
+        let doubts_the_motion = wrong.len() > holding;
         let mut best: Vec<SharedEdit> = Vec::new();
         for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at) && self.is_tried(*at)) {
             let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
@@ -83,7 +87,15 @@ impl Checker<'_> {
             {
                 true => std::iter::once(at).chain(others).collect(),
                 false => {
-                    let stands = |other: &usize| self.depends_on_display(*other, at) || self.solves(*other, at);
+                    let moves = self.readings[at]
+                        .introduced
+                        .iter()
+                        .any(|new| printed_lagrangian::is_part(self.model, new.symbol));
+                    let stands = |other: &usize| {
+                        doubts_the_motion && moves && *other != at
+                            || self.depends_on_display(*other, at)
+                            || self.solves(*other, at)
+                    };
                     refuted.filter(|other| *other == at || stands(other)).collect()
                 }
             };

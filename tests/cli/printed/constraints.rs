@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::printed_lagrangian::{are, verdicts};
+use crate::support::Desk;
 
 fn on_a_sphere() -> Value {
     json!({
@@ -158,4 +159,41 @@ fn a_constraint_beside_the_lagrangian_leaves_the_derivatives_of_l_as_they_are() 
             (r"\lambda = \frac12 M g\sin\phi", "refuted"),
         ],
     );
+}
+
+#[test]
+fn a_slip_in_the_lagrangian_is_corrected_there_when_all_other_lines_agree() {
+    let claims = json!({
+        "coordinates": { "r": "> 0", "\\theta": "angle" },
+        "constants": { "M, m, g": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let document = |name: &str, swing: &str, second: &str| {
+        let lagrangian = format!(
+            r"L = \frac12 M\dot r^2 + \frac12 m\left(\dot r^2 + r^2\dot\theta^2\right) - M g r {swing} m g r\cos\theta"
+        );
+        let first = r"(M+m)\ddot r = m r\dot\theta^2 - g(M - m\cos\theta)";
+        let desk = Desk::new(&format!("slip-in-l-{name}"));
+        desk.write(
+            "notes.md",
+            format!("$$ {lagrangian} \\tag{{1}} $$\n\n$$ {first} \\tag{{2}} $$\n\n$$ {second} \\tag{{3}} $$\n"),
+        );
+        let mut claims = claims.clone();
+        claims["notes"] = json!("notes.md");
+        desk.write("notes.json", format!("{claims:#}"));
+        let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
+        let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
+        let equation = |at: usize| report["documents"][0]["equations"][at].clone();
+        (equation(1), equation(2))
+    };
+    let right = r"r\ddot\theta + 2\dot r\dot\theta + g\sin\theta = 0";
+    let (first, second) = document("shared", "-", right);
+    for equation in [&first, &second] {
+        let repair = &equation["repairs"][0];
+        assert_eq!((&repair["of"], &repair["replacement"]), (&json!("1"), &json!("+")), "{equation}");
+    }
+    // One wrong line is corrected where it stands.
+    let (first, second) = document("own", "+", &right.replace("+ g", "- g"));
+    assert_eq!(first["verdict"], "certified");
+    assert_eq!((&second["verdict"], &second["repairs"][0]["of"]), (&json!("refuted"), &Value::Null));
 }
