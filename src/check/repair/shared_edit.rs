@@ -75,9 +75,9 @@ impl Checker<'_> {
             return equations;
         }
         let passing = self.items_as_expected(&equations, sentences);
-        // Every motion follows from the Lagrangian. It is in doubt where more lines fail than hold.
+        // Every motion follows from the Lagrangian. It is in doubt where far more lines fail than hold.
         let holding = equations.iter().filter(|equation| equation.finding.verdict.holds()).count();
-        let doubts_the_motion = wrong.len() > holding;
+        let doubts_the_motion = wrong.len() > 2 * holding;
         let mut best: Vec<SharedEdit> = Vec::new();
         for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at) && self.is_tried(*at)) {
             let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
