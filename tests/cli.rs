@@ -47,6 +47,8 @@ mod strangers;
 mod typst;
 #[path = "cli/unaided.rs"]
 mod unaided;
+#[path = "cli/watch.rs"]
+mod watch;
 #[path = "cli/widths.rs"]
 mod widths;
 #[path = "cli/writing.rs"]

@@ -29,7 +29,7 @@ use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
 use outcome::Outcome;
-use teaching::{derive, mark, plot, report};
+use teaching::{derive, mark, plot, report, watch};
 
 /// Checks the equations in physics notes against what automatic differentiation derives.
 #[derive(Parser)]
@@ -57,6 +57,7 @@ enum Command {
     Plot(plot::Arguments),
     Read(read::Arguments),
     Report(report::Arguments),
+    Watch(watch::Arguments),
 }
 
 /// Runs the command that the program was started with, with the systems of a registry.
@@ -78,6 +79,7 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Plot(arguments)) => plot::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
         Ok(Command::Report(arguments)) => report::run(&arguments, registry, screen),
+        Ok(Command::Watch(arguments)) => watch::run(&arguments, registry, screen),
         // Help and the version are no failure.
         Err(help) if !help.use_stderr() => Outcome::done(help.render().to_string()),
         Err(error) => Outcome { messages: error.render().to_string(), code: 2, ..Outcome::default() },
