@@ -10,14 +10,14 @@ use crate::notes::{Claims, Kind, Notes, claims_beside, json};
 use crate::{Error, Result};
 
 /// The files of a document.
-pub(in crate::cli) enum Job {
+pub(crate) enum Job {
     Claims(PathBuf),
     Pair { notes: PathBuf, claims: Vec<PathBuf> },
     Notes(PathBuf),
 }
 
 /// The documents that a path names. `claims` are the claims files for notes whose claims are not beside them.
-pub(in crate::cli) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
+pub(crate) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     if path.is_dir() {
         if !claims.is_empty() {
             return Err(Error::new(format!("--claims does not work with a folder, and {} is one", path.display()))
@@ -55,7 +55,7 @@ pub(in crate::cli) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> 
 /// The documents of a folder and of those in it, in the order of their names. A part of a TeX project is no document of its own.
 ///
 /// Left out are hidden folders, those of packages, and those that a build marks as its own.
-pub(in crate::cli) fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
+pub(crate) fn folder(path: &Path, jobs: &mut Vec<Job>) -> Result<()> {
     let unreadable =
         |error: std::io::Error| Error::new(format!("cannot read the folder {}: {}", path.display(), reason(&error)));
     let entries: std::io::Result<Vec<_>> = std::fs::read_dir(path).map_err(unreadable)?.collect();
@@ -114,7 +114,7 @@ fn names_notes(path: &Path) -> bool {
 }
 
 /// The contents of the files of a job.
-pub(in crate::cli) enum Loaded {
+pub(crate) enum Loaded {
     /// Claims, and the notes that they are about.
     Own(Box<Claims>, Notes),
     /// Claims, each with the notes that they are about, and another edition of these notes.
@@ -124,7 +124,7 @@ pub(in crate::cli) enum Loaded {
 }
 
 /// Reads the files of a job.
-pub(in crate::cli) fn load(job: &Job) -> Result<Loaded> {
+pub(crate) fn load(job: &Job) -> Result<Loaded> {
     let notes_at = |path: &Path| Notes::read(path, &shown(path));
     let (path, files) = match job {
         Job::Notes(path) => return Ok(Loaded::Unclaimed(notes_at(path)?)),

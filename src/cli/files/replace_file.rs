@@ -13,7 +13,7 @@ use crate::{Error, Result};
 ///
 /// # Errors
 /// When the file has changed, when its folder or it cannot be written, when there is no room. The file is then unchanged.
-pub(in crate::cli) fn replace(path: &Path, before: &[u8], after: &[u8]) -> Result<()> {
+pub(crate) fn replace(path: &Path, before: &[u8], after: &[u8]) -> Result<()> {
     let shown = path.display();
     let failed = |error: std::io::Error| {
         Error::new(format!("cannot change {shown}: {error}")).help(
