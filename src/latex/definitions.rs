@@ -65,6 +65,18 @@ pub(super) struct New {
 }
 
 impl New {
+    /// Whether another part of the statement adds the same symbol.
+    pub(super) fn is_same_symbol(&self, other: &New) -> bool {
+        (&self.name, self.kind, &self.slots) == (&other.name, other.kind, &other.slots)
+            && (self.squared, &self.arguments) == (other.squared, &other.arguments)
+    }
+
+    /// Whether a symbol of the table, or one that the statement adds before this one, has the name.
+    pub(super) fn is_taken(&self, before: &[&New], symbols: &Symbols) -> bool {
+        before.iter().any(|known| known.name == self.name)
+            || symbols.find(&self.name).is_some_and(|(id, _)| symbols.entry(id).name == self.name)
+    }
+
     /// Adds it; `None` where the name is taken.
     pub(super) fn add(self, symbols: &mut Symbols) -> Option<(SymbolId, Expr)> {
         let id = symbols.add_family(self.name, self.kind, self.slots)?;

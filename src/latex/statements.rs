@@ -5,7 +5,7 @@
 //! whole member is defined by the statement ([`super::definitions`]).
 
 use crate::formula::shape::{self, Shape, Type};
-use crate::formula::symbols::{Kind, Symbols};
+use crate::formula::symbols::{Kind, SymbolId, Symbols};
 use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::source::{Fault, Span};
 
@@ -204,9 +204,21 @@ impl Piece<'_> {
                 _ => read[at - 1].clone(),
             };
             let Some((source, of_source)) = source else { return Err(found.undeclared(symbols)) };
-            let (expr, found, new) = found.introduce((&source, &of_source), symbols.len() + news.len(), symbols)?;
-            news.extend(new.into_iter().map(|new| (at, new)));
-            read[at] = Some((expr, found));
+            let next = symbols.len() + news.len();
+            let (mut expr, of_member, new) = found.introduce((&source, &of_source), next, symbols)?;
+            // The name may stand twice, `E = T + U = E`: the second is the symbol that the first adds.
+            let known: Vec<&New> = news.iter().map(|(_, new)| new).collect();
+            if let [new] = new.as_slice()
+                && let Some(first) = known.iter().position(|known| known.is_same_symbol(new))
+            {
+                let first = SymbolId(symbols.len() + first);
+                expr.rename(&|id| if id.0 == next { first } else { id });
+            } else if new.iter().any(|new| new.is_taken(&known, symbols)) {
+                return Err(found.undeclared(symbols));
+            } else {
+                news.extend(new.into_iter().map(|new| (at, new)));
+            }
+            read[at] = Some((expr, of_member));
         }
         let (members, types): (Vec<Expr>, Vec<Type>) = read.into_iter().flatten().unzip();
         for pair in 1..members.len() {

@@ -25,6 +25,23 @@ fn a_name_is_known_before_the_display_that_introduces_it() {
 }
 
 #[test]
+fn a_name_that_a_statement_introduces_may_stand_twice_in_it() {
+    let holds = check(&numbers(), &["p = a + b = p", "ap = a^2 + ab"]);
+    assert!(holds.equations.iter().all(|equation| equation.ok), "{:?}", holds.equations);
+    assert_eq!(outcome(&holds.equations[1].finding), Verified);
+    assert_eq!(verdicts(&numbers(), &["p = a + b = p", "ap = a^2 - ab"])[1], Refuted);
+    assert_eq!(verdicts(&numbers(), &["p = a + b = p = a - b"])[0], Refuted);
+    // The names after the second one are the symbols that they print.
+    let more = |q: &str| verdicts(&numbers(), &["p = a + b = p = q", q]);
+    assert_eq!(more("aq = a^2 + ab")[1], Verified);
+    assert_eq!(more("aq = a^2 - ab")[1], Refuted);
+    // As two terms, or as itself and its square, the name is not clear.
+    for unclear in ["p = a + b \\equiv p + q", "p = a + b = a + b \\equiv q + p"] {
+        assert_eq!(verdicts(&numbers(), &[unclear])[0], Unreadable, "{unclear}");
+    }
+}
+
+#[test]
 fn the_prose_may_define_a_name_through_one_that_a_display_introduces() {
     let claims = with(&numbers(), "define", json!({ "q": "p^2" }));
     assert_eq!(verdicts(&claims, &["q = a^2 + 2ab + b^2", "p = a + b"]), [Verified, Definition]);
