@@ -326,10 +326,8 @@ fn is_remark(items: &[&Item], at: usize) -> bool {
         return false;
     }
     let bound = |item: &&Item| is_operator(item) || relation(item).is_some();
-    let beside = |mut near: std::iter::Skip<std::slice::Iter<'_, &Item>>| {
-        near.find(is_significant).is_some_and(|item| bound(item))
-    };
-    let before = items[..at].iter().rev().find(is_significant).is_some_and(|item| bound(item));
+    let beside = |mut near: std::iter::Skip<std::slice::Iter<'_, &Item>>| near.find(is_significant).is_some_and(bound);
+    let before = items[..at].iter().rev().find(is_significant).is_some_and(bound);
     !word.is_empty()
         && says_constant(items[at]).is_none()
         && !begins_condition(items[at])

@@ -209,7 +209,7 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
         if !forces.is_empty() {
             applied.forces = vec![Symbol::from(0.0); q.len()];
             for ((coordinate, _), value) in forces.iter().zip(&values[first_force..]) {
-                applied.forces[*coordinate] = applied.forces[*coordinate] + *value;
+                applied.forces[*coordinate] += *value;
             }
         }
         applied.dissipation = dissipation.as_ref().and_then(|_| values.get(first_constraint - 1).copied());

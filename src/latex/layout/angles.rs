@@ -33,11 +33,8 @@ pub(super) fn bra_length(tokens: &[Token]) -> Option<usize> {
                 None => return bar,
             },
             _ if depth > 0 => {}
-            TokenKind::Other('|') => match bar {
-                None => bar = Some(at).filter(|at| *at > 0),
-                // `\langle a||b\rangle` and `\langle a| \, |b\rangle` close further on.
-                Some(_) => {}
-            },
+            // The first bar counts: `\langle a||b\rangle` and `\langle a| \, |b\rangle` close further on.
+            TokenKind::Other('|') => bar = bar.or(Some(at).filter(|at| *at > 0)),
             TokenKind::Command(name) if name == "\\rangle" => return None,
             TokenKind::Command(name) if name == "\\langle" => return bar,
             TokenKind::Other('+' | '-' | ',' | '.' | ';') if bar.is_some_and(|bar| bar + 1 == at) => return bar,

@@ -137,14 +137,14 @@ pub(super) fn traced(layout: Layout, record: impl FnOnce() -> Recorded) -> Resul
         let mut derived = Derived::new(layout, &first, &momenta, &inputs);
         let losses = losses.as_ref().map_or_else(Vec::new, |losses| losses.evaluate(&inputs));
         for (bias, force) in derived.bias.iter_mut().zip(forces.evaluate(&inputs)) {
-            *bias = *bias - force;
+            *bias -= force;
         }
         if let Some(multipliers) = &multipliers {
             let forces = multipliers.forces(layout, &inputs);
-            derived.bias.iter_mut().zip(forces).for_each(|(bias, force)| *bias = *bias - force);
+            derived.bias.iter_mut().zip(forces).for_each(|(bias, force)| *bias -= force);
         }
         for (bias, loss) in derived.bias.iter_mut().zip(losses) {
-            *bias = *bias + loss;
+            *bias += loss;
         }
         let mut quantities = vec![derived.value];
         quantities.extend(&derived.momenta);

@@ -115,15 +115,15 @@ impl Reader<'_> {
 
     /// Parts with × and · between them, of which not all are vectors: each sign is shown where it stands. × binds more.
     pub(in super::super) fn joined(&mut self, parts: Vec<(Joint, Expr, bool)>, whole: Span) -> Read<Expr> {
-        let mut groups: Vec<(Joint, Vec<(Joint, Expr, bool)>)> = Vec::new();
+        let mut groups: Vec<Vec<(Joint, Expr, bool)>> = Vec::new();
         for (joint, expr, is_vector) in parts {
             match groups.last_mut() {
-                Some((_, group)) if joint == Joint::Times => group.push((joint, expr, is_vector)),
-                _ => groups.push((joint, vec![(joint, expr, is_vector)])),
+                Some(group) if joint == Joint::Times => group.push((joint, expr, is_vector)),
+                _ => groups.push(vec![(joint, expr, is_vector)]),
             }
         }
         let mut found: Option<(Expr, bool)> = None;
-        for (_, group) in groups {
+        for group in groups {
             let mut product: Option<(Expr, bool)> = None;
             for (joint, next, is_vector) in group {
                 product = Some(match product {
