@@ -42,6 +42,8 @@ pub struct Entry {
     pub derived: bool,
     /// Whether it is a coefficient of an arbitrary function, which no author writes.
     pub hidden: bool,
+    /// Whether it is a coefficient of the polynomial that stands for any function.
+    pub coefficient: bool,
     /// Whether the display that defines it says that it is constant; a derivative by a symbol leaves it fixed.
     pub conserved: bool,
     /// Whether it was the letter of a sum or an integral, which occurs in no formula after that.
@@ -257,6 +259,7 @@ impl Symbols {
             bound: false,
             momentum: false,
             hidden: false,
+            coefficient: false,
             members: Vec::new(),
             measure: None,
             density: None,

@@ -1,6 +1,6 @@
 //! Sums and integrals in notes as textbooks print them: each display is true, and each has a slip beside it that is false.
 
-use onshell::check::Verdict::{Refuted, Unreadable};
+use onshell::check::Verdict::{Refuted, Unreadable, Verified};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
@@ -95,5 +95,43 @@ fn what_has_no_value_is_said_to_have_none() {
     let found = document(&letters(), &numbered(&none), &Registry::standard(), None).unwrap();
     for (latex, equation) in none.iter().zip(&found.equations) {
         assert_eq!(outcome(&equation.finding), Unreadable, "{latex}: {}", equation.finding.message);
+    }
+}
+
+/// A function without a formula is drawn as a polynomial, for which rules with few points are exact.
+#[test]
+fn a_function_without_a_formula_is_not_integrated() {
+    let claims = json!({
+        "constants": { "a, b, n, x, y, z": "any" }, "functions": { "V": "of x", "W": "of x, y", "U": "of x, y, z" },
+    });
+    let judge = |latex: &str| {
+        let found = document(&claims, &numbered(&[latex]), &Registry::standard(), None).unwrap();
+        outcome(&found.equations[0].finding)
+    };
+    let (near, far) = (r"\sqrt{\frac37 - \frac27 \sqrt{\frac65}}", r"\sqrt{\frac37 + \frac27 \sqrt{\frac65}}");
+    let of_gauss = format!(
+        r"\int_{{-1}}^{{1}} V(x) \, dx = \frac{{18 + \sqrt{{30}}}}{{36}} \left(V({near}) + V(-{near})\right)
+        + \frac{{18 - \sqrt{{30}}}}{{36}} \left(V({far}) + V(-{far})\right)"
+    );
+    for rule in [
+        of_gauss.as_str(),
+        r"\int_{-1}^{1} W(x, y) \, dx = \frac59 W(-\sqrt{3/5}, y) + \frac89 W(0, y) + \frac59 W(\sqrt{3/5}, y)",
+        r"\int_0^1 U(x, y, z) \, dx = \frac16 \left(U(0, y, z) + 4 U(\frac12, y, z) + U(1, y, z)\right)",
+        r"\int_0^1 V(y) \, dy = \int_0^1 V(x) \, dx",
+        r"\int_0^1 x V'(x) \, dx = V(1) - \int_0^1 V(x) \, dx",
+        r"\sum_{k=1}^{n} V(k) = 0",
+    ] {
+        assert_eq!(judge(rule), Unreadable, "{rule}");
+    }
+    // An integral of a derivative is the difference of the function for every function.
+    for (holds, slip) in [
+        (r"\int_a^b V'(x) \, dx = V(b) - V(a)", r"\int_a^b V'(x) \, dx = V(a) - V(b)"),
+        (r"\int_a^x V'(y) \, dy = V(x) - V(a)", r"\int_a^x V'(y) \, dy = V(x)"),
+        (r"\int_a^b V''(x) \, dx = V'(b) - V'(a)", r"\int_a^b V''(x) \, dx = V(b) - V(a)"),
+        // What does not depend on the letter is a number.
+        (r"\int_a^b y V(x) \, dy = \frac{b^2 - a^2}{2} V(x)", r"\int_a^b y V(x) \, dy = \frac{b^2 + a^2}{2} V(x)"),
+    ] {
+        assert_eq!(judge(slip), Refuted, "{slip}");
+        assert_eq!(judge(holds), Verified, "{holds}");
     }
 }

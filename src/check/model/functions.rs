@@ -3,7 +3,9 @@
 //! Such a function is a polynomial whose coefficients are drawn anew for each state. Its value and its derivatives up to
 //! the degree are then independent random numbers at each point, as those of any smooth function are. So an equation
 //! that holds for all these polynomials, and has derivatives up to that order, holds for every smooth function. Over
-//! the field the coefficients are free numbers, like any constants.
+//! the field the coefficients are free numbers, like any constants. An integral of the function is not of that kind: a rule
+//! of Gauss or Simpson is exact for all these polynomials. So such integrals are refused, except of a derivative of the
+//! function (the reader of integrals knows the coefficients by [`crate::formula::symbols::Entry::coefficient`]).
 
 use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node, Term, Variable};
@@ -54,7 +56,8 @@ impl Builder<'_> {
             let coefficient = self.model.symbols.add(own, Kind::Scalar).ok_or_else(|| {
                 self.error(latex, format!("{name} is declared twice")).help("remove one of the two declarations")
             })?;
-            self.model.symbols.entry_mut(coefficient).hidden = true;
+            let entry = self.model.symbols.entry_mut(coefficient);
+            (entry.hidden, entry.coefficient) = (true, true);
             self.model.mean(coefficient, Meaning::Constant(self.model.constants.len()));
             self.model.constants.push(Drawn::number(coefficient, Range::Any));
             terms.push((coefficient, powers));

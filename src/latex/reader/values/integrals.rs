@@ -4,6 +4,7 @@
 
 use crate::formula::calculus::NoFormula;
 use crate::formula::calculus::definite::integral;
+use crate::formula::calculus::places::{End, at};
 use crate::formula::symbols::Name;
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
@@ -48,6 +49,13 @@ impl Reader<'_> {
         let body = self.sum(&integrand, span);
         self.release(&bound);
         let body = self.written_out(&body?, bound.id)?;
+        if let (Some(whole), End::At(lower), End::At(upper)) = (self.antiderivative(&body, bound.id), &ends.0, &ends.1)
+        {
+            let mut value = at(&whole, bound.id, upper).minus(at(&whole, bound.id, lower));
+            value.move_to(span);
+            return Ok(Some(as_step(value)));
+        }
+        self.without_any_function(&body)?;
         let found = integral(&body, bound.id, (&ends.0, &ends.1), span);
         found.map(|formula| Some(as_step(formula))).map_err(|reason| refused(reason, sign.span.to(span)))
     }

@@ -16,7 +16,7 @@ mod sums;
 pub(super) use bars::Place;
 
 use crate::formula::SymbolId;
-use crate::formula::calculus::places::depends_on;
+use crate::formula::calculus::places::{at, depends_on};
 use crate::formula::symbols::{Kind, Name};
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
@@ -106,6 +106,30 @@ impl Reader<'_> {
             _ => {}
         });
         fault.map_or(Ok(body), Err)
+    }
+
+    /// Refuses what contains a function without a formula. A polynomial stands for it, and what holds for the sum or
+    /// the integral of every such polynomial need not hold for every function.
+    pub(super) fn without_any_function(&self, body: &Expr) -> Read<()> {
+        let is_coefficient = |(id, _): &(SymbolId, u8)| self.symbols.entry(*id).coefficient;
+        match body.symbols().iter().any(is_coefficient) {
+            true => Err(unclear(body.span, "a function in it is declared without a formula")),
+            false => Ok(()),
+        }
+    }
+
+    /// The function without a formula of which this is the derivative by the letter.
+    pub(super) fn antiderivative(&self, body: &Expr, letter: SymbolId) -> Option<Expr> {
+        let by = Expr::new(Node::Symbol { id: letter, indices: Vec::new(), dots: 0 }, body.span);
+        self.symbols.iter().find_map(|(_, entry)| {
+            let ([argument], [derivative]) = (entry.arguments.as_slice(), entry.derivatives.as_slice()) else {
+                return None;
+            };
+            let rate = self.symbols.entry(*derivative).definition.as_ref()?;
+            let is_plain = argument.indices.is_empty() && argument.dots == 0;
+            let is_rate = is_plain && at(rate, argument.id, &by) == *body;
+            entry.definition.as_ref().filter(|_| is_rate).map(|whole| at(whole, argument.id, &by))
+        })
     }
 
     /// Whether a definition contains a letter.

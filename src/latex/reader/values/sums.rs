@@ -48,6 +48,7 @@ impl Reader<'_> {
             let body = self.term(rest);
             self.release(&bound);
             let body = self.written_out(&body?, bound.id)?;
+            self.without_any_function(&body)?;
             if !depends_on(&body, bound.id) && !body.symbols().is_empty() {
                 return Err(Fault::index(sign.span, "the letter of this sum does not occur in what is summed")
                     .help("correct the letter under the Σ, or write the product with the number of terms"));
