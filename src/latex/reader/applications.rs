@@ -60,8 +60,9 @@ impl Reader<'_> {
             }
             Some(next) if self.is_argument(next, id) => *cursor += 1,
             Some(next) => match self.is_a_product(id, span, next) {
-                // `V(1/u)` is shown as it is printed; nobody puts a single factor in parentheses.
-                Err(_) if self.is_abstract() && sup.is_none() && self.is_single_term(next) => {
+                // `V(1/u)` is shown as it is printed: nobody puts a single factor of a product in parentheses. A letter that
+                // is no usual name of a function is refused, as in `ie(\partial_\mu A_\nu)`.
+                Err(_) if self.is_abstract() && sup.is_none() && self.is_applied(id, next) => {
                     let argument = self.item(next)?;
                     *cursor += 1;
                     let whole = span.to(argument.span);
@@ -126,10 +127,16 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a parenthesis, without a script, holds one term.
-    fn is_single_term(&self, next: &Item) -> bool {
+    /// Whether a name that usually stands for a function has a parenthesis after it, without a script, that holds one term.
+    fn is_applied(&self, id: SymbolId, next: &Item) -> bool {
         let Layout::Fence(Delimiter::Round, inside) = &next.layout else { return false };
-        !inside.is_empty() && !inside.iter().skip(1).any(|item| self.is_sign(item) || relation_or_comma(item))
+        let entry = self.symbols.entry(id);
+        let is_usual = is_function(entry)
+            || FIELDS.contains(&entry.name.base.as_str())
+            || self.is_inferred_function(&entry.name)
+            || super::structure::is_function_letter(&entry.name, inside);
+        let is_term = !inside.iter().skip(1).any(|item| self.is_sign(item) || relation_or_comma(item));
+        is_usual && is_term && !inside.is_empty()
     }
 
     /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.

@@ -29,6 +29,11 @@ impl Reader<'_> {
         }
         let one = significant().count() == 1 || self.is_a_function_with_its_arguments(significant());
         if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
+            // It is read once: derivatives in functions in derivatives would take time without end.
+            if let Some(factor) = self.only_factor(rest) {
+                *cursor = items.len();
+                return Ok(factor);
+            }
             return Err(Fault::ambiguous(
                 operator.to(first.span),
                 "\\frac{d}{dt} x y may be \\frac{d}{dt}(x) y or \\frac{d}{dt}(x y)",

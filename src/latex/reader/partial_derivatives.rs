@@ -195,15 +195,11 @@ impl Reader<'_> {
             return self.item(first);
         }
         let significant = rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count();
-        if self.symbols.infers() && significant > 1 {
-            // One factor of several items: `\ln Z`, `f(x)`.
-            let mut end = *cursor;
-            let factor = self.factor(items, &mut end);
-            let is_all = items[end..].iter().all(|item| matches!(item.layout, Layout::Space(_)));
-            if let (Ok((factor, _)), true) = (factor, is_all) {
-                *cursor = items.len();
-                return Ok(factor);
-            }
+        if significant > 1
+            && let Some(factor) = self.only_factor(rest)
+        {
+            *cursor = items.len();
+            return Ok(factor);
         }
         if significant > 1 || joint(first) == Some(Joint::Slash) {
             return Err(Fault::ambiguous(
@@ -215,6 +211,24 @@ impl Reader<'_> {
         }
         *cursor = items.len();
         self.sum(rest, operator)
+    }
+
+    /// One factor of several items, if it is all there is: `\ln Z`, `\sin(\sin x)`, `f(x)`.
+    ///
+    /// Each derivative in a chain reads the rest of it, so a long chain is not tried.
+    pub(super) fn only_factor(&mut self, items: &[Item]) -> Option<Expr> {
+        const MOST: usize = 16;
+        let may_be_a_derivative = |item: &&Item| match &item.layout {
+            Layout::Fraction(..) => true,
+            Layout::Scripts { nucleus, .. } => mark(nucleus).is_some(),
+            _ => mark(item).is_some(),
+        };
+        if items.iter().filter(may_be_a_derivative).count() > MOST {
+            return None;
+        }
+        let mut end = 0;
+        let (factor, _) = self.factor(items, &mut end).ok()?;
+        items[end..].iter().all(|item| matches!(item.layout, Layout::Space(_))).then_some(factor)
     }
 
     fn derived_by(&mut self, by: &[(&Item, Variable)], mark: Mark, operand: Expr, span: Span) -> Read<Expr> {

@@ -30,7 +30,7 @@ impl Finder<'_> {
     }
 
     /// Adds an edit, unless it would give a base two equal scripts. A space separates a command from a letter after
-    /// it.
+    /// it, and a bar from a bar, which side by side are the bar of a norm.
     pub(super) fn edit(&mut self, slip: Slip, span: Span, replacement: impl Into<String>) {
         let mut replacement = bold(replacement.into());
         if self.text.get(span.range()).is_none() {
@@ -44,9 +44,15 @@ impl Finder<'_> {
         if ends_in_command(&replacement) && letter(after) {
             replacement.push(' ');
         }
+        let are_bars = |left: &str, right: &str| left.ends_with('|') && right.starts_with('|');
+        if are_bars(&replacement, after) {
+            replacement.push(' ');
+        }
         match replacement.is_empty() {
-            true if ends_in_command(before) && letter(after) => replacement.push(' '),
-            false if ends_in_command(before) && letter(&replacement) => replacement.insert(0, ' '),
+            true if ends_in_command(before) && letter(after) || are_bars(before, after) => replacement.push(' '),
+            false if ends_in_command(before) && letter(&replacement) || are_bars(before, &replacement) => {
+                replacement.insert(0, ' ');
+            }
             _ => {}
         }
         self.edits.push(Edit { span, replacement, slip });

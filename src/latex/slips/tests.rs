@@ -361,6 +361,7 @@ fn a_command_and_a_letter_never_run_together() {
         "\\dot\\theta x",
         "\\bar\\lambda x",
         "\\theta m M",
+        "m (|x|^2 l - x)",
     ] {
         assert!(are_sound(text, &symbols).expect(text) > 0);
     }

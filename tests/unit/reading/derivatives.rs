@@ -36,3 +36,38 @@ fn a_derivative_before_several_things_that_vary_is_read_in_two_ways() {
     let many = r"\frac{d}{dt}".repeat(9000);
     assert_eq!(refused(&format!("{many} v")), r"\frac{d}{dt}");
 }
+
+/// A function with its argument is one factor, however deep the argument is, and a derivative before it has one reading.
+#[test]
+fn a_derivative_before_one_function_is_that_of_the_function() {
+    for (without, with) in [
+        (r"\frac{d}{dt} \sin(R)", r"\frac{d}{dt}\left(\sin(R)\right)"),
+        (r"\frac{d}{dt} \ln|R|", r"\frac{d}{dt}\left(\ln|R|\right)"),
+        (r"\frac{d}{dt} \sin(\sin(\sin(R)))", r"\frac{d}{dt}\left(\sin(\sin(\sin(R)))\right)"),
+    ] {
+        assert_eq!(read(without), read(with), "{without}");
+    }
+    for (latex, words) in [
+        (r"\frac{d}{dx}\sin x", "cos(x)"),
+        (r"\frac{d}{dx}\sin(\sin(\sin(x)))", "cos(sin(sin(x)))·(cos(sin(x))·cos(x))"),
+        (r"\frac{d}{dx}\ln|x|", "(1/|x|)·(x/|x|)"),
+        (r"\frac{\partial}{\partial x}\exp(2x)", "exp(2·x)·2"),
+    ] {
+        // A derivative is carried out while it is read, so its text is not read back.
+        let mut symbols = Symbols::open();
+        let formula = read_formula(latex, &mut symbols, &Macros::default()).expect(latex);
+        assert_eq!(text::formula(&formula, &symbols), words, "{latex}");
+    }
+    assert_eq!(refused(r"\frac{d}{dt} \sin(R) \cos(v)"), r"\frac{d}{dt} \sin");
+    for latex in [
+        r"\frac{d}{dx}\sin(x) \cos(x)",
+        r"\frac{d}{dx}\ln|x| x",
+        r"\frac{d}{dx} x \sin(x)",
+        r"\frac{d}{dx} \sin(x)/x",
+        &r"\frac{d}{dx}".repeat(9000),
+        &format!("{} x", r"\frac{d}{dx}".repeat(9000)),
+        &format!("{} x", r"\partial_x".repeat(9000)),
+    ] {
+        refused_with(latex, &mut Symbols::open());
+    }
+}

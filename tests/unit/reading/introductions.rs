@@ -61,12 +61,24 @@ fn a_name_on_the_left_is_introduced() {
         (r"Q = S", "Q"),
         (r"Q > R", "Q"),
         (r"Q \approx R", "Q"),
-        (r"2 Q = R", "Q"),
+        (r"M Q = R", "Q"),
+        (r"-2 Q = R", "Q"),
+        (r"0 Q = R", "Q"),
+        (r"2 Q > R", "Q"),
+        (r"2 Q_a = R", "2 Q_a"),
+        (r"2 \vec Q = \vec r", r"\vec Q"),
         (r"\dot Q = R", r"\dot Q"),
         (r"t = R", "t"),
     ] {
         assert_eq!(faults(latex), [place], "{latex}");
     }
+}
+
+/// `2 Q = R` says what Q is; after another factor Q is still unknown, which the test above holds.
+#[test]
+fn a_multiple_of_a_name_on_the_left_introduces_the_name() {
+    assert_eq!(introduced(r"2 Q = R"), ["Q: R/2"]);
+    assert_eq!(introduced(r"3 Q = M R + 1"), ["Q: (M·R + 1)/3"]);
 }
 
 #[test]

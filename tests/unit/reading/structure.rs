@@ -81,10 +81,37 @@ fn operators_and_derivatives_by_anything() {
         ("\\frac{D\\vec u}{Dt} = \\vec g", "D u\u{20d7}/Dt = g\u{20d7}"),
         ("\\frac{d}{dt} = \\frac{\\partial}{\\partial t} + (\\vec u \\cdot \\nabla)", "d/dt = ∂/∂t + (u\u{20d7} · ∇)"),
         ("\\frac{d}{dt} x y", "d/dt(x·y)"),
+        ("\\frac{\\partial}{\\partial t} \\frac{\\partial \\psi^*}{\\partial x}", "∂/∂t(∂ψ^{*}/∂x)"),
         ("d(pV) = p\\,dV + V\\,dp", "d(p·V) = p·dV + V·dp"),
         ("\\det J(t) = 1", "det(J(t)) = 1"),
     ]);
-    are_refused(&["\\nabla f g", "\\frac{\\partial}{\\partial x", "\\partial_x f g"]);
+    are_refused(&[
+        "\\nabla f g",
+        "\\frac{\\partial}{\\partial x",
+        "\\partial_x f g",
+        // The first derivative may act on the first factor, or on all.
+        "\\frac{\\partial}{\\partial t}\\psi^* \\frac{\\partial}{\\partial t}\\psi",
+        "\\frac{d}{dt}\\psi^* \\frac{d}{dt}\\psi",
+        "\\frac{\\partial}{\\partial t}\\psi^* \\partial_\\mu \\psi",
+    ]);
+}
+
+#[test]
+fn a_letter_before_one_term_in_parentheses_is_a_function_if_it_is_usual_as_one() {
+    are_read(&[
+        ("V(1/u) |n\\rangle", "V(1/u)·|n⟩"),
+        ("\\Gamma(2n) |n\\rangle", "Γ(2·n)·|n⟩"),
+        ("x(2t) |n\\rangle", "x(2·t)·|n⟩"),
+    ]);
+    are_refused(&[
+        "ie(\\partial_\\mu A_\\nu)",
+        "e(\\partial_\\mu A_\\nu)",
+        "g(\\partial_\\mu A_\\nu)",
+        "\\lambda(\\partial_\\mu A_\\nu)",
+        "m(2k) |n\\rangle",
+    ]);
+    // In a function elsewhere.
+    assert!(read("A(x) = A(\\partial_\\mu x)").is_some());
 }
 
 #[test]

@@ -217,6 +217,16 @@ impl Reader<'_> {
             return self.item(&items[next]).map(Some);
         }
         let rest = &items[next..];
+        // `\frac{\partial}{\partial t} f \frac{\partial}{\partial t} g`: the first may act on f alone, or on all.
+        let acted_on = rest.iter().position(|item| !is_derivative(item) && !matches!(item.layout, Layout::Space(_)));
+        let again = acted_on.and_then(|at| rest[at..].iter().find(|item| is_derivative(item)));
+        if let Some(again) = again {
+            return Err(Fault::ambiguous(
+                rest[0].span.to(again.span),
+                "a derivative before f and a second derivative may act on f or on all of it",
+            )
+            .help("put what it acts on in parentheses"));
+        }
         *cursor = items.len();
         self.term(rest).map(Some)
     }

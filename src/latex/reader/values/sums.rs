@@ -50,7 +50,7 @@ impl Reader<'_> {
             let body = self.written_out(&body?, bound.id)?;
             self.without_any_function(&body)?;
             if !depends_on(&body, bound.id) && !body.symbols().is_empty() {
-                return Err(Fault::index(sign.span, "the letter of this sum does not occur in what is summed")
+                return Err(Fault::index(letter.span, "the letter of this sum does not occur in what is summed")
                     .help("correct the letter under the Σ, or write the product with the number of terms"));
             }
             let found = series::sum(&body, bound.id, &lower, &upper, span);
