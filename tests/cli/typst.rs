@@ -97,12 +97,8 @@ fn what_is_not_understood_is_said_and_never_read_otherwise() {
     ];
     for (at, display) in displays.iter().enumerate() {
         let (equations, code) = report(&format!("refused-{at}"), &format!("$ {display} $\n\n$ a + a = 2 a $\n"));
-        let verdicts: Vec<&Value> = equations.iter().map(|equation| &equation["verdict"]).collect();
-        assert_eq!(
-            (verdicts, code),
-            (vec!["unreadable", "certified"].iter().map(|v| Value::from(*v)).collect::<Vec<_>>().iter().collect(), 0),
-            "{display}"
-        );
+        let verdicts: Vec<&str> = equations.iter().filter_map(|equation| equation["verdict"].as_str()).collect();
+        assert_eq!((verdicts, code), (vec!["unreadable", "certified"], 0), "{display}");
     }
     let desk = Desk::new("typst-open");
     desk.write("notes.typ", "One $ a = b\n");

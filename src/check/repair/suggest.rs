@@ -126,7 +126,6 @@ impl Checker<'_> {
     ///
     /// # Errors
     /// As for a check of the equation.
-    #[cfg(feature = "cli")]
     pub(crate) fn own_repairs(
         &self,
         at: usize,
@@ -144,7 +143,6 @@ impl Checker<'_> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Search {
     /// Edits with parts of the document.
-    #[cfg(feature = "cli")]
     Likely,
     /// Also with quantities of the prose, and with fitted terms.
     Thorough,

@@ -15,7 +15,7 @@ use crate::check::sample::context::Options;
 use crate::check::unaided::gate::{self, Basis};
 use crate::check::unaided::premises::{self, Premise};
 use crate::check::unaided::prose::{self, Announced, Words};
-use crate::check::unaided::scopes::Scope;
+use crate::check::unaided::scope::Scope;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, SymbolId, text};

@@ -18,10 +18,14 @@ mod course;
 #[cfg(feature = "cli")]
 mod draft;
 mod gate;
+#[cfg(feature = "cli")]
 mod inference;
+#[cfg(feature = "cli")]
 pub(super) mod names;
 mod premises;
 mod prose;
+mod scope;
+#[cfg(feature = "cli")]
 mod scopes;
 
 use crate::Result;
@@ -37,15 +41,16 @@ pub use draft::draft;
 ///
 /// # Errors
 /// When no claims file makes sense of the notes.
+#[cfg(feature = "cli")]
 pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
     let notes = with_ids(notes);
     let sections = scopes::sections(&notes);
     let (mut equations, mut inferred) = (Vec::new(), Vec::new());
     // A letter that a later section uses for something else is another letter, so a new scope begins there.
     while equations.len() < notes.equations.len() {
-        let scope = scopes::from(run, &notes, equations.len(), &sections);
-        let claims = inference::claims(run, &scope.notes)?;
-        with_checker(run, &claims, &scope.notes, |checker| {
+        let (part, scope) = scopes::from(run, &notes, equations.len(), &sections);
+        let claims = inference::claims(run, &part)?;
+        with_checker(run, &claims, &part, |checker| {
             equations.extend(course::judged(&checker, &scope)?);
             let new = checker.model.inferred.iter().filter(|known| !inferred.contains(*known));
             let new: Vec<String> = new.cloned().collect();
@@ -72,7 +77,7 @@ fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     };
     let sentences = if claims.sentences.is_empty() { Vec::new() } else { check_in(run, claims, notes)?.sentences };
     with_checker(run, claims, notes, |checker| {
-        let mut equations = course::judged(&checker, &scopes::Scope::whole(notes))?;
+        let mut equations = course::judged(&checker, &scope::Scope::whole())?;
         for (at, equation) in equations.iter_mut().enumerate() {
             if checker.assigned[at].is_some()
                 && let Some(found) = claimed(equation)?

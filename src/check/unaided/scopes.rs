@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use crate::check::document::setup::{Run, define_macros};
 use crate::check::unaided::names::{Usage, names_of};
+use crate::check::unaided::scope::Scope;
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
 use crate::notes::{Display, Notes};
@@ -17,28 +18,6 @@ const LONGEST: usize = 120;
 
 /// The most definitions that are carried over from before a scope.
 const CARRIED: usize = 60;
-
-/// The displays in which letters have one meaning.
-pub(super) struct Scope {
-    /// The displays, after those that are carried over.
-    pub notes: Notes,
-    /// The number of displays that are carried over.
-    pub carried: usize,
-    /// The places in `notes` where a section begins, in order.
-    pub sections: Vec<usize>,
-}
-
-impl Scope {
-    /// All displays of notes as one scope.
-    pub fn whole(notes: &Notes) -> Scope {
-        Scope { notes: notes.clone(), carried: 0, sections: Vec::new() }
-    }
-
-    /// The first display of the section in which the `at`-th display is.
-    pub fn section_of(&self, at: usize) -> usize {
-        self.sections.iter().copied().rfind(|start| *start <= at).unwrap_or(self.carried).max(self.carried)
-    }
-}
 
 /// The places of the displays with which a section begins.
 pub(super) fn sections(notes: &Notes) -> Vec<usize> {
@@ -85,8 +64,8 @@ fn headings(text: &str) -> Vec<usize> {
     found
 }
 
-/// The scope that begins with the `first`-th display.
-pub(super) fn from(run: &Run<'_>, notes: &Notes, first: usize, sections: &[usize]) -> Scope {
+/// The scope that begins with the `first`-th display, and the notes with its displays only, after those that are carried over.
+pub(super) fn from(run: &Run<'_>, notes: &Notes, first: usize, sections: &[usize]) -> (Notes, Scope) {
     let far = sections.iter().copied().find(|start| *start >= first + LONGEST);
     let end = if run.only.is_some() { notes.equations.len() } else { far.unwrap_or(notes.equations.len()) };
     let mut macros = Macros::default();
@@ -108,7 +87,7 @@ pub(super) fn from(run: &Run<'_>, notes: &Notes, first: usize, sections: &[usize
     let starts = sections.iter().filter(|start| inside.contains(start)).map(offset).collect();
     let mut notes = notes.clone();
     notes.equations = equations;
-    Scope { notes, carried: carried.len(), sections: starts }
+    (notes, Scope { carried: carried.len(), sections: starts })
 }
 
 /// The names that displays give a formula.
