@@ -4,9 +4,10 @@
 //! above a relation. Each rewritten token keeps its place, so that a fault is shown where the author wrote it. A
 //! decoration with mathematics in it, `\underbrace{x}_{=0}`, is not changed, and the reader rejects it.
 
+use crate::formula::units;
 use crate::source::Span;
 
-use super::lexer::{Token, TokenKind};
+use super::lexer::{Space, Token, TokenKind};
 
 /// The same tokens in normal form.
 pub fn normalized(tokens: Vec<Token>) -> Vec<Token> {
@@ -109,6 +110,15 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
                 }
             }
         }
+        // `9.8\,\rm m\,s^{-2}`, `\rm kg`: the unit reaches to the end, as TeX sets it.
+        "\\rm" if upright(tokens, at) > 0 => {
+            let end = at + 1 + upright(tokens, at);
+            let brace = |kind: TokenKind| Token { kind, span: token.span };
+            into.extend([brace(TokenKind::Command("\\mathrm".to_owned())), brace(TokenKind::Open)]);
+            into.extend_from_slice(&tokens[at + 1..end]);
+            into.push(brace(TokenKind::Close));
+            end
+        }
         // `\bf v` outside of a group is taken for the style of what comes next.
         name if switch(name).is_some() => {
             let style = switch(name).flatten();
@@ -157,6 +167,62 @@ fn group(tokens: &[Token], open: usize, end: usize, into: &mut Vec<Token>) {
     into.push(tokens[open].clone());
     all(from, end, into);
     into.push(tokens[end].clone());
+}
+
+/// The number of tokens after the `\rm` at `at` that are one upright word: all to the end if they are units, else the
+/// letters of a first word, `\rm Tr A`; 0 for a lone letter and a differential, `\rm dx`.
+fn upright(tokens: &[Token], at: usize) -> usize {
+    let rest = &tokens[at + 1..];
+    let all = &rest[..scope(rest)];
+    let letter = |token: &Token| match token.kind {
+        TokenKind::Letter(letter) => Some(letter),
+        _ => None,
+    };
+    let touch = |pair: &[Token]| pair[0].span.end == pair[1].span.start && letter(&pair[1]).is_some();
+    let word = |from: &[Token]| match from.first().and_then(letter) {
+        Some(_) => 1 + from.windows(2).take_while(|pair| touch(pair)).count(),
+        None => 0,
+    };
+    let (mut place, mut is_unit) = (0, !all.is_empty());
+    while place < all.len() && is_unit {
+        let length = word(&all[place..]);
+        is_unit = match (length, &all[place].kind) {
+            (0, TokenKind::Letter(_)) => false,
+            (0, TokenKind::Command(name)) => ["\\cdot", "\\Omega", "\\mu"].contains(&name.as_str()),
+            (0, _) => true,
+            _ => {
+                let word: String = all[place..place + length].iter().filter_map(letter).collect();
+                word != "d" && units::parse(&word).is_ok()
+            }
+        };
+        place += length.max(1);
+    }
+    let first = word(rest);
+    let is_after_a_number = tokens[..at].iter().rev().find(|token| !matches!(token.kind, TokenKind::Space(_)));
+    let is_after_a_number = is_after_a_number.is_some_and(|token| matches!(token.kind, TokenKind::Digit(_)));
+    match first {
+        1 if is_unit && is_after_a_number => all.len(),
+        2.. if is_unit => all.len(),
+        2.. if rest.first().and_then(letter) != Some('d') => first,
+        _ => 0,
+    }
+}
+
+/// The number of tokens up to the end of the group, the cell, the row or the formula, or to a sign or a relation.
+fn scope(tokens: &[Token]) -> usize {
+    let mut depth = 0usize;
+    let ends = |token: &Token| {
+        match token.kind {
+            TokenKind::Open => depth += 1,
+            TokenKind::Close if depth == 0 => return true,
+            TokenKind::Close => depth -= 1,
+            TokenKind::Align | TokenKind::Row | TokenKind::Space(Space::Wide) => return true,
+            TokenKind::Other('+' | '-' | ',' | ';' | '.' | ')' | ']') => return depth == 0,
+            _ => return depth == 0 && is_relation(std::slice::from_ref(token)),
+        }
+        false
+    };
+    tokens.iter().position(ends).unwrap_or(tokens.len())
 }
 
 /// Rewrites a boxed formula. A box around a whole equation loses its braces.
@@ -242,6 +308,14 @@ mod tests {
             ("x = {{a \\over b} \\over c+d}", "x = \\frac{\\frac{a}{b}}{c+d}"),
             ("{\\bf v} \\cdot {\\bf v}", "\\mathbf{v} \\cdot \\mathbf{v}"),
             ("{\\rm const}", "\\mathrm{const}"),
+            ("a = \\rm kg\\,m^{-3}", "a = \\mathrm{kg\\,m^{-3}}"),
+            ("9\\,\\rm m\\,s^{-2} + b", "9\\,\\mathrm{m\\,s^{-2}} + b"),
+            ("{a + 2\\rm m s} b", "{a + 2\\mathrm{m s}} b"),
+            ("\\rm dx + \\rm d x", "\\mathrm d x + \\mathrm d x"),
+            ("\\rm Tr A", "\\mathrm{Tr} A"),
+            ("2\\rm d t", "2\\mathrm d t"),
+            ("2\\rm i x", "2\\mathrm i x"),
+            ("\\rm e^{x} y", "\\mathrm e^{x} y"),
             ("{\\cal L}", "\\mathcal{L}"),
             ("\\boxed{a = b}", "a = b"),
             ("a = \\boxed{b + c}", "a = {b + c}"),
@@ -257,6 +331,7 @@ mod tests {
         assert_ne!(shape("\\overbrace{a}^{2} + b"), shape("{a}^{2} + b"));
         assert_ne!(shape("\\overset{!}{a} = b"), shape("a = b"));
         assert_ne!(shape("{a \\over b}"), shape("\\frac{b}{a}"));
+        assert_ne!(shape("9\\rm m s"), shape("9\\mathrm m s"));
     }
 
     #[test]

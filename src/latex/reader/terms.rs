@@ -26,6 +26,11 @@ impl Reader<'_> {
             return Ok(found);
         }
         if self.is_abstract()
+            && let Some(found) = self.unit_of(items)?
+        {
+            return Ok(found);
+        }
+        if self.is_abstract()
             && let Some(found) = self.extremum(items, whole)?
         {
             return Ok(found);

@@ -93,6 +93,9 @@ fn operators_and_derivatives_by_anything() {
         "\\frac{\\partial}{\\partial t}\\psi^* \\frac{\\partial}{\\partial t}\\psi",
         "\\frac{d}{dt}\\psi^* \\frac{d}{dt}\\psi",
         "\\frac{\\partial}{\\partial t}\\psi^* \\partial_\\mu \\psi",
+        &format!("{} x y", "\\frac{\\partial}{\\partial x}".repeat(3000)),
+        &format!("{} x", "\\partial_\\mu".repeat(3000)),
+        &format!("{} x", "\\max".repeat(3000)),
     ]);
 }
 
@@ -134,6 +137,8 @@ fn lists_words_and_sides_that_are_not_printed() {
         ("n! = n (n-1)!", "n! = n·(n − 1)!"),
         ("\\underbrace{a + b}_{c} d", "⏟{a + b}_{c}·d"),
         ("9.8\\,\\mathrm{m}", "9.8·m"),
+        ("9.8\\,\\rm m\\,s^{-2}", "9.8·m s^{-2}"),
+        ("[\\rho] = \\rm kg\\,m^{-3}", "[ρ] = kg m^{-3}"),
     ]);
     are_refused(&["x = 1,000", "+", "\\frac{a}{}", "a/bc", "KE = 1"]);
 }

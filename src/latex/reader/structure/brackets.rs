@@ -5,6 +5,7 @@ use crate::formula::tree::Expr;
 use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::names;
 use super::super::super::rows::relation;
 use super::super::state::{Read, Reader};
 use super::printed;
@@ -40,6 +41,17 @@ impl Reader<'_> {
             }
             _ => return Ok(None),
         }))
+    }
+
+    /// A name in square brackets that is a whole side, `[\rho] = \mathrm{kg}`: its unit. `None` for anything else.
+    pub(in super::super) fn unit_of(&mut self, items: &[Item]) -> Read<Option<Expr>> {
+        let [Item { layout: Layout::Fence(Delimiter::Square, inside), span }] = items else { return Ok(None) };
+        let [name] = inside.as_slice() else { return Ok(None) };
+        if names::printed(name, None).is_none() {
+            return Ok(None);
+        }
+        let inner = self.item(name)?;
+        Ok(Some(self.template("[#]", vec![inner], *span)))
     }
 
     /// A mean value, or a product of states with what stands between them.

@@ -191,6 +191,7 @@ impl Reader<'_> {
 
     /// The next factor, which an operator acts on; `None` if there is none.
     fn on_the_next(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        is_no_long_chain(&items[*cursor..])?;
         let next = items[*cursor..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
         let Some(next) = next.map(|at| *cursor + at).filter(|at| joint(&items[*at]).is_none()) else { return Ok(None) };
         *cursor = next;
@@ -210,6 +211,7 @@ impl Reader<'_> {
 
     /// A parenthesis, or else the rest of the term; `None` if there is nothing.
     fn on_the_rest(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        is_no_long_chain(&items[*cursor..])?;
         let next = items[*cursor..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
         let Some(next) = next.map(|at| *cursor + at).filter(|at| joint(&items[*at]).is_none()) else { return Ok(None) };
         if matches!(items[next].layout, Layout::Fence(..)) {
@@ -296,6 +298,31 @@ impl Reader<'_> {
             value = self.template("#!", vec![value], whole);
         }
         value
+    }
+}
+
+/// Rejects a long chain of derivatives and functions, each of which would read the rest of the chain.
+fn is_no_long_chain(items: &[Item]) -> Read<()> {
+    const MOST: usize = 64;
+    let follow = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let chain: Vec<&Item> = follow.take_while(|item| is_derivative(item) || is_named(item)).take(MOST + 1).collect();
+    match chain.get(MOST) {
+        Some(last) => Err(Fault::unsupported(
+            chain[0].span.to(last.span),
+            format!("more than {MOST} derivatives and functions side by side are not supported"),
+        )
+        .help("write the order of the derivative, or put parentheses around a part")),
+        None => Ok(()),
+    }
+}
+
+/// Whether an item may be the name of a function, `\max` or `\mathrm{erf}`.
+fn is_named(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Scripts { nucleus, .. } => is_named(nucleus),
+        Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
+        Layout::Style(style, _) => style == "\\mathrm",
+        _ => false,
     }
 }
 
