@@ -47,6 +47,12 @@ const LAST: usize = 4;
 /// The number of pools that hold parts of the displays.
 const LIKELY: usize = 3;
 
+/// Without a claims file: the number of displays before the wrong one that parts are taken from.
+const NEAR: usize = 12;
+
+/// Without a claims file: the most edits that are tried with one pool, the likeliest kinds of slip first.
+const MOST_EDITS: usize = 120;
+
 /// A suggestion, with the reading of the edited display.
 pub(crate) struct Suggestion {
     /// The edit, in the text of the display.
@@ -168,7 +174,11 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
     let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
     let mut tried = Vec::new();
     let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);
-    let others = || checker.notes.equations.iter().enumerate().filter(|(at, _)| *at != wrong.at);
+    // Without a claims file the parts come from the displays shortly before: a book has too many others.
+    let first = if checker.options.deduction { wrong.at.saturating_sub(NEAR) } else { 0 };
+    let end = if checker.options.deduction { wrong.at } else { usize::MAX };
+    let is_near = move |at: usize| at != wrong.at && first <= at && at < end;
+    let others = || checker.notes.equations.iter().enumerate().filter(move |(at, _)| is_near(*at));
     let texts = || std::iter::once(wrong.text).chain(others().map(|(_, display)| display.text.as_str()));
     let all = || Pool::of(texts(), symbols, macros, MISSING).with_members(wrong.text, symbols, macros);
     // A quantity of the prose may be missing from the only display that should contain it.
@@ -199,6 +209,10 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
             _ => true,
         };
         edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(wrong.text) || has_root(edit));
+        if checker.options.deduction {
+            edits.sort_by_key(|edit| edit.slip);
+            edits.truncate(MOST_EDITS);
+        }
         let mut found = passing_edits(checker, wrong, &edits)?;
         tried.extend(edits);
         found.sort_by_key(|suggestion| rank(wrong.text, &suggestion.edit, suggestion.step));

@@ -24,6 +24,9 @@ use crate::notes::claims::Claim;
 /// The most sets of premises with which a slip is sought.
 const SETS_FOR_SLIPS: usize = 2;
 
+/// The number of states at which a set of premises is tried first.
+const SCREENED: usize = 3;
+
 /// The number of displays that are first judged by themselves at once.
 const AT_ONCE: usize = 16;
 
@@ -36,6 +39,7 @@ pub(super) fn judged(checker: &Checker<'_>, scope: &Scope) -> Result<Vec<Equatio
     let mut course = Course {
         checker: explained,
         quick: with_options(checker, false),
+        screen: with_points(with_options(checker, false), SCREENED),
         known: Vec::new(),
         seen: HashMap::new(),
         at_first: VecDeque::new(),
@@ -61,11 +65,18 @@ fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
     Checker { options, units: checker.units.clone(), ..*checker }
 }
 
+fn with_points(mut checker: Checker<'_>, points: usize) -> Checker<'_> {
+    checker.options.points = points.min(checker.options.points);
+    checker
+}
+
 /// The way through the displays.
 struct Course<'c, 'a> {
     checker: &'c Checker<'a>,
     /// The same checker without explanations.
     quick: Checker<'a>,
+    /// The same with a few states.
+    screen: Checker<'a>,
     /// What was taken for granted so far.
     known: Vec<Premise>,
     /// The symbols of the displays so far, with the first display of each.
@@ -169,7 +180,13 @@ impl Course<'_, '_> {
 
     /// The finding that a display follows from premises, if it does.
     fn follows_from(&self, at: usize, set: &[&Premise]) -> Result<Option<Equation>> {
-        let mut found = self.equation(&self.quick, at, &premises::claim(set))?;
+        let claim = premises::claim(set);
+        // Most sets are of no use, which a few states tell.
+        let first = self.equation(&self.screen, at, &claim)?;
+        if first.finding.verdict == Verdict::Refuted {
+            return Ok(None);
+        }
+        let mut found = self.equation(&self.quick, at, &claim)?;
         if !found.finding.verdict.passes() {
             return Ok(None);
         }

@@ -243,6 +243,15 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     if before.iter().any(|id| !after.contains(id) && is_new(id)) {
         return false;
     }
+    // A term with a defined name that the display does not have makes it say what the definition says. And a name that no
+    // display before has is not what the author meant.
+    let is_brought_in = |id: &&SymbolId| {
+        !seen.contains_key(*id)
+            || after.len() > before.len() && matches!(model.meaning(**id), Some(Meaning::Defined(_)))
+    };
+    if new.iter().any(is_brought_in) {
+        return false;
+    }
     // Of a motion, what lacks a term is a special case as often as a slip: a circular orbit, a length of 1.
     let moves = |id: &SymbolId| model.coordinates.iter().any(|coordinate| coordinate.symbol == *id);
     if model.system.is_some() && before.iter().any(moves) && after.len() > before.len() {
