@@ -115,7 +115,18 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             let end = at + 1 + upright(tokens, at);
             let brace = |kind: TokenKind| Token { kind, span: token.span };
             into.extend([brace(TokenKind::Command("\\mathrm".to_owned())), brace(TokenKind::Open)]);
-            into.extend_from_slice(&tokens[at + 1..end]);
+            for next in at + 1..end {
+                // `m s` is no millisecond.
+                let is_letter = |at: usize| matches!(tokens[at].kind, TokenKind::Letter(_));
+                if next > at + 1
+                    && is_letter(next - 1)
+                    && is_letter(next)
+                    && tokens[next - 1].span.end < tokens[next].span.start
+                {
+                    into.push(brace(TokenKind::Space(Space::Thin)));
+                }
+                into.push(tokens[next].clone());
+            }
             into.push(brace(TokenKind::Close));
             end
         }
@@ -310,7 +321,7 @@ mod tests {
             ("{\\rm const}", "\\mathrm{const}"),
             ("a = \\rm kg\\,m^{-3}", "a = \\mathrm{kg\\,m^{-3}}"),
             ("9\\,\\rm m\\,s^{-2} + b", "9\\,\\mathrm{m\\,s^{-2}} + b"),
-            ("{a + 2\\rm m s} b", "{a + 2\\mathrm{m s}} b"),
+            ("{a + 2\\rm m s} b", "{a + 2\\mathrm{m\\,s}} b"),
             ("\\rm dx + \\rm d x", "\\mathrm d x + \\mathrm d x"),
             ("\\rm Tr A", "\\mathrm{Tr} A"),
             ("2\\rm d t", "2\\mathrm d t"),
