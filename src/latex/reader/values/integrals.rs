@@ -62,9 +62,11 @@ impl Reader<'_> {
 
     /// The number of items of a term that begins with an integral whose integrand is a sum without parentheses.
     pub(in super::super) fn definite_length(&self, items: &[Item]) -> Option<usize> {
-        let at = items.iter().position(|item| matches!(item.layout, Layout::Scripts { .. }) && is_integral(item))?;
         let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
-        if items[..at].iter().any(is_sign) {
+        let begins = |item: &Item| matches!(item.layout, Layout::Scripts { .. }) && is_integral(item);
+        // No further than the term: a long sum has many of them.
+        let at = items.iter().position(|item| is_sign(item) || begins(item))?;
+        if is_sign(&items[at]) {
             return None;
         }
         let found = own_differential(&items[at + 1..])?;
