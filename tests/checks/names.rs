@@ -267,7 +267,7 @@ fn the_word_for_a_matrix_has_no_names_in_it() {
     let message = &blamed.equations[1].finding.message;
     assert!(!message.contains("where it stands"), "{message}");
     // The twin: a name that stands in what cannot be read.
-    let blamed = check(&claims, &[r"s = a \foo + b", "3 s = 2b"]);
+    let blamed = check(&claims, &[r"s = a \foo + b", "a s = 2b"]);
     let message = &blamed.equations[1].finding.message;
     assert!(message.contains("its definition may be in (1)"), "{message}");
 }

@@ -365,7 +365,7 @@ fn what_introduces_a_name_and_cannot_be_read_is_read_anew() {
 
 #[test]
 fn a_wrong_sign_is_likelier_than_a_minus_too_much() {
-    let displays = ["s + a b = c", "s = c - u", "u = -a b", "2 s = 2 c - 2 a b"];
+    let displays = ["s + a b = c", "s = c - u", "u = -a b", "s + s = 2 c - 2 a b"];
     let repairs = first(&numbers(), &displays).repairs;
     let of = |repair: &onshell::check::Repair| repair.shared.as_ref().map(|shared| shared.of.clone());
     let found: Vec<_> = repairs.iter().map(|repair| (of(repair), repair.replacement.as_str())).collect();

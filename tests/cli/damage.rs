@@ -102,7 +102,7 @@ fn what_needs_a_damaged_law_is_not_judged() {
 #[test]
 fn displays_that_lack_the_same_names_do_not_blame_each_other() {
     let claims = r#"{ "notes": "notes.md", "constants": { "m": "> 0" }, "varies with time": { "v": "> 0" } }"#;
-    let notes = |second: &str| format!("\n$$ 2p = m a \\tag{{1}} $$\n$$ {second} \\tag{{2}} $$\n");
+    let notes = |second: &str| format!("\n$$ p m = m a \\tag{{1}} $$\n$$ {second} \\tag{{2}} $$\n");
     let of = |name: &str, second: &str| -> Vec<String> {
         let run = check(name, claims, &notes(second));
         verdicts(&run).into_iter().map(|(_, message)| message).collect()

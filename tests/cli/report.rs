@@ -95,7 +95,7 @@ fn every_equation_of_the_derivations_is_on_its_page_with_its_verdict() {
 #[test]
 fn a_wrong_equation_is_shown_with_its_correction_and_the_exit_code_is_that_of_check() {
     let desk = Desk::new("report-wrong");
-    desk.write("notes.md", "# A title\n\nFor $a > 0$ it is wrong:\n\n$$ (a+b)^2 = a^2 + b^2 $$\n");
+    desk.write("notes.md", "# A title\n\nFor $a > 0$ it is said:\n\n$$ (a+b)^2 = a^2 + b^2 $$\n");
     let run = desk.onshell(&["report", "notes.md", "--out", "pages"]);
     assert_eq!(run.code, 1, "{}", run.err);
     let page = desk.read("pages/notes.html");

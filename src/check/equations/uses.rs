@@ -39,7 +39,7 @@ impl Checker<'_> {
         }
         let (uses, restated) = self.uses(introduced)?;
         let approximations = ApproximateUses::of(self, symbol)?;
-        let whole = self.whole_displays(introduced)?;
+        let whole = self.whole_displays(introduced)?.without(&restated);
         if uses.is_empty() && !restated.is_empty() && approximations.is_empty() && whole.is_empty() {
             let name = text::plain(&self.model.name(symbol));
             let message = format!(

@@ -92,6 +92,12 @@ pub(crate) struct WholeDisplays<'s> {
 }
 
 impl WholeDisplays<'_> {
+    /// Those without the displays of these names, which only repeat the definition.
+    pub(crate) fn without(mut self, names: &[String]) -> Self {
+        self.displays.retain(|at| !names.contains(&shown(&self.checker.notes.equations[*at])));
+        self
+    }
+
     /// Whether there are none.
     pub(crate) fn is_empty(&self) -> bool {
         self.displays.is_empty()

@@ -59,12 +59,6 @@ impl Reader<'_> {
             let (sign, sign_span) = pending.take().map_or((Sign::Plus, None), |(sign, span)| (sign, Some(span)));
             terms.push(Term { sign, sign_span, expr: self.term(slice)? });
         }
-        // The display goes on in the next one.
-        if let (Some((sign, span)), true) = (pending, self.is_abstract() && !terms.is_empty()) {
-            let expr = self.not_printed(span);
-            terms.push(Term { sign, sign_span: Some(span), expr });
-            pending = None;
-        }
         if let Some((_, span)) = pending {
             return Err(Fault::new(span, "no term follows this sign"));
         }
