@@ -121,7 +121,7 @@ fn a_hundred_thousand_braces() {
 fn a_fault_in_a_long_line_has_its_place() {
     let long = "a + ".repeat(200);
     let at = |line: &str| check("long-line", CLAIMS, format!("$$\n{line} = a\n\\tag{{1}}\n$$\n"));
-    refused(&at("2c"), &["unreadable", "notes.md:2:2"]);
+    refused(&at("2c + c"), &["unreadable", "notes.md:2:2"]);
     refused(&at(&format!("{long}c")), &["unreadable", "notes.md:2:801"]);
     refused(&at(&format!("a{}", "}".repeat(500))), &["notes.md:2:2"]);
 }

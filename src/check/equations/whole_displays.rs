@@ -94,7 +94,7 @@ pub(crate) struct WholeDisplays<'s> {
 impl WholeDisplays<'_> {
     /// Those without the displays of these names, which only repeat the definition.
     pub(crate) fn without(mut self, names: &[String]) -> Self {
-        self.displays.retain(|at| !names.contains(&shown(&self.checker.notes.equations[*at])));
+        self.displays.retain(|at| !names.contains(&format!("({})", shown(&self.checker.notes.equations[*at]))));
         self
     }
 
