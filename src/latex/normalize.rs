@@ -4,7 +4,6 @@
 //! above a relation. Each rewritten token keeps its place, so that a fault is shown where the author wrote it. A
 //! decoration with mathematics in it, `\underbrace{x}_{=0}`, is not changed, and the reader rejects it.
 
-use crate::formula::units;
 use crate::source::Span;
 
 use super::lexer::{Space, Token, TokenKind};
@@ -203,7 +202,7 @@ fn upright(tokens: &[Token], at: usize) -> usize {
             (0, _) => true,
             _ => {
                 let word: String = all[place..place + length].iter().filter_map(letter).collect();
-                word != "d" && units::parse(&word).is_ok()
+                word != "d" && names_a_unit(&word)
             }
         };
         place += length.max(1);
@@ -297,6 +296,18 @@ fn closed(tokens: &[Token], open: usize) -> Option<usize> {
 fn depth(tokens: &[Token]) -> usize {
     let count = |kind: &TokenKind| tokens.iter().filter(|token| token.kind == *kind).count();
     count(&TokenKind::Open).saturating_sub(count(&TokenKind::Close))
+}
+
+/// Whether a word is a unit.
+#[cfg(feature = "notes")]
+fn names_a_unit(word: &str) -> bool {
+    crate::formula::units::parse(word).is_ok()
+}
+
+/// Whether a word is a unit. Names alone, which are all that is read without notes, have none.
+#[cfg(not(feature = "notes"))]
+fn names_a_unit(_word: &str) -> bool {
+    false
 }
 
 #[cfg(test)]
