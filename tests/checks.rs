@@ -49,6 +49,8 @@ mod shared;
 mod sizes;
 #[path = "checks/small.rs"]
 mod small;
+#[path = "checks/solutions_of_laws.rs"]
+mod solutions_of_laws;
 #[path = "checks/steps.rs"]
 mod steps;
 #[path = "checks/terms.rs"]

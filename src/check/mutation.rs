@@ -366,8 +366,9 @@ fn first_failure(run: &Run<'_>, checker: &Checker<'_>, at: usize, edit: &Edit) -
     let start = checker.notes.equations[at].body.start;
     let mut text = checker.notes.source.text.clone();
     text.replace_range(edit.span.shifted(start).range(), &edit.replacement);
-    let found = with_text(checker.notes, text)
-        .and_then(|notes| crate::check::trial::edited_document::first_unexpected(run, checker.claims, &notes, at));
+    let found = with_text(checker.notes, text).and_then(|notes| {
+        crate::check::trial::edited_document::first_unexpected(run, checker.claims, &notes, at, &|_| false)
+    });
     // A document that cannot be checked with the slip detects it.
     Ok(found.unwrap_or(Some(Verdict::Unreadable)))
 }

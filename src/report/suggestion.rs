@@ -2,7 +2,7 @@
 
 use annotate_snippets::{Element, Group, Level};
 
-use crate::check::{Document, Equation, Fit, Misfit, Repair, Shared};
+use crate::check::{Document, Equation, Fit, Misfit, Repair, Shared, Verdict};
 use crate::source::{Source, Span};
 
 use super::excerpt::{Excerpt, Mark, alone};
@@ -56,6 +56,7 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
             _ => format!("{} use ({of}); with this edit of ({of}), all of them would hold", listed(mends, "and")),
         },
         (None, true) => format!("This step would be {}; the rest of the chain needs an edit as well", repair.verdict),
+        (None, false) if repair.verdict == Verdict::Definition => "The document would pass".to_owned(),
         (None, false) => format!("It would be {}", repair.verdict),
     };
     let title = Level::HELP.secondary_title(titled("help", "", &format!("{asked} {change}? {then}"), style));

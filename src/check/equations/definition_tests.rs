@@ -13,8 +13,11 @@ use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::hypotheses::rule::Rule;
-use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::kinds::printed_solution::Solution;
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::{Mode, Spread};
+use crate::check::model::{Model, free_symbols};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 use crate::check::state::residual;
@@ -36,11 +39,15 @@ pub(crate) struct Use {
     pub local: Vec<Rule>,
     /// Whether the claim is only that it holds; a limit of cells holds at no state.
     pub is_plain: bool,
+    /// The solution of the motion that it prints, if it does.
+    pub solution: Option<Solution>,
 }
 
 /// An equation with the states at which it holds.
 struct DefinitionTest {
     link: Link,
+    /// The formula that stands for a coordinate here: that of a printed solution, in an equation of motion.
+    along: Option<(SymbolId, Expr)>,
     mode: Mode,
     bases: Vec<Vec<f64>>,
     rules: Arc<[Rule]>,
@@ -70,8 +77,12 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
         };
         let by_law = checker.model.laws.iter().any(|law| assumed(&law.hypotheses));
         let mut tests = Vec::new();
-        for Use { id, link, hypotheses, local, is_plain } in uses {
+        for Use { id, link, hypotheses, local, is_plain, solution } in uses {
             if assumed(&hypotheses) || !local.is_empty() {
+                continue;
+            }
+            if let Some(solution) = &solution {
+                tests.extend(laws_along(checker, solution, failing)?);
                 continue;
             }
             let context = Context {
@@ -95,7 +106,7 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
                 let ensemble = context.ensemble(mode, false, STATES)?;
                 let found = run(&link, &ensemble.states).is_ok_and(|o| o.failure.is_none() && o.points > 0);
                 let (bases, rules) = (ensemble.bases, ensemble.rules.clone());
-                let test = DefinitionTest { link: link.clone(), mode, bases, rules };
+                let test = DefinitionTest { link: link.clone(), along: None, mode, bases, rules };
                 if found {
                     tests.push(test);
                     holds = true;
@@ -116,14 +127,77 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
         }
         let mut model = self.checker.model.clone();
         model.define(self.symbol, formula.clone());
-        self.tests.iter().any(|test| {
-            test.bases.iter().any(|base| {
-                let base: Vec<RunningError> = base.iter().map(|value| RunningError::from(*value)).collect();
-                let state = SampledState::new(&model, test.mode, &base, &test.rules);
-                state.is_ok_and(|state| {
-                    matches!(residual::test(&test.link, &state), Ok(Point::Fails(_) | Point::OneSided(_)))
-                })
-            })
-        })
+        self.tests.iter().any(|test| test.fails(&model))
     }
+}
+
+impl DefinitionTest {
+    /// Whether the equation fails at one of its states with the definitions of a model.
+    fn fails(&self, model: &Model) -> bool {
+        // A solution that contains its own coordinate is none.
+        if self.along.as_ref().is_some_and(|(coordinate, formula)| model.depends_on(formula, &[*coordinate])) {
+            return true;
+        }
+        let along = self.along.as_ref().map(|(coordinate, formula)| {
+            let mut model = model.clone();
+            model.redefine(*coordinate, formula.clone());
+            model
+        });
+        let model = along.as_ref().unwrap_or(model);
+        let point = |base: &Vec<f64>| {
+            let base: Vec<RunningError> = base.iter().map(|value| RunningError::from(*value)).collect();
+            let state = SampledState::new(model, self.mode, &base, &self.rules).ok()?;
+            residual::test(&self.link, &state).ok()
+        };
+        let mut points = self.bases.iter().map(point);
+        match self.along {
+            None => points.any(|point| matches!(point, Some(Point::Fails(_) | Point::OneSided(_)))),
+            // Where the formula of a solution has no value, it prints none; but it must have one somewhere.
+            Some(_) => {
+                let mut holds = false;
+                let fails = points.any(|point| {
+                    holds |= matches!(point, Some(Point::Holds(_)));
+                    matches!(point, Some(Point::Fails(_)))
+                });
+                fails || !holds
+            }
+        }
+    }
+}
+
+/// The laws into which a printed solution can be put: those in which nothing else moves. With the formula in the place of
+/// the coordinate such a law is an identity in the time and the constants. With `failing`, also those that are none.
+fn laws_along(checker: &Checker<'_>, solution: &Solution, failing: bool) -> Result<Vec<DefinitionTest>> {
+    let model = checker.model;
+    if model.system.is_some() || solution.dots > 0 {
+        return Ok(Vec::new());
+    }
+    let mut tests = Vec::new();
+    for law in model.laws.iter().flat_map(|law| &law.hypotheses).filter(|law| is_equality(law.relation)) {
+        let drawn = free_symbols::drawn(&[&law.lhs, &law.rhs], model);
+        let moves = |id: &SymbolId| !matches!(model.meaning(*id), Some(Meaning::Constant(_)));
+        if !drawn.into_iter().filter(moves).eq([solution.coordinate]) {
+            continue;
+        }
+        let link = Link { lhs: law.lhs.clone(), relation: law.relation, rhs: law.rhs.clone(), free: law.free.clone() };
+        let context = Context {
+            model,
+            options: checker.options,
+            hypotheses: &[],
+            on_shell: Some(false),
+            topic: "a law along a solution",
+            span: Span::default(),
+            spread: Spread::Declared,
+            local: &[],
+        };
+        let mut mode = context.mode(false, &[&link.lhs, &link.rhs, &solution.formula]);
+        mode.order = (mode.order + 1).min(crate::scalar::TERMS - 1);
+        let bases = context.ensemble(mode, false, STATES)?.bases;
+        let along = Some((solution.coordinate, solution.formula.clone()));
+        let test = DefinitionTest { link, along, mode, bases, rules: Arc::from([]) };
+        if failing || !test.fails(model) {
+            tests.push(test);
+        }
+    }
+    Ok(tests)
 }

@@ -9,8 +9,8 @@ use crate::notes::claims::Claim;
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::judge::identity;
+use crate::check::kinds::printed_solution::Solution;
 use crate::check::kinds::solution;
-use crate::check::kinds::solution::Solution;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::outcome::run;
@@ -27,7 +27,7 @@ impl Checker<'_> {
         }
         let found = Solution::of_link(link, self.model)?;
         let is_printed = || self.solutions().iter().any(|(_, known)| known.coordinate == found.coordinate);
-        (found.dots < 2 || is_printed()).then_some(found)
+        (found.dots < found.order || is_printed()).then_some(found)
     }
 
     /// The solutions for coordinates that the notes print, each with its display.
@@ -127,7 +127,11 @@ impl Checker<'_> {
         for (at, solution) in &beside {
             let others: Vec<Solution> =
                 all.iter().filter(|other| other.coordinate != solution.coordinate).cloned().collect();
-            match solution::is_on_shell(solution, &others, context)? {
+            let solves = match self.model.system {
+                Some(_) => solution::is_on_shell(solution, &others, context)?,
+                None => Some(self.is_solved_by(solution, context)?),
+            };
+            match solves {
                 Some(true) => {}
                 // What holds along the right solution need not hold along a wrong one.
                 Some(false) if solution::in_first_order(solution, &others, context)?.is_none() => {

@@ -112,7 +112,7 @@ impl Checker<'_> {
                     let link = self.link(&statement.members[k], *relation, &statement.members[k + 1])?;
                     let (hypotheses, local) = (self.hypotheses(claim)?, self.local(claim)?);
                     let id = format!("({})", shown(&self.notes.equations[at]));
-                    uses.push(Use { id, link, hypotheses, local, is_plain: true });
+                    uses.push(Use { id, link, hypotheses, local, is_plain: true, solution: None });
                 }
             }
         }
@@ -152,8 +152,11 @@ impl Checker<'_> {
                 true => restated.push(name),
                 false => {
                     let (hypotheses, local) = (self.hypotheses(claim)?, self.local(claim)?);
-                    let is_plain = claim.expect.is_none() && names::is_plain(claim);
-                    uses.push(Use { id: name, link, hypotheses, local, is_plain });
+                    // No state shows that a solution fails, and what holds along one need not hold at each state.
+                    let solution = self.solution(&link, k, claim);
+                    let is_along = self.model.has_motion() && self.is_along_the_motion(&link);
+                    let is_plain = claim.expect.is_none() && names::is_plain(claim) && !is_along;
+                    uses.push(Use { id: name, link, hypotheses, local, is_plain, solution });
                 }
             }
             Ok::<(), Error>(())
@@ -183,6 +186,7 @@ impl Checker<'_> {
                         hypotheses,
                         local,
                         is_plain: claim.expect.is_none() && names::is_plain(claim),
+                        solution: None,
                     });
                 }
             }

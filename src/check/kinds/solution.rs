@@ -12,13 +12,14 @@ use num_dual::Dual;
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, SymbolId, Value, text};
+use crate::formula::{Expr, Node, SymbolId, Value, text};
 use crate::scalar::{RunningError, Series};
 
 use crate::check::judge::identity;
+use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
+use crate::check::kinds::solution_of_laws;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::free_symbols;
 use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
@@ -28,75 +29,6 @@ use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// A coordinate, or a rate of it, as a function of the time and constants.
-#[derive(Clone, Debug)]
-pub(crate) struct Solution {
-    /// The coordinate.
-    pub coordinate: SymbolId,
-    /// The number of its dots.
-    pub dots: u8,
-    /// The function.
-    pub formula: Expr,
-}
-
-impl Solution {
-    /// The solution that a link prints: a coordinate on the left, and on the right the time and constants only.
-    pub(crate) fn of_link(link: &Link, model: &Model) -> Option<Solution> {
-        let Node::Symbol { id, indices, dots } = &link.lhs.node else { return None };
-        let is_coordinate = matches!(model.meaning(*id), Some(Meaning::Coordinate(_)));
-        let fits = is_equality(link.relation) && is_coordinate && indices.is_empty() && model.has_motion();
-        if !fits || !contains_time(&link.rhs, model) || !is_of_time_and_constants(&link.rhs, model) {
-            return None;
-        }
-        Some(Solution { coordinate: *id, dots: *dots, formula: link.rhs.clone() })
-    }
-
-    /// The k-th time derivative of its coordinate, and the derivative of the formula that must equal it.
-    fn sides(&self, order: u8) -> (Expr, Expr) {
-        let span = self.formula.span;
-        let node = Node::Symbol { id: self.coordinate, indices: Vec::new(), dots: order };
-        let formula = match order - self.dots {
-            0 => self.formula.clone(),
-            more => Expr::new(Node::TimeDerivative(more, Box::new(self.formula.clone())), span),
-        };
-        (Expr::new(node, span), formula)
-    }
-
-    fn link(&self, order: u8) -> Link {
-        let (lhs, rhs) = self.sides(order);
-        Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() }
-    }
-
-    /// Whether a link contains one of its constants of integration.
-    pub(crate) fn shares_a_constant_of_integration(&self, link: &Link, model: &Model) -> bool {
-        let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], model);
-        constants_of_integration(self, model).iter().any(|constant| drawn.contains(constant))
-    }
-
-    /// The hypotheses that a state lies on the solution: its coordinate and velocity, as far as the formula gives them.
-    pub(crate) fn hypotheses(&self) -> impl Iterator<Item = Hypothesis> + '_ {
-        (self.dots..2).map(|order| Hypothesis::of(self.link(order), false))
-    }
-}
-
-/// Whether a formula has no value that moves but the time.
-fn is_of_time_and_constants(formula: &Expr, model: &Model) -> bool {
-    formula.symbols().iter().all(|(id, _)| match model.meaning(*id) {
-        Some(Meaning::Constant(_) | Meaning::Time) => true,
-        Some(Meaning::Defined(formula)) => is_of_time_and_constants(formula, model),
-        _ => false,
-    })
-}
-
-/// Whether a formula contains the time, through definitions too.
-fn contains_time(formula: &Expr, model: &Model) -> bool {
-    formula.symbols().iter().any(|(id, _)| match model.meaning(*id) {
-        Some(Meaning::Time) => true,
-        Some(Meaning::Defined(formula)) => contains_time(formula, model),
-        _ => false,
-    })
-}
-
 /// Checks that a formula of the time solves the equations of motion; `others` are the solutions printed for other coordinates.
 ///
 /// # Errors
@@ -104,6 +36,15 @@ fn contains_time(formula: &Expr, model: &Model) -> bool {
 pub(crate) fn check(solution: &Solution, others: &[Solution], context: &Context<'_>) -> Result<Finding> {
     let name = text::plain(&context.model.name(solution.coordinate));
     let refuted = format!("this does not satisfy the equations of motion for {name}");
+    if let Some(found) = solution_of_laws::by_substitution(solution, others, context)? {
+        return Ok(match found.verdict {
+            Verdict::Refuted => {
+                Finding { message: format!("{refuted}: {}", found.message), code: Code::NotASolution, ..found }
+            }
+            verdict if verdict.holds() => Finding { message: solved(solution, &name, context.model), ..found },
+            _ => found,
+        });
+    }
     let exact = is_on_shell(solution, others, context)?;
     if exact == Some(false) {
         if let Some(found) = in_first_order(solution, others, context)? {
@@ -120,13 +61,7 @@ pub(crate) fn check(solution: &Solution, others: &[Solution], context: &Context<
         false => on_the_solution(solution, others, context)?,
     };
     if finding.verdict.holds() {
-        let constants = constants_of_integration(solution, context.model);
-        let names: Vec<String> = constants.iter().map(|id| text::plain(&context.model.name(*id))).collect();
-        let constants = match names.as_slice() {
-            [] => String::new(),
-            names => format!("; constants of integration: {}", names.join(", ")),
-        };
-        return Ok(Finding { message: format!("solves the equations of motion for {name}{constants}"), ..finding });
+        return Ok(Finding { message: solved(solution, &name, context.model), ..finding });
     }
     // Without acceleration both sides of the claim are 0, which says nothing about factors in an identity.
     if exact == Some(true) && finding.code == Code::SideAlwaysZero {
@@ -136,9 +71,26 @@ pub(crate) fn check(solution: &Solution, others: &[Solution], context: &Context<
         return Ok(Finding { points, tried: points, ..found });
     }
     match finding.verdict {
-        Verdict::Refuted => Ok(Finding { message: refuted, code: Code::NotASolution, ..finding }),
+        Verdict::Refuted => {
+            let sides = finding.counterexample.as_ref().map_or("", |_| match solution.order {
+                1 => "; below, the left side is the rate on shell, the right side that of the formula",
+                _ => "; below, the left side is the acceleration on shell, the right side that of the formula",
+            });
+            Ok(Finding { message: format!("{refuted}{sides}"), code: Code::NotASolution, ..finding })
+        }
         _ => Ok(finding),
     }
+}
+
+/// The message that a formula solves the equations of motion.
+fn solved(solution: &Solution, name: &str, model: &Model) -> String {
+    let constants = constants_of_integration(solution, model);
+    let names: Vec<String> = constants.iter().map(|id| text::plain(&model.name(*id))).collect();
+    let constants = match names.as_slice() {
+        [] => String::new(),
+        names => format!("; constants of integration: {}", names.join(", ")),
+    };
+    format!("solves the equations of motion for {name}{constants}")
 }
 
 /// Whether the accelerations on shell are those of the formula at a few states, with the printed solutions of the other
@@ -191,21 +143,7 @@ fn on_the_solution(solution: &Solution, others: &[Solution], context: &Context<'
         .chain(solution.hypotheses())
         .chain(others.iter().flat_map(Solution::hypotheses))
         .collect();
-    identity::check(&solution.link(2), &Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context })
-}
-
-/// The constants of a solution that the motion does not depend on: those of integration.
-fn constants_of_integration(solution: &Solution, model: &Model) -> Vec<SymbolId> {
-    let lagrangian = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
-    let of_motion = match lagrangian {
-        Some((id, _)) => {
-            let node = Node::Symbol { id, indices: Vec::new(), dots: 0 };
-            free_symbols::drawn(&[&Expr::new(node, solution.formula.span)], model)
-        }
-        None => model.parameters.iter().map(|at| model.constants[*at].symbol).collect(),
-    };
-    let all = free_symbols::drawn(&[&solution.formula], model);
-    all.into_iter().filter(|id| !of_motion.contains(id)).collect()
+    identity::check(&solution.claim(), &Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context })
 }
 
 /// The finding that the solutions satisfy the equations of motion to first order about the rest position at 0, if they do.

@@ -25,11 +25,12 @@ use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::document::setup::Run;
 use crate::check::equations::definition_tests::DefinitionTests;
+use crate::check::equations::sentences;
 use crate::check::repair::ranking::rank;
 use crate::check::repair::suggest::{Suggestion, as_repairs, is_in_source};
 use crate::check::sample::context::Options;
 use crate::check::sample::setting::FEWEST;
-use crate::check::trial::edited_document::{first_unexpected, with_text};
+use crate::check::trial::edited_document::{Checked, first_unexpected, with_text};
 use crate::check::trial::failed_display::{FailedDisplay, MISSING, OFFERED};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
@@ -80,7 +81,7 @@ impl Checker<'_> {
             }
             let (places, steps) = (Vec::new(), Vec::new());
             let wrong = FailedDisplay { at: other, text: &display.text, reading, claim, places, steps };
-            let found = self.without_units_of(other).redefinitions(run, &wrong, pools)?;
+            let found = self.without_units_of(other).redefinitions(run, &wrong, at, pools)?;
             if !found.is_empty() {
                 return Ok(as_repairs(self, &wrong, display.body.start, found));
             }
@@ -102,8 +103,15 @@ impl Checker<'_> {
         Ok(false)
     }
 
-    /// The edits of a display that defines names, with which the equations that use the names hold and the document passes.
-    fn redefinitions(&self, run: &Run<'_>, wrong: &FailedDisplay<'_>, most: usize) -> Result<Vec<Suggestion>> {
+    /// The edits of a display that defines names, with which the equations that use the names hold, the `failed` display passes,
+    /// and nothing fails that is as expected now.
+    fn redefinitions(
+        &self,
+        run: &Run<'_>,
+        wrong: &FailedDisplay<'_>,
+        failed: usize,
+        most: usize,
+    ) -> Result<Vec<Suggestion>> {
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let introduced = &wrong.reading.introduced;
         let tests: Vec<DefinitionTests<'_, '_>> =
@@ -131,7 +139,10 @@ impl Checker<'_> {
                     .zip(&tests)
                     .filter(|((was, is), _)| was.formula != **is)
                     .peekable();
-                if changed.peek().is_some() && !changed.any(|((_, formula), tests)| tests.detects(formula)) {
+                let is_undetected =
+                    changed.peek().is_some() && !changed.any(|((_, formula), tests)| tests.detects(formula));
+                // 2γ = R/L gives γ a formula, but only γ = R/(2L) is a definition.
+                if is_undetected && self.redefined_model(wrong.at, wrong.claim, &text, &formulas).is_some() {
                     undetected.push((edit, text, formulas));
                 }
             }
@@ -149,13 +160,12 @@ impl Checker<'_> {
             }
             let passes = |(edit, text, formulas): (&Edit, String, Vec<Expr>)| {
                 let (edit, reading) = (edit.clone(), wrong.reading.clone());
-                let suggestion =
-                    || Suggestion { edit, reading, verdict: Verdict::Definition, step: false, vacuous: false };
-                self.passes_redefined(wrong, &text, &formulas).then(suggestion)
+                let verdict = self.redefined_verdict(wrong, &text, &formulas)?;
+                Some(Suggestion { edit, reading, verdict, step: false, vacuous: false })
             };
             let mut candidates: Vec<Suggestion> = distinct.into_par_iter().filter_map(passes).collect();
             candidates.truncate(DOCUMENTS);
-            candidates.retain(|suggestion| self.document_passes(run, wrong.at, &suggestion.edit));
+            candidates.retain(|suggestion| self.document_passes(run, wrong.at, failed, &suggestion.edit));
             candidates.truncate(OFFERED);
             if !candidates.is_empty() {
                 return Ok(candidates);
@@ -165,22 +175,44 @@ impl Checker<'_> {
         Ok(Vec::new())
     }
 
-    /// Whether a display with this text, and so with other definitions, is neither refuted nor unreadable.
-    fn passes_redefined(&self, wrong: &FailedDisplay<'_>, text: &str, formulas: &[Expr]) -> bool {
-        let Some((model, reading)) = self.redefined_model(wrong.at, wrong.claim, text, formulas) else { return false };
+    /// The verdict on a display with this text, and so with other definitions, if it is neither refuted nor unreadable: that on
+    /// what it claims, or that it is a definition.
+    fn redefined_verdict(&self, wrong: &FailedDisplay<'_>, text: &str, formulas: &[Expr]) -> Option<Verdict> {
+        let (model, reading) = self.redefined_model(wrong.at, wrong.claim, text, formulas)?;
         let options = Options { points: FEWEST.min(self.options.points), explain: false, ..self.options };
         let checker = Checker { model: &model, options, units: self.units.clone(), ..*self };
         let display = &self.notes.equations[wrong.at];
-        let parts = checker.parts((wrong.at, display.body.start), &reading, wrong.claim, &shown(display));
-        let is_wrong = |verdict| matches!(verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable);
-        parts.is_ok_and(|parts| !parts.iter().any(|part| is_wrong(part.finding.verdict)))
+        let parts = checker.parts((wrong.at, display.body.start), &reading, wrong.claim, &shown(display)).ok()?;
+        let verdicts = || parts.iter().map(|part| part.finding.verdict);
+        if verdicts().any(|verdict| matches!(verdict, Verdict::Refuted | Verdict::Domain | Verdict::Unreadable)) {
+            return None;
+        }
+        Some(
+            verdicts()
+                .filter(|verdict| verdict.holds())
+                .max_by_key(|verdict| verdict.severity())
+                .unwrap_or(Verdict::Definition),
+        )
     }
 
-    /// Whether the whole document is as expected with an edit of a display.
-    fn document_passes(&self, run: &Run<'_>, at: usize, edit: &Edit) -> bool {
+    /// Whether with an edit of a display that display and the failed one are as expected, and all that is as expected now.
+    fn document_passes(&self, run: &Run<'_>, at: usize, failed: usize, edit: &Edit) -> bool {
         let mut file = self.notes.source.text.clone();
         file.replace_range(edit.span.shifted(self.notes.equations[at].body.start).range(), &edit.replacement);
-        let unexpected = with_text(self.notes, file).and_then(|notes| first_unexpected(run, self.claims, &notes, at));
+        let quick = Checker { options: Options { explain: false, ..self.options }, units: self.units.clone(), ..*self };
+        // Another mistake of the document is none of this edit.
+        let fails_now = |checked: Checked| match checked {
+            Checked::Display(display) if display == at || display == failed => false,
+            Checked::Display(display) => {
+                quick.equation(display, self.assigned[display]).is_ok_and(|equation| !equation.ok)
+            }
+            Checked::Sentence(sentence) => {
+                let claimed = &self.claims.sentences[sentence];
+                sentences::check(&quick, sentence, claimed).is_ok_and(|equation| !equation.ok)
+            }
+        };
+        let unexpected =
+            with_text(self.notes, file).and_then(|notes| first_unexpected(run, self.claims, &notes, at, &fails_now));
         unexpected.is_ok_and(|unexpected| unexpected.is_none())
     }
 }

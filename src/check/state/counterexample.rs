@@ -4,6 +4,7 @@ use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
 use crate::latex::typeset;
 use crate::scalar::RunningError;
 
+use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
 use crate::check::state::residual;
@@ -69,6 +70,18 @@ fn with_dots(expr: &Expr, order: u8, found: &mut Vec<Expr>) {
     }
 }
 
+/// Whether the rate of a symbol is worth a line: not that of the time, or of a formula of constants.
+fn moves(id: SymbolId, model: &Model) -> bool {
+    match model.meaning(id) {
+        Some(Meaning::Time | Meaning::Constant(_)) => false,
+        Some(Meaning::Defined(formula)) => {
+            let names_time = |id| matches!(model.meaning(id), Some(Meaning::Time));
+            formula.symbols().iter().any(|(inner, _)| names_time(*inner) || moves(*inner, model))
+        }
+        _ => true,
+    }
+}
+
 /// The names and values of the symbols of some formulas at a state, with their dots. All members of a family are
 /// listed. Formulas without symbols give the coordinates.
 pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec<(String, f64)> {
@@ -81,7 +94,7 @@ pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec
             let Node::Symbol { id, indices, dots } = &expr.node else { return };
             // What does not vary has no rate to show; of a function its value is shown, and no coefficient.
             let entry = model.symbols.entry(*id);
-            if entry.hidden || *dots > 0 && !entry.varies {
+            if entry.hidden || *dots > 0 && !(entry.varies && moves(*id, model)) {
                 return;
             }
             let mut labels: Vec<(IndexId, u8)> = Vec::new();

@@ -14,9 +14,24 @@ use crate::check::document::setup::{Run, wanted, with_checker};
 use crate::check::equations::sentences;
 use crate::check::verdict::Verdict;
 
-/// The verdict on the first equation or sentence that is not as expected; `None`, if all are. Equations that use a name of the
-/// `at`-th display are checked first.
-pub(crate) fn first_unexpected(run: &Run<'_>, claims: &Claims, notes: &Notes, at: usize) -> Result<Option<Verdict>> {
+/// An equation or a sentence, by its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Checked {
+    /// The n-th display.
+    Display(usize),
+    /// The n-th sentence of the claims file.
+    Sentence(usize),
+}
+
+/// The verdict on the first equation or sentence that is not as expected and not excused; `None`, if there is none. Equations that
+/// use a name of the `at`-th display are checked first.
+pub(crate) fn first_unexpected(
+    run: &Run<'_>,
+    claims: &Claims,
+    notes: &Notes,
+    at: usize,
+    is_excused: &dyn Fn(Checked) -> bool,
+) -> Result<Option<Verdict>> {
     with_checker(run, claims, notes, |checker| {
         let introduced: Vec<SymbolId> = checker.readings[at].introduced.iter().map(|new| new.symbol).collect();
         let uses = |other: usize| {
@@ -30,13 +45,13 @@ pub(crate) fn first_unexpected(run: &Run<'_>, claims: &Claims, notes: &Notes, at
         order.extend(rest);
         for other in order.iter().chain([&at]) {
             let found = checker.equation(*other, checker.assigned[*other])?;
-            if !found.ok {
+            if !found.ok && !is_excused(Checked::Display(*other)) {
                 return Ok(Some(found.finding.verdict));
             }
         }
         for (at, sentence) in claims.sentences.iter().enumerate() {
             let found = sentences::check(&checker, at, sentence)?;
-            if !found.ok {
+            if !found.ok && !is_excused(Checked::Sentence(at)) {
                 return Ok(Some(found.finding.verdict));
             }
         }

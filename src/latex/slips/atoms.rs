@@ -164,7 +164,7 @@ impl Finder<'_> {
             for other in others.into_iter().filter(|other| *other > 1) {
                 self.edit(Slip::Exponent, sup.span, other.to_string());
             }
-        } else if inner.iter().all(|item| !matches!(item.layout, Layout::Command(_) | Layout::Other('*'))) {
+        } else if !is_mark(inner) {
             match &sup.layout {
                 Layout::Group(items) => self.list(items),
                 // A factor beside it needs braces.
@@ -417,6 +417,15 @@ fn starts_with_d(item: &Item) -> bool {
         Layout::Letter('d') => true,
         Layout::Group(items) => items.first().is_some_and(starts_with_d),
         Layout::Scripts { nucleus, .. } => starts_with_d(nucleus),
+        _ => false,
+    }
+}
+
+/// Whether a superscript is a mark and no exponent: a transpose, a conjugate, a prime, degrees.
+fn is_mark(sup: &[Item]) -> bool {
+    let is_name = |item: &Item| names::printed(item, None).is_some();
+    match sup {
+        [only] => matches!(only.layout, Layout::Command(_) | Layout::Other('*')) && !is_name(only),
         _ => false,
     }
 }

@@ -1,0 +1,114 @@
+//! A printed solution of the motion: what it says, its constants of integration, and what follows for one instant.
+
+use crate::formula::{Expr, Node, Relation, SymbolId};
+
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::Meaning;
+use crate::check::model::{Model, free_symbols, order};
+
+/// A coordinate, or a rate of it, as a function of the time and constants.
+#[derive(Clone, Debug)]
+pub(crate) struct Solution {
+    /// The coordinate.
+    pub coordinate: SymbolId,
+    /// The number of its dots.
+    pub dots: u8,
+    /// The function.
+    pub formula: Expr,
+    /// The order of the equation of motion: 2 for a system, and for laws that of the highest derivative in them.
+    pub order: u8,
+}
+
+impl Solution {
+    /// The solution that a link prints: a coordinate on the left, and on the right the time and constants only.
+    pub(crate) fn of_link(link: &Link, model: &Model) -> Option<Solution> {
+        let Node::Symbol { id, indices, dots } = &link.lhs.node else { return None };
+        let order = order_of_motion(*id, model)?;
+        let fits = is_equality(link.relation) && indices.is_empty();
+        if !fits || !contains_time(&link.rhs, model) || !is_of_time_and_constants(&link.rhs, model) {
+            return None;
+        }
+        Some(Solution { coordinate: *id, dots: *dots, formula: link.rhs.clone(), order })
+    }
+
+    /// The k-th time derivative of its coordinate, and the derivative of the formula that must equal it.
+    pub(super) fn sides(&self, order: u8) -> (Expr, Expr) {
+        let span = self.formula.span;
+        let node = Node::Symbol { id: self.coordinate, indices: Vec::new(), dots: order };
+        let formula = match order - self.dots {
+            0 => self.formula.clone(),
+            more => Expr::new(Node::TimeDerivative(more, Box::new(self.formula.clone())), span),
+        };
+        (Expr::new(node, span), formula)
+    }
+
+    pub(super) fn link(&self, order: u8) -> Link {
+        let (lhs, rhs) = self.sides(order);
+        Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() }
+    }
+
+    /// Whether a link contains one of its constants of integration.
+    pub(crate) fn shares_a_constant_of_integration(&self, link: &Link, model: &Model) -> bool {
+        let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], model);
+        constants_of_integration(self, model).iter().any(|constant| drawn.contains(constant))
+    }
+
+    /// The hypotheses that a state lies on the solution: its coordinate and velocity, as far as the formula gives them.
+    pub(crate) fn hypotheses(&self) -> impl Iterator<Item = Hypothesis> + '_ {
+        (self.dots..self.order).map(|order| Hypothesis::of(self.link(order), false))
+    }
+
+    /// The claim: the highest derivative on shell is that of the formula.
+    pub(super) fn claim(&self) -> Link {
+        self.link(self.order.max(self.dots))
+    }
+}
+
+/// The order of the equation of motion for a symbol, if a system or laws determine its motion.
+fn order_of_motion(id: SymbolId, model: &Model) -> Option<u8> {
+    match model.meaning(id) {
+        Some(Meaning::Coordinate(_)) if model.system.is_some() => Some(2),
+        Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => {
+            let laws = model.laws.iter().flat_map(|law| &law.hypotheses);
+            let orders = laws.flat_map(|law| [&law.lhs, &law.rhs]).filter_map(|side| order::order(model, side, id));
+            orders.max().filter(|order| *order > 0)
+        }
+        _ => None,
+    }
+}
+
+/// Whether a formula has no value that moves but the time.
+fn is_of_time_and_constants(formula: &Expr, model: &Model) -> bool {
+    formula.symbols().iter().all(|(id, _)| match model.meaning(*id) {
+        Some(Meaning::Constant(_) | Meaning::Time) => true,
+        Some(Meaning::Defined(formula)) => is_of_time_and_constants(formula, model),
+        _ => false,
+    })
+}
+
+/// Whether a formula contains the time, through definitions too.
+fn contains_time(formula: &Expr, model: &Model) -> bool {
+    formula.symbols().iter().any(|(id, _)| match model.meaning(*id) {
+        Some(Meaning::Time) => true,
+        Some(Meaning::Defined(formula)) => contains_time(formula, model),
+        _ => false,
+    })
+}
+
+/// The constants of a solution that the motion does not depend on: those of integration.
+pub(super) fn constants_of_integration(solution: &Solution, model: &Model) -> Vec<SymbolId> {
+    let lagrangian = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
+    let of_motion = match lagrangian {
+        Some((id, _)) => {
+            let node = Node::Symbol { id, indices: Vec::new(), dots: 0 };
+            free_symbols::drawn(&[&Expr::new(node, solution.formula.span)], model)
+        }
+        None if model.system.is_none() => {
+            let laws = model.laws.iter().flat_map(|law| &law.hypotheses);
+            free_symbols::drawn(&laws.flat_map(|law| [&law.lhs, &law.rhs]).collect::<Vec<_>>(), model)
+        }
+        None => model.parameters.iter().map(|at| model.constants[*at].symbol).collect(),
+    };
+    let all = free_symbols::drawn(&[&solution.formula], model);
+    all.into_iter().filter(|id| !of_motion.contains(id)).collect()
+}
