@@ -47,6 +47,8 @@ mod strangers;
 mod typst;
 #[path = "cli/unaided.rs"]
 mod unaided;
+#[path = "cli/unaided_solutions.rs"]
+mod unaided_solutions;
 #[path = "cli/watch.rs"]
 mod watch;
 #[path = "cli/widths.rs"]

@@ -118,7 +118,16 @@ impl Checker<'_> {
         if let Some(orbit) = solution::orbit(link, context)? {
             return Ok(orbit);
         }
-        let beside = self.solutions_beside(None, context);
+        let mut beside = self.solutions_beside(None, context);
+        if self.model.system.is_none() {
+            // Laws move each coordinate on its own, unless they contain several.
+            let concerns = |known: &Solution| {
+                self.model.depends_on(&link.lhs, &[known.coordinate])
+                    || self.model.depends_on(&link.rhs, &[known.coordinate])
+                    || known.shares_a_constant_of_integration(link, self.model)
+            };
+            beside.retain(|(_, known)| concerns(known));
+        }
         if !beside.iter().any(|(_, solution)| solution.shares_a_constant_of_integration(link, self.model)) {
             return Ok(found);
         }
@@ -133,6 +142,8 @@ impl Checker<'_> {
             };
             match solves {
                 Some(true) => {}
+                // Without a claims file the solution may be a trial that this equation completes.
+                Some(false) if context.options.deduction => return Ok(found),
                 // What holds along the right solution need not hold along a wrong one.
                 Some(false) if solution::in_first_order(solution, &others, context)?.is_none() => {
                     let number = shown(&self.notes.equations[*at]);

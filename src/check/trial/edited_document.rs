@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::formula::SymbolId;
-use crate::notes::Notes;
 use crate::notes::claims::Claims;
 use crate::notes::document::Kind;
+use crate::notes::{Notes, Numbered};
 use crate::source::Source;
 use crate::{Error, Result};
 
@@ -59,9 +59,18 @@ pub(crate) fn first_unexpected(
     })
 }
 
-/// The same notes with another text.
+/// The same notes with another text. Displays that the notes give a name, as those without a number have where no claims file is,
+/// keep it.
 pub(crate) fn with_text(notes: &Notes, text: String) -> Result<Notes> {
     let path = &notes.source.path;
     let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a file of notes")))?;
-    Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)
+    let mut edited = Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)?;
+    if edited.equations.len() == notes.equations.len() {
+        for (display, before) in edited.equations.iter_mut().zip(&notes.equations) {
+            if let (None, Some(name)) = (display.id(), before.id()) {
+                display.number = Some(Numbered { id: name.to_owned(), span: display.body });
+            }
+        }
+    }
+    Ok(edited)
 }

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use crate::Result;
 use crate::check::document::checker::Checker;
+use crate::check::document::setup::Run;
 use crate::check::repair::suggest::Search;
 use crate::check::sample::context::Options;
 use crate::check::unaided::gate::{self, Basis};
@@ -34,20 +35,38 @@ const AT_ONCE: usize = 16;
 ///
 /// # Errors
 /// When a claim does not fit the notes.
-pub(super) fn judged(checker: &Checker<'_>, scope: &Scope) -> Result<Vec<Equation>> {
+pub(super) fn judged(run: &Run<'_>, checker: &Checker<'_>, scope: &Scope) -> Result<Vec<Equation>> {
+    judged_again(run, checker, scope, &|_| None)
+}
+
+/// The same, where some displays were judged before: their findings are `known`, by their places.
+///
+/// # Errors
+/// When a claim does not fit the notes.
+pub(super) fn judged_again(
+    run: &Run<'_>,
+    checker: &Checker<'_>,
+    scope: &Scope,
+    known: &(dyn Fn(usize) -> Option<Equation> + Sync),
+) -> Result<Vec<Equation>> {
     let explained = &with_options(checker, true);
     let mut course = Course {
+        run,
         checker: explained,
         quick: with_options(checker, false),
         screen: with_points(with_options(checker, false), SCREENED),
         known: Vec::new(),
         seen: HashMap::new(),
         at_first: VecDeque::new(),
+        before: known,
     };
     (0..scope.carried).for_each(|at| course.note_symbols(at));
     let mut found = Vec::new();
     for at in scope.carried..checker.notes.equations.len() {
-        let equation = course.judge(at)?;
+        let equation = match known(at) {
+            Some(equation) => course.judged_before(at, equation),
+            None => course.judge(at)?,
+        };
         let section = scope.section_of(at);
         if equation.finding.verdict == Verdict::Assumed && course.is_given_again(at, section) && section > scope.carried
         {
@@ -72,6 +91,7 @@ fn with_points(mut checker: Checker<'_>, points: usize) -> Checker<'_> {
 
 /// The way through the displays.
 struct Course<'c, 'a> {
+    run: &'c Run<'c>,
     checker: &'c Checker<'a>,
     /// The same checker without explanations.
     quick: Checker<'a>,
@@ -81,8 +101,10 @@ struct Course<'c, 'a> {
     known: Vec<Premise>,
     /// The symbols of the displays so far, with the first display of each.
     seen: HashMap<SymbolId, usize>,
-    /// The findings on the next displays by themselves.
-    at_first: VecDeque<Result<Equation>>,
+    /// The findings on the next displays by themselves, with the places of these.
+    at_first: VecDeque<(usize, Result<Equation>)>,
+    /// The findings that are known already.
+    before: &'c (dyn Fn(usize) -> Option<Equation> + Sync),
 }
 
 impl Course<'_, '_> {
@@ -104,13 +126,35 @@ impl Course<'_, '_> {
     /// The finding on a display by itself. Several displays are judged at once.
     fn by_itself(&mut self, at: usize) -> Result<Equation> {
         if self.at_first.is_empty() {
-            let end = (at + AT_ONCE).min(self.checker.notes.equations.len());
+            let all = at..self.checker.notes.equations.len();
+            let next: Vec<usize> = all.filter(|at| (self.before)(*at).is_none()).take(AT_ONCE).collect();
             let none = Claim::default();
-            let judged = |at: usize| self.equation(&self.quick, at, self.checker.assigned[at].unwrap_or(&none));
-            let found: Vec<Result<Equation>> = (at..end).into_par_iter().with_max_len(1).map(judged).collect();
+            let judged =
+                |at: &usize| (*at, self.equation(&self.quick, *at, self.checker.assigned[*at].unwrap_or(&none)));
+            let found: Vec<(usize, Result<Equation>)> = next.par_iter().with_max_len(1).map(judged).collect();
             self.at_first.extend(found);
         }
-        self.at_first.pop_front().unwrap_or_else(|| self.equation(&self.quick, at, &Claim::default()))
+        match self.at_first.pop_front() {
+            Some((place, found)) if place == at => found,
+            _ => self.equation(&self.quick, at, &Claim::default()),
+        }
+    }
+
+    /// The finding of before; what was taken for granted then is a premise now.
+    fn judged_before(&mut self, at: usize, equation: Equation) -> Equation {
+        if equation.finding.verdict == Verdict::Assumed {
+            self.take_for_granted(at);
+        }
+        equation
+    }
+
+    /// Makes a display a premise of what comes later.
+    fn take_for_granted(&mut self, at: usize) {
+        // Beside a motion, what is taken for granted is a special case of it or contradicts it.
+        let (id, symbols) = (self.checker.notes.equations[at].id(), self.symbols(at));
+        if let (Some(id), Some(symbols), None) = (id, symbols, &self.checker.model.system) {
+            self.known.push(Premise { at, id: id.to_owned(), symbols });
+        }
     }
 
     fn judge(&mut self, at: usize) -> Result<Equation> {
@@ -140,10 +184,7 @@ impl Course<'_, '_> {
                 return Ok(wrong);
             }
         }
-        // Beside a motion, what is taken for granted is a special case of it or contradicts it.
-        if let (Some(id), None) = (self.checker.notes.equations[at].id(), &self.checker.model.system) {
-            self.known.push(Premise { at, id: id.to_owned(), symbols });
-        }
+        self.take_for_granted(at);
         Ok(match self.introduced(at) {
             Some(name) => gate::introduces(found, &name),
             None => gate::as_it_counts(found),
@@ -161,6 +202,18 @@ impl Course<'_, '_> {
     fn equation(&self, checker: &Checker<'_>, at: usize, claim: &Claim) -> Result<Equation> {
         let found = checker.equation(at, Some(claim)).or_else(|error| checker.equation_left_open(at, error))?;
         Ok(checker.without_unreadable_laws(found, None))
+    }
+
+    /// Whether a display prints a solution of an equation of motion.
+    fn prints_a_solution(&self, at: usize, claim: &Claim) -> bool {
+        self.checker.readings[at].statements.iter().flatten().any(|statement| {
+            let ([lhs, rhs, ..], [(relation, _), ..]) = (statement.members.as_slice(), statement.relations.as_slice())
+            else {
+                return false;
+            };
+            let link = self.checker.link(lhs, *relation, rhs);
+            link.is_ok_and(|link| self.checker.solution(&link, 0, claim).is_some())
+        })
     }
 
     /// The symbols that a display relates, if it was read.
@@ -205,7 +258,8 @@ impl Course<'_, '_> {
             [_] => (Basis::Premise, Search::Likely),
             _ => (Basis::Premises, Search::Likely),
         };
-        if !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
+        let solves = set.is_empty() && self.prints_a_solution(at, claim);
+        if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
             || words.announced == Announced::Assumption
         {
             return Ok(None);
@@ -215,8 +269,12 @@ impl Course<'_, '_> {
             return Ok(None);
         }
         found.repairs = checker.own_repairs(at, &found, claim, search)?;
-        let around = gate::Around { model: checker.model, before: &self.seen, basis, words };
+        let around = gate::Around { model: checker.model, before: &self.seen, basis, words, solves };
         found.repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        if solves && found.repairs.is_empty() {
+            found.repairs = checker.repairs_of_own_definition(self.run, at)?;
+            found.repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        }
         if found.repairs.is_empty() {
             return Ok(None);
         }

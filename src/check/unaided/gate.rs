@@ -45,6 +45,8 @@ pub(super) struct Around<'a> {
     pub basis: Basis,
     /// The words before the display.
     pub words: &'a Words,
+    /// Whether the display prints a solution of an equation of motion, which is a claim and no definition.
+    pub solves: bool,
 }
 
 /// Whether a display may be one slip away from what follows.
@@ -197,7 +199,7 @@ fn finding_as_it_counts(finding: Finding) -> Finding {
 
 /// Whether a correction makes it likely that a slip was made: it is certified, in this display, and no triviality.
 pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>) -> bool {
-    let Around { model, before: seen, basis, words } = *around;
+    let Around { model, before: seen, basis, words, solves } = *around;
     let holds = matches!(repair.verdict, Verdict::Certified | Verdict::Verified);
     if !holds || repair.idle || repair.shared.is_some() || !display.body.contains(repair.span) {
         return false;
@@ -211,6 +213,11 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     let left_out = &corrected[start..end];
     // Authors lose terms; they do not add terms that do not belong.
     if repair.replacement.trim().is_empty() && left_out.contains(|c: char| c.is_ascii_alphabetic()) {
+        return false;
+    }
+    // What solves another equation becomes a solution of this one where a parenthesis unites its terms.
+    let parentheses = |text: &str| text.matches('(').count();
+    if solves && parentheses(&repair.replacement) > parentheses(left_out) {
         return false;
     }
     corrected.replace_range(start..end, &repair.replacement);
@@ -264,7 +271,7 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
             || is_derived(side, model)
             || leaves(side, model).iter().all(|id| others.contains(id))
     };
-    let is_claim = |pair: &&[Expr]| is_bound(&pair[0], &pair[1]) && is_bound(&pair[1], &pair[0]);
+    let is_claim = |pair: &&[Expr]| solves || is_bound(&pair[0], &pair[1]) && is_bound(&pair[1], &pair[0]);
     let edited = Span::new(start, start + repair.replacement.len());
     let is_edited = |pair: &&[Expr]| pair[0].span.to(pair[1].span).contains(edited);
     let pairs = statements.iter().flat_map(|statement| statement.members.windows(2));

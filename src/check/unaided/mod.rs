@@ -20,6 +20,7 @@ mod draft;
 mod gate;
 #[cfg(feature = "cli")]
 mod inference;
+mod laws;
 #[cfg(feature = "cli")]
 pub(super) mod names;
 mod premises;
@@ -31,6 +32,7 @@ mod scopes;
 use crate::Result;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::run::check_in;
+use crate::check::verdict::Verdict;
 use crate::check::verdict::report::{Document, Equation};
 use crate::notes::{Claims, Notes, Numbered};
 
@@ -50,13 +52,10 @@ pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
     while equations.len() < notes.equations.len() {
         let (part, scope) = scopes::from(run, &notes, equations.len(), &sections);
         let claims = inference::claims(run, &part)?;
-        with_checker(run, &claims, &part, |checker| {
-            equations.extend(course::judged(&checker, &scope)?);
-            let new = checker.model.inferred.iter().filter(|known| !inferred.contains(*known));
-            let new: Vec<String> = new.cloned().collect();
-            inferred.extend(new);
-            Ok(())
-        })?;
+        let (found, concluded) = judged(run, &claims, &part, &scope)?;
+        equations.extend(found);
+        let new: Vec<String> = concluded.into_iter().filter(|known| !inferred.contains(known)).collect();
+        inferred.extend(new);
     }
     Ok(Document { claims: None, ..document(run, &notes, (equations, Vec::new(), inferred)) })
 }
@@ -69,6 +68,25 @@ pub(super) fn guessed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<D
     weighed(run, claims, &with_ids(notes))
 }
 
+/// The findings on the displays of a scope, and the conclusions about symbols. Where the notes solve an equation of motion, what
+/// does not follow by itself is judged once more with that equation as a law.
+fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -> Result<(Vec<Equation>, Vec<String>)> {
+    let (found, laws, inferred) = with_checker(run, claims, notes, |checker| {
+        let found = course::judged(run, &checker, scope)?;
+        let laws = laws::laws(&checker, &found);
+        Ok((found, laws, checker.model.inferred.clone()))
+    })?;
+    let Some(lawful) = laws.added_to(claims)? else { return Ok((found, inferred)) };
+    let known = |at: usize| {
+        let equation = found.get(at.checked_sub(scope.carried)?)?;
+        let is_open = matches!(equation.finding.verdict, Verdict::Assumed | Verdict::Undecided);
+        (!is_open || !laws.may_give(at)).then(|| equation.clone())
+    };
+    let again = with_checker(run, &lawful, notes, |checker| course::judged_again(run, &checker, scope, &known));
+    // The laws help where they can be read, and take nothing away.
+    Ok((again.ok().filter(|again| again.len() == found.len()).unwrap_or(found), inferred))
+}
+
 /// Checks notes with claims that nobody has confirmed.
 fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     let claimed = |equation: &Equation| -> Result<Option<Equation>> {
@@ -76,8 +94,8 @@ fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
         Ok(check_in(&only, claims, notes)?.equations.into_iter().next())
     };
     let sentences = if claims.sentences.is_empty() { Vec::new() } else { check_in(run, claims, notes)?.sentences };
+    let (mut equations, _) = judged(run, claims, notes, &scope::Scope::whole())?;
     with_checker(run, claims, notes, |checker| {
-        let mut equations = course::judged(&checker, &scope::Scope::whole())?;
         for (at, equation) in equations.iter_mut().enumerate() {
             if checker.assigned[at].is_some()
                 && let Some(found) = claimed(equation)?

@@ -1,0 +1,75 @@
+//! Notes without a claims file that print an equation of motion and its solution.
+
+use serde_json::Value;
+
+use crate::support::Desk;
+use crate::unaided::page;
+
+/// The verdict on the last display of a page, and the text of its first correction.
+fn last(name: &str, displays: &[&str]) -> (String, Option<String>) {
+    let desk = Desk::new(&format!("unaided-solutions-{name}"));
+    desk.write("notes.md", &page(displays));
+    let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
+    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
+    let equations = report["documents"][0]["equations"].as_array().expect("a list").clone();
+    let last = equations.last().expect("a display");
+    let correction = last["repairs"][0]["replacement"].as_str().map(|text| text.trim().to_owned());
+    (last["verdict"].as_str().expect("a verdict").to_owned(), correction)
+}
+
+/// An equation of motion, a solution of it, and the solution with a slip and what takes the place of the slip.
+const SOLVED: [(&str, &str, &str, &str); 5] = [
+    (r"\frac{dN}{dt} = -\lambda N", r"N(t) = N_0 e^{-\lambda t}", r"N(t) = N_0 e^{\lambda t}", "-"),
+    (r"R \dot Q + \frac{Q}{C} = 0", r"Q(t) = Q_0 e^{-\frac{t}{RC}}", r"Q(t) = Q_0 e^{-\frac{R t}{C}}", r"\frac{1}{R}"),
+    (
+        r"m \ddot x = -k x",
+        r"x(t) = A\cos(\omega t), \quad \omega = \sqrt{\frac{k}{m}}",
+        r"x(t) = A\cos(\omega t), \quad \omega = \sqrt{\frac{m}{k}}",
+        r"\frac{k}{m}",
+    ),
+    (
+        r"m \dot v = m g - b v",
+        r"v(t) = \frac{m g}{b} \left(1 - e^{-\frac{b t}{m}}\right)",
+        r"v(t) = \frac{b}{m} \left(1 - e^{\frac{t}{m}}\right)",
+        "",
+    ),
+    (r"\ddot y = -g", r"y = h - \frac12 g t^2", r"y = h - \frac13 g t^2", "2"),
+];
+
+#[test]
+fn a_solution_follows_from_the_equation_of_motion_before_it() {
+    for (at, (law, solution, ..)) in SOLVED.iter().enumerate() {
+        let (verdict, _) = last(&format!("right-{at}"), &[law, solution]);
+        assert!(["certified", "verified"].contains(&verdict.as_str()), "{law}: {solution}: {verdict}");
+    }
+}
+
+#[test]
+fn a_slip_in_a_solution_is_called_wrong_if_one_edit_corrects_it() {
+    for (at, (law, _, wrong, correction)) in SOLVED.iter().enumerate() {
+        let (verdict, found) = last(&format!("wrong-{at}"), &[law, wrong]);
+        match correction.is_empty() {
+            // Several edits away from a solution, so nothing is said.
+            true => assert_ne!(verdict, "refuted", "{law}: {wrong}"),
+            false => assert_eq!((verdict.as_str(), found.as_deref()), ("refuted", Some(*correction)), "{law}: {wrong}"),
+        }
+    }
+}
+
+#[test]
+fn what_solves_another_equation_is_not_called_wrong() {
+    for (at, page) in [
+        // For small angles only.
+        [r"\ddot\theta = -\frac{g}{l} \sin\theta", r"\theta(t) = \theta_0 \cos\omega t"],
+        // Another motion with the same letter.
+        [r"m \ddot x = -k x", r"x(t) = v t"],
+        [r"m \ddot x = -k x", r"x(t) = x_0 + v t + \frac12 a t^2"],
+        [r"\dot N = r N", r"N(t) = \frac{K}{1 + C e^{-r t}}"],
+    ]
+    .iter()
+    .enumerate()
+    {
+        let (verdict, _) = last(&format!("other-{at}"), page);
+        assert_ne!(verdict, "refuted", "{page:?}");
+    }
+}
