@@ -8,7 +8,7 @@
 //! | a prime before an argument, `V'(r)`; two primes anywhere, `y''` | a function |
 //! | `d` before at least two names, and never alone; an upright d | differentials |
 //! | `\delta` before a name that is neither a rate nor the time, and never alone | variations |
-//! | `dr'` | r′ is another letter |
+//! | `dr'`, `t'` and what [`super::primed_names`] lists | r′ is another letter |
 //! | a bold letter with a transpose or an inverse, or two side by side | matrices, which are refused |
 //!
 //! A name that is a function in one place is one everywhere. Vectors are told by their markup alone.
@@ -18,6 +18,7 @@ use crate::formula::text;
 
 use super::layout::{Delimiter, Item, Layout};
 use super::names;
+use super::primed_names;
 use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
 
@@ -29,6 +30,14 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     evidence.at_the_same_place();
     let Evidence { mut functions, primed, letters, differentials, variations, matrices, .. } = evidence;
     symbols.inferred.letters.extend(letters);
+    for name in
+        primed_names::letters(items).into_iter().filter(|name| !functions.iter().any(|(known, _)| known == name))
+    {
+        if symbols.inferred.letters.insert(name.clone()) {
+            let shown = text::plain(&Name { primes: 1, ..name }.to_string());
+            symbols.inferred.said.push(format!("{shown} is a quantity of its own, and no derivative"));
+        }
+    }
     functions.retain(|(name, _)| symbols.find(name).is_none());
     for (name, arguments) in functions {
         if let Some(arguments) = &arguments {
@@ -205,20 +214,29 @@ impl Evidence {
                 inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name.to_string());
             self.possible.push((name.clone(), inside.collect()));
         }
+        let arguments: Vec<&[Item]> = inside.split(is_comma).collect();
         let never = ["\\pi", "\\Delta", "\\delta", "d", "\\mathrm{d}", "e", "\\mathrm{e}", "\\epsilon"];
-        if never.contains(&name.base.as_str()) {
+        // `\pi(t, x)` is a momentum, `\delta^3(r - r')` a distribution.
+        let is_list = ["\\pi", "\\epsilon"].contains(&name.base.as_str()) && arguments.len() > 1;
+        let is_distribution =
+            name.base.starts_with("\\delta^{(") || name.base == "\\delta" && found.sup.is_some_and(is_dimension);
+        if never.contains(&name.base.as_str()) && !is_list && !(is_distribution && delimiter == Delimiter::Round) {
             return;
         }
-        let arguments: Vec<&[Item]> = inside.split(is_comma).collect();
         let plain: Option<Vec<String>> = arguments.iter().map(|argument| self.plain(argument)).collect();
         let is_zero =
             matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if whole_number(zero) == Some(0)));
         // A function by its letter, whatever stands in the parenthesis.
-        let is_usual =
-            self.is_abstract && structure::is_function_letter(&name, inside) && delimiter == Delimiter::Round;
-        let is_remainder = is_usual || ["O", "\\mathcal{O}"].contains(&name.base.as_str());
+        let is_powered = found.sup.is_some_and(|sup| whole_number(sup).is_some()) && !is_distribution;
+        let is_usual = self.is_abstract
+            && structure::is_function_letter(&name, inside)
+            && delimiter == Delimiter::Round
+            && !is_powered;
+        let is_remainder = is_usual || is_distribution || ["O", "\\mathcal{O}"].contains(&name.base.as_str());
         let is_call = match delimiter {
-            Delimiter::Round => plain.is_some() || is_zero || arguments.len() > 1 || is_remainder,
+            Delimiter::Round => {
+                plain.is_some() || is_zero || arguments.len() > 1 || is_remainder || inside.iter().any(is_given)
+            }
             // `S[q]`, the value of a functional.
             Delimiter::Square => {
                 arguments.len() == 1
@@ -280,6 +298,14 @@ impl Evidence {
     }
 }
 
+/// Whether a number above δ is that of the dimensions, `\delta^3`, `\delta^{(3)}`.
+fn is_dimension(sup: &Item) -> bool {
+    match super::reader::items::contents(sup) {
+        [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] => inside.len() == 1,
+        _ => matches!(whole_number(sup), Some(3 | 4)),
+    }
+}
+
 /// Whether a fraction is a derivative: d or ∂ begins both of its parts.
 fn starts_derivative(above: &Item, below: &Item) -> bool {
     [above, below]
@@ -297,6 +323,11 @@ fn fence(item: &Item) -> Option<(Delimiter, &[Item])> {
         },
         _ => None,
     }
+}
+
+/// The bar of `P(A|B)`.
+fn is_given(item: &Item) -> bool {
+    item.layout == Layout::Other('|') || matches!(&item.layout, Layout::Command(name) if name == "\\mid")
 }
 
 fn is_comma(item: &Item) -> bool {

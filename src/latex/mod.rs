@@ -9,6 +9,7 @@
 //! | `overdots` | `\dot x` and its kin: the order of a time derivative |
 //! | [`names`] | which name a typeset item is |
 //! | `inference` | what a display without declarations shows about its letters |
+//! | `primed_names` | which primes mark another quantity |
 //! | [`reader`] | layout to a formula; the rules of reading are in its documentation |
 //! | `rows`, `pieces` | the rows of a display, and its parts that are statements |
 //! | `rename` | a text with other names |
@@ -36,6 +37,8 @@ mod normalize;
 mod overdots;
 #[cfg(feature = "notes")]
 mod pieces;
+#[cfg(feature = "notes")]
+mod primed_names;
 #[cfg(feature = "notes")]
 pub mod reader;
 #[cfg(feature = "cli")]

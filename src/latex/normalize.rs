@@ -239,7 +239,10 @@ fn scope(tokens: &[Token]) -> usize {
 fn unwrapped(tokens: &[Token], open: usize, end: usize, into: &mut Vec<Token>) {
     let inner = &tokens[open + 1..end];
     let relation = (0..inner.len()).any(|at| is_relation(&inner[at..=at]) && depth(&inner[..at]) == 0);
-    match relation {
+    // A box around all there is.
+    let is_blank = |token: &Token| matches!(token.kind, TokenKind::Space(_) | TokenKind::Other('.' | ','));
+    let is_whole = tokens[..open.saturating_sub(1)].iter().chain(&tokens[end + 1..]).all(is_blank);
+    match relation || is_whole {
         true => {
             let mut at = open + 1;
             while at < end {

@@ -320,9 +320,14 @@ fn is_remark(items: &[&Item], at: usize) -> bool {
         }
         _ => return false,
     };
-    // `\text{Tr}(A)` is a function.
+    // `\text{Tr}(A)` is a function, `\mathrm{SO}(3)` a group.
     let is_function = matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
-    if is_function && !is_prose(&word) {
+    let is_capital = word.len() > 1 && word.chars().all(|c| c.is_ascii_uppercase());
+    if is_function && (is_capital || !is_prose(&word)) {
+        return false;
+    }
+    let number = items[..at].iter().rev().find(is_significant).is_some_and(|item| is_figure(item));
+    if number && is_unit(&word) {
         return false;
     }
     let bound = |item: &&Item| is_operator(item) || relation(item).is_some();
@@ -333,6 +338,32 @@ fn is_remark(items: &[&Item], at: usize) -> bool {
         && !begins_condition(items[at])
         && !before
         && !beside(items.iter().skip(at + 1))
+}
+
+/// A number, or a power of one.
+fn is_figure(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Number(digits) => digits != "0",
+        Layout::Scripts { nucleus, sub: None, sup: Some(_), .. } => matches!(nucleus.layout, Layout::Number(_)),
+        _ => false,
+    }
+}
+
+/// Whether a word after a number is a unit, and no remark: `m/s`, `eV`, `days`.
+fn is_unit(word: &str) -> bool {
+    const UNITS: [&str; 58] = [
+        "m", "cm", "mm", "km", "nm", "fm", "pm", "s", "ms", "ns", "min", "h", "kg", "g", "mg", "N", "kN", "J", "kJ",
+        "MJ", "W", "kW", "MW", "eV", "keV", "MeV", "GeV", "TeV", "K", "Pa", "kPa", "MPa", "bar", "atm", "Hz", "kHz",
+        "MHz", "GHz", "V", "kV", "A", "mA", "T", "C", "mol", "rad", "sr", "deg", "days", "day", "years", "year", "yr",
+        "hours", "seconds", "rpm", "Nm", "Js",
+    ];
+    let word = word.trim_end_matches(['.', ',', ';']);
+    let is_one = |part: &str| {
+        let unit =
+            part.trim_end_matches(|c: char| c.is_ascii_digit() || matches!(c, '^' | '-' | '−' | '²' | '³' | '{' | '}'));
+        UNITS.contains(&unit)
+    };
+    !word.is_empty() && word.split(['/', '·', '*', '(', ')', '\u{a0}']).filter(|part| !part.is_empty()).all(is_one)
 }
 
 /// Joins what stands alone beside a comma with its neighbour: `i = 1, 2, 3` and `x, y > 0` have lists as members.

@@ -69,7 +69,16 @@ fn flattened(row: &[Item]) -> Vec<Vec<Vec<&Item>>> {
     let Some((Item { layout: Layout::Environment(name, inner), .. }, before)) = row[..end].split_last() else {
         return vec![cells_of(row)];
     };
-    if !matches!(name.trim_end_matches('*'), "aligned" | "split" | "gathered" | "alignedat" | "align" | "gather") {
+    // A system after a word or an arrow: `\text{(a)} \rightarrow \begin{cases} x = 1 \\ y = 2 \end{cases}`.
+    let is_arrow = |item: &Item| {
+        matches!(&item.layout, Layout::Command(name)
+            if ["\\Rightarrow", "\\rightarrow", "\\Leftrightarrow", "\\therefore"].contains(&name.as_str()))
+            || matches!(item.layout, Layout::Text(_) | Layout::Space(_))
+    };
+    let is_after_words = is_system(name, inner) && before.iter().all(is_arrow);
+    if !matches!(name.trim_end_matches('*'), "aligned" | "split" | "gathered" | "alignedat" | "align" | "gather")
+        && !is_after_words
+    {
         return vec![cells_of(row)];
     }
     let mut rows: Vec<Vec<Vec<&Item>>> =

@@ -1,4 +1,5 @@
-//! Bars in angle brackets: `\langle a|b \rangle`, `\langle a|`, `\langle |x|^2 \rangle`.
+//! Bars in angle brackets, `\langle a|b \rangle`, `\langle a|`, `\langle |x|^2 \rangle`; and a lone bar in a parenthesis,
+//! `P(A|B)`.
 
 use super::super::lexer::{Space, Token, TokenKind};
 
@@ -51,4 +52,22 @@ pub(super) fn bra_length(tokens: &[Token]) -> Option<usize> {
         }
     }
     bar
+}
+
+/// Whether the bar before these tokens stands alone in its parenthesis, which closes further on.
+pub(super) fn is_lone_bar(tokens: &[Token]) -> bool {
+    const FARTHEST: usize = 64;
+    let mut depth = 0_usize;
+    for token in tokens.iter().take(FARTHEST) {
+        match &token.kind {
+            TokenKind::Open | TokenKind::Other('(' | '[') => depth += 1,
+            TokenKind::Close | TokenKind::Other(')' | ']') => match depth.checked_sub(1) {
+                Some(less) => depth = less,
+                None => return token.kind == TokenKind::Other(')'),
+            },
+            TokenKind::Other('|') if depth == 0 => return false,
+            _ => {}
+        }
+    }
+    false
 }

@@ -46,3 +46,19 @@ pub(super) fn closing(token: &Token) -> Option<Delimiter> {
         _ => None,
     }
 }
+
+/// What opens a pair, for a message.
+pub(super) fn glyph(delimiter: Delimiter) -> &'static str {
+    match delimiter {
+        Delimiter::Round => "(",
+        Delimiter::Square => "[",
+        Delimiter::Curly => "\\{",
+        Delimiter::Bar => "\\lvert",
+        Delimiter::PlainBar => "|",
+        Delimiter::DoubleBar => "\\|",
+        Delimiter::Angle | Delimiter::Bra => "\\langle",
+        Delimiter::Ket => "|",
+        Delimiter::LeftOpen | Delimiter::RightOpen => "(",
+        Delimiter::Evaluation => "\\left.",
+    }
+}

@@ -118,3 +118,21 @@ pub(super) fn is_wide(length: &str) -> bool {
     };
     length[..digits].parse::<f64>().is_ok_and(|value| value >= least)
 }
+
+impl Item {
+    /// The rows of the one environment that is all there is in other rows; else those rows.
+    pub(super) fn inner_rows(rows: &[Vec<Vec<Item>>]) -> &[Vec<Vec<Item>>] {
+        let is_space = |item: &&Item| !matches!(item.layout, Layout::Space(_));
+        let [row] = rows else { return rows };
+        let [cell] = row.as_slice() else { return rows };
+        let mut items = cell.iter().filter(is_space);
+        match (items.next().map(|item| &item.layout), items.next()) {
+            (Some(Layout::Environment(name, inner)), None)
+                if ["aligned", "gathered", "split", "array"].contains(&name.as_str()) =>
+            {
+                inner
+            }
+            _ => rows,
+        }
+    }
+}

@@ -7,8 +7,8 @@ use crate::code::Code;
 use crate::source::{Fault, Span};
 
 use super::super::lexer::{Space, Token, TokenKind};
-use super::angles::{bars_before_angle, bra_length};
-use super::delimiters::{closing, is_plain_bar, opening};
+use super::angles::{bars_before_angle, bra_length, is_lone_bar};
+use super::delimiters::{closing, glyph, is_plain_bar, opening};
 use super::item::{Delimiter, Item, Layout, is_wide, letters};
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
@@ -232,6 +232,8 @@ impl<'a> Parser<'a> {
             TokenKind::Other('|') if self.peek().is_some_and(|next| next.kind == TokenKind::Sub) => Layout::Other('|'),
             // `\langle a | b \rangle`: a bar between brackets that is closed nowhere in them separates.
             TokenKind::Other('|') if self.angles > 0 && !self.is_closed_bar() => Layout::Other('|'),
+            // `P(A|B)`: a bar that is closed nowhere in its parenthesis.
+            TokenKind::Other('|') if is_lone_bar(&self.tokens[self.at..]) => Layout::Other('|'),
             TokenKind::Other('|') => return self.fence(Delimiter::PlainBar, span),
             TokenKind::Other(c) => Layout::Other(*c),
             TokenKind::Parameter(n) => return fault(span, format!("#{n} is allowed in a macro only")),
@@ -272,7 +274,11 @@ impl<'a> Parser<'a> {
         match self.peek() {
             Some(token) if token.kind == TokenKind::Close => {
                 self.next();
-                Item { layout: Layout::Group(items), span: open.to(token.span) }
+                // `{\nabla} h`
+                match items.as_slice() {
+                    [only] if only.layout == Layout::Command("\\nabla".to_owned()) => only.clone(),
+                    _ => Item { layout: Layout::Group(items), span: open.to(token.span) },
+                }
             }
             _ => self.unclosed(open, "{", items),
         }
@@ -316,18 +322,7 @@ impl<'a> Parser<'a> {
                 Item { layout: Layout::Fence(delimiter, items), span: open.to(token.span) }
             }
             _ => {
-                let glyph = match delimiter {
-                    Delimiter::Round => "(",
-                    Delimiter::Square => "[",
-                    Delimiter::Curly => "\\{",
-                    Delimiter::Bar => "\\lvert",
-                    Delimiter::PlainBar => "|",
-                    Delimiter::DoubleBar => "\\|",
-                    Delimiter::Angle | Delimiter::Bra => "\\langle",
-                    Delimiter::Ket => "|",
-                    Delimiter::LeftOpen | Delimiter::RightOpen => "(",
-                    Delimiter::Evaluation => "\\left.",
-                };
+                let glyph = glyph(delimiter);
                 self.unclosed(open, glyph, items)
             }
         }
@@ -435,7 +430,10 @@ impl<'a> Parser<'a> {
             && let [only] = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect::<Vec<_>>()[..]
             && let Layout::Environment(_, rows) = &only.layout
         {
-            return Item { layout: Layout::Environment("cases".to_owned(), rows.clone()), span: whole };
+            return Item {
+                layout: Layout::Environment("cases".to_owned(), Item::inner_rows(rows).to_vec()),
+                span: whole,
+            };
         }
         match (opening, closing(close)) {
             (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },

@@ -10,6 +10,8 @@
 //! | `\eval{f}_a^b`, `\order{x^3}` | the bar of an evaluation, a remainder |
 //! | `\mqty(…)`, `\mqty[…]` | a matrix |
 //! | `\sin[2](x)` | a power of a function |
+//! | `\braket{a|b}`, `\braket{a}{b}` | a product of states |
+//! | `\ev{A}`, `\expval{A}{\psi}` | a mean value, and one in a state |
 //! | `\num{1e3}`, `\ang{45}` | a number, and an angle in degrees |
 
 use crate::code::Code;
@@ -23,7 +25,7 @@ const TOTAL: [&str; 8] = ["dv", "derivative", "od", "odv", "deriv", "der", "dn",
 const PARTIAL: [&str; 9] =
     ["pdv", "partialderivative", "pderivative", "pd", "pdiff", "pder", "pderiv", "partd", "diffp"];
 const FUNCTIONS: [&str; 9] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "sec", "csc", "cot"];
-const OTHERS: [&str; 14] = [
+const OTHERS: [&str; 19] = [
     "dd",
     "differential",
     "diff",
@@ -38,6 +40,11 @@ const OTHERS: [&str; 14] = [
     "e",
     "div",
     "genfrac",
+    "braket",
+    "Braket",
+    "ev",
+    "expval",
+    "expectationvalue",
 ];
 
 /// Whether a command is one of these.
@@ -69,6 +76,8 @@ pub(super) fn expansion(
         _ if TOTAL.contains(&name) => Some(form.derivative("\\mathrm{d}", pending)?),
         _ if PARTIAL.contains(&name) => Some(form.derivative("\\partial", pending)?),
         _ if FUNCTIONS.contains(&name) => form.function(pending),
+        "braket" | "Braket" => Some(form.states(pending)?),
+        "ev" | "expval" | "expectationvalue" => Some(form.mean(pending)?),
         "dd" | "differential" | "diff" => Some(form.differential(pending, before)?),
         "qty" | "quantity" => Some(form.quantity(pending)?),
         "eval" | "evaluated" => Some(form.with("\\left.#1\\right|", pending)?),
@@ -138,7 +147,7 @@ impl Form<'_> {
         let third = if d == "\\partial" && order.is_none() { group(pending) } else { None };
         let by: Vec<Vec<Token>> = match &third {
             Some(third) => vec![second, third.clone()],
-            None => second.split(|token| token.kind == TokenKind::Other(',')).map(<[Token]>::to_vec).collect(),
+            None => split_at_commas(&second),
         };
         Ok(match (by.as_slice(), order) {
             ([by], None) => self.text(&format!("\\frac{{{d} #1}}{{{d} #2}}"), &[first, by.clone()]),
@@ -244,6 +253,39 @@ impl Form<'_> {
         })
     }
 
+    /// `\braket{a|b}` of the package braket, `\braket{a}{b}` of physics. One state alone is a mean value in the first and
+    /// a product with itself in the second.
+    fn states(&self, pending: &mut Vec<Token>) -> Result<Vec<Token>, Fault> {
+        star(pending);
+        let first = self.needed(pending)?;
+        let is_bar = |token: &Token| match &token.kind {
+            TokenKind::Other('|') => true,
+            TokenKind::Command(name) => ["\\vert", "\\mid", "\\middle"].contains(&name.as_str()),
+            _ => false,
+        };
+        if first.iter().any(is_bar) {
+            return Ok(self.text("\\langle #1\\rangle", &[first]));
+        }
+        match group(pending) {
+            Some(second) => Ok(self.text("\\langle #1|#2\\rangle", &[first, second])),
+            None => Err(Fault::ambiguous(
+                self.span,
+                format!("\\{} with one state may be a mean value or a product of the state with itself", self.name),
+            )
+            .help("write \\langle a \\rangle or \\langle a | a \\rangle")),
+        }
+    }
+
+    /// `\ev{A}`, `\ev{A}{\psi}`.
+    fn mean(&self, pending: &mut Vec<Token>) -> Result<Vec<Token>, Fault> {
+        star(pending);
+        let inner = self.needed(pending)?;
+        Ok(match group(pending) {
+            Some(state) => self.text("\\langle #2|#1|#2\\rangle", &[inner, state]),
+            None => self.text("\\langle #1\\rangle", &[inner]),
+        })
+    }
+
     /// `\num{1.5e3}`.
     fn number(&self, pending: &mut Vec<Token>) -> Result<Vec<Token>, Fault> {
         let inner = self.needed(pending)?;
@@ -253,6 +295,27 @@ impl Form<'_> {
             Some(at) => self.text("#1\\cdot 10^{#2}", &[inner[..at].to_vec(), inner[at + 1..].to_vec()]),
         })
     }
+}
+
+/// The parts between the commas that stand in no parenthesis and no group: `x,y`, `\dot\phi(t, x)`.
+fn split_at_commas(tokens: &[Token]) -> Vec<Vec<Token>> {
+    let mut depth = 0_i32;
+    let mut parts = vec![Vec::new()];
+    for token in tokens {
+        match token.kind {
+            TokenKind::Open | TokenKind::Other('(' | '[') => depth += 1,
+            TokenKind::Close | TokenKind::Other(')' | ']') => depth -= 1,
+            TokenKind::Other(',') if depth == 0 => {
+                parts.push(Vec::new());
+                continue;
+            }
+            _ => {}
+        }
+        if let Some(part) = parts.last_mut() {
+            part.push(token.clone());
+        }
+    }
+    parts
 }
 
 /// Takes `(…)` if it is next, without the parentheses.
@@ -299,6 +362,12 @@ mod tests {
             ("\\mqty(a & b \\\\ c & d)", "\\begin{pmatrix}a & b \\\\ c & d\\end{pmatrix}"),
             ("\\sin[2](x)", "\\sin^{2}(x)"),
             ("\\num{1.5e3}", "1.5\\cdot 10^{3}"),
+            ("\\ket{\\psi}", "|\\psi\\rangle"),
+            ("\\braket{a|b}", "\\langle a|b\\rangle"),
+            ("\\braket{a}{b}", "\\langle a|b\\rangle"),
+            ("\\ev{A}{b}", "\\langle b|A|b\\rangle"),
+            ("\\mel{a}{B}{c}", "\\langle a|B|c\\rangle"),
+            ("\\pdv{f}{u(t, x)}", "\\frac{\\partial f}{\\partial u(t, x)}"),
             ("\\order{h^3}", "\\mathcal{O}\\left(h^3\\right)"),
             ("= \\div \\vec E", "= \\nabla\\cdot \\vec E"),
             ("\\vb{a} \\vdot \\vu{n}", "\\mathbf{a} \\cdot \\hat{n}"),
@@ -312,7 +381,7 @@ mod tests {
         );
         assert_ne!(kinds("\\pdv{f}{x}{y}"), kinds("\\pdv{f}{y}{x}"));
         assert_eq!(kinds("\\sin[2x]").len(), 5);
-        for broken in ["\\qty{3}{kg}", "\\SI{3}{kg}", "\\dv", "\\pdv{", "\\vb"] {
+        for broken in ["\\qty{3}{kg}", "\\SI{3}{kg}", "\\braket{a}", "\\dv", "\\pdv{", "\\vb"] {
             assert!(Macros::default().expand(tokens(broken)).is_err(), "{broken}");
         }
     }

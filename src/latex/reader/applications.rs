@@ -66,7 +66,12 @@ impl Reader<'_> {
                     let argument = self.item(next)?;
                     *cursor += 1;
                     let whole = span.to(argument.span);
-                    return Ok(self.template("#(#)", vec![expr, argument], whole));
+                    let template = match &next.layout {
+                        Layout::Fence(Delimiter::Curly, _) => "#\\{#\\}",
+                        Layout::Fence(Delimiter::Square, _) => "#[#]",
+                        _ => "#(#)",
+                    };
+                    return Ok(self.template(template, vec![expr, argument], whole));
                 }
                 found => found?,
             },
@@ -102,8 +107,15 @@ impl Reader<'_> {
         let has_operator = inside.iter().any(|item| {
             matches!(&item.layout, Layout::Command(name) if ["\\nabla", "\\cdot", "\\times"].contains(&name.as_str()))
         });
-        let is_product =
-            is_pair || sup.is_some() && !is_function(entry) && inside.len() > 1 || is_vector && has_operator;
+        // `k_1[E]`: a concentration after a constant; `S[q]` is a functional.
+        let is_bracketed = matches!(fence.layout, Layout::Fence(Delimiter::Square, _))
+            && matches!(inside.as_slice(), [only] if self.lone_name(only).is_some())
+            && !is_function(entry)
+            && entry.name.base.chars().all(char::is_lowercase);
+        let is_product = is_pair
+            || is_bracketed
+            || sup.is_some() && !is_function(entry) && inside.len() > 1
+            || is_vector && has_operator;
         let named = match sup {
             _ if is_plain || !is_call && !is_product => return Ok(None),
             Some(sup) => self.raised(expr.clone(), sup, expr.span)?,
@@ -129,8 +141,17 @@ impl Reader<'_> {
 
     /// Whether a name that usually stands for a function has a parenthesis after it, without a script, that holds one term.
     fn is_applied(&self, id: SymbolId, next: &Item) -> bool {
-        let Layout::Fence(Delimiter::Round, inside) = &next.layout else { return false };
+        let Layout::Fence(delimiter, inside) = &next.layout else { return false };
         let entry = self.symbols.entry(id);
+        // `\mathcal{F}\{f(x)\}`, `\mathcal{L}[f]`: a transform, whatever stands in it.
+        let is_transform = matches!(delimiter, Delimiter::Curly | Delimiter::Square)
+            && ["\\mathcal{", "\\mathscr{", "\\mathfrak{"].iter().any(|style| entry.name.base.starts_with(style));
+        if is_transform && !inside.iter().any(relation_or_comma) {
+            return !inside.is_empty();
+        }
+        if *delimiter != Delimiter::Round {
+            return false;
+        }
         let is_usual = is_function(entry)
             || FIELDS.contains(&entry.name.base.as_str())
             || self.is_inferred_function(&entry.name)

@@ -182,6 +182,20 @@ impl Reader<'_> {
         {
             return self.matrix(name, rows, span);
         }
+        // Nobody puts one letter in square brackets for a product: it is a concentration, a unit or a matrix.
+        if delimiter == Delimiter::Square
+            && self.symbols.may_be_abstract
+            && matches!(items, [only] if names::printed(only, None).is_some_and(|found| found.sup.is_none()))
+        {
+            return match self.is_abstract() {
+                true => {
+                    let inner = self.item(&items[0])?;
+                    Ok(self.template("[#]", vec![inner], span))
+                }
+                false => Err(Fault::unsupported(span, "a letter alone in square brackets has no value here")
+                    .help("write parentheses for a product")),
+            };
+        }
         match delimiter {
             Delimiter::Round | Delimiter::Square | Delimiter::Curly => {
                 let mut inner = self.sum(items, span)?;

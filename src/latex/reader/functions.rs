@@ -110,7 +110,7 @@ impl Reader<'_> {
             .split_last()
             .map(|(last, short)| (said(short), said(std::slice::from_ref(last)), said(&items[..long])));
         match parts {
-            Some((Some(short), Some(last), Some(long))) => {
+            Some((Some(short), Some(last), Some(long))) if !short.is_empty() => {
                 format!("the argument of \\{name} may end in two places: {name}({short})·{last} or {name}({long})")
             }
             _ => format!("\\{name} x y may be {name}(x)·y or {name}(x·y)"),
@@ -203,11 +203,29 @@ impl Reader<'_> {
             && next.is_some_and(|item| is_number(item) || self.is_leading_number(item, false));
         let could_go_on = multiplied
             || number_follows
-            || parenthesis && !run.has_angle() && function_head(&items[run.end])?.is_none()
+            || parenthesis
+                && !run.has_angle()
+                && !self.ends_before(run, &items[run.end])
+                && function_head(&items[run.end])?.is_none()
             || run.stands_alone && self.goes_on(items, run.end)
             || !run.has_angle() && self.time_follows(items, run.end)
             || self.rate_goes_on(run, items);
         Ok(sure && !could_go_on)
+    }
+
+    /// Whether a parenthesis after one angle is a factor: `\cos\theta(1 + \cos\theta)`, `\sin\theta[\omega]`. A place or a time
+    /// in it may be the argument of the angle.
+    fn ends_before(&self, run: &Run, next: &Item) -> bool {
+        let [(_, name)] = run.symbols.as_slice() else { return false };
+        let is_usual =
+            ["\\theta", "\\phi", "\\varphi", "\\vartheta", "\\alpha", "\\beta"].contains(&name.base.as_str());
+        let fence = if let Layout::Scripts { nucleus, .. } = &next.layout { nucleus } else { next };
+        let Layout::Fence(delimiter, inside) = &fence.layout else { return false };
+        let has_function = inside.iter().any(|item| matches!(function_head(item), Ok(Some(_))));
+        let starts_with_number = inside.first().is_some_and(|item| matches!(item.layout, Layout::Number(_)));
+        let is_sum = inside.iter().skip(1).any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+        let is_factor = *delimiter == Delimiter::Square || is_sum && starts_with_number && has_function;
+        self.symbols.open && is_usual && !self.is_inferred_function(name) && is_factor
     }
 
     /// Whether a symbol follows a dotted symbol, as in `\cos\dot\phi t`.

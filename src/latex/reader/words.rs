@@ -49,7 +49,16 @@ pub(super) fn are_no_words(items: &[Item], open: bool, is_abstract: bool) -> Rea
             span = span.to(place);
             at += 1;
         }
+        let has_index = matches!(items[at].layout, Layout::Scripts { sub: Some(_), .. });
         at += 1;
+        // `ad_V` is the adjoint; `ad - bc` has no index.
+        if open && has_index && (word == "ad" || word == "Ad") {
+            return Err(Fault::ambiguous(span, format!("{word} may be the adjoint operator or a product")).help(
+                format!(
+                    "write \\operatorname{{{word}}} for the operator, and a space \\, between the letters of a product"
+                ),
+            ));
+        }
         is_no_word(&word, span, open, is_abstract)?;
     }
     Ok(())

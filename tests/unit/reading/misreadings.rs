@@ -260,12 +260,13 @@ fn values_and_names_in_a_list_are_no_statements() {
         ("b = 1,000", ","),
         ("b = 1{,}000", ","),
         ("a.b", "."),
-        ("a + ... + b", "."),
+        ("a + .. + b", "."),
         (r"a = b \quad (2)", "(2)"),
         (r"a = b \;(2)", "(2)"),
         (r"a = 1 \text{ or } a = 2", r"\text{ or }"),
     ]);
     read_openly(&[
+        ("a + ... + b", "a + … + b"),
         ("a = 1, b = 2", "a = 1 | b = 2"),
         ("a, b", "a | b"),
         ("a = b. ", "a = b"),

@@ -23,9 +23,12 @@ impl Reader<'_> {
             };
             let place = value.first().map_or(span, |item| item.span);
             let value = self.sum(trimmed(value), place)?;
-            let conditions = match self.condition(trimmed(condition), place)? {
-                Stated::Otherwise => Vec::new(),
-                Stated::Holds(conditions) => conditions,
+            let conditions = match self.condition(trimmed(condition), place) {
+                Ok(Stated::Otherwise) => Vec::new(),
+                Ok(Stated::Holds(conditions)) => conditions,
+                // A word such as “boson” is shown.
+                Err(_) if self.is_abstract() => vec![self.unread_condition(trimmed(condition), place)],
+                Err(fault) => return Err(fault),
             };
             branches.push(Branch { value, conditions });
         }

@@ -227,7 +227,25 @@ fn is_upright_i(item: &Item) -> bool {
 
 /// Whether the letter i must be √−1 here.
 fn has_imaginary_unit(items: &[Item]) -> bool {
-    is_evident(items) && !is_index(items)
+    (is_evident(items) || has_hbar(items) && mentions(items)) && !is_index(items)
+}
+
+/// Whether ħ stands anywhere: i is no current in such a display.
+fn has_hbar(items: &[Item]) -> bool {
+    let is_hbar = |item: &Item| {
+        let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
+        matches!(&nucleus.layout, Layout::Command(name) if name == "\\hbar")
+    };
+    items.iter().any(|item| is_hbar(item) || parts(item).into_iter().any(has_hbar))
+}
+
+/// `\begin{pmatrix} 0 & -i \\ i & 0 \end{pmatrix}`: a matrix of numbers and i.
+fn is_matrix_of_units(rows: &[Vec<Vec<Item>>]) -> bool {
+    let is_part = |item: &Item| {
+        is_i(item) || matches!(item.layout, Layout::Number(_) | Layout::Space(_) | Layout::Other('+' | '-'))
+    };
+    let mut cells = rows.iter().flatten();
+    rows.len() > 1 && cells.clone().flatten().any(is_i) && cells.all(|cell| cell.iter().all(is_part))
 }
 
 fn is_evident(items: &[Item]) -> bool {
@@ -255,6 +273,7 @@ fn is_evident(items: &[Item]) -> bool {
         Layout::Fraction(above, below) if matches!(contents(above), [only] if is_i(only)) => {
             contents(below).iter().all(|item| matches!(item.layout, Layout::Number(_) | Layout::Root(..)))
         }
+        Layout::Environment(name, rows) if is_matrix(name) => is_matrix_of_units(rows),
         Layout::Command(name) if name == "\\exp" => {
             solid.get(at + 1).is_some_and(|next| matches!(&next.layout, Layout::Fence(_, inside) if mentions(inside)))
         }

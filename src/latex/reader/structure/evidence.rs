@@ -4,8 +4,9 @@
 use crate::formula::symbols::{Inferred, Name};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::lexer::Space;
 use super::super::super::names;
-use super::super::items::{contents, is_transpose};
+use super::super::items::{contents, is_transpose, whole_number};
 
 /// Records it.
 pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
@@ -22,6 +23,8 @@ pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
     let beside_itself = found.transposed.iter().any(is_plain) && !is_plain(&Name::plain("T"));
     inferred.has_transposes |=
         found.transposes > 1 || found.transposes == 1 && found.has_matrix || found.transposes > 0 && beside_itself;
+    // `J^T F`: nobody multiplies by the T-th power of a letter, if T stands nowhere else.
+    inferred.has_transposes |= found.transposed_factors > 0 && !is_plain(&Name::plain("T"));
     inferred.has_states |= found.has_states;
     let has_others = found.plain.iter().any(|name| name.base != "e");
     inferred.charge |= (found.has_constants || found.has_lone_e && has_others) && !found.has_exponential;
@@ -40,12 +43,11 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         "\\phi",
         "\\varphi",
         "\\Theta",
-        "Y",
-        "J",
         "O",
         "\\mathcal{O}",
         "\\zeta",
         "\\delta",
+        "\\iota",
     ];
     let of_a_place = ["V", "U", "F", "u", "g", "h", "G", "W", "H", "y", "\\rho", "\\eta", "v", "q", "x"];
     let is_place = |item: &Item| {
@@ -74,7 +76,8 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
                 ["h", "a", "T", "\\xi", "\\epsilon", "\\varepsilon", "c", "v"].contains(&found.name.base.as_str())
             })
     };
-    let is_legendre = base == "P" && !name.subscript.is_empty();
+    // P_l, J_n, Y_{lm}
+    let is_legendre = ["P", "J", "Y"].contains(&base) && !name.subscript.is_empty();
     let is_known = always.contains(&base) || is_legendre || base.starts_with("\\mathcal{");
     is_known && name.primes == 0
         || of_a_place.contains(&base)
@@ -96,6 +99,29 @@ const GREEK: [&str; 10] =
 /// Latin letters that are usual as indices.
 const LATIN: [&str; 9] = ["a", "b", "c", "d", "i", "j", "k", "l", "m"];
 
+/// A letter with a T above it, and no number: `J^T`, `\dot q^T`.
+fn is_transposed(item: &Item) -> bool {
+    let Layout::Scripts { nucleus, sup: Some(sup), .. } = &item.layout else { return false };
+    is_transpose(sup) && names::printed(nucleus, None).is_some_and(|found| found.name.base != "e")
+}
+
+/// Whether a fraction is one of charges, `\frac{e^2}{r}`, `\frac{m e^4}{2}`: an even power of e over a distance, or beside
+/// a letter that no exponential has as a factor.
+fn is_of_charges(above: &Item, below: &Item) -> bool {
+    let is_even = |item: &Item| {
+        matches!(&item.layout, Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+            if nucleus.layout == Layout::Letter('e') && matches!(whole_number(sup), Some(2 | 4 | 6)))
+    };
+    let is_one_of = |items: &[Item], letters: &[&str]| {
+        items
+            .iter()
+            .filter_map(|item| names::printed(item, None))
+            .any(|found| letters.contains(&found.name.base.as_str()))
+    };
+    contents(above).iter().any(is_even)
+        && (is_one_of(contents(below), &["r", "R", "a", "|"]) || is_one_of(contents(above), &["m", "k", "Z", "N", "n"]))
+}
+
 #[derive(Default)]
 struct Found {
     /// The letters of subscripts that consist of index letters.
@@ -104,6 +130,8 @@ struct Found {
     /// The names below a T, and all others.
     transposed: Vec<Name>,
     plain: Vec<Name>,
+    /// The number of letters below a T with another factor after them.
+    transposed_factors: usize,
     /// Whether a subscript has two index letters, and the letters of superscripts with two.
     has_pairs: bool,
     pairs: Vec<String>,
@@ -117,8 +145,14 @@ struct Found {
 
 impl Found {
     fn list(&mut self, items: &[Item]) {
-        for item in items {
+        for (at, item) in items.iter().enumerate() {
             self.one(item);
+            let next = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(Space::Thin)));
+            let is_factor = |item: &Item| {
+                names::printed(item, None).is_some()
+                    || matches!(item.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _))
+            };
+            self.transposed_factors += usize::from(is_transposed(item) && next.is_some_and(is_factor));
         }
     }
 
@@ -178,6 +212,7 @@ impl Found {
             Layout::Fence(Delimiter::Ket | Delimiter::Bra, _) => self.has_states = true,
             Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
             Layout::Fraction(a, b) => {
+                self.has_constants |= is_of_charges(a, b);
                 self.one(a);
                 self.one(b);
             }

@@ -50,7 +50,8 @@ impl Reader<'_> {
     /// Items with a sign between formulas, or a comma; `None` if there is none.
     pub(in super::super) fn infix(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
         let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
-        let is_relation = |item: &Item| sign(item, &RELATIONS) || item.layout == Layout::Other(':');
+        // The bar of `P(A|B)` too; one with a place below it belongs to what stands before.
+        let is_relation = |item: &Item| sign(item, &RELATIONS) || matches!(item.layout, Layout::Other(':' | '|'));
         let is_sum = |item: &Item| sign(item, &SUMS);
         if let Some(at) = (1..items.len().max(1) - 1).find(|at| is_comma(&items[*at]) && joins_digits(items, *at)) {
             return Err(Fault::ambiguous(
@@ -103,11 +104,19 @@ impl Reader<'_> {
                 _ => " \\rightarrow #".to_owned(),
             });
         }
+        let mut is_set = false;
         for part in items.split(divides) {
+            let before =
+                part.first().and_then(|first| items.iter().rev().find(|item| item.span.end <= first.span.start));
+            is_set |= before.is_some_and(|sign| self::sign(sign, &["\\in", "\\notin", "\\subset", "\\subseteq"]));
             let is_blank = part.iter().all(|item| matches!(item.layout, Layout::Space(_)));
             parts.push(match is_blank {
                 true => self.template("", Vec::new(), place),
-                false => self.sum(part, place)?,
+                // A set has a name of its own, `SE(3)`, `C^\infty(M)`.
+                false => match self.sum(part, place) {
+                    Err(_) if is_set && part.iter().all(is_part_of_a_set) => self.label(part, place),
+                    found => found?,
+                },
             });
         }
         Ok(self.template(&template, parts, place))
@@ -159,11 +168,30 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a comma stands directly between digits.
+/// Whether a comma stands directly between digits, and may be a part of a number: not in `0,1,2`, which has another one.
 fn joins_digits(items: &[Item], at: usize) -> bool {
-    let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
+    let digits = |at: usize| match items.get(at).map(|item| &item.layout) {
+        Some(Layout::Number(digits)) => Some(digits.len()),
+        _ => None,
+    };
+    let is_comma = |at: usize| items.get(at).is_some_and(|item| item.layout == Layout::Other(','));
     let touches = items[at - 1].span.end == items[at].span.start && items[at].span.end == items[at + 1].span.start;
-    touches && is_number(&items[at - 1]) && is_number(&items[at + 1])
+    let is_part = |before: usize, after: usize| match (digits(before), digits(after)) {
+        (Some(_), Some(3)) => true,
+        (Some(_), Some(_)) => !is_comma(after + 1) && !(before > 0 && is_comma(before - 1)),
+        _ => false,
+    };
+    touches && is_part(at - 1, at + 1)
+}
+
+/// Letters, numbers and parentheses: the name of a set.
+fn is_part_of_a_set(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Letter(_) | Layout::Number(_) | Layout::Style(..) | Layout::Space(_) | Layout::Fence(..) => true,
+        Layout::Scripts { nucleus, .. } => is_part_of_a_set(nucleus),
+        Layout::Command(name) => name == "\\times",
+        _ => false,
+    }
 }
 
 fn sign(item: &Item, signs: &[&str]) -> bool {

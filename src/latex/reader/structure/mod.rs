@@ -81,6 +81,8 @@ impl Reader<'_> {
                     "\\bullet",
                     "\\cdot",
                     "\\circ",
+                    "\\star",
+                    "\\ast",
                     "\\uparrow",
                     "\\downarrow",
                     "\\hslash",
@@ -133,7 +135,14 @@ impl Reader<'_> {
                 };
                 let inner = self.item(&inner)?;
                 let below = printed(contents(sub));
-                let base = self.template(&format!("#_{{{below}}}"), vec![inner], span);
+                // Parentheses around one factor are shown: the script belongs to all of it.
+                let is_one = matches!(inner.node, Node::Apply(..) | Node::Symbol { .. });
+                let holder = match &nucleus.layout {
+                    Layout::Fence(Delimiter::Square, _) if is_one => "[#]",
+                    Layout::Fence(Delimiter::Round, inside) if is_one && !is_derivative(inside) => "(#)",
+                    _ => "#",
+                };
+                let base = self.template(&format!("{holder}_{{{below}}}"), vec![inner], span);
                 Some(match sup {
                     Some(sup) => self.raised(base, sup, span)?,
                     None => base,
@@ -146,6 +155,11 @@ impl Reader<'_> {
             _ => None,
         })
     }
+}
+
+/// Whether a fraction stands alone, as in `(\partial S/\partial V)_T`.
+fn is_derivative(items: &[Item]) -> bool {
+    matches!(items, [Item { layout: Layout::Fraction(..), .. }])
 }
 
 /// Items as they are printed, for a template.
