@@ -43,7 +43,7 @@ impl Solution {
     /// The solution that a link prints: a coordinate on the left, and on the right the time and constants only.
     pub(crate) fn of_link(link: &Link, model: &Model) -> Option<Solution> {
         let Node::Symbol { id, indices, dots } = &link.lhs.node else { return None };
-        let is_coordinate = matches!(model.meaning(*id), Some(Meaning::Coordinate(_)));
+        let is_coordinate = model.is_coordinate(*id);
         let fits = is_equality(link.relation) && is_coordinate && indices.is_empty() && model.has_motion();
         if !fits || !contains_time(&link.rhs, model) || !is_of_time_and_constants(&link.rhs, model) {
             return None;
@@ -196,7 +196,9 @@ fn on_the_solution(solution: &Solution, others: &[Solution], context: &Context<'
 
 /// The constants of a solution that the motion does not depend on: those of integration.
 fn constants_of_integration(solution: &Solution, model: &Model) -> Vec<SymbolId> {
-    let lagrangian = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
+    let lagrangian = model.printed_lagrangian.as_ref().map(|printed| &printed.lagrangian);
+    let hamiltonian = model.printed_hamiltonian.as_ref().map(|printed| &printed.hamiltonian);
+    let lagrangian = lagrangian.or(hamiltonian).and_then(|name| model.symbols.find(name));
     let of_motion = match lagrangian {
         Some((id, _)) => {
             let node = Node::Symbol { id, indices: Vec::new(), dots: 0 };
@@ -272,7 +274,7 @@ pub(crate) fn in_first_order(
 
 /// Whether a link may print an orbit: q, or 1/q, as a function of other coordinates.
 pub(crate) fn is_an_orbit(link: &Link, model: &Model) -> bool {
-    let moves = |(id, _): &(SymbolId, u8)| matches!(model.meaning(*id), Some(Meaning::Coordinate(_)));
+    let moves = |(id, _): &(SymbolId, u8)| model.is_coordinate(*id);
     let coordinates = |side: &Expr| side.symbols().into_iter().filter(|symbol| moves(symbol)).collect::<Vec<_>>();
     let (left, right) = (coordinates(&link.lhs), coordinates(&link.rhs));
     let is_still = |side: &[(SymbolId, u8)]| side.iter().all(|(_, dots)| *dots == 0);
