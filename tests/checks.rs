@@ -31,6 +31,8 @@ mod evidence;
 mod families;
 #[path = "checks/laws.rs"]
 mod laws;
+#[path = "checks/mechanics.rs"]
+mod mechanics;
 #[path = "checks/names.rs"]
 mod names;
 #[path = "checks/own_system.rs"]

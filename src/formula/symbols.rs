@@ -157,6 +157,8 @@ pub struct Symbols {
     pub for_each: Option<IndexId>,
     /// Names that were understood without a declaration, with their meaning: `r_i` for |r⃗_i|.
     pub derived: BTreeMap<String, String>,
+    /// The coordinates of the document, each with the names that are known to be its momentum.
+    pub canonical: Vec<(SymbolId, Vec<SymbolId>)>,
     /// What the use of letters shows, in formulas without declarations.
     pub inferred: Inferred,
 }

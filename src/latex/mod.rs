@@ -56,7 +56,7 @@ pub use definitions::DefinedSymbol;
 #[cfg(feature = "notes")]
 pub use macros::Macros;
 #[cfg(feature = "notes")]
-pub use reader::{derivative_name, read_formula};
+pub use reader::{derivative_name, pairs_by_name, read_formula};
 #[cfg(feature = "notes")]
 pub use statements::{Reading, read_display};
 pub use typeset::typeset;

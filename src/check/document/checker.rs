@@ -252,7 +252,7 @@ impl Checker<'_> {
         let printed = printed.unwrap_or_default();
         let units_off = !self.claims.units.is_empty()
             && printed.iter().any(|(display, _)| self.assigned[*display].is_some_and(|c| c.units_off.is_some()));
-        Ok(Law { name: name.value.clone(), printed, hypotheses, units_off })
+        Ok(Law { name: name.value.clone(), printed, hypotheses, units_off, derived: false })
     }
 
     /// The statements that an address names, as the display and the index in it. `None`, if the text is not an address.

@@ -5,6 +5,9 @@
 
 pub(crate) mod checker;
 pub(crate) mod inferred_hamiltonian;
+pub(crate) mod inferred_momenta;
+pub(crate) mod integration_constants;
+pub(crate) mod motion_by_laws;
 pub(crate) mod names;
 pub(crate) mod printed_lagrangian;
 pub(crate) mod reading;

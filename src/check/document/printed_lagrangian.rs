@@ -16,6 +16,7 @@ use crate::scalar::Symbol;
 use crate::source::Fault;
 use crate::{Error, Result};
 
+use crate::check::document::motion_by_laws;
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link};
@@ -65,11 +66,14 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
             .help("write the Lagrangian in coordinates and velocities"));
     }
     let formula = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, printed.place);
-    if derivatives(&formula, model) > 1 {
-        return Err(error(format!("{shown} contains accelerations, which is not supported"))
-            .help("subtract a total time derivative, so that only velocities are left"));
-    }
     applied_forces(claims, model)?;
+    if derivatives(&formula, model) > 1 {
+        return match motion_by_laws::of_the_lagrangian(model, symbol) {
+            true => Ok(()),
+            false => Err(error(format!("no motion follows from {shown}, which contains accelerations"))
+                .help("subtract a total time derivative, so that only velocities are left")),
+        };
+    }
     trace(model, symbol).map_err(|refused| {
         let help = refused.advice().map(str::to_owned);
         let error = error(format!("no motion follows from {shown}: {}", refused.message()));
@@ -78,6 +82,9 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
             None => error,
         }
     })?;
+    if motion_by_laws::is_singular(model) && motion_by_laws::of_the_lagrangian(model, symbol) {
+        return Ok(());
+    }
     let coordinates: Vec<String> = model.coordinates.iter().map(|c| text::plain(&model.name(c.symbol))).collect();
     model.inferred.push(format!(
         "the system is the Lagrangian {shown} that the notes define, in the coordinates {}",
@@ -153,6 +160,9 @@ fn applied_forces(claims: &Claims, model: &mut Model) -> Result<()> {
 /// # Errors
 /// When its formula is no number made of coordinates, velocities, constants and the time.
 pub(crate) fn retrace(model: &mut Model) -> Result<()> {
+    if motion_by_laws::again(model)? {
+        return Ok(());
+    }
     let Some(printed) = &model.printed_lagrangian else { return Ok(()) };
     match model.symbols.find(&printed.lagrangian) {
         Some((symbol, _)) => trace(model, symbol),
@@ -163,7 +173,8 @@ pub(crate) fn retrace(model: &mut Model) -> Result<()> {
 /// Whether the Lagrangian that the notes print is this symbol, or is defined by it.
 pub(crate) fn is_part(model: &Model, symbol: SymbolId) -> bool {
     let printed = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
-    printed.is_some_and(|(lagrangian, _)| lagrangian == symbol || chain(model, lagrangian).contains(&symbol))
+    let printed = printed.map(|(lagrangian, _)| lagrangian).or_else(|| motion_by_laws::hamiltonian(model));
+    printed.is_some_and(|printed| printed == symbol || chain(model, printed).contains(&symbol))
         || is_force(model, symbol)
 }
 

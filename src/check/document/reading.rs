@@ -17,15 +17,16 @@ use crate::formula::symbols::Name;
 use crate::formula::{Expr, IndexId, Kind, Statement, SymbolId, Symbols};
 use crate::latex::{Reading, name_search, names, read_display, read_formula};
 use crate::notes::Notes;
-use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
+use crate::notes::claims::{Claim, Claims, Components, Declaration, Erratum, Spanned};
 use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
+use crate::check::document::integration_constants;
 use crate::check::document::unreadable::{UnreadableDisplays, faults};
 use crate::check::model::claim::is_equality;
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::{Meaning, Quantity};
-use crate::check::model::{Model, particles};
+use crate::check::model::{Model, functions, particles};
 
 /// Reads the displays, in their order, and the definitions of the claims file, which are added to the model.
 ///
@@ -59,6 +60,7 @@ pub(crate) fn read_all(
         claims,
         definitions: claims.define.iter().collect(),
         of_particles: claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect(),
+        functions: functions::later(claims, model),
     };
     pending.define_what_is_ready(model);
     loop {
@@ -104,7 +106,7 @@ pub(crate) fn read_all(
                     break;
                 }
             }
-        } else {
+        } else if !unread.iter().any(|(at, _, reading)| integration_constants::declare(&texts[*at], reading, model)) {
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
             let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
             if !pending.drop_unreadable(&UnreadableDisplays::of(notes, all), model)? {
@@ -112,6 +114,9 @@ pub(crate) fn read_all(
             }
         }
         pending.define_what_is_ready(model);
+    }
+    if let Some(function) = pending.functions.first() {
+        functions::require(claims, function, model)?;
     }
     for at in 0..readings.len() {
         if readings[at].is_none() {
@@ -159,16 +164,20 @@ struct Pending<'a> {
     claims: &'a Claims,
     definitions: Vec<&'a (Spanned<String>, Spanned<String>)>,
     of_particles: Vec<&'a (Spanned<String>, Spanned<String>)>,
+    functions: Vec<&'a Declaration>,
 }
 
 impl Pending<'_> {
     /// Adds every definition whose names are all known now.
     fn define_what_is_ready(&mut self, model: &mut Model) {
         loop {
-            let before = self.definitions.len() + self.of_particles.len();
+            let before = self.definitions.len() + self.of_particles.len() + self.functions.len();
+            self.functions.retain(|declaration| {
+                !functions::declare_later(self.claims, declaration, model).is_ok_and(|done| done)
+            });
             self.definitions.retain(|(name, body)| define(self.claims, name, body, model).is_err());
             self.of_particles.retain(|(name, meaning)| particles::declare(self.claims, name, meaning, model).is_err());
-            if before == self.definitions.len() + self.of_particles.len() {
+            if before == self.definitions.len() + self.of_particles.len() + self.functions.len() {
                 return;
             }
         }
@@ -296,7 +305,13 @@ fn note_formula(statement: &Statement, model: &mut Model) {
     }
     let is_momentum = |symbol: &SymbolId| model.symbols.entry(*symbol).momentum;
     let has_momentum = |member: &&Expr| member.symbols().iter().any(|(symbol, _)| is_momentum(symbol));
-    let has_velocity = |member: &&Expr| member.symbols().iter().any(|(_, dots)| *dots > 0);
+    // A Routhian has the momentum of one coordinate beside the velocities of others.
+    let of_its_momentum = |member: &Expr, id: SymbolId| {
+        let pair = model.symbols.canonical.iter().find(|(q, _)| *q == id);
+        pair.is_none_or(|(_, momenta)| member.symbols().iter().any(|(other, _)| momenta.contains(other)))
+    };
+    let has_velocity =
+        |member: &&Expr| member.symbols().iter().any(|(id, dots)| *dots > 0 && of_its_momentum(member, *id));
     let contains_it = |member: &&Expr| member.symbols().iter().any(|(other, _)| *other == id);
     let candidates = || others.iter().filter(|member| !contains_it(member));
     let in_momenta = candidates().filter(has_momentum).rfind(|member| !has_velocity(member));
@@ -304,6 +319,28 @@ fn note_formula(statement: &Statement, model: &mut Model) {
     let found = in_momenta.or_else(|| candidates().rfind(|member| is_energy && !has_velocity(member))).or_else(any);
     if let Some(formula) = found {
         model.symbols.entry_mut(id).definition = Some(Arc::new(formula.clone()));
+    }
+}
+
+/// Notes that a name is a momentum, where a display sets it equal to one: `\ell = \frac{\partial L}{\partial\dot\phi} = m r^2\dot\phi`.
+fn note_momentum(statement: &Statement, model: &mut Model) {
+    let ids: Vec<SymbolId> = statement.members.iter().filter_map(Expr::as_plain_symbol).collect();
+    let place = ids.iter().find_map(|id| match model.meaning(*id) {
+        Some(Meaning::System(Quantity::Momentum(place))) => Some(*place),
+        _ => None,
+    });
+    let Some(place) = place.filter(|_| statement.relations.iter().all(|relation| is_equality(relation.0))) else {
+        return;
+    };
+    let q = model.coordinates.get(place).map(|coordinate| coordinate.symbol);
+    let is_defined = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Defined(_)));
+    let defined: Vec<SymbolId> = ids.into_iter().filter(is_defined).collect();
+    for id in defined {
+        model.symbols.entry_mut(id).momentum = true;
+        let pairs = &mut model.symbols.canonical;
+        if let Some((_, names)) = pairs.iter_mut().find(|(known, names)| Some(*known) == q && !names.contains(&id)) {
+            names.push(id);
+        }
     }
 }
 
@@ -315,6 +352,7 @@ fn accept((symbols, reading): (Symbols, Reading), model: &mut Model) -> Reading 
     }
     for statement in reading.statements.iter().flatten() {
         note_formula(statement, model);
+        note_momentum(statement, model);
         let first = statement.members.first().and_then(Expr::as_plain_symbol);
         if let Some(id) =
             first.filter(|id| statement.constant.is_some() && model.symbols.entry(*id).definition.is_some())

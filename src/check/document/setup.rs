@@ -12,7 +12,9 @@ use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::repeated;
-use crate::check::document::{inferred_hamiltonian, printed_lagrangian, reading, units};
+use crate::check::document::{
+    inferred_hamiltonian, inferred_momenta, motion_by_laws, printed_lagrangian, reading, units,
+};
 use crate::check::model::Model;
 use crate::check::sample::context::Options;
 use crate::check::verdict::progress::Progress;
@@ -63,10 +65,12 @@ pub(crate) fn with_checker<T>(
     define_macros(&notes.macros, &mut macros);
     repeated_numbers(notes)?;
     let mut model = Model::new(claims, macros, run.registry)?;
+    inferred_momenta::infer(claims, notes, &mut model);
     inferred_hamiltonian::infer(claims, notes, &mut model);
     let assigned = assign(claims, notes)?;
     let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
     printed_lagrangian::make((claims, notes), &readings, &mut model)?;
+    motion_by_laws::of_the_hamiltonian(claims, &mut model)?;
     let (source, options) = (&*notes.source, run.options);
     let plain = Checker {
         claims,
@@ -81,7 +85,8 @@ pub(crate) fn with_checker<T>(
     let (laws, lost_laws) = plain.laws()?;
     let lacks_a_name = |error: &Error| plain.cause(error.missing()).is_some();
     let known = units::declared(claims, &model, &lacks_a_name)?;
-    (model.laws, model.unread_laws) = (laws, lost_laws);
+    model.laws.extend(laws);
+    model.unread_laws = lost_laws;
     let units = units::of_document(claims, &model, &known, &readings, &assigned)?.map(Arc::new);
     let checker =
         Checker { claims, notes, source, model: &model, readings: &readings, assigned: &assigned, options, units };

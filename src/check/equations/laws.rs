@@ -34,7 +34,7 @@ impl Checker<'_> {
         }
         let written = |law: &Law| {
             let same = |link: &Link| law.hypotheses.iter().any(|c| c.lhs == link.lhs && c.rhs == link.rhs);
-            law.printed.is_empty() && !links.is_empty() && links.iter().all(same)
+            law.printed.is_empty() && !law.derived && !links.is_empty() && links.iter().all(same)
         };
         let is_here = |law: &&Law| law.printed.iter().any(is_law) || written(law);
         let Some(law) = self.model.laws.iter().find(is_here) else { return Ok(None) };

@@ -58,11 +58,16 @@ impl Checker<'_> {
     fn part_of_the_lagrangian(&self, symbol: SymbolId, context: &Context<'_>) -> Finding {
         let (name, model) = (text::plain(&self.model.name(symbol)), self.model);
         let lagrangian = model.printed_lagrangian.as_ref().map(|printed| text::plain(&printed.lagrangian.to_string()));
-        let lagrangian = lagrangian.unwrap_or_default();
-        let what = match name == lagrangian {
-            true => "the Lagrangian".to_owned(),
+        let hamiltonian =
+            model.printed_hamiltonian.as_ref().map(|printed| text::plain(&printed.hamiltonian.to_string()));
+        let (kind, whole) = match (lagrangian, hamiltonian) {
+            (Some(lagrangian), _) => ("Lagrangian", lagrangian),
+            (None, hamiltonian) => ("Hamiltonian", hamiltonian.unwrap_or_default()),
+        };
+        let what = match name == whole {
+            true => format!("the {kind}"),
             false if printed_lagrangian::is_force(model, symbol) => "from which forces follow".to_owned(),
-            false => format!("a part of the Lagrangian {lagrangian}"),
+            false => format!("a part of the {kind} {whole}"),
         };
         let message = format!("defines {name}, {what}; it is not checked, and the equations of motion follow from it");
         context.finding(Code::LagrangianDefined, Verdict::Definition, message)

@@ -38,6 +38,7 @@ pub(crate) fn motion(model: &Model, hypothesis: &Hypothesis) -> Option<Rule> {
     let whole = |expr: &Expr, sign| Opened { sign, fixed: Vec::new(), core: expr.clone() };
     open(model, whole(&hypothesis.lhs, Sign::Plus), 0, DEPTH, &mut terms);
     open(model, whole(&hypothesis.rhs, Sign::Minus), 0, DEPTH, &mut terms);
+    let terms = merged(terms);
     for (at, term) in terms.iter().enumerate() {
         let Some((symbol, letters, order)) = derivative(model, &term.core) else { continue };
         let rest: Vec<&Opened> =
@@ -51,6 +52,35 @@ pub(crate) fn motion(model: &Model, hypothesis: &Hypothesis) -> Option<Rule> {
         return Some(Rule { symbol, letters, action: Action::EquationOfMotion { order, formula }, throughout: true });
     }
     None
+}
+
+/// Terms without repeated derivatives: coefficients of the same one are added, and opposite ones cancel.
+fn merged(terms: Vec<Opened>) -> Vec<Opened> {
+    let mut found: Vec<Opened> = Vec::new();
+    for term in terms {
+        let is_rate = matches!(&term.core.node, Node::Symbol { dots: 1.., .. });
+        let Some(at) = found.iter().position(|known| is_rate && known.core == term.core) else {
+            found.push(term);
+            continue;
+        };
+        if found[at].fixed == term.fixed && found[at].sign != term.sign {
+            found.remove(at);
+            continue;
+        }
+        let span = term.core.span;
+        let coefficient = |of: &Opened| {
+            let mut factors = of.fixed.clone();
+            let expr = match factors.len() {
+                0 => Expr::integer(1, span),
+                1 => factors.swap_remove(0),
+                _ => Expr::new(Node::Product(factors), span),
+            };
+            Term { sign: of.sign, sign_span: None, expr }
+        };
+        let sum = Expr::new(Node::Sum(vec![coefficient(&found[at]), coefficient(&term)]), span);
+        found[at] = Opened { sign: Sign::Plus, fixed: vec![sum], core: term.core };
+    }
+    found
 }
 
 /// The formula −rest / coefficient.

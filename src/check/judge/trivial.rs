@@ -58,7 +58,7 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
         c.relation == link.relation
             && (c.lhs == link.lhs && c.rhs == link.rhs || c.lhs == link.rhs && c.rhs == link.lhs)
     };
-    if let Some(law) = context.model.laws.iter().find(|law| law.hypotheses.iter().any(is_hypothesis)) {
+    if let Some(law) = context.model.laws.iter().find(|law| !law.derived && law.hypotheses.iter().any(is_hypothesis)) {
         return (context.on_shell != Some(false))
             .then(|| context.finding(Code::Law, Verdict::Law, format!("taken for granted: {}", law.title())));
     }

@@ -64,13 +64,19 @@ impl Solution {
     }
 }
 
-/// The order of the equation of motion for a symbol, if a system or laws determine its motion.
+/// The order of the equation of motion for a symbol, if a system or laws determine its motion. A first-order law in which
+/// something else moves as well, as q̇ = p/m, makes it of the second order at least.
 fn order_of_motion(id: SymbolId, model: &Model) -> Option<u8> {
     match model.meaning(id) {
         Some(Meaning::Coordinate(_)) if model.system.is_some() => Some(2),
         Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => {
-            let laws = model.laws.iter().flat_map(|law| &law.hypotheses);
-            let orders = laws.flat_map(|law| [&law.lhs, &law.rhs]).filter_map(|side| order::order(model, side, id));
+            let orders = model.laws.iter().flat_map(|law| &law.hypotheses).filter_map(|law| {
+                let sides = [&law.lhs, &law.rhs];
+                let order = sides.iter().filter_map(|side| order::order(model, side, id)).max()?;
+                let moves = |other: &SymbolId| !matches!(model.meaning(*other), Some(Meaning::Constant(_)));
+                let is_alone = free_symbols::drawn(&sides, model).iter().all(|other| *other == id || !moves(other));
+                Some(if is_alone || order == 0 { order } else { order.max(2) })
+            });
             orders.max().filter(|order| *order > 0)
         }
         _ => None,
@@ -97,7 +103,9 @@ fn contains_time(formula: &Expr, model: &Model) -> bool {
 
 /// The constants of a solution that the motion does not depend on: those of integration.
 pub(super) fn constants_of_integration(solution: &Solution, model: &Model) -> Vec<SymbolId> {
-    let lagrangian = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
+    let lagrangian = model.printed_lagrangian.as_ref().map(|printed| &printed.lagrangian);
+    let hamiltonian = model.printed_hamiltonian.as_ref().map(|printed| &printed.hamiltonian);
+    let lagrangian = lagrangian.or(hamiltonian).and_then(|name| model.symbols.find(name));
     let of_motion = match lagrangian {
         Some((id, _)) => {
             let node = Node::Symbol { id, indices: Vec::new(), dots: 0 };

@@ -20,7 +20,7 @@ use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
 use crate::check::kinds::solution_of_laws;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::meaning::{Meaning, Variable};
+use crate::check::model::meaning::Variable;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
@@ -210,7 +210,7 @@ pub(crate) fn in_first_order(
 
 /// Whether a link may print an orbit: q, or 1/q, as a function of other coordinates.
 pub(crate) fn is_an_orbit(link: &Link, model: &Model) -> bool {
-    let moves = |(id, _): &(SymbolId, u8)| matches!(model.meaning(*id), Some(Meaning::Coordinate(_)));
+    let moves = |(id, _): &(SymbolId, u8)| model.is_coordinate(*id);
     let coordinates = |side: &Expr| side.symbols().into_iter().filter(|symbol| moves(symbol)).collect::<Vec<_>>();
     let (left, right) = (coordinates(&link.lhs), coordinates(&link.rhs));
     let is_still = |side: &[(SymbolId, u8)]| side.iter().all(|(_, dots)| *dots == 0);

@@ -55,6 +55,8 @@ pub struct Law {
     pub hypotheses: Vec<Hypothesis>,
     /// Whether its claim switches the check of units off.
     pub units_off: bool,
+    /// Whether it follows from a Lagrangian or a Hamiltonian that the notes print, and no author states it.
+    pub derived: bool,
 }
 
 impl Law {

@@ -10,10 +10,12 @@
 use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node, Term, Variable};
 use crate::formula::{Kind, Sign, SymbolId, text};
-use crate::notes::claims::{Declaration, Range, Spanned};
+use crate::latex::names;
+use crate::notes::claims::{Claims, Declaration, Range, Role, Spanned};
 use crate::source::Span;
 use crate::{Error, Result};
 
+use crate::check::model::Model;
 use crate::check::model::builder::Builder;
 use crate::check::model::meaning::{Meaning, Variable as Drawn};
 
@@ -21,7 +23,51 @@ use crate::check::model::meaning::{Meaning, Variable as Drawn};
 /// a potential up to the third order.
 const DEGREES: [u32; 3] = [7, 4, 3];
 
+/// Adds a function whose arguments became known after the declarations; returns whether they all are.
+///
+/// # Errors
+/// For an argument that is not a number, at its place.
+pub(crate) fn declare_later(claims: &Claims, declaration: &Declaration, model: &mut Model) -> Result<bool> {
+    let builder = Builder { claims, model: model.clone(), early: Vec::new() };
+    if !builder.has_its_arguments(declaration)? {
+        return Ok(false);
+    }
+    let mut builder = builder;
+    builder.any_function(declaration)?;
+    *model = builder.model;
+    Ok(true)
+}
+
+/// The error that the arguments of a function are not known.
+///
+/// # Errors
+/// For the first argument that is not known, at its place.
+pub(crate) fn require(claims: &Claims, declaration: &Declaration, model: &Model) -> Result<()> {
+    Builder { claims, model: model.clone(), early: Vec::new() }.any_function(declaration)
+}
+
+/// The declarations of functions whose arguments are not declared.
+pub(crate) fn later<'c>(claims: &'c Claims, model: &Model) -> Vec<&'c Declaration> {
+    let is_known = |declaration: &Declaration| {
+        names::parse(&declaration.name.value).is_some_and(|(name, _)| model.symbols.find(&name).is_some())
+    };
+    let functions = claims.declarations.iter().filter(|declaration| declaration.role == Role::Function);
+    functions.filter(|declaration| !is_known(declaration)).collect()
+}
+
 impl Builder<'_> {
+    /// Whether all arguments of a function are known.
+    pub(crate) fn has_its_arguments(&self, declaration: &Declaration) -> Result<bool> {
+        let Range::Of(arguments) = &declaration.range.value else { return Ok(true) };
+        for argument in arguments {
+            let name = self.name(&Spanned::new(argument.clone(), declaration.range.span))?;
+            if self.model.symbols.find(&name).is_none() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// Adds a function as a polynomial of its arguments with free coefficients.
     pub(crate) fn any_function(&mut self, declaration: &Declaration) -> Result<()> {
         let Range::Of(arguments) = &declaration.range.value else { return Ok(()) };

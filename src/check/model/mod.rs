@@ -53,6 +53,15 @@ pub struct PrintedLagrangian {
     pub place: Span,
 }
 
+/// The Hamiltonian that the notes define, from which the motion follows.
+#[derive(Clone, Debug)]
+pub struct PrintedHamiltonian {
+    /// Its name.
+    pub hamiltonian: Name,
+    /// The place in the claims file.
+    pub place: Span,
+}
+
 /// The symbols of a document and what they mean.
 #[derive(Clone)]
 pub struct Model {
@@ -64,6 +73,8 @@ pub struct Model {
     pub system: Option<Arc<System>>,
     /// The names of the Lagrangian that the notes print, if the claims file says so.
     pub printed_lagrangian: Option<PrintedLagrangian>,
+    /// The name of the Hamiltonian that the notes print, if the claims file says so.
+    pub printed_hamiltonian: Option<PrintedHamiltonian>,
     /// The coordinates of the system in its order; without a system, the declared ones.
     pub coordinates: Vec<Variable>,
     /// All constants, with the parameters of the system among them.
@@ -104,6 +115,7 @@ impl Model {
             meanings: Vec::new(),
             system: None,
             printed_lagrangian: None,
+            printed_hamiltonian: None,
             coordinates: Vec::new(),
             constants: Vec::new(),
             parameters: Vec::new(),
@@ -133,6 +145,22 @@ impl Model {
             self.meanings.resize(id.0 + 1, None);
         }
         self.meanings[id.0] = Some(meaning);
+    }
+
+    /// Whether a symbol is a coordinate, also one that laws move.
+    pub fn is_coordinate(&self, id: SymbolId) -> bool {
+        matches!(self.meaning(id), Some(Meaning::Coordinate(_))) || self.symbols.canonical.iter().any(|(q, _)| *q == id)
+    }
+
+    /// Makes the coordinates free functions of the time, which laws move.
+    pub fn let_coordinates_vary(&mut self) {
+        for coordinate in std::mem::take(&mut self.coordinates) {
+            if !self.symbols.canonical.iter().any(|(q, _)| *q == coordinate.symbol) {
+                self.symbols.canonical.push((coordinate.symbol, Vec::new()));
+            }
+            self.mean(coordinate.symbol, Meaning::Varying(self.varying.len()));
+            self.varying.push(coordinate);
+        }
     }
 
     /// Whether a system or laws determine the motion.

@@ -1,12 +1,13 @@
 //! The symbols of a system: its coordinates and parameters mapped to declared names, and the meanings under `"means"`.
 
 use crate::check::model::builder::{Builder, plain};
-use crate::check::model::meaning::{Frame, FrameQuantity, MEANINGS, Meaning, Quantity};
-use crate::check::model::{PrintedLagrangian, particles};
-use crate::formula::{Kind, text};
+use crate::check::model::meaning::{Frame, FrameQuantity, MEANINGS, Meaning, Quantity, Variable};
+use crate::check::model::{PrintedHamiltonian, PrintedLagrangian, particles};
+use crate::formula::symbols::Entry;
+use crate::formula::{Kind, SymbolId, text};
 use crate::latex::{derivative_name, names};
 use crate::mechanics::rotations::Axis;
-use crate::notes::claims::Spanned;
+use crate::notes::claims::{Range, Spanned};
 use crate::suggest::in_json;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
@@ -93,6 +94,9 @@ impl Builder<'_> {
             if self.is_printed() && self.printed(latex, meaning)? {
                 continue;
             }
+            if self.is_printed_hamiltonian() && self.of_the_hamiltonian(latex, meaning)? {
+                continue;
+            }
             let quantity = self.quantity(meaning)?;
             let name = self.name(latex)?;
             let slots = name.subscript.iter().filter(|token| self.model.symbols.index(token).is_some()).count();
@@ -124,6 +128,31 @@ impl Builder<'_> {
     /// Whether the notes themselves define the Lagrangian.
     fn is_printed(&self) -> bool {
         self.claims.system.is_none() && self.claims.means.iter().any(|(_, meaning)| meaning.value == "Lagrangian")
+    }
+
+    /// Whether the notes themselves define the Hamiltonian, and no Lagrangian.
+    fn is_printed_hamiltonian(&self) -> bool {
+        let has = |what: &str| self.claims.means.iter().any(|(_, meaning)| meaning.value == what);
+        self.claims.system.is_none() && has("Hamiltonian") && !has("Lagrangian")
+    }
+
+    /// Notes the name of a Hamiltonian that the notes define, and its momenta; returns true for these.
+    fn of_the_hamiltonian(&mut self, latex: &Spanned<String>, meaning: &Spanned<String>) -> Result<bool> {
+        let name = self.name(latex)?;
+        if meaning.value == "Hamiltonian" {
+            self.model.printed_hamiltonian = Some(PrintedHamiltonian { hamiltonian: name, place: latex.span });
+            return Ok(true);
+        }
+        let Some(coordinate) = meaning.value.strip_prefix("momentum of ") else { return Ok(false) };
+        let known = self.model.coordinates.iter().map(|known| known.symbol);
+        let mut known = known.filter(|id| plain(&self.model.name(*id)) == plain(coordinate));
+        let q = known.next().ok_or_else(|| self.error(meaning, format!("{coordinate} is not a coordinate")))?;
+        let id = self.add(latex, Kind::Scalar, Meaning::Varying(self.model.varying.len()))?;
+        let entry = self.model.symbols.entry_mut(id);
+        (entry.varies, entry.momentum) = (true, true);
+        self.model.varying.push(Variable::number(id, Range::Any));
+        self.model.symbols.canonical.push((q, vec![id]));
+        Ok(true)
     }
 
     /// Notes the names of a Lagrangian that the notes define, and of its parts; returns true for these, which displays
@@ -188,8 +217,8 @@ impl Builder<'_> {
     fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {
         if self.model.system.is_none() && !self.is_printed() {
             return Err(self.error(meaning, "this meaning needs a system").help(
-                "name one under \"system\", or say which name in the notes is the Lagrangian: \"means\": { \"L\": \
-                 \"Lagrangian\" }",
+                "name one under \"system\", or say which name in the notes is the Lagrangian or the Hamiltonian: \"means\": \
+                 { \"L\": \"Lagrangian\" }",
             ));
         }
         if let Some(coordinate) = meaning.value.strip_prefix("momentum of ") {
@@ -230,7 +259,13 @@ impl Builder<'_> {
             return;
         }
         for place in 0..self.model.coordinates.len() {
-            let coordinate = self.model.name(self.model.coordinates[place].symbol);
+            let declared = |(id, _): &(SymbolId, &Entry)| {
+                matches!(self.model.meaning(*id), Some(Meaning::System(Quantity::Momentum(at))) if *at == place)
+                    && !self.model.name(*id).starts_with("\\frac")
+            };
+            let mut known: Vec<SymbolId> = self.model.symbols.iter().filter(declared).map(|(id, _)| id).collect();
+            let symbol = self.model.coordinates[place].symbol;
+            let coordinate = self.model.name(symbol);
             let Some((name, 0)) = names::parse(&format!("p_{{{coordinate}}}")) else { continue };
             let shown = name.to_string();
             if let Some(id) = self.model.symbols.add(name, Kind::Scalar) {
@@ -239,7 +274,9 @@ impl Builder<'_> {
                 self.model.mean(id, Meaning::System(Quantity::Momentum(place)));
                 let (shown, coordinate) = (text::plain(&shown), text::plain(&coordinate));
                 self.model.inferred.push(format!("{shown} is the momentum of {coordinate}"));
+                known.push(id);
             }
+            self.model.symbols.canonical.push((symbol, known));
         }
     }
 

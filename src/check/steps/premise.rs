@@ -175,7 +175,7 @@ impl Checker<'_> {
                 }
             }
             let name = format!("({})", crate::check::document::names::shown(&self.notes.equations[*step]));
-            model.laws.push(Law { name, printed: Vec::new(), hypotheses, units_off: false });
+            model.laws.push(Law { name, printed: Vec::new(), hypotheses, units_off: false, derived: false });
         }
         if model.laws.iter().all(|law| law.hypotheses.is_empty()) {
             return None;

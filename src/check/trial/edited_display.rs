@@ -43,7 +43,9 @@ impl Checker<'_> {
         if self.is_law(at) {
             let unlawful = Checker { model: &model, readings: &readings, options, units: units(), ..*self };
             let (laws, lost_laws) = unlawful.laws().ok()?;
-            (model.laws, model.unread_laws) = (laws, lost_laws);
+            model.laws.retain(|law| law.derived);
+            model.laws.extend(laws);
+            model.unread_laws = lost_laws;
         }
         Some(judge(&Checker { model: &model, readings: &readings, options, units: units(), ..*self }))
     }

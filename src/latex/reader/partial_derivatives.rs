@@ -300,7 +300,14 @@ impl Reader<'_> {
         let others = derivative::variables(formula, scope).map_err(refused)?;
         let is_momentum = |other: &&Variable| fixed.contains(&other.id) && self.symbols.entry(other.id).is_momentum();
         // The momentum of a cyclic coordinate stands beside the velocities of the others in a Routhian.
+        let coordinate = |momentum: &Variable| {
+            let pair = self.symbols.canonical.iter().find(|(_, names)| names.contains(&momentum.id));
+            pair.map(|(q, _)| *q)
+        };
         let is_its_rate = |momentum: &Variable, velocity: &Variable| {
+            if let Some(q) = coordinate(momentum) {
+                return q == velocity.id;
+            }
             let (momentum, velocity) = (&self.symbols.entry(momentum.id), &self.symbols.entry(velocity.id));
             let of = momentum.name.subscript.concat();
             of.is_empty() || !momentum.is_momentum() || of == velocity.name.to_string()
@@ -329,6 +336,9 @@ impl Reader<'_> {
         }
         // The momentum of another coordinate stays fixed in dV/dr, as in an effective potential.
         let stays = |other: &Variable| {
+            if let Some(q) = coordinate(other) {
+                return fixed.contains(&other.id) && q != by.id;
+            }
             let (subscript, variable) =
                 (&self.symbols.entry(other.id).name.subscript, self.symbols.entry(by.id).name.to_string());
             let is_of_it =
@@ -353,7 +363,8 @@ impl Reader<'_> {
         }
     }
 
-    fn refused(&self, reason: &NoDerivative, span: Span) -> Fault {
+    /// The fault of a formula that has no derivative.
+    pub(super) fn refused(&self, reason: &NoDerivative, span: Span) -> Fault {
         match reason {
             NoDerivative::Unknown(id) => {
                 let name = self.symbols.entry(*id).name.to_string();

@@ -6,6 +6,7 @@
 //! | `complex` | i, `\Re`, `\Im`, conjugates |
 //! | `cases` | `cases`, and the conditions of a statement |
 //! | `brackets` | `[A, B]` of matrices |
+//! | `poisson` | `\{f, g\}`, `[f, g]_{q,p}` |
 //! | `evidence` | without declarations: which letters are vectors, matrices or complex, from what the display says |
 
 mod brackets;
@@ -13,6 +14,9 @@ mod cases;
 mod complex;
 pub mod evidence;
 mod matrices;
+mod poisson;
+
+pub use poisson::pairs_by_name;
 
 use crate::formula::tree::Expr;
 
@@ -26,6 +30,9 @@ impl Reader<'_> {
             return Ok(Some(found));
         }
         if let Some(found) = self.complex_part(items, cursor)? {
+            return Ok(Some(found));
+        }
+        if let Some(found) = self.poisson(items, cursor)? {
             return Ok(Some(found));
         }
         self.bracket(items, cursor)
