@@ -62,7 +62,7 @@ pub(crate) use document::setup::{Run, define_macros};
 pub(crate) use reprint::check_reprint;
 pub use sample::context::Options;
 #[cfg(feature = "cli")]
-pub(crate) use unaided::{draft, unaided};
+pub(crate) use unaided::{draft, system, system_of, unaided};
 pub use verdict::Verdict;
 pub use verdict::finding::{Counterexample, Finding, Fit, Formula, Fraction, Inherited, Misfit};
 #[cfg(feature = "cli")]

@@ -115,11 +115,22 @@ impl Derivation {
     /// # Errors
     /// When it cannot be typeset.
     pub fn momentum_rate(&self, i: usize) -> Result<Expr> {
+        self.one(self.recorded.momentum_rates[i])
+    }
+
+    /// What acts on the i-th coordinate beside L, d/dt ∂L/∂q̇ᵢ − ∂L/∂qᵢ; `None` where it is 0.
+    ///
+    /// # Errors
+    /// When it cannot be typeset.
+    pub fn applied_force(&self, i: usize) -> Result<Option<Expr>> {
         let mut work = Work::new(self);
-        let parts = work.normal(&[self.recorded.residuals[i], self.recorded.forces[i]])?;
-        let sum = work.algebra.plus(&parts[0], &parts[1], Exact::one())?;
-        let sum = work.algebra.presented(&sum)?;
-        work.printed(&[sum])
+        let recorded = &self.recorded;
+        let parts = work.normal(&[recorded.momentum_rates[i], recorded.forces[i], recorded.residuals[i]])?;
+        let beside = work.algebra.plus(&parts[0], &parts[1], -Exact::one())?;
+        let beside = work.algebra.plus(&beside, &parts[2], -Exact::one())?;
+        let beside = work.algebra.presented(&beside)?;
+        let printed = work.printed(&[beside])?;
+        Ok(Some(printed).filter(|force| !force.is_null()))
     }
 
     /// The steady motion of a system of three coordinates, two of them cyclic, where there is one.

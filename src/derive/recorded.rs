@@ -15,6 +15,8 @@ pub(super) struct Recorded {
     pub energy: Symbol,
     pub forces: Vec<Symbol>,
     pub residuals: Vec<Symbol>,
+    /// d/dt of each momentum along the motion with any accelerations.
+    pub momentum_rates: Vec<Symbol>,
     pub mass: Vec<Vec<Symbol>>,
     pub at_rest: AtRest,
     /// T and U, where L = T − U.
@@ -100,6 +102,9 @@ impl Recorded {
         let resting = system.quantities(time, &q, &still, &parameters);
         let mass = system.mass_matrix(time, &q, &v, &parameters);
         let parts = places.moving(time, &q, &v, &parameters);
+        let along = |x: &[Symbol], rates: &[Symbol]| x.iter().zip(rates).map(|(&x, &r)| Dual::new(x, r)).collect::<Vec<_>>();
+        let fixed = parameters.iter().copied().map(Dual::from_re).collect::<Vec<_>>();
+        let motion = system.quantities(Dual::new(time, Symbol::one()), &along(&q, &v), &along(&v, &a), &fixed);
         let triple = |from: usize, of: fn(&Dual<Symbol>) -> Symbol| std::array::from_fn(|i| of(&parts[from + i]));
         let particle = |k: usize| (parts[4 * k].re, triple(4 * k + 1, |x| x.re), triple(4 * k + 1, |x| x.eps));
         let moments = places.has_moments.then(|| triple(4 * places.particles, |x| x.re));
@@ -115,6 +120,7 @@ impl Recorded {
             particles: (0..places.particles).map(particle).collect(),
             body,
             lagrangian: moving.lagrangian,
+            momentum_rates: motion.momenta.iter().map(|momentum| momentum.eps).collect(),
             momenta: moving.momenta,
             energy: moving.energy,
             forces: moving.forces,

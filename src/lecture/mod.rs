@@ -65,6 +65,11 @@ impl Lecture {
     /// # Errors
     /// When an equation cannot be typeset, or the system has names that notes cannot have.
     pub fn new(system: &System, derivation: &Derivation, seed: u64) -> Result<Lecture> {
+        if let Some(&multiplier) = system.multipliers().first() {
+            let name = crate::formula::text::plain(&system.coordinates()[multiplier]);
+            let message = format!("{name} is a Lagrange multiplier, whose steps are not supported");
+            return Err(Error::new(message).help("leave out --steps, or write the Lagrangian without the constraint"));
+        }
         let sample = Sample::draw(system, seed)?;
         let mut writer = Writer::new(system, derivation, &sample)?;
         start::write(&mut writer)?;

@@ -18,7 +18,11 @@ pub(super) fn write(writer: &mut Writer<'_>) -> Result<()> {
     let from = writer.lagrangian.clone();
     let slope = |of: &str| format!("\\frac{{\\partial {lagrangian}}}{{\\partial {of}}}");
     let mut conjugate = vec![String::new(); momenta.len()];
-    for &i in &cyclic {
+    let applied = (0..momenta.len()).map(|i| derivation.applied_force(i)).collect::<Result<Vec<_>>>()?;
+    // What a force acts on moves, though L does not contain it.
+    let (free, pushed): (Vec<usize>, Vec<usize>) = cyclic.into_iter().partition(|&i| applied[i].is_none());
+    let moving: Vec<usize> = moving.into_iter().chain(pushed).collect();
+    for &i in &free {
         let name = writer.latex(&derivation.coordinate(i, 0));
         let rate = writer.latex(&derivation.coordinate(i, 1));
         let (momentum, value) = (writer.latex(&derivation.momentum(i)), writer.latex(&momenta[i].right));
@@ -45,7 +49,17 @@ pub(super) fn write(writer: &mut Writer<'_>) -> Result<()> {
         writer.say(format!("The other side is the derivative of ${lagrangian}$ by ${name}$."));
         let value = derivation.force(i)?;
         let force = writer.line(&format!("{} = {}", slope(&name), writer.latex(&value)), &[&from], &[&value]);
-        writer.say("The two are equal. With the accelerations on the left, this is");
+        match &applied[i] {
+            None => writer.say("The two are equal. With the accelerations on the left, this is"),
+            Some(beside) => {
+                let beside = writer.latex(beside);
+                writer.claim("forces", &derivation_name(writer, i), json!(beside));
+                writer.say(format!(
+                    "Beside ${lagrangian}$ there acts the force ${beside}$ along ${name}$, which is given. The first is the sum of \
+                     the other two. With the accelerations on the left, this is"
+                ));
+            }
+        }
         let equation = &motion[i];
         let line = format!("{} = {}", writer.latex(&equation.left), writer.latex(&equation.right));
         writer.line(&line, &[&momentum_rate, &force], &[&equation.right]);
@@ -58,7 +72,9 @@ pub(super) fn write(writer: &mut Writer<'_>) -> Result<()> {
     writer.say("Momenta times rates, minus the Lagrangian, is the energy.");
     let sum = names.join(" + ");
     let number = writer.line(&format!("{energy} = {sum} - {lagrangian} = {latex}"), &[&from], &[&value]);
-    if writer.system.depends_on_time() {
+    if applied.iter().any(Option::is_some) {
+        writer.say("The forces beside it change the energy.");
+    } else if writer.system.depends_on_time() {
         writer.say(format!("${lagrangian}$ depends on the time, so the energy is not conserved."));
     } else {
         writer.say(format!("${lagrangian}$ does not depend on the time, so the energy is conserved."));
@@ -74,6 +90,11 @@ pub(super) fn write(writer: &mut Writer<'_>) -> Result<()> {
         writer.line(&format!("{hamiltonian} = {}", writer.latex(&found.right)), &all, &[&found.right]);
     }
     Ok(())
+}
+
+/// The name of a coordinate as the system has it.
+fn derivation_name(writer: &Writer<'_>, i: usize) -> String {
+    writer.system.coordinates().get(i).cloned().unwrap_or_default()
 }
 
 /// q̇ ∂L/∂q̇ of each coordinate.

@@ -11,6 +11,10 @@ const STEADY: &str = "steady precession";
 
 pub(super) fn write(writer: &mut Writer<'_>) -> Result<()> {
     let (moving, cyclic) = writer.sorted();
+    let applied = (0..moving.len() + cyclic.len()).map(|i| writer.derivation.applied_force(i));
+    if applied.collect::<Result<Vec<_>>>()?.iter().any(Option::is_some) {
+        return Ok(());
+    }
     if moving.is_empty() || cyclic.is_empty() {
         return Ok(());
     }

@@ -190,6 +190,7 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
     let coordinates: Vec<String> = model.coordinates.iter().map(|c| model.name(c.symbol)).collect();
     let places: Vec<usize> = (0..model.constants.len()).filter(|at| model.constants[*at].numbers == 1).collect();
     let parameters: Vec<String> = places.iter().map(|at| model.name(model.constants[*at].symbol)).collect();
+    let name = model.printed_lagrangian.as_ref().map_or_else(String::new, |printed| printed.system.clone());
     let potential = model.printed_lagrangian.as_ref().and_then(|printed| printed.potential.as_ref());
     let potential = potential.and_then(|name| model.symbols.find(name)).map(|(id, _)| id);
     let node = |id: SymbolId| {
@@ -212,7 +213,7 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
     let mut bare = model.clone();
     bare.system = None;
     let mut readable = true;
-    let system = System::of_lagrangian("the notes", coordinates, parameters, |time, q, v, parameters| {
+    let system = System::of_lagrangian(&name, coordinates, parameters, |time, q, v, parameters| {
         let values = symbolic(&bare, time, (q, v), (&places, parameters), &formulas);
         readable = values.is_some();
         let values = values.unwrap_or_else(|| vec![Symbol::from(f64::NAN); formulas.len()]);

@@ -41,6 +41,8 @@ pub(crate) mod system;
 pub struct PrintedLagrangian {
     /// Its name.
     pub lagrangian: Name,
+    /// The name of the system: that of the notes.
+    pub system: String,
     /// The name of the potential energy U, where L = T − U.
     pub potential: Option<Name>,
     /// Rayleigh's dissipation function.

@@ -165,8 +165,17 @@ impl Builder<'_> {
                 let potential = potential.map(|(latex, _)| self.name(latex)).transpose()?;
                 let place = latex.span;
                 let (dissipation, forces, constraints) = (None, Vec::new(), Vec::new());
-                self.model.printed_lagrangian =
-                    Some(PrintedLagrangian { lagrangian: name, potential, dissipation, forces, constraints, place });
+                let stem = self.claims.notes_path().file_stem().map(|stem| stem.to_string_lossy().into_owned());
+                let system = stem.unwrap_or_else(|| "the notes".to_owned());
+                self.model.printed_lagrangian = Some(PrintedLagrangian {
+                    lagrangian: name,
+                    system,
+                    potential,
+                    dissipation,
+                    forces,
+                    constraints,
+                    place,
+                });
                 self.derivatives_of_the_lagrangian(latex)?;
                 Ok(true)
             }

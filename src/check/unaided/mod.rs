@@ -29,11 +29,18 @@ mod scope;
 #[cfg(feature = "cli")]
 mod scopes;
 
+#[cfg(feature = "cli")]
+use std::sync::Arc;
+
 use crate::Result;
+#[cfg(feature = "cli")]
+use crate::Error;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::run::check_in;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::{Document, Equation};
+#[cfg(feature = "cli")]
+use crate::mechanics::System;
 use crate::notes::{Claims, Notes, Numbered};
 
 #[cfg(feature = "cli")]
@@ -58,6 +65,43 @@ pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
         inferred.extend(new);
     }
     Ok(Document { claims: None, ..document(run, &notes, (equations, Vec::new(), inferred)) })
+}
+
+/// The system of the first part of notes without a claims file that defines a Lagrangian.
+///
+/// # Errors
+/// When no claims file makes sense of the notes.
+#[cfg(feature = "cli")]
+pub fn system(run: &Run<'_>, notes: &Notes) -> Result<Option<Arc<System>>> {
+    let notes = with_ids(notes);
+    let sections = scopes::sections(&notes);
+    let mut seen = 0;
+    while seen < notes.equations.len() {
+        let (part, scope) = scopes::from(run, &notes, seen, &sections);
+        let claims = inference::claims(run, &part)?;
+        if let Some(system) = system_of(run, &claims, &part)? {
+            return Ok(Some(system));
+        }
+        seen += part.equations.len().saturating_sub(scope.carried).max(1);
+    }
+    Ok(None)
+}
+
+/// The system that the claims of notes name, or whose Lagrangian the notes define.
+///
+/// # Errors
+/// For claims that do not fit the notes.
+#[cfg(feature = "cli")]
+pub fn system_of(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Option<Arc<System>>> {
+    with_checker(run, claims, notes, |checker| {
+        let model = checker.model;
+        let is_coefficient = |at: &&usize| model.symbols.entry(model.constants[**at].symbol).coefficient;
+        if model.printed_lagrangian.is_some() && model.parameters.iter().any(|at| is_coefficient(&at)) {
+            return Err(Error::new("the Lagrangian of the notes contains a function without a formula")
+                .help("write its formula in the Lagrangian, such as -k/r for V(r)"));
+        }
+        Ok(model.system.clone())
+    })
 }
 
 /// Checks notes whose claims file has guesses. A display with a claim of its own is judged by it; the others are weighed.

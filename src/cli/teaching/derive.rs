@@ -4,25 +4,25 @@ use clap::ValueEnum;
 
 use crate::derive::{Derivation, Equation, Quantity};
 use crate::lecture::{self, Lecture};
-use crate::mechanics::AnyLagrangian;
 use crate::page;
 use crate::report::wrap;
 use crate::systems::Registry;
-use crate::{Error, Result, suggest};
+use crate::{Error, Result};
 
+use super::subject::Subject;
 use crate::cli::outcome::{Format, Outcome, Screen};
 
-/// Prints what follows from the Lagrangian of a system
+/// Prints what follows from the Lagrangian of a system, or of notes
 ///
 /// Without --as, it prints the Lagrangian, the momenta and the Euler–Lagrange equations. With --steps it prints the way
 /// there, each line certified against those before it, with its value at a sampled state.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  onshell derive heavy_top --as hamiltonian\n  onshell derive heavy_top --steps\n  \
+    after_help = "Examples:\n  onshell derive heavy_top --as hamiltonian\n  onshell derive heavy_top --steps\n  onshell derive notes.md --steps\n  \
                   onshell derive heavy_top --steps --format latex > top.md"
 )]
 pub struct Arguments {
-    /// The system, e.g. heavy_top
+    /// The system, e.g. heavy_top, or notes that define a Lagrangian
     system: String,
     /// What to derive
     #[arg(long = "as", value_enum, value_name = "QUANTITY")]
@@ -97,8 +97,8 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
 
 /// The derivation line by line, and the exit code.
 fn steps(arguments: &Arguments, registry: &Registry, width: usize) -> Result<(String, u8)> {
-    let lagrangian = named(&arguments.system, registry)?;
-    let lecture = Lecture::new(&lagrangian.trace()?, &Derivation::of(lagrangian)?, arguments.seed)?;
+    let subject = Subject::of(&arguments.system, registry)?;
+    let lecture = Lecture::new(&subject.system, &subject.derivation()?, arguments.seed)?;
     let output = match arguments.format {
         Form::Text => lecture::text::text(&lecture, width),
         Form::Latex => lecture.notes.clone(),
@@ -111,19 +111,8 @@ fn steps(arguments: &Arguments, registry: &Registry, width: usize) -> Result<(St
     Ok((output, lecture.exit_code()))
 }
 
-/// The Lagrangian of a name.
-pub(super) fn named<'r>(name: &str, registry: &'r Registry) -> Result<&'r dyn AnyLagrangian> {
-    registry.get(name).ok_or_else(|| {
-        let unknown = Error::new(format!("there is no system \"{name}\""));
-        match suggest::nearest(name, registry.names()) {
-            Some(near) => unknown.help(format!("did you mean {near}?")),
-            None => unknown.help(format!("the systems are {}", registry.names().collect::<Vec<_>>().join(", "))),
-        }
-    })
-}
-
 fn derived(arguments: &Arguments, registry: &Registry, width: usize) -> Result<String> {
-    let system = named(&arguments.system, registry)?.trace()?;
+    let system = Subject::of(&arguments.system, registry)?.system;
     if arguments.format == Form::Rust {
         return match arguments.quantity {
             None | Some(Wanted::Accelerations) => Ok(system.rust_source()),

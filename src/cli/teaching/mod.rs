@@ -5,4 +5,5 @@ pub(super) mod mark;
 pub(super) mod plot;
 pub(super) mod report;
 mod serve;
+mod subject;
 pub(super) mod watch;

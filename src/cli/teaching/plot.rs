@@ -6,7 +6,7 @@ use crate::plot::{self, Kind, Start};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::derive::named;
+use super::subject::Subject;
 use crate::cli::outcome::{Format, Outcome, Screen};
 
 /// Draws a system as SVG: its motion, its effective potential, the axis of a top
@@ -17,7 +17,7 @@ use crate::cli::outcome::{Format, Outcome, Screen};
     after_help = "Examples:\n  onshell plot kepler > orbit.svg\n  onshell plot heavy_top --as axis --set '\\dot\\psi=5' > axis.svg"
 )]
 pub struct Arguments {
-    /// The system, e.g. heavy_top
+    /// The system, e.g. heavy_top, or notes that define a Lagrangian
     system: String,
     /// What to draw
     #[arg(long = "as", value_enum, default_value_t = Picture::Motion, value_name = "PICTURE")]
@@ -55,7 +55,7 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
 }
 
 fn drawn(arguments: &Arguments, registry: &Registry) -> Result<String> {
-    let system = named(&arguments.system, registry)?.trace()?;
+    let system = Subject::of(&arguments.system, registry)?.system;
     let setting = |pair: &String| {
         let value =
             pair.split_once('=').and_then(|(name, value)| Some((name.trim(), value.trim().parse::<f64>().ok()?)));
