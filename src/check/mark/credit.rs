@@ -28,12 +28,13 @@ pub(super) fn given(problem: &Problem, judged: Judged) -> (Vec<Line>, Vec<Result
                 problem.without_steps()
             }
             false => {
-                result.reached = if found.lost.is_some() { Reached::WithSlip } else { Reached::Wrong };
                 let mut root = found.line;
                 while let Some(before) = lines[root].follows_from {
                     root = before;
                 }
                 let is_charged = charged.contains(&root);
+                let is_slip = is_charged || found.lost.is_some();
+                result.reached = if is_slip { Reached::WithSlip } else { Reached::Wrong };
                 charged.push(root);
                 match found.lost {
                     _ if is_charged => 1.0,

@@ -4,11 +4,13 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::{Statement, SymbolId};
 use crate::latex::Reading;
-use crate::notes::claims::{Claim, Spanned};
+use crate::notes::claims::{Claim, Lost, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::Run;
+use crate::check::model::claim::is_equality;
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -155,10 +157,11 @@ impl Judge<'_, '_> {
         let display = self.world.first + at;
         line.verdict = Some(finding.verdict);
         let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
-        let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted);
+        let is_said = written.is_supposed || written.inline;
+        let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted, is_said);
         let is_last = at + 1 == self.world.written.len();
         let has_value = !statements.is_empty() && statements.iter().all(is_condition);
-        if written.continues.is_none() && has_value && (written.is_supposed || written.inline || !is_last) {
+        if written.continues.is_none() && has_value && (is_said || !is_last) {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a condition or a value, taken for granted".to_owned();
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
@@ -171,6 +174,12 @@ impl Judge<'_, '_> {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = format!("says what {} is, of which the problem says nothing", implied.name(self.quiet));
             self.implied.push(implied);
+            return Ok(());
+        }
+        if self.is_a_case(display, reading) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = "one of the cases that a condition before it leaves".to_owned();
+            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
         let of_problem = self.world.problem.notes.equations.len();
@@ -187,8 +196,8 @@ impl Judge<'_, '_> {
         };
         let all = displays(&|_| true);
         let wrong = displays(&|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
-        let sound = displays(&|line| line.mark == Mark::Right);
-        let before = Before { all: &all, wrong: &wrong, sound: &sound };
+        let sound = displays(&|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
+        let before = Before { all: &all, wrong: &wrong, sound: &sound, laws: &self.world.problem.laws };
         let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
         let from = if wrong.is_empty() || !self.details {
             None
@@ -201,6 +210,10 @@ impl Judge<'_, '_> {
                 (line.mark, line.follows_from) = (Mark::Carried, Some(from));
                 line.because = carried(&self.lines, from);
             }
+            None if self.details && self.leaves_open(at, reading)? => {
+                (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
+                line.because = format!("uses {}, of which nothing says what it is", self.unknown(reading).join(", "));
+            }
             None => {
                 line.mark = Mark::Wrong;
                 line.because = match wrong.is_empty() {
@@ -212,10 +225,45 @@ impl Judge<'_, '_> {
         Ok(())
     }
 
+    /// Whether the last condition holds where a line holds, so that the line is one of the cases that it leaves.
+    fn is_a_case(&self, display: usize, reading: &Reading) -> bool {
+        let Some((condition, _)) = self.conditions.last() else { return false };
+        let is_equation = reading.statements.iter().flatten().all(|statement| {
+            statement.members.len() == 2 && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+        });
+        let none = Claim::default();
+        let text = &self.world.display(display - self.world.first).text;
+        let condition = self.quiet.as_printed(condition, &none, &self.quiet.model.macros);
+        let assume = vec![Spanned::new(text.clone(), Span::default())];
+        let with = Claim { assume, ..Claim::default() };
+        is_equation && matches!(status(self.quiet, display, &condition, &with), Status::Holds(_))
+    }
+
     /// Whether a line says no more than what a quantity of the student's own is.
     fn gives(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
         let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);
         is_short || matches!(self.status(display, &implied.applied(reading.clone())).0, Status::Holds(_))
+    }
+
+    /// Whether a line that does not hold may be true, since it has quantities of the student's own of which no line says what
+    /// they are: then only a symbol in the place of
+    /// another one shows that it is false.
+    fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
+        let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
+        let is_open = !self.unknown(reading).is_empty();
+        Ok(is_open && !slip::found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
+    }
+
+    /// The quantities of the student's own in a line of which no line says what they are.
+    fn unknown(&self, reading: &Reading) -> Vec<String> {
+        let model = self.quiet.model;
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let is_used = |id: SymbolId| members().any(|member| member.symbols().iter().any(|(used, _)| *used == id));
+        let own = self.world.declared.iter().filter_map(|name| Some((name, model.symbols.find(name)?.0)));
+        let free = own.filter(|(_, id)| {
+            matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_))) && is_used(*id)
+        });
+        free.map(|(name, _)| self.world.in_own_letters(&name.to_string())).collect()
     }
 
     /// Whether one likely edit makes a line true.
