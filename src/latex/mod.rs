@@ -21,6 +21,7 @@
 
 #[cfg(feature = "notes")]
 pub mod definitions;
+pub mod foreign;
 #[cfg(feature = "notes")]
 mod inference;
 pub mod layout;

@@ -20,6 +20,7 @@ use super::given::{self, Implied};
 use super::judged::Judged;
 use super::marked::{Line, Mark};
 use super::results;
+use super::rounded::Known;
 use super::slip;
 use super::status::{Status, approximate, composed, stated, status};
 use super::world::World;
@@ -42,6 +43,7 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
             details,
             premises: checker.readings.to_vec(),
             conditions: Vec::new(),
+            known: Known::default(),
             lines: Vec::new(),
         };
         for at in 0..world.written.len() {
@@ -78,6 +80,8 @@ struct Judge<'j, 'c> {
     premises: Vec<Reading>,
     /// The conditions that were stated, as LaTeX, with the names of their lines.
     conditions: Vec<(String, String)>,
+    /// What the lines say that symbols are.
+    known: Known,
     lines: Vec<Line>,
 }
 
@@ -129,6 +133,7 @@ impl Judge<'_, '_> {
         }
         match status {
             Status::Holds(verdict) => {
+                self.known.add(&reading, false);
                 line.verdict = Some(verdict);
                 if line.because.is_empty() {
                     line.because = under;
@@ -165,6 +170,7 @@ impl Judge<'_, '_> {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a condition or a value, taken for granted".to_owned();
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
+            self.known.add(reading, true);
             return Ok(());
         }
         if let Some(implied) = Implied::by(self.quiet, &self.world.declared, reading)
@@ -174,6 +180,11 @@ impl Judge<'_, '_> {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = format!("says what {} is, of which the problem says nothing", implied.name(self.quiet));
             self.implied.push(implied);
+            return Ok(());
+        }
+        if self.is_rounded(display, reading) {
+            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
+            line.because = "right to the printed digits, with the numbers of the student".to_owned();
             return Ok(());
         }
         if self.is_a_case(display, reading) {
@@ -289,15 +300,31 @@ impl Judge<'_, '_> {
                 return (found, "follows from the problem, with its hypotheses".to_owned());
             }
         }
-        if let Some((_, name)) = self.conditions.last() {
+        if let Some((text, name)) = self.conditions.last() {
             let span = Span::default();
-            let assume = self.conditions.iter().map(|(text, _)| Spanned::new(text.clone(), span)).collect();
-            let found = status(self.quiet, display, reading, &Claim { assume, ..Claim::default() });
-            if let Status::Holds(_) = found {
-                return (found, format!("follows under the condition of {name}"));
+            let spanned = |text: &String| Spanned::new(text.clone(), span);
+            let all: Vec<Spanned<String>> = self.conditions.iter().map(|(text, _)| spanned(text)).collect();
+            // Conditions for different instants contradict each other.
+            let last = (all.len() > 1).then(|| vec![spanned(text)]);
+            for assume in [Some(all), last].into_iter().flatten() {
+                let claim = Claim { assume, ..Claim::default() };
+                let found = status(self.quiet, display, reading, &claim);
+                if let Status::Holds(_) = found {
+                    return (found, format!("follows under the condition of {name}"));
+                }
             }
         }
         (own, String::new())
+    }
+
+    /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.
+    fn is_rounded(&self, display: usize, reading: &Reading) -> bool {
+        let mut known = self.known.clone();
+        for at in 0..self.world.problem.notes.equations.len() {
+            known.add(&self.quiet.readings[at], false);
+        }
+        let text = &self.quiet.notes.equations[display].text;
+        known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
 }
 

@@ -60,13 +60,18 @@ pub(super) fn found(
             both
         };
         let is_true = |line: &Line| matches!(line.mark, Mark::Right | Mark::Given);
+        let computed = |at: usize| {
+            let own = links(checker, &checker.readings[world.first + at]);
+            lines[at].mark == Mark::Right && own.iter().any(|link| goal.is_computed(checker, link))
+        };
         let reached = |at: usize| {
             let more = readings(at).into_iter().filter_map(|reading| goal.reached(checker, world, reading));
             Some((more.min().filter(|_| is_true(&lines[at]))?, at))
         };
         // A line without names of the student's own says it best.
         let right = (0..lines.len()).filter_map(reached).min().map(|(_, line)| line);
-        if let Some(line) = right {
+        // A right number for what is wanted, where no line has the formula.
+        if let Some(line) = right.or_else(|| (0..lines.len()).find(|at| computed(*at))) {
             all.push(Some(Found { line, is_right: true, lost: None }));
             continue;
         }
@@ -145,6 +150,25 @@ impl Goal {
         (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law })
     }
 
+    /// Whether a link gives a number, or a formula of fewer names, for a wanted quantity that does not vary: the student has put
+    /// in numbers.
+    fn is_computed(&self, checker: &Checker<'_>, link: &Link) -> bool {
+        let is_fixed = self.symbols.iter().all(|(id, dots)| {
+            let varies = matches!(
+                checker.model.meaning(*id),
+                Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_))
+            );
+            *dots == 0 && !varies
+        });
+        let symbols = link.rhs.symbols();
+        is_fixed
+            && self.links.iter().any(|wanted| {
+                let known = wanted.rhs.symbols();
+                let fewer = symbols.len() < known.len() && symbols.iter().all(|symbol| known.contains(symbol));
+                matches!(link.lhs.node, Node::Symbol { .. }) && link.lhs == wanted.lhs && fewer
+            })
+    }
+
     /// The number of names of the student's own in a reading that says what is wanted; `None`, if it does not say it.
     fn reached(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<usize> {
         let all = links(checker, reading);
@@ -206,6 +230,8 @@ impl Goal {
             match checker.model.meaning(id) {
                 Some(Meaning::System(_)) => return None,
                 Some(Meaning::Defined(_)) if of_problem(id) => return None,
+                // A letter or primes for a rate say nothing of their own.
+                Some(Meaning::Defined(formula)) if matches!(formula.node, Node::Symbol { .. }) => {}
                 Some(Meaning::Defined(_)) => own.push(id),
                 _ => {}
             }
