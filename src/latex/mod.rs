@@ -22,6 +22,7 @@
 
 #[cfg(feature = "notes")]
 pub mod definitions;
+pub mod foreign;
 #[cfg(feature = "notes")]
 mod inference;
 pub mod layout;

@@ -7,7 +7,7 @@ use crate::source::Span;
 
 use super::layout::{Item, Layout, typeset_items};
 use super::macros::Macros;
-use super::{names, overdots};
+use super::{foreign, names, overdots};
 
 /// A text with other names, and where its bytes come from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,37 +43,15 @@ impl Renamed {
     }
 }
 
-/// The functions as other languages write them.
-const FOREIGN: [(&str, &str); 14] = [
-    ("\\operatorname{sen}", "\\sin"),
-    ("\\operatorname{sin}", "\\sin"),
-    ("\\operatorname{cos}", "\\cos"),
-    ("\\operatorname{tg}", "\\tan"),
-    ("\\operatorname{tan}", "\\tan"),
-    ("\\operatorname{ctg}", "\\cot"),
-    ("\\operatorname{arctg}", "\\arctan"),
-    ("\\operatorname{arcsen}", "\\arcsin"),
-    ("\\mathrm{sen}", "\\sin"),
-    ("\\mathrm{sin}", "\\sin"),
-    ("\\mathrm{cos}", "\\cos"),
-    ("\\mathrm{tg}", "\\tan"),
-    ("\\mathrm{arctg}", "\\arctan"),
-    ("\\mathrm{sh}", "\\sinh"),
-];
-
-/// A text in which each name of a table is replaced, and each function that is written in another language. Overdots and
-/// powers stay.
+/// A text in which each name of a table is replaced, and what is written by hand is made readable ([`foreign`]).
+/// Overdots and powers stay.
 pub fn renamed(text: &str, macros: &Macros, table: &HashMap<Name, Name>) -> Renamed {
     let Ok(items) = typeset_items(text, macros) else { return Renamed::unchanged(text) };
     let mut edits = Vec::new();
     for item in &items {
         collect(item, text, table, &mut edits);
     }
-    let is_subscript = |at: usize| text[..at].trim_end_matches('{').ends_with('_');
-    for (foreign, own) in FOREIGN {
-        let found = text.match_indices(foreign).filter(|(at, _)| !is_subscript(*at));
-        edits.extend(found.map(|(at, _)| (Span::new(at, at + foreign.len()), own.to_owned())));
-    }
+    edits.extend(foreign::edits(text));
     edits.sort_by_key(|(span, _): &(Span, String)| (span.start, span.end));
     edits.dedup();
     let mut renamed = Renamed { text: String::new(), places: Vec::new() };

@@ -28,12 +28,13 @@ pub(super) fn given(problem: &Problem, judged: Judged) -> (Vec<Line>, Vec<Result
                 problem.without_steps()
             }
             false => {
-                result.reached = if found.lost.is_some() { Reached::WithSlip } else { Reached::Wrong };
                 let mut root = found.line;
                 while let Some(before) = lines[root].follows_from {
                     root = before;
                 }
                 let is_charged = charged.contains(&root);
+                let is_slip = is_charged || found.lost.is_some();
+                result.reached = if is_slip { Reached::WithSlip } else { Reached::Wrong };
                 charged.push(root);
                 match found.lost {
                     _ if is_charged => 1.0,
@@ -75,8 +76,12 @@ pub(super) fn nothing(problem: &Problem) -> Vec<ResultMark> {
 /// Whether a line before the one that reaches a result leads to it. The first result needs none, unless it is all that there
 /// is.
 fn has_steps(result: usize, line: usize, lines: &[Line]) -> bool {
-    let is_step =
-        |line: &Line| !line.inline && matches!(line.mark, Mark::Right | Mark::Given | Mark::Carried | Mark::Wrong);
+    // A condition inside the text leads nowhere by itself.
+    let is_step = |line: &Line| match line.mark {
+        Mark::Right | Mark::Carried | Mark::Wrong => true,
+        Mark::Given => !line.inline,
+        Mark::Open | Mark::Unread => false,
+    };
     let is_chain = lines[line].statement.matches('=').count() > 1;
     let is_first = result == 0 && lines.iter().filter(|line| is_step(line)).count() > 1;
     lines[..line].iter().any(is_step) || is_chain || is_first

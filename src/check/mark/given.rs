@@ -13,15 +13,25 @@ use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 
 /// Whether a statement may be a condition: a coordinate, a velocity or a number has a value that nothing here determines.
-/// The names in `wanted` are results, and no conditions.
-pub(super) fn may_be(checker: &Checker<'_>, statement: &Statement, wanted: &[SymbolId]) -> bool {
+/// The names in `wanted` are results, and no conditions. Where the text says that it is one (`is_said`), it may say that an
+/// acceleration vanishes, as in equilibrium.
+pub(super) fn may_be(checker: &Checker<'_>, statement: &Statement, wanted: &[SymbolId], is_said: bool) -> bool {
     let ([first, second], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
         return false;
     };
     if !is_equality(*relation) {
         return true;
     }
-    sets(checker, first, second, wanted) || sets(checker, second, first, wanted)
+    let rests = |rate: &Expr, value: &Expr| {
+        let Node::Symbol { id, .. } = &rate.node else { return false };
+        is_said
+            && value.is_null()
+            && matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)))
+    };
+    sets(checker, first, second, wanted)
+        || sets(checker, second, first, wanted)
+        || rests(first, second)
+        || rests(second, first)
 }
 
 fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, wanted: &[SymbolId]) -> bool {
@@ -37,7 +47,9 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, wanted: &[SymbolId]) -
         *dots == 0 && matches!(checker.model.meaning(*symbol), Some(Meaning::Constant(_)))
     };
     let symbols = value.symbols();
-    is_free && !wanted.contains(id) && symbols.len() <= 1 && symbols.iter().all(is_constant)
+    let is_wanted = |id: &SymbolId| wanted.contains(id);
+    let is_open = !is_wanted(id) && !symbols.iter().any(|(id, _)| is_wanted(id));
+    is_free && is_open && symbols.len() <= 1 && symbols.iter().all(is_constant)
 }
 
 /// Each equality of a line, and the reading that says that what it is off by stays constant, where an initial value may

@@ -4,11 +4,13 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::{Statement, SymbolId};
 use crate::latex::Reading;
-use crate::notes::claims::{Claim, Spanned};
+use crate::notes::claims::{Claim, Lost, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::Run;
+use crate::check::model::claim::is_equality;
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -18,6 +20,7 @@ use super::given::{self, Implied};
 use super::judged::Judged;
 use super::marked::{Line, Mark};
 use super::results;
+use super::rounded::Known;
 use super::slip;
 use super::status::{Status, approximate, composed, stated, status};
 use super::world::World;
@@ -40,6 +43,7 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
             details,
             premises: checker.readings.to_vec(),
             conditions: Vec::new(),
+            known: Known::default(),
             lines: Vec::new(),
         };
         for at in 0..world.written.len() {
@@ -76,6 +80,8 @@ struct Judge<'j, 'c> {
     premises: Vec<Reading>,
     /// The conditions that were stated, as LaTeX, with the names of their lines.
     conditions: Vec<(String, String)>,
+    /// What the lines say that symbols are.
+    known: Known,
     lines: Vec<Line>,
 }
 
@@ -127,6 +133,7 @@ impl Judge<'_, '_> {
         }
         match status {
             Status::Holds(verdict) => {
+                self.known.add(&reading, false);
                 line.verdict = Some(verdict);
                 if line.because.is_empty() {
                     line.because = under;
@@ -155,13 +162,15 @@ impl Judge<'_, '_> {
         let display = self.world.first + at;
         line.verdict = Some(finding.verdict);
         let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
-        let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted);
+        let is_said = written.is_supposed || written.inline;
+        let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted, is_said);
         let is_last = at + 1 == self.world.written.len();
         let has_value = !statements.is_empty() && statements.iter().all(is_condition);
-        if written.continues.is_none() && has_value && (written.is_supposed || written.inline || !is_last) {
+        if written.continues.is_none() && has_value && (is_said || !is_last) {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a condition or a value, taken for granted".to_owned();
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
+            self.known.add(reading, true);
             return Ok(());
         }
         if let Some(implied) = Implied::by(self.quiet, &self.world.declared, reading)
@@ -171,6 +180,17 @@ impl Judge<'_, '_> {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = format!("says what {} is, of which the problem says nothing", implied.name(self.quiet));
             self.implied.push(implied);
+            return Ok(());
+        }
+        if self.is_rounded(display, reading) {
+            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
+            line.because = "right to the printed digits, with the numbers of the student".to_owned();
+            return Ok(());
+        }
+        if self.is_a_case(display, reading) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = "one of the cases that a condition before it leaves".to_owned();
+            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
         let of_problem = self.world.problem.notes.equations.len();
@@ -187,8 +207,8 @@ impl Judge<'_, '_> {
         };
         let all = displays(&|_| true);
         let wrong = displays(&|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
-        let sound = displays(&|line| line.mark == Mark::Right);
-        let before = Before { all: &all, wrong: &wrong, sound: &sound };
+        let sound = displays(&|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
+        let before = Before { all: &all, wrong: &wrong, sound: &sound, laws: &self.world.problem.laws };
         let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
         let from = if wrong.is_empty() || !self.details {
             None
@@ -201,6 +221,10 @@ impl Judge<'_, '_> {
                 (line.mark, line.follows_from) = (Mark::Carried, Some(from));
                 line.because = carried(&self.lines, from);
             }
+            None if self.details && self.leaves_open(at, reading)? => {
+                (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
+                line.because = format!("uses {}, of which nothing says what it is", self.unknown(reading).join(", "));
+            }
             None => {
                 line.mark = Mark::Wrong;
                 line.because = match wrong.is_empty() {
@@ -212,10 +236,45 @@ impl Judge<'_, '_> {
         Ok(())
     }
 
+    /// Whether the last condition holds where a line holds, so that the line is one of the cases that it leaves.
+    fn is_a_case(&self, display: usize, reading: &Reading) -> bool {
+        let Some((condition, _)) = self.conditions.last() else { return false };
+        let is_equation = reading.statements.iter().flatten().all(|statement| {
+            statement.members.len() == 2 && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+        });
+        let none = Claim::default();
+        let text = &self.world.display(display - self.world.first).text;
+        let condition = self.quiet.as_printed(condition, &none, &self.quiet.model.macros);
+        let assume = vec![Spanned::new(text.clone(), Span::default())];
+        let with = Claim { assume, ..Claim::default() };
+        is_equation && matches!(status(self.quiet, display, &condition, &with), Status::Holds(_))
+    }
+
     /// Whether a line says no more than what a quantity of the student's own is.
     fn gives(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
         let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);
         is_short || matches!(self.status(display, &implied.applied(reading.clone())).0, Status::Holds(_))
+    }
+
+    /// Whether a line that does not hold may be true, since it has quantities of the student's own of which no line says what
+    /// they are: then only a symbol in the place of
+    /// another one shows that it is false.
+    fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
+        let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
+        let is_open = !self.unknown(reading).is_empty();
+        Ok(is_open && !slip::found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
+    }
+
+    /// The quantities of the student's own in a line of which no line says what they are.
+    fn unknown(&self, reading: &Reading) -> Vec<String> {
+        let model = self.quiet.model;
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let is_used = |id: SymbolId| members().any(|member| member.symbols().iter().any(|(used, _)| *used == id));
+        let own = self.world.declared.iter().filter_map(|name| Some((name, model.symbols.find(name)?.0)));
+        let free = own.filter(|(_, id)| {
+            matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_))) && is_used(*id)
+        });
+        free.map(|(name, _)| self.world.in_own_letters(&name.to_string())).collect()
     }
 
     /// Whether one likely edit makes a line true.
@@ -241,15 +300,31 @@ impl Judge<'_, '_> {
                 return (found, "follows from the problem, with its hypotheses".to_owned());
             }
         }
-        if let Some((_, name)) = self.conditions.last() {
+        if let Some((text, name)) = self.conditions.last() {
             let span = Span::default();
-            let assume = self.conditions.iter().map(|(text, _)| Spanned::new(text.clone(), span)).collect();
-            let found = status(self.quiet, display, reading, &Claim { assume, ..Claim::default() });
-            if let Status::Holds(_) = found {
-                return (found, format!("follows under the condition of {name}"));
+            let spanned = |text: &String| Spanned::new(text.clone(), span);
+            let all: Vec<Spanned<String>> = self.conditions.iter().map(|(text, _)| spanned(text)).collect();
+            // Conditions for different instants contradict each other.
+            let last = (all.len() > 1).then(|| vec![spanned(text)]);
+            for assume in [Some(all), last].into_iter().flatten() {
+                let claim = Claim { assume, ..Claim::default() };
+                let found = status(self.quiet, display, reading, &claim);
+                if let Status::Holds(_) = found {
+                    return (found, format!("follows under the condition of {name}"));
+                }
             }
         }
         (own, String::new())
+    }
+
+    /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.
+    fn is_rounded(&self, display: usize, reading: &Reading) -> bool {
+        let mut known = self.known.clone();
+        for at in 0..self.world.problem.notes.equations.len() {
+            known.add(&self.quiet.readings[at], false);
+        }
+        let text = &self.quiet.notes.equations[display].text;
+        known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
 }
 

@@ -5,8 +5,11 @@
 //! counts, if it makes more true than none. A way is likely if a letter differs only in its case or its subscript, if
 //! angles stand for angles, and if v and a are a velocity and an acceleration.
 
+use std::collections::HashMap;
+
 use crate::Result;
 use crate::formula::symbols::Name;
+use crate::latex::rename::renamed;
 use crate::latex::{Macros, names};
 use crate::notes::Notes;
 
@@ -40,7 +43,7 @@ pub(super) fn best(run: &Run<'_>, problem: &Problem, notes: &Notes) -> Result<(J
     let known = &problem.names;
     let declared = declared(problem, &used);
     let tried = |table: &Letters, run: &Run<'_>, details: bool| {
-        let world = World::new(run, problem, (notes, &lines), table)?;
+        let world = World::new(run, problem, (notes, &lines), &with_primes(&used, known, table))?;
         judge(run, &world, details)
     };
     let shown = |table: &Letters| {
@@ -66,7 +69,23 @@ pub(super) fn best(run: &Run<'_>, problem: &Problem, notes: &Notes) -> Result<(J
             }
         }
     }
-    Ok((tried(&best, run, true)?, shown(&best)))
+    Ok((tried(&best, run, true)?, shown(&with_primes(&used, known, &best))))
+}
+
+/// The letters, and the names with primes: rates of what varies, where the problem itself has no such names.
+fn with_primes(used: &[Usage], known: &Names, table: &Letters) -> Letters {
+    let mut all = table.clone();
+    for usage in used.iter().filter(|usage| usage.name.primes > 0 && known.symbols.find(&usage.name).is_none()) {
+        let plain = Name { primes: 0, ..usage.name.clone() };
+        let own = StandsFor { name: plain.clone(), dots: 0 };
+        let of = table.get(&plain).unwrap_or(&own);
+        let dots = of.dots.saturating_add(usage.name.primes);
+        let varies = |(name, role, _): &(Name, Role, bool)| *name == of.name && *role != Role::Constant;
+        if dots <= 2 && known.names.iter().any(varies) {
+            all.insert(usage.name.clone(), StandsFor { name: of.name.clone(), dots });
+        }
+    }
+    all
 }
 
 /// Whether every line holds, and every result is reached.
@@ -82,7 +101,7 @@ fn usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {
             span: line.body,
             body: line.body,
             parts: vec![line.body],
-            text: line.text.clone(),
+            text: renamed(&line.text, macros, &HashMap::new()).text,
             number: None,
             labels: Vec::new(),
             automatic: Vec::new(),
@@ -112,11 +131,14 @@ fn ways(used: &[Usage], known: &Names, declared: &Letters) -> Vec<Letters> {
         let name = &usage.name;
         // `d` is a name where it is the whole left side.
         let is_free = name.base == "d" && usage.introduced.is_some();
+        // `i` is the imaginary unit only where e has a power of it; a student may write it for a current.
+        let is_current = name.base == "i" && (usage.introduced.is_some() || usage.moves);
         let reserved = !is_free
+            && !is_current
             && ["t", "e", "d", "i", "\\pi", "\\mathrm{d}"].contains(&name.base.as_str())
             && name.subscript.is_empty();
         let is_momentum = name.base == "p" && !name.subscript.is_empty();
-        known.symbols.find(name).is_none()
+        (known.symbols.find(name).is_none() || is_current && known.names.iter().all(|(other, ..)| other != name))
             && !reserved
             && !is_momentum
             && !declared.contains_key(name)

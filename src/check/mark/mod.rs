@@ -25,6 +25,7 @@ mod marked;
 mod names;
 mod problem;
 mod results;
+mod rounded;
 mod slip;
 mod status;
 mod world;

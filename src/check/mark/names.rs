@@ -57,7 +57,7 @@ impl Names {
     pub fn of(model: &Model) -> Names {
         let mut names = Vec::new();
         for (id, entry) in model.symbols.iter() {
-            if entry.kind != Kind::Scalar || !entry.slots.is_empty() || entry.momentum {
+            if entry.kind != Kind::Scalar || !entry.slots.is_empty() || entry.momentum && entry.name.base == "p" {
                 continue;
             }
             let role = match model.meaning(id) {

@@ -40,6 +40,8 @@ pub struct Problem {
     pub(super) wanted: Vec<Wanted>,
     /// The hypotheses under which the equations of the problem hold, each set once.
     pub(super) contexts: Vec<Claim>,
+    /// The displays that print laws.
+    pub(super) laws: Vec<usize>,
     /// Its names.
     pub(super) names: Names,
 }
@@ -94,8 +96,9 @@ impl Problem {
             }
         }
         let names = with_checker(run, &claims, notes, |checker| Ok(Names::of(checker.model)))?;
+        let laws = (0..verdicts.len()).filter(|at| verdicts[*at] == Verdict::Law).collect();
         let names_results = !rubric.results.is_empty();
-        Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts, names })
+        Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts, laws, names })
     }
 
     /// The share of the points for results without steps.

@@ -17,19 +17,15 @@ use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
-use crate::check::sample::outcome;
 use crate::check::vacuity::restatement;
 use crate::notes::claims::Range;
 
+use super::carried::numbers::{self, FEWEST, STATES};
 use super::judged::Found;
 use super::marked::{Line, Mark, Slipped};
 use super::problem::{Problem, Wanted};
 use super::status::composed;
 use super::world::World;
-
-/// The states at which two equations are compared, and how many of them must decide.
-const STATES: usize = 8;
-const FEWEST: usize = 3;
 
 /// The names that the wanted results give a formula for.
 pub(super) fn names(checker: &Checker<'_>, problem: &Problem) -> Vec<SymbolId> {
@@ -50,7 +46,7 @@ pub(super) fn found(
 ) -> Result<Vec<Option<Found>>> {
     let mut all = Vec::new();
     for wanted in &world.problem.wanted {
-        let Some(goal) = Goal::of(checker, wanted) else {
+        let Some(goal) = Goal::of(checker, world, wanted) else {
             all.push(None);
             continue;
         };
@@ -64,13 +60,18 @@ pub(super) fn found(
             both
         };
         let is_true = |line: &Line| matches!(line.mark, Mark::Right | Mark::Given);
+        let computed = |at: usize| {
+            let own = links(checker, &checker.readings[world.first + at]);
+            lines[at].mark == Mark::Right && own.iter().any(|link| goal.is_computed(checker, link))
+        };
         let reached = |at: usize| {
             let more = readings(at).into_iter().filter_map(|reading| goal.reached(checker, world, reading));
             Some((more.min().filter(|_| is_true(&lines[at]))?, at))
         };
         // A line without names of the student's own says it best.
         let right = (0..lines.len()).filter_map(reached).min().map(|(_, line)| line);
-        if let Some(line) = right {
+        // A right number for what is wanted, where no line has the formula.
+        if let Some(line) = right.or_else(|| (0..lines.len()).find(|at| computed(*at))) {
             all.push(Some(Found { line, is_right: true, lost: None }));
             continue;
         }
@@ -116,10 +117,13 @@ struct Goal {
     links: Vec<Link>,
     hypotheses: Vec<Hypothesis>,
     symbols: Vec<(SymbolId, u8)>,
+    /// Whether the problem gives it as a law.
+    is_law: bool,
 }
 
 impl Goal {
-    fn of(checker: &Checker<'_>, wanted: &Wanted) -> Option<Goal> {
+    fn of(checker: &Checker<'_>, world: &World<'_>, wanted: &Wanted) -> Option<Goal> {
+        let is_law = world.problem.laws.contains(&wanted.display);
         let reading = &checker.readings[wanted.display];
         let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
         let mut model = checker.without_system(false).model;
@@ -143,7 +147,26 @@ impl Goal {
         let hypotheses = checker.hypotheses(checker.assigned[wanted.display].unwrap_or(&none)).ok()?;
         symbols.sort_unstable();
         symbols.dedup();
-        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols })
+        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law })
+    }
+
+    /// Whether a link gives a number, or a formula of fewer names, for a wanted quantity that does not vary: the student has put
+    /// in numbers.
+    fn is_computed(&self, checker: &Checker<'_>, link: &Link) -> bool {
+        let is_fixed = self.symbols.iter().all(|(id, dots)| {
+            let varies = matches!(
+                checker.model.meaning(*id),
+                Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_))
+            );
+            *dots == 0 && !varies
+        });
+        let symbols = link.rhs.symbols();
+        is_fixed
+            && self.links.iter().any(|wanted| {
+                let known = wanted.rhs.symbols();
+                let fewer = symbols.len() < known.len() && symbols.iter().all(|symbol| known.contains(symbol));
+                matches!(link.lhs.node, Node::Symbol { .. }) && link.lhs == wanted.lhs && fewer
+            })
     }
 
     /// The number of names of the student's own in a reading that says what is wanted; `None`, if it does not say it.
@@ -153,14 +176,21 @@ impl Goal {
             all.iter().filter_map(|link| Some((self.own_names(checker, world, link)?, link))).collect();
         let mut most = 0;
         for wanted in &self.links {
-            let fewest =
-                all.iter().filter(|(_, link)| self.says(checker, link, wanted)).map(|(names, _)| *names).min()?;
+            let fewest = all
+                .iter()
+                .filter(|(_, link)| self.says(checker, world, link, wanted))
+                .map(|(names, _)| *names)
+                .min()?;
             most = most.max(fewest);
         }
         Some(most)
     }
 
-    fn says(&self, checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool {
+    fn says(&self, checker: &Checker<'_>, world: &World<'_>, link: &Link, wanted: &Link) -> bool {
+        // What the problem gives is no result, though with its definitions it may say the same.
+        if !is_about_its_rates(checker, link, wanted) || !self.is_law && says_a_law(checker, world, link) {
+            return false;
+        }
         if restatement::same_but_for_letters(link, wanted) {
             return true;
         }
@@ -181,26 +211,7 @@ impl Goal {
     /// Whether a link holds at states that obey a hypothesis; `None`, if there are too few.
     fn holds(&self, checker: &Checker<'_>, link: &Link, hypotheses: &[Hypothesis]) -> Option<bool> {
         let with: Vec<Hypothesis> = self.hypotheses.iter().chain(hypotheses).cloned().collect();
-        let tried = |hypotheses: &[Hypothesis]| {
-            let context = Context {
-                model: &self.model,
-                options: checker.options,
-                hypotheses,
-                on_shell: Some(false),
-                topic: "a wanted result",
-                span: Span::default(),
-                spread: Spread::Declared,
-                local: &[],
-            };
-            let mode = context.mode(false, &[&link.lhs, &link.rhs]);
-            let ensemble = context.ensemble(mode, false, STATES).ok()?;
-            let outcome = outcome::run(link, &ensemble.states).ok()?;
-            match (outcome.failure.is_some(), outcome.points >= FEWEST) {
-                (true, _) => Some(false),
-                (false, true) => Some(true),
-                (false, false) => None,
-            }
-        };
+        let tried = |hypotheses: &[Hypothesis]| numbers::holds(checker, &self.model, link, hypotheses);
         tried(&with).or_else(|| if self.hypotheses.is_empty() { None } else { tried(hypotheses) })
     }
 
@@ -219,6 +230,8 @@ impl Goal {
             match checker.model.meaning(id) {
                 Some(Meaning::System(_)) => return None,
                 Some(Meaning::Defined(_)) if of_problem(id) => return None,
+                // A letter or primes for a rate say nothing of their own.
+                Some(Meaning::Defined(formula)) if matches!(formula.node, Node::Symbol { .. }) => {}
                 Some(Meaning::Defined(_)) => own.push(id),
                 _ => {}
             }
@@ -251,7 +264,9 @@ impl Goal {
             let own: Vec<(SymbolId, u8)> = wanted.lhs.symbols().into_iter().chain(wanted.rhs.symbols()).collect();
             let moving = varies(&own);
             let highest = |all: &[(SymbolId, u8)]| all.iter().map(|(_, dots)| *dots).max();
-            let is_alike = varies(&symbols) == moving && highest(&moving).is_some_and(|dots| dots > 0);
+            let has_acceleration = moving.iter().any(|(id, dots)| *dots > 1 && symbols.contains(&(*id, *dots)));
+            let is_alike =
+                has_acceleration || varies(&symbols) == moving && highest(&moving).is_some_and(|dots| dots > 0);
             if is_alike && !(is_name && matches!(link.lhs.node, Node::Symbol { .. })) {
                 return Some(None);
             }
@@ -283,6 +298,37 @@ impl Goal {
         let is_constant = ratios.iter().all(|ratio| (ratio - first).abs() < 1e-9 * first.abs());
         is_constant.then_some(if (first + 1.0).abs() < 1e-9 { Lost::Sign } else { Lost::Factor })
     }
+}
+
+/// Whether a link says what a law of the problem says, whatever the definitions of the problem say.
+fn says_a_law(checker: &Checker<'_>, world: &World<'_>, own: &Link) -> bool {
+    let model = checker.without_system(true).model;
+    let premise = [Hypothesis::of(own.clone(), false)];
+    let follows = |law: &Link| numbers::holds(checker, &model, law, &premise) == Some(true);
+    world.problem.laws.iter().any(|law| {
+        let all = links(checker, &checker.readings[*law]);
+        !all.is_empty() && all.iter().all(follows)
+    })
+}
+
+/// Whether a link speaks of the rate of a quantity that the problem defines, or of the rate of a formula, where a result
+/// does. The equation of motion is no statement on the rate of the energy, though that follows from it.
+fn is_about_its_rates(checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool {
+    let determined = |id| matches!(checker.model.meaning(id), Some(Meaning::Defined(_) | Meaning::System(_)));
+    let rate_of_formula = |link: &Link| {
+        let mut found = false;
+        let mut look = |expr: &Expr| {
+            found |= match &expr.node {
+                Node::Symbol { id, dots, .. } => *dots > 0 && determined(*id),
+                Node::TimeDerivative(_, inner) => inner.as_plain_symbol().is_none_or(determined),
+                _ => false,
+            }
+        };
+        link.lhs.walk(&mut look);
+        link.rhs.walk(&mut look);
+        found
+    };
+    !rate_of_formula(wanted) || rate_of_formula(link)
 }
 
 fn free(model: &mut Model, id: SymbolId) {

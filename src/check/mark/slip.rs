@@ -11,6 +11,7 @@ use crate::check::document::setup::Run;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome;
+use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
 
@@ -107,7 +108,7 @@ fn edited(checker: &Checker<'_>, world: &World<'_>, at: usize) -> Option<Correct
         let reading = checker.as_printed(&edit.applied(&line.text), &none, &model.macros);
         let is_read = reading.statements.iter().all(Result::is_ok);
         is_read && !is_trivial(&reading) && fits(checker, &reading) && {
-            matches!(status(checker, display, &reading, &none), Status::Holds(_))
+            matches!(status(checker, display, &reading, &none), Status::Holds(_) | Status::Given(Verdict::Law, _))
         }
     };
     let edit = edits.iter().find(|edit| holds(edit))?;

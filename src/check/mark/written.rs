@@ -1,6 +1,7 @@
 //! The lines of a hand-in: the statements of its displays, the rows of its chains, and the equations in its text.
 
 use crate::latex::Macros;
+use crate::latex::foreign;
 use crate::latex::lines::{self, lines};
 use crate::notes::{Display, Notes};
 use crate::source::Span;
@@ -60,6 +61,7 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
     all.sort_by_key(|(body, ..)| body.start);
     let mut found: Vec<Written> = Vec::new();
     for (body, read, display) in all {
+        let read = foreign::separated(&read);
         let statements: Vec<lines::Line> = match display {
             Some(_) => lines(&read, macros),
             None => lines(&read, macros).into_iter().filter(|line| line.is_statement).collect(),

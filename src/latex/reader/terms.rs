@@ -236,7 +236,9 @@ impl Reader<'_> {
         let Some(before) = before else { return Ok(()) };
         let item = &items[at];
         let span = before.span.to(item.span);
-        if matches!(before.layout, Layout::Number(_)) && (is_numeric_item(item) || is_number(item)) {
+        // `2\sqrt{3}` is a product, and no mixed number.
+        let is_fraction = is_numeric_item(item) && !matches!(item.layout, Layout::Root(..));
+        if matches!(before.layout, Layout::Number(_)) && (is_fraction || is_number(item)) {
             return Err(
                 Fault::ambiguous(span, "2 3 may be the product 2·3 or the number 23").help("write \\cdot between them")
             );

@@ -1,5 +1,7 @@
 //! Follow-through: the false line before it from which a false line follows.
 
+pub(super) mod numbers;
+
 use crate::Result;
 use crate::formula::{Expr, Node, Statement, SymbolId};
 use crate::latex::{Reading, read_formula};
@@ -24,6 +26,8 @@ pub(super) struct Before<'b> {
     pub wrong: &'b [usize],
     /// Those that hold.
     pub sound: &'b [usize],
+    /// The laws of the problem.
+    pub laws: &'b [usize],
 }
 
 /// The false line from which a false line follows, by its display.
@@ -39,6 +43,12 @@ pub(super) fn origin(
     let pieces: Vec<&Reading> = pieces.iter().collect();
     for from in before.wrong.iter().rev().take(LOOKED_BACK) {
         if redefines(checker, *from, (at, own)) || shares_a_misreading(checker, *from, (at, own)) {
+            return Ok(Some(*from));
+        }
+        let wrong = &checker.readings[*from];
+        let is_inserted = numbers::inserted(checker, wrong, own)
+            .is_some_and(|new| matches!(status(checker, at, &new, &Claim::default()), Status::Holds(..)));
+        if is_inserted || numbers::follows(checker, *from, (before.sound, before.laws), own) {
             return Ok(Some(*from));
         }
         if pieces.is_empty() {

@@ -1,0 +1,149 @@
+//! Numbers that a student computed: right to the digits that are printed, under the conditions that the student stated.
+
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
+use crate::latex::Reading;
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::judge::difference;
+use crate::check::model::claim::is_equality;
+use crate::check::model::sampling::Spread;
+use crate::check::sample::context::Context;
+
+/// The relative distance of two numbers that are equal.
+const EQUAL: f64 = 1e-9;
+
+/// How often formulas are looked through for those that have numbers.
+const DEEPEST: usize = 8;
+
+/// What the lines before a line say that symbols are: numbers by conditions, and formulas by true lines.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Known {
+    values: Vec<(SymbolId, Expr)>,
+    is_any_number: bool,
+}
+
+impl Known {
+    /// Adds what a reading says that a symbol is, as a condition (a number) or as a true line (any formula).
+    pub fn add(&mut self, reading: &Reading, is_condition: bool) {
+        for statement in reading.statements.iter().flatten() {
+            let (Some(first), Some(last)) = (statement.members.first(), statement.members.last()) else { continue };
+            let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+            let Some(id) = first.as_plain_symbol().filter(|_| is_equal && statement.members.len() > 1) else {
+                continue;
+            };
+            let symbols = last.symbols();
+            if symbols.iter().any(|(other, _)| *other == id) || is_condition && !symbols.is_empty() {
+                continue;
+            }
+            self.is_any_number |= is_condition;
+            // A condition counts for more than a formula, and the last one for most.
+            let at = if is_condition { 0 } else { self.values.len() };
+            self.values.insert(at, (id, last.clone()));
+        }
+    }
+
+    /// The symbols that have numbers by themselves, or by formulas of symbols that have.
+    fn numbers(&self) -> Vec<(SymbolId, Expr)> {
+        let mut closed: Vec<(SymbolId, Expr)> = Vec::new();
+        for _ in 0..DEEPEST {
+            for (id, value) in &self.values {
+                let is_new = closed.iter().all(|(known, _)| known != id);
+                let value = inserted(value, &closed);
+                if is_new && value.symbols().is_empty() {
+                    closed.push((*id, value));
+                }
+            }
+        }
+        closed
+    }
+
+    /// Whether each equality of a reading of `text` holds with the numbers that are known, where a number of at least two
+    /// digits stands for all that are rounded to it; `holds` decides those that have other quantities.
+    pub fn fits(&self, checker: &Checker<'_>, text: &str, reading: &Reading, holds: impl Fn(&Reading) -> bool) -> bool {
+        if !self.is_any_number {
+            return false;
+        }
+        let closed = self.numbers();
+        let mut any = false;
+        let all = reading.statements.iter().all(|statement| {
+            let Ok(statement) = statement else { return false };
+            statement.members.windows(2).zip(&statement.relations).all(|(pair, relation)| {
+                if !is_equality(relation.0) && relation.0 != Relation::Approximately {
+                    return false;
+                }
+                let sides = [inserted(&pair[0], &closed), inserted(&pair[1], &closed)];
+                let values = [number(checker, &sides[0]), number(checker, &sides[1])];
+                if let [Some(value), Some(printed)] = values {
+                    any = true;
+                    let off = text.get(pair[1].span.range()).and_then(half_a_digit).unwrap_or(0.0);
+                    return (value - printed).abs() <= off.max(EQUAL * printed.abs());
+                }
+                let members = pair.to_vec();
+                let alone = Statement { members, relations: vec![*relation], ..statement.clone() };
+                holds(&Reading { statements: vec![Ok(alone)], introduced: Vec::new() })
+            })
+        });
+        any && all && !reading.statements.is_empty()
+    }
+}
+
+/// A formula with numbers in the place of symbols.
+fn inserted(formula: &Expr, numbers: &[(SymbolId, Expr)]) -> Expr {
+    let mut formula = formula.clone();
+    formula.substitute(&|node| match node {
+        Node::Symbol { id, dots: 0, .. } => {
+            numbers.iter().find(|(known, _)| known == id).map(|(_, value)| value.clone())
+        }
+        _ => None,
+    });
+    formula
+}
+
+/// The value of a formula without symbols.
+fn number(checker: &Checker<'_>, formula: &Expr) -> Option<f64> {
+    if !formula.symbols().is_empty() {
+        return None;
+    }
+    let context = Context {
+        model: checker.model,
+        options: checker.options,
+        hypotheses: &[],
+        on_shell: Some(false),
+        topic: "a number",
+        span: Span::default(),
+        spread: Spread::Declared,
+        local: &[],
+    };
+    let ensemble = context.ensemble(context.mode(false, &[formula]), false, 1).ok()?;
+    Some(difference::value(formula, ensemble.states.first()?)?.value)
+}
+
+/// Half a unit of the last digit of a printed number, if it has two digits or more: 0.05 for `57.7`, 50 for `1.2 \cdot 10^3`.
+fn half_a_digit(text: &str) -> Option<f64> {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let text = text.trim_start_matches(['-', '+']);
+    let (digits, power) = match text.split_once("\\cdot10^").or_else(|| text.split_once("\\times10^")) {
+        Some((digits, power)) => (digits, power.trim_matches(['{', '}']).parse::<i32>().ok()?),
+        None => (text, 0),
+    };
+    let significant = digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
+    let is_number = digits.chars().all(|c| c.is_ascii_digit() || c == '.') && digits.matches('.').count() <= 1;
+    let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    (is_number && significant > 1)
+        .then(|| 0.5 * 10f64.powi(power.clamp(-300, 300) - i32::try_from(decimals).unwrap_or(0)) * (1.0 + EQUAL))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::half_a_digit;
+
+    #[test]
+    fn the_last_digit_says_how_far_a_number_may_be_off() {
+        let near = |text: &str, value: f64| half_a_digit(text).is_some_and(|off| (off - value).abs() < 1e-6 * value);
+        assert!(near("57.7", 0.05) && near("- 0.289", 0.0005) && near("24", 0.5));
+        assert!(near(r"1.2 \cdot 10^{3}", 50.0));
+        // The twins: one digit is exact, and a formula is no number.
+        assert!(half_a_digit("2").is_none() && half_a_digit("0.5").is_none() && half_a_digit("2 g").is_none());
+    }
+}
