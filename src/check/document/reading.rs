@@ -17,7 +17,7 @@ use crate::formula::symbols::Name;
 use crate::formula::{Expr, IndexId, Kind, Statement, SymbolId, Symbols};
 use crate::latex::{Reading, name_search, names, read_display, read_formula};
 use crate::notes::Notes;
-use crate::notes::claims::{Claim, Claims, Components, Erratum, Spanned};
+use crate::notes::claims::{Claim, Claims, Components, Declaration, Erratum, Spanned};
 use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
@@ -25,7 +25,7 @@ use crate::check::document::unreadable::{UnreadableDisplays, faults};
 use crate::check::model::claim::is_equality;
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::{Meaning, Quantity};
-use crate::check::model::{Model, particles};
+use crate::check::model::{Model, functions, particles};
 
 /// Reads the displays, in their order, and the definitions of the claims file, which are added to the model.
 ///
@@ -58,6 +58,7 @@ pub(crate) fn read_all(
     let mut pending = Pending {
         claims,
         definitions: claims.define.iter().collect(),
+        functions: functions::waiting(claims, model),
         of_particles: claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect(),
     };
     pending.define_what_is_ready(model);
@@ -113,6 +114,9 @@ pub(crate) fn read_all(
         }
         pending.define_what_is_ready(model);
     }
+    if let Some(function) = pending.functions.first() {
+        functions::declare(claims, function, model)?;
+    }
     for at in 0..readings.len() {
         if readings[at].is_none() {
             readings[at] = Some(accept(read(&texts[at], assigned[at], model), model));
@@ -159,16 +163,20 @@ struct Pending<'a> {
     claims: &'a Claims,
     definitions: Vec<&'a (Spanned<String>, Spanned<String>)>,
     of_particles: Vec<&'a (Spanned<String>, Spanned<String>)>,
+    functions: Vec<&'a Declaration>,
 }
 
 impl Pending<'_> {
     /// Adds every definition whose names are all known now.
     fn define_what_is_ready(&mut self, model: &mut Model) {
         loop {
-            let before = self.definitions.len() + self.of_particles.len();
+            let left =
+                |pending: &Self| pending.definitions.len() + pending.of_particles.len() + pending.functions.len();
+            let before = left(self);
+            self.functions.retain(|function| functions::declare(self.claims, function, model).is_err());
             self.definitions.retain(|(name, body)| define(self.claims, name, body, model).is_err());
             self.of_particles.retain(|(name, meaning)| particles::declare(self.claims, name, meaning, model).is_err());
-            if before == self.definitions.len() + self.of_particles.len() {
+            if before == left(self) {
                 return;
             }
         }
@@ -315,11 +323,11 @@ fn accept((symbols, reading): (Symbols, Reading), model: &mut Model) -> Reading 
     }
     for statement in reading.statements.iter().flatten() {
         note_formula(statement, model);
-        let first = statement.members.first().and_then(Expr::as_plain_symbol);
-        if let Some(id) =
-            first.filter(|id| statement.constant.is_some() && model.symbols.entry(*id).definition.is_some())
-        {
-            model.symbols.entry_mut(id).conserved = true;
+        if statement.constant.is_some() {
+            for id in statement.members.iter().filter_map(Expr::as_plain_symbol) {
+                let entry = model.symbols.entry_mut(id);
+                entry.conserved |= entry.definition.is_some();
+            }
         }
     }
     reading

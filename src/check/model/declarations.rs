@@ -76,9 +76,11 @@ impl Builder<'_> {
             self.model.symbols.entry_mut(id).varies = true;
             self.model.mean(id, Meaning::Time);
         }
-        // Their arguments are declared by now.
+        // Their arguments are declared by now, or defined by a display that is read later.
         for declaration in self.claims.declarations.iter().filter(|declaration| declaration.role == Role::Function) {
-            self.any_function(declaration)?;
+            if !self.waits_for_a_display(declaration) {
+                self.any_function(declaration)?;
+            }
         }
         Ok(())
     }

@@ -10,10 +10,12 @@
 use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node, Term, Variable};
 use crate::formula::{Kind, Sign, SymbolId, text};
-use crate::notes::claims::{Declaration, Range, Spanned};
+use crate::latex::names;
+use crate::notes::claims::{Claims, Declaration, Range, Role, Spanned};
 use crate::source::Span;
 use crate::{Error, Result};
 
+use crate::check::model::Model;
 use crate::check::model::builder::Builder;
 use crate::check::model::meaning::{Meaning, Variable as Drawn};
 
@@ -73,7 +75,37 @@ impl Builder<'_> {
     }
 }
 
+/// Adds a function of a name that a display defines: V(r) beside r = √(x² + y²).
+///
+/// # Errors
+/// While an argument is not known.
+pub(crate) fn declare(claims: &Claims, declaration: &Declaration, model: &mut Model) -> Result<()> {
+    let mut builder = Builder { claims, model: model.clone(), early: Vec::new() };
+    builder.any_function(declaration)?;
+    *model = builder.model;
+    Ok(())
+}
+
+/// The functions that a model lacks, because an argument of theirs is defined by a display.
+pub(crate) fn waiting<'a>(claims: &'a Claims, model: &Model) -> Vec<&'a Declaration> {
+    let is_known = |declaration: &Declaration| {
+        names::parse(&declaration.name.value).is_some_and(|(name, _)| model.symbols.find(&name).is_some())
+    };
+    let all = claims.declarations.iter();
+    all.filter(|declaration| declaration.role == Role::Function && !is_known(declaration)).collect()
+}
+
 impl Builder<'_> {
+    /// Whether an argument of a function is not declared, so that a display may define it.
+    pub(crate) fn waits_for_a_display(&self, declaration: &Declaration) -> bool {
+        let Range::Of(arguments) = &declaration.range.value else { return false };
+        let is_known = |argument: &String| match names::parse(argument) {
+            Some((name, 0)) => self.model.symbols.find(&name).is_some(),
+            _ => true,
+        };
+        !arguments.iter().all(is_known)
+    }
+
     /// Adds the derivatives of a function as symbols: `V'`, `V''`, … of one argument, `\frac{\partial V}{\partial x}`, …
     /// of several. The last ones have none of their own.
     fn derivatives_of(&mut self, function: SymbolId, name: &Name, (terms, variables): (&[Monomial], &[Variable])) {
