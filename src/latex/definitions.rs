@@ -86,6 +86,11 @@ impl New {
     }
 }
 
+/// Whether a name is that of a number by custom, e or i, so that only a display that begins with it defines it.
+fn is_number_by_custom(name: &Name) -> bool {
+    name.subscript.is_empty() && ["e", "i"].contains(&name.base.as_str())
+}
+
 /// Whether an item is the time in parentheses.
 fn is_time(item: &Item, time: Option<&Name>) -> bool {
     let Layout::Fence(Delimiter::Round, inner) = &item.layout else { return false };
@@ -102,8 +107,8 @@ impl Unknown {
         let time = symbols.time.clone();
         let mut name = |item: &Item, squared: bool| {
             let printed = names::printed(item, branch).filter(|printed| printed.dots == 0)?;
-            let reserved = printed.name.subscript.is_empty()
-                && ["e", "i", "d", "\\pi"].contains(&printed.name.base.as_str())
+            let reserved = printed.name.subscript.is_empty() && ["d", "\\pi"].contains(&printed.name.base.as_str())
+                || place != Place::First && is_number_by_custom(&printed.name)
                 || Some(&printed.name) == symbols.time.as_ref();
             let raised = match printed.sup {
                 None => !squared,

@@ -353,11 +353,11 @@ fn accept((symbols, reading): (Symbols, Reading), model: &mut Model) -> Reading 
     for statement in reading.statements.iter().flatten() {
         note_formula(statement, model);
         note_momentum(statement, model);
-        let first = statement.members.first().and_then(Expr::as_plain_symbol);
-        if let Some(id) =
-            first.filter(|id| statement.constant.is_some() && model.symbols.entry(*id).definition.is_some())
-        {
-            model.symbols.entry_mut(id).conserved = true;
+        if statement.constant.is_some() {
+            for id in statement.members.iter().filter_map(Expr::as_plain_symbol) {
+                let entry = model.symbols.entry_mut(id);
+                entry.conserved |= entry.definition.is_some();
+            }
         }
     }
     reading

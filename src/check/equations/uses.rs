@@ -1,9 +1,10 @@
 //! The uses of a defined name: equations and sentences that contain it, and equations that hold by a law that contains it.
 
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
+use crate::formula::{Expr, Kind, Node, Relation, Statement, SymbolId, text};
 use crate::latex::DefinedSymbol;
 use crate::notes::claims::Claim;
+use crate::source::Span;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
@@ -14,7 +15,9 @@ use crate::check::equations::approximations::ApproximateUses;
 use crate::check::equations::definition_tests::Use;
 use crate::check::kinds::definitions;
 use crate::check::kinds::definitions::User;
+use crate::check::kinds::identified;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::vacuity::restatement;
 use crate::check::vacuity::restatement::Restated;
@@ -205,7 +208,42 @@ impl Checker<'_> {
             }
         }
         uses.append(&mut constant);
+        uses.append(&mut self.identities(symbol)?);
         Ok((uses, restated))
+    }
+
+    /// The defined names that contain a symbol and equal a quantity of the printed Lagrangian, such as its kinetic energy.
+    fn identities(&self, symbol: SymbolId) -> Result<Vec<Use>> {
+        let model = self.model;
+        let hypotheses = self.hypotheses(&Claim::default())?;
+        let mut found = Vec::new();
+        let all = self.readings.iter().flat_map(|reading| &reading.introduced).map(|introduced| introduced.symbol);
+        for name in all.filter(|name| model.symbol_depends_on(*name, &[symbol])) {
+            if printed_lagrangian::is_part(model, name) || model.symbols.entry(name).kind != Kind::Scalar {
+                continue;
+            }
+            let context = Context {
+                model,
+                options: self.options,
+                hypotheses: &hypotheses,
+                on_shell: None,
+                topic: "a quantity of the Lagrangian",
+                span: Span::default(),
+                spread: Spread::Declared,
+                local: &[],
+            };
+            if let Some((id, link)) = identified::of(name, &context)? {
+                found.push(Use {
+                    id,
+                    link,
+                    hypotheses: hypotheses.clone(),
+                    local: Vec::new(),
+                    is_plain: true,
+                    solution: None,
+                });
+            }
+        }
+        Ok(found)
     }
 
     /// Whether a display is a law.

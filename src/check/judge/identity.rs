@@ -102,6 +102,18 @@ enum Next {
     OnShell,
 }
 
+/// The finding on a claim that passes without any hypothesis: 2xy + x = ∂V/∂x beside the place where both are 0.
+fn without_hypotheses(link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+    if context.hypotheses.is_empty() {
+        return Ok(None);
+    }
+    let (found, _) = check_in(link, &Context { hypotheses: &[], ..*context }, false)?;
+    Ok(found
+        .verdict
+        .passes()
+        .then(|| Finding { message: format!("{}; it does not need its hypotheses", found.message), ..found }))
+}
+
 /// Checks a claim at states on shell or off shell.
 fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Finding, Next)> {
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
@@ -165,6 +177,9 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     if special && premises::vanishes_throughout(link, &ensemble.states) {
         if context.options.deduction {
             return Ok((finding, Next::Settled));
+        }
+        if let Some(without) = without_hypotheses(link, context)? {
+            return Ok((without, Next::Settled));
         }
         let place = if on_shell { "on shell" } else { "under its hypotheses" };
         let message = format!(

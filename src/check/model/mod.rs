@@ -184,7 +184,7 @@ impl Model {
         })
     }
 
-    fn symbol_depends_on(&self, id: SymbolId, symbols: &[SymbolId]) -> bool {
+    pub(crate) fn symbol_depends_on(&self, id: SymbolId, symbols: &[SymbolId]) -> bool {
         symbols.contains(&id)
             || match self.meaning(id) {
                 Some(Meaning::Defined(formula)) => self.depends_on(formula, symbols),

@@ -131,7 +131,10 @@ pub enum Vacuity {
 /// If the mass matrix of the system is singular.
 pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vacuity> {
     let formulas = [&link.lhs, &link.rhs].into_iter();
-    if on_shell || context.hypotheses.is_empty() || formulas.clone().any(|f| concerns_world(f, context.model)) {
+    // A hypothesis such as E = 0, in a claim without E, says what E is made of: that follows from the system.
+    let of_hypotheses = context.hypotheses.iter().flat_map(|hypothesis| [&hypothesis.lhs, &hypothesis.rhs]);
+    let mut all = formulas.chain(of_hypotheses);
+    if on_shell || context.hypotheses.is_empty() || all.any(|f| concerns_world(f, context.model)) {
         return Ok(Vacuity::None);
     }
     let unconditional = Context { hypotheses: &[], ..*context };

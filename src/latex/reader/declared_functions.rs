@@ -73,7 +73,8 @@ impl Reader<'_> {
             )
             .help("write \\frac{\\partial}{\\partial x}"));
         };
-        let scope = Scope { symbols: self.symbols, fixed: &[] };
+        let fixed = self.momenta(&value);
+        let scope = Scope { symbols: self.symbols, fixed: &fixed };
         (0..order).try_fold(value, |value, _| derivative::partial(&value, by, scope, span)).map_err(|reason| {
             match reason {
                 NoDerivative::Unknown(id) => Fault::unsupported(
@@ -125,7 +126,28 @@ impl Reader<'_> {
             }
             _ => value,
         };
+        // Names that depend on the argument are replaced by their formulas: F(r) = −V'(r) at 1/u.
+        let held = self.momenta(&Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span));
+        for _ in 0..MOST_DEFINITIONS {
+            let indirect = |node: &Node| match node {
+                Node::Symbol { id, dots: 0, .. } if !held.contains(id) && !is_changed(&changes, *id) => {
+                    let entry = self.symbols.entry(*id);
+                    entry.slots.is_empty().then_some(entry.definition.as_deref()?).filter(|inner| {
+                        changes.iter().any(|(by, _)| inner.symbols().iter().any(|(id, _)| *id == by.id))
+                    })
+                }
+                _ => None,
+            };
+            let before = formula.clone();
+            formula.substitute(&|node| indirect(node).cloned());
+            if formula == before {
+                break;
+            }
+        }
         let depends = |other: &SymbolId| {
+            if held.contains(other) || is_changed(&changes, *other) {
+                return false;
+            }
             let definition = self.symbols.entry(*other).definition.as_ref();
             definition.is_some_and(|formula| {
                 changes.iter().any(|(by, _)| formula.symbols().iter().any(|(id, _)| *id == by.id))
@@ -162,6 +184,14 @@ impl Reader<'_> {
         }
         Some(found)
     }
+}
+
+/// Names are defined by one another up to this depth where a function is taken at other arguments.
+const MOST_DEFINITIONS: usize = 8;
+
+/// Whether a symbol is an argument that has another value.
+fn is_changed(changes: &[(Variable, Expr)], id: SymbolId) -> bool {
+    changes.iter().any(|(by, _)| by.id == id)
 }
 
 fn unknown_formula(name: &str, span: Span) -> Fault {

@@ -23,6 +23,8 @@ struct Run {
     stands_alone: bool,
     /// Whether it ends with a rate.
     is_rate: bool,
+    /// Whether the function is hyperbolic, so that its argument contains no angle.
+    is_hyperbolic: bool,
 }
 
 impl Run {
@@ -119,7 +121,9 @@ impl Reader<'_> {
 
     /// Numbers, then symbols up to the first angle or dotted symbol; or a single fraction or root.
     fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
-        let mut run = Run { end: start, numbers: 0, symbols: Vec::new(), stands_alone: false, is_rate: false };
+        let is_hyperbolic = matches!(function, Function::Sinh | Function::Cosh | Function::Tanh);
+        let mut run =
+            Run { end: start, numbers: 0, symbols: Vec::new(), stands_alone: false, is_rate: false, is_hyperbolic };
         while let Some(item) = items.get(run.end) {
             if self.is_leading_number(item, run.end == start) {
                 if !run.symbols.is_empty() {
@@ -184,7 +188,9 @@ impl Reader<'_> {
                 // A rate times the time, and a wave number times a place.
                 let is_rate = ["\\omega", "\\Omega", "\\nu", "\\gamma", "\\lambda", "\\beta"].contains(&base);
                 let is_place = ["x", "y", "z", "r"].contains(&second.base.as_str()) && second.subscript.is_empty();
-                is_rate && Some(second) == self.symbols.time.as_ref() || base == "k" && is_place && self.symbols.open
+                // So is any letter before the time in a hyperbolic function: cosh αt.
+                (is_rate || run.is_hyperbolic) && Some(second) == self.symbols.time.as_ref()
+                    || base == "k" && is_place && self.symbols.open
             }
             _ => false,
         };

@@ -345,6 +345,13 @@ impl Reader<'_> {
                 subscript.concat() == variable || subscript.is_empty() && self.symbols.entry(other.id).is_momentum();
             fixed.contains(&other.id) && !is_of_it
         };
+        if mark == Mark::Total && self.runs_along_the_motion(formula, by, &others) {
+            let rate_of = |expr: &Expr| derivative::rate(expr, scope, span).map_err(refused);
+            let Variable { id, ref indices, dots } = *by;
+            let by = Expr::new(Node::Symbol { id, indices: indices.clone(), dots }, span);
+            let quotient = Node::Quotient(Box::new(rate_of(formula)?), Box::new(rate_of(&by)?));
+            return Ok(Expr::new(quotient, span));
+        }
         match mark {
             Mark::Total if others.iter().any(|other| !is_by(other) && !stays(other)) => Err(Fault::ambiguous(
                 span,
@@ -380,24 +387,64 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether df/dq is the ratio of the rates of f and of the coordinate q, as for an orbit: d²u/dφ² of u = 1/r.
+    ///
+    /// A function of q, or of a declared argument, has a derivative of its own, and of L or U the partial one may be meant.
+    fn runs_along_the_motion(&self, formula: &Expr, by: &Variable, others: &[Variable]) -> bool {
+        let may_be_partial = |id: SymbolId| {
+            let entry = self.symbols.entry(id);
+            let is_energy =
+                ["L", "\\mathcal{L}", "T", "K", "U", "V", "W", "E", "H"].contains(&entry.name.base.as_str());
+            is_energy || !entry.arguments.is_empty() || entry.is_momentum() || entry.conserved
+        };
+        let is_followed = |id: SymbolId| {
+            let entry = self.symbols.entry(id);
+            entry.definition.is_some() || !entry.derived
+        };
+        let varies = self.symbols.entry(by.id).varies && self.symbols.entry(by.id).definition.is_none();
+        let is_the_time = self.symbols.time.as_ref() == Some(&self.symbols.entry(by.id).name);
+        !self.symbols.open
+            && varies
+            && !is_the_time
+            && by.dots == 0
+            && !others.is_empty()
+            && others.iter().all(|other| other.id != by.id || other.dots > 0)
+            && formula.symbols().iter().all(|(id, _)| is_followed(*id) && !may_be_partial(*id))
+    }
+
     /// The momenta and conserved quantities in a formula: they are variables of their own, whatever formula defines them.
-    fn momenta(&self, formula: &Expr) -> Vec<SymbolId> {
-        let defined = formula.as_plain_symbol().and_then(|id| self.symbols.entry(id).definition.as_deref());
-        let (mut found, mut waiting) = (Vec::new(), vec![defined.unwrap_or(formula).clone()]);
+    ///
+    /// So are the names in a function V(r) that contain more than its arguments, such as ℓ = mr²φ̇: V depends on r alone.
+    pub(super) fn momenta(&self, formula: &Expr) -> Vec<SymbolId> {
+        let own = formula.as_plain_symbol().map(|id| self.symbols.entry(id));
+        let defined = own.and_then(|entry| Some((entry.definition.as_deref()?.clone(), entry.arguments.clone())));
+        let (mut found, mut waiting) = (Vec::new(), vec![defined.unwrap_or_else(|| (formula.clone(), Vec::new()))]);
         let mut seen = Vec::new();
-        while let Some(next) = waiting.pop() {
+        while let Some((next, arguments)) = waiting.pop() {
             for (id, _) in next.symbols() {
                 let entry = self.symbols.entry(id);
+                let inner = if entry.arguments.is_empty() { arguments.clone() } else { entry.arguments.clone() };
                 match &entry.definition {
                     _ if seen.contains(&id) => {}
                     _ if entry.is_momentum() || entry.conserved => found.push(id),
-                    Some(definition) => waiting.push(definition.as_ref().clone()),
+                    Some(definition) if self.exceeds(id, definition, &arguments) => found.push(id),
+                    Some(definition) => waiting.push((definition.as_ref().clone(), inner)),
                     None => {}
                 }
                 seen.push(id);
             }
         }
         found
+    }
+
+    /// Whether a name in a function contains rates that are no arguments of the function.
+    fn exceeds(&self, id: SymbolId, definition: &Expr, arguments: &[Variable]) -> bool {
+        let is_argument = |other: &Variable| arguments.contains(other);
+        let scope = Scope { symbols: self.symbols, fixed: &[] };
+        !arguments.is_empty()
+            && !arguments.iter().any(|argument| argument.id == id)
+            && derivative::variables(definition, scope)
+                .is_ok_and(|found| found.iter().any(|other| other.dots > 0 && !is_argument(other)))
     }
 }
 

@@ -45,6 +45,16 @@ impl Reader<'_> {
                 let euler = Expr::new(Node::Euler, span);
                 return Ok(Expr::new(Node::Power(Box::new(euler), Box::new(exponent)), span));
             }
+            let by_display = self.symbols.find(name).is_some_and(|(id, _)| self.symbols.entry(id).definition.is_some());
+            if let (true, Some(sup)) = (by_display, printed.sup)
+                && !is_figure(sup)
+            {
+                return Err(Fault::ambiguous(
+                    span,
+                    "e may be Euler’s number here, or the symbol that a display defines",
+                )
+                .help("write \\exp(…) for the exponential, or another letter for the symbol"));
+            }
             if let (true, false, Some(sup)) = (self.is_abstract(), declared, printed.sup)
                 && name.base == "e"
                 && is_figure(sup)
