@@ -40,7 +40,7 @@ pub use arithmetic::{Arithmetic, Function};
 pub use enclosure::Enclosure;
 #[cfg(feature = "notes")]
 pub use interval::Interval;
-pub(crate) use lists::{each, try_each, up_to};
+pub(crate) use lists::{each, up_to};
 pub use number::Number;
 pub use primal::Primal;
 pub use prime_field::Modular;

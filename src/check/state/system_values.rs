@@ -12,7 +12,7 @@ use crate::check::state::numbers::Base;
 use crate::check::state::values::matrix;
 use crate::formula::Value;
 use crate::mechanics::{LinearSolver, Quantities, System};
-use crate::scalar::{Number, Primal, Series, each, try_each};
+use crate::scalar::{Number, Primal, Series, each};
 
 /// The coordinates of a state as series in time, and the quantities of the system, computed on demand.
 pub(crate) struct SystemValues<'m, B: Number> {
@@ -158,4 +158,13 @@ fn one_of<D: Number>(all: &Quantities<D>, quantity: Quantity, indices: &[u8]) ->
         Quantity::BodyAxes => Value::Vector(all.orientation.as_ref()?.row(place(0)?).transpose()),
         Quantity::EffectivePotential | Quantity::SpaceAxes => return None,
     })
+}
+
+/// `f` of every entry, if there is one of each.
+fn try_each<A, B>(entries: &[A], f: &dyn Fn(&A) -> Option<B>) -> Option<Vec<B>> {
+    let mut all = Vec::with_capacity(entries.len());
+    for entry in entries {
+        all.push(f(entry)?);
+    }
+    Some(all)
 }
