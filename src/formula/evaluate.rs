@@ -5,7 +5,7 @@
 
 use nalgebra::{DMatrix, Vector3};
 
-use crate::scalar::{Number, Ratio};
+use crate::scalar::{Number, Ratio, cross, dot};
 
 pub use super::environment::{Body, Differentiable, Environment, Unavailable, differentiate};
 use super::ids::{Index, IndexId, SymbolId};
@@ -134,11 +134,11 @@ impl<D: Differentiable> Evaluator<'_, D> {
             Node::Norm(inner) => Value::Scalar(self.norm(inner, true)?),
             Node::Cross(a, b) => {
                 let (a, b) = (self.vector(a)?, self.vector(b)?);
-                Value::Vector(a.cross(&b))
+                Value::Vector(cross(&a, &b))
             }
             Node::Dot(a, b) => {
                 let (a, b) = (self.vector(a)?, self.vector(b)?);
-                Value::Scalar(a.x * b.x + a.y * b.y + a.z * b.z)
+                Value::Scalar(dot(&a, &b))
             }
             Node::Matrix(rows) => {
                 let mut entries = Vec::with_capacity(rows.iter().map(Vec::len).sum());
@@ -237,9 +237,12 @@ impl<D: Differentiable> Evaluator<'_, D> {
             Some(region) => self.environment.count_within(region)?,
             None => self.environment.count(index)?,
         };
-        let (first, last, out) = self.kept(except, upper)?;
+        let (first, last, out) = kept(&self.indices, except, upper)?;
         let mut total: Option<Value<D>> = None;
-        for value in (first..=last).filter(|value| !out.contains(value)) {
+        for value in first..=last {
+            if out.contains(&value) {
+                continue;
+            }
             self.indices.push((index, value));
             let term = self.value(body);
             self.indices.pop();
@@ -261,20 +264,6 @@ impl<D: Differentiable> Evaluator<'_, D> {
         }
     }
 
-    /// The range of a Σ: its first value, its last value, and the values in between that are excluded.
-    fn kept(&self, except: &[Excluded], upper: u8) -> Evaluated<(u8, u8, Vec<u8>)> {
-        let (mut first, mut last, mut out) = (1, upper, Vec::new());
-        for left_out in except {
-            match left_out {
-                Excluded::Value(index) => out.push(self.index(*index)?),
-                Excluded::From(index) => last = last.min(self.index(*index)?.saturating_sub(1)),
-                Excluded::UpTo(index) => first = first.max(self.index(*index)?.saturating_add(1)),
-                Excluded::Last(count) => last = last.min(upper.saturating_sub(*count)),
-            }
-        }
-        Ok((first, last, out))
-    }
-
     pub(super) fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {
         match self.value(expr)? {
             Value::Scalar(value) => Ok(value),
@@ -290,16 +279,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
     }
 
     fn index(&self, index: Index) -> Evaluated<u8> {
-        match index {
-            Index::Fixed(value) => Ok(value),
-            Index::Letter(id) => self
-                .indices
-                .iter()
-                .rev()
-                .find(|(known, _)| *known == id)
-                .map(|(_, value)| *value)
-                .ok_or(Unavailable::Operation("an index without a value")),
-        }
+        value_of(index, &self.indices)
     }
 
     #[inline(never)]
@@ -365,7 +345,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
     fn norm(&mut self, inner: &Expr, sign_matters: bool) -> Evaluated<D> {
         match self.value(inner)? {
             Value::Scalar(x) => Ok(if sign_matters { x.abs() } else { x }),
-            Value::Vector(v) => Ok((v.x * v.x + v.y * v.y + v.z * v.z).sqrt()),
+            Value::Vector(v) => Ok(dot(&v, &v).sqrt()),
             Value::Complex(z) => Ok(z.square().sqrt()),
             Value::Matrix(_) => Err(Unavailable::Operation("the norm of a matrix")),
         }
@@ -419,6 +399,35 @@ impl<D: Differentiable> Evaluator<'_, D> {
             }
         }))
     }
+}
+
+// What does not ask for the number stands outside of the evaluator, which is compiled for each number.
+
+/// The value of an index where letters have these values; the last one counts.
+fn value_of(index: Index, letters: &[(IndexId, u8)]) -> Evaluated<u8> {
+    match index {
+        Index::Fixed(value) => Ok(value),
+        Index::Letter(id) => letters
+            .iter()
+            .rev()
+            .find(|(known, _)| *known == id)
+            .map(|(_, value)| *value)
+            .ok_or(Unavailable::Operation("an index without a value")),
+    }
+}
+
+/// The range of a Σ: its first value, its last value, and the values in between that are excluded.
+fn kept(letters: &[(IndexId, u8)], except: &[Excluded], upper: u8) -> Evaluated<(u8, u8, Vec<u8>)> {
+    let (mut first, mut last, mut out) = (1, upper, Vec::new());
+    for left_out in except {
+        match left_out {
+            Excluded::Value(index) => out.push(value_of(*index, letters)?),
+            Excluded::From(index) => last = last.min(value_of(*index, letters)?.saturating_sub(1)),
+            Excluded::UpTo(index) => first = first.max(value_of(*index, letters)?.saturating_add(1)),
+            Excluded::Last(count) => last = last.min(upper.saturating_sub(*count)),
+        }
+    }
+    Ok((first, last, out))
 }
 
 fn added<D: Number>(total: &mut Value<D>, value: &Value<D>, sign: Sign) -> Evaluated<()> {

@@ -42,8 +42,10 @@ impl<D: Differentiable> Evaluator<'_, D> {
         for branch in branches {
             let mut holds = true;
             for condition in &branch.conditions {
-                let members =
-                    condition.members.iter().map(|member| self.scalar(member)).collect::<Evaluated<Vec<D>>>()?;
+                let mut members = Vec::with_capacity(condition.members.len());
+                for member in &condition.members {
+                    members.push(self.scalar(member)?);
+                }
                 for (pair, relation) in members.windows(2).zip(&condition.relations) {
                     holds &= compare(pair[0] - pair[1], *relation)?;
                 }

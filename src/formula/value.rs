@@ -1,6 +1,6 @@
 //! The value of a formula: a number, a vector in three dimensions, or a matrix, over any number type.
 
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::scalar::Number;
 
@@ -57,21 +57,24 @@ impl<D: Number> Value<D> {
     pub fn entries(&self) -> Vec<D> {
         match self {
             Value::Scalar(value) => vec![*value],
-            Value::Vector(vector) => vector.iter().copied().collect(),
-            Value::Matrix(matrix) => matrix.transpose().iter().copied().collect(),
+            Value::Vector(vector) => vector.as_slice().to_vec(),
+            Value::Matrix(matrix) => matrix.transpose().as_slice().to_vec(),
             Value::Complex(z) => vec![z.re, z.im],
         }
     }
 
     /// The value of a symbol of this kind, from its numbers in their order; `None` if one is missing.
-    pub fn of_numbers(kind: Kind, mut pick: impl FnMut(usize) -> Option<D>) -> Option<Self> {
+    pub fn of_numbers(kind: Kind, pick: &mut dyn FnMut(usize) -> Option<D>) -> Option<Self> {
         Some(match kind {
             Kind::Scalar | Kind::Rotation => Value::Scalar(pick(0)?),
             Kind::Vector => Value::Vector(Vector3::new(pick(0)?, pick(1)?, pick(2)?)),
             Kind::Complex => Value::Complex(Complex { re: pick(0)?, im: pick(1)? }),
             Kind::Abstract => return None,
             Kind::Matrix(rows, columns) => {
-                let entries = (0..kind.numbers()).map(pick).collect::<Option<Vec<D>>>()?;
+                let mut entries = Vec::with_capacity(kind.numbers());
+                for k in 0..kind.numbers() {
+                    entries.push(pick(k)?);
+                }
                 Value::of_matrix(DMatrix::from_row_slice(rows.into(), columns.into(), &entries))
             }
         })
@@ -97,35 +100,61 @@ impl<D: Number> Value<D> {
         }
     }
 
+    // Every function here is compiled for each of some twenty numbers. So those that take a closure have a short part,
+    // for a single number, that is compiled for each closure, and a part for all shapes that is compiled once.
+
     /// Applies `f` to every number in it.
-    pub fn map(self, f: impl Fn(D) -> D) -> Self {
-        match self {
-            Value::Scalar(value) => Value::Scalar(f(value)),
-            Value::Vector(vector) => Value::Vector(vector.map(f)),
-            Value::Matrix(matrix) => Value::Matrix(matrix.map(f)),
-            Value::Complex(z) => Value::Complex(Complex { re: f(z.re), im: f(z.im) }),
-        }
+    #[inline]
+    pub fn map(mut self, f: impl Fn(D) -> D) -> Self {
+        self.for_each(|x| *x = f(*x));
+        self
     }
 
     /// The value with `f` applied to every number, which may change the number type.
+    #[inline]
     pub fn each<E: Number>(&self, f: impl Fn(&D) -> E) -> Value<E> {
+        match self {
+            Value::Scalar(value) => Value::Scalar(f(value)),
+            others => others.each_of_several(&f),
+        }
+    }
+
+    fn each_of_several<E: Number>(&self, f: &dyn Fn(&D) -> E) -> Value<E> {
         match self {
             Value::Scalar(value) => Value::Scalar(f(value)),
             Value::Vector(vector) => Value::Vector(Vector3::new(f(&vector.x), f(&vector.y), f(&vector.z))),
             Value::Matrix(matrix) => {
-                Value::Matrix(DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| f(&matrix[(i, j)])))
+                let mut entries = Vec::with_capacity(matrix.len());
+                for entry in matrix.as_slice() {
+                    entries.push(f(entry));
+                }
+                Value::Matrix(DMatrix::from_vec(matrix.nrows(), matrix.ncols(), entries))
             }
             Value::Complex(z) => Value::Complex(Complex { re: f(&z.re), im: f(&z.im) }),
         }
     }
 
     /// Applies `f` to every number in place.
-    pub fn for_each(&mut self, f: impl FnMut(&mut D)) {
+    #[inline]
+    pub fn for_each(&mut self, mut f: impl FnMut(&mut D)) {
         match self {
-            Value::Scalar(value) => std::iter::once(value).for_each(f),
-            Value::Vector(vector) => vector.iter_mut().for_each(f),
-            Value::Matrix(matrix) => matrix.iter_mut().for_each(f),
-            Value::Complex(z) => [&mut z.re, &mut z.im].into_iter().for_each(f),
+            Value::Scalar(value) => f(value),
+            others => others.for_each_of_several(&mut f),
+        }
+    }
+
+    fn for_each_of_several(&mut self, f: &mut dyn FnMut(&mut D)) {
+        let several = match self {
+            Value::Scalar(value) => return f(value),
+            Value::Complex(z) => {
+                f(&mut z.re);
+                return f(&mut z.im);
+            }
+            Value::Vector(vector) => vector.as_mut_slice(),
+            Value::Matrix(matrix) => matrix.as_mut_slice(),
+        };
+        for value in several {
+            f(value);
         }
     }
 
@@ -140,11 +169,16 @@ impl<D: Number> Value<D> {
             Sign::Plus => *a += b,
             Sign::Minus => *a -= b,
         };
+        let put_all = |a: &mut [D], b: &[D]| {
+            for (a, b) in a.iter_mut().zip(b) {
+                put(a, *b);
+            }
+        };
         match (self, other) {
             (Value::Scalar(a), Value::Scalar(b)) => put(a, *b),
-            (Value::Vector(a), Value::Vector(b)) => a.iter_mut().zip(b.iter()).for_each(|(a, b)| put(a, *b)),
+            (Value::Vector(a), Value::Vector(b)) => put_all(a.as_mut_slice(), b.as_slice()),
             (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => {
-                a.iter_mut().zip(b.iter()).for_each(|(a, b)| put(a, *b));
+                put_all(a.as_mut_slice(), b.as_slice());
             }
             (Value::Complex(a), Value::Complex(b)) => {
                 put(&mut a.re, b.re);
@@ -160,12 +194,14 @@ impl<D: Number> Value<D> {
             }
             // Beside a matrix, a number is that multiple of the unit matrix.
             (Value::Matrix(a), Value::Scalar(b)) if a.nrows() == a.ncols() => {
-                (0..a.nrows()).for_each(|k| put(&mut a[(k, k)], *b));
+                for k in 0..a.nrows() {
+                    put(&mut a[(k, k)], *b);
+                }
             }
             (scalar @ Value::Scalar(_), Value::Matrix(b)) if b.nrows() == b.ncols() => {
                 let Value::Scalar(a) = scalar else { return false };
                 let mut total = DMatrix::from_diagonal_element(b.nrows(), b.ncols(), *a);
-                total.iter_mut().zip(b.iter()).for_each(|(a, b)| put(a, *b));
+                put_all(total.as_mut_slice(), b.as_slice());
                 *scalar = Value::Matrix(total);
             }
             _ => return false,
@@ -183,7 +219,7 @@ impl<D: Number> Value<D> {
             }
             (product, Value::Scalar(b)) => product.for_each(|a| *a *= b),
             (Value::Matrix(a), Value::Vector(b)) if a.shape() == (3, 3) => {
-                *self = Value::Vector(a.fixed_view::<3, 3>(0, 0) * b);
+                *self = Value::Vector(Matrix3::from_column_slice(a.as_slice()) * b);
             }
             (Value::Complex(a), Value::Complex(b)) => *a = a.times(b),
             (Value::Vector(_), Value::Vector(_)) => return false,

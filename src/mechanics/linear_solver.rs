@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, DVector, Dyn, Matrix3};
 use num_dual::linalg::LU;
 
-use crate::scalar::Number;
+use crate::scalar::{Number, up_to};
 use crate::{Error, Result};
 
 /// The largest condition number, of the equilibrated matrix, with which linear equations are solved.
@@ -73,7 +73,7 @@ fn cramer<D: Number>(what: &str, matrix: &DMatrix<D>, right: &[D]) -> Result<Vec
     }
     let determinant = determinant(matrix);
     let with_column = |j: usize| DMatrix::from_fn(n, n, |i, k| if k == j { right[i] } else { matrix[(i, k)] });
-    Ok((0..n).map(|j| self::determinant(&with_column(j)) / determinant).collect())
+    Ok(up_to(n, &mut |j| self::determinant(&with_column(j)) / determinant))
 }
 
 /// By Laplace's expansion along the first row.
@@ -84,7 +84,11 @@ fn determinant<D: Number>(matrix: &DMatrix<D>) -> D {
     let below = matrix.clone().remove_row(0);
     let cofactor =
         |j: usize| determinant(&below.clone().remove_column(j)) * if j.is_multiple_of(2) { 1.0 } else { -1.0 };
-    (0..matrix.ncols()).map(|j| matrix[(0, j)] * cofactor(j)).fold(D::zero(), |sum, term| sum + term)
+    let mut sum = D::zero();
+    for j in 0..matrix.ncols() {
+        sum += matrix[(0, j)] * cofactor(j);
+    }
+    sum
 }
 
 /// Solves M x = b in the given way.
@@ -126,7 +130,7 @@ pub(crate) fn solve<D: Number>(what: &str, matrix: DMatrix<D>, right: Vec<D>) ->
 pub(crate) fn eliminate<D: Number>(what: &str, matrix: DMatrix<D>, right: Vec<D>) -> Result<Vec<D>> {
     let solution =
         LU::<D, Dyn>::new(matrix).map_err(|_| refused(what, f64::INFINITY))?.solve(&DVector::from_vec(right));
-    Ok(solution.iter().copied().collect())
+    Ok(solution.as_slice().to_vec())
 }
 
 fn refused(what: &str, condition: f64) -> Error {

@@ -4,7 +4,7 @@ use num_dual::{Dual, DualNum};
 
 use super::euler_lagrange::accelerations;
 use super::{Lagrangian, State};
-use crate::scalar::{Number, Series, TERMS};
+use crate::scalar::{Number, Series, TERMS, each, up_to};
 use crate::{Error, Result};
 
 /// A function of the state over any number: a momentum, an energy, a quantity whose conservation is to be tested.
@@ -74,16 +74,15 @@ pub(super) fn complete<D: Number>(
         return Err(Error::new(format!("time derivatives of order {order} are not supported"))
             .help(format!("ask for an order of at most {most}")));
     }
-    let mut derivatives: Vec<Vec<D>> = q.iter().zip(v).map(|(&q, &v)| vec![q, v]).collect();
-    let series = |derivatives: &[Vec<D>]| derivatives.iter().map(|d| Series::from_derivatives(d)).collect::<Vec<_>>();
+    let mut derivatives: Vec<Vec<D>> = up_to(q.len().min(v.len()), &mut |i| vec![q[i], v[i]]);
     for known in 2..=order {
-        let q = series(&derivatives);
-        let v: Vec<_> = q.iter().map(Series::derivative).collect();
+        let q = each(&derivatives, &|known| Series::from_derivatives(known));
+        let v = each(&q, &Series::derivative);
         // q̈ can be known to one order less than q̇: spare the rest
-        let q: Vec<_> = q.iter().map(|q| q.truncated(known - 1)).collect();
+        let q = each(&q, &|q| q.truncated(known - 1));
         for (known_so_far, a) in derivatives.iter_mut().zip(accelerations(&q, &v, known)?) {
             known_so_far.push(a.nth_derivative_value(known - 2).unwrap_or(D::from(f64::NAN)));
         }
     }
-    Ok(derivatives.iter().map(|d| Series::from_derivatives(&d[..=order])).collect())
+    Ok(each(&derivatives, &|known| Series::from_derivatives(&known[..=order])))
 }

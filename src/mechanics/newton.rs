@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::linear_solver;
-use crate::scalar::Number;
+use crate::scalar::{Number, each, up_to};
 use crate::{Error, Result};
 
 /// Solves gradient(x) = target by Newton's method with the exact Hessian, damped while the residual does not shrink.
@@ -18,8 +18,8 @@ pub(super) fn invert<D: Number>(
         Error::new("the Legendre transform found no solution: Newton's method did not converge")
             .help("choose momenta that ∂L/∂q̇ can take, and coordinates where the mass matrix is invertible")
     };
-    let residual = |g: &[D]| g.iter().zip(target).map(|(&g, &t)| t - g).collect::<Vec<D>>();
-    let size = |r: &[D]| r.iter().map(|r| r.re() * r.re()).sum::<f64>();
+    let residual = |g: &[D]| up_to(g.len().min(target.len()), &mut |i| target[i] - g[i]);
+    let size = |r: &[D]| each(r, &|r| r.re() * r.re()).into_iter().sum::<f64>();
     let mut x = start;
     let (mut slope, mut hessian) = gradient(&x)?;
     // once the value has converged, every step doubles the order to which its derivatives are right
@@ -30,7 +30,7 @@ pub(super) fn invert<D: Number>(
         let mut share = 1.0;
         let before = size(&left);
         let moved = loop {
-            let trial: Vec<D> = x.iter().zip(&step).map(|(&x, &s)| x + s * share).collect();
+            let trial = up_to(x.len().min(step.len()), &mut |i| x[i] + step[i] * share);
             let (g, h) = gradient(&trial)?;
             let after = size(&residual(&g));
             let (scale, tiny) = (size(&g) + size(target), f64::EPSILON * 16.0);

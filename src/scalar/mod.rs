@@ -24,6 +24,7 @@ mod arithmetic;
 pub mod enclosure;
 #[cfg(feature = "notes")]
 pub mod interval;
+mod lists;
 mod number;
 mod primal;
 pub mod prime_field;
@@ -32,12 +33,14 @@ mod running_error;
 mod series;
 mod simplify;
 mod symbol;
+mod vectors;
 
 pub use arithmetic::{Arithmetic, Function};
 #[cfg(feature = "notes")]
 pub use enclosure::Enclosure;
 #[cfg(feature = "notes")]
 pub use interval::Interval;
+pub(crate) use lists::{each, up_to};
 pub use number::Number;
 pub use primal::Primal;
 pub use prime_field::Modular;
@@ -46,6 +49,7 @@ pub use running_error::RunningError;
 pub use series::{Series, TERMS};
 pub use simplify::{simplify_all, try_simplify};
 pub use symbol::{Graph, Node, Symbol};
+pub(crate) use vectors::{cross, dot};
 
 #[cfg(test)]
 mod tests {

@@ -72,8 +72,7 @@ impl<B: Number> Series<B> {
 
     /// The k-th time derivative at the instant, if it is known.
     pub fn nth_derivative_value(&self, k: usize) -> Option<B> {
-        let factorial: f64 = (1..=k).map(|j| j as f64).product();
-        (k < self.known()).then(|| self.coefficients[k] * factorial)
+        (k < self.known()).then(|| self.coefficients[k] * factorial(k))
     }
 
     /// Of which the value is known and nothing else.
@@ -93,14 +92,22 @@ impl<B: Number> Series<B> {
             return None;
         }
         if k >= self.length() {
-            return Some((0..k).fold(*self, |rate, _| rate.derivative()).value());
+            let mut rate = *self;
+            for _ in 0..k {
+                rate = rate.derivative();
+            }
+            return Some(rate.value());
         }
         Some(Self::rate_of(self.coefficients[k], k))
     }
 
     /// The value of the k-th derivative of what has this k-th coefficient, likewise to the last digit.
     pub fn rate_of(coefficient: B, k: usize) -> B {
-        (1..=k).rev().fold(coefficient, |coefficient, j| coefficient * j as f64)
+        let mut rate = coefficient;
+        for j in (1..=k).rev() {
+            rate *= j as f64;
+        }
+        rate
     }
 
     /// The series of the time derivative; it knows one order less.
@@ -201,13 +208,16 @@ impl<B: Number> Series<B> {
     }
 
     /// A power y = xⁿ from its value, by x·y′ = n·y·x′; `factor(j, k)` is n·j − (k − j).
-    fn power_of_value(&self, value: B, factor: impl Fn(usize, usize) -> B) -> Self {
+    fn power_of_value(&self, value: B, factor: &dyn Fn(usize, usize) -> B) -> Self {
         let x = &self.coefficients;
         Series::build(self.known(), self.length_of_function(), |k, y| match k {
             0 => value,
             _ => {
-                let sum = (1..=k).map(|j| x[j] * y[k - j] * factor(j, k));
-                sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / (x[0] * k as f64)
+                let mut sum = x[1] * y[k - 1] * factor(1, k);
+                for j in 2..=k {
+                    sum += x[j] * y[k - j] * factor(j, k);
+                }
+                sum / (x[0] * k as f64)
             }
         })
     }
@@ -275,6 +285,10 @@ impl<B: Number> Series<B> {
     }
 }
 
+fn factorial(k: usize) -> f64 {
+    (1..=k).map(|j| j as f64).product()
+}
+
 impl<B: Number> Arithmetic for Series<B> {
     type Inner = B;
     const DERIVATIVES: usize = B::NDERIV + TERMS - 1;
@@ -315,19 +329,19 @@ impl<B: Number> Arithmetic for Series<B> {
             return self.power(n as i32);
         }
         let x = &self.coefficients;
-        self.power_of_value(x[0].powf(n), |j, k| B::from(n * j as f64 - (k - j) as f64))
+        self.power_of_value(x[0].powf(n), &|j, k| B::from(n * j as f64 - (k - j) as f64))
     }
     fn rational_power(self, n: Ratio) -> Self {
         let (above, below) = (n.numerator as f64, n.denominator as f64);
         let factor = |j: usize, k: usize| B::from(above * j as f64 - below * (k - j) as f64) / below;
-        self.power_of_value(self.coefficients[0].rational_power(n), factor)
+        self.power_of_value(self.coefficients[0].rational_power(n), &factor)
     }
     fn apply(self, function: Function) -> Self {
         let (one, x0) = (Series::constant(B::one()), self.coefficients[0]);
         let value = || function.of(x0);
         match function {
             Function::Sqrt => self.real_power(0.5),
-            Function::Cbrt => self.power_of_value(value(), |j, k| B::from(j as f64 - 3.0 * (k - j) as f64) / 3.0),
+            Function::Cbrt => self.power_of_value(value(), &|j, k| B::from(j as f64 - 3.0 * (k - j) as f64) / 3.0),
             Function::Exp => Series::build(self.known(), self.length_of_function(), |k, y| match k {
                 0 => value(),
                 _ => Self::integral_step(k, &self.coefficients, y),
@@ -347,10 +361,18 @@ impl<B: Number> Arithmetic for Series<B> {
             Function::Tanh => Series::build(self.known(), self.length_of_function(), |k, y| match k {
                 0 => value(),
                 _ => {
-                    let square = |m: usize| (0..=m).map(|i| y[i] * y[m - i]).reduce(|a, b| a + b).unwrap_or(B::zero());
-                    let slope = |m: usize| if m == 0 { -square(0) + 1.0 } else { -square(m) };
-                    let sum = (1..=k).map(|j| self.coefficients[j] * slope(k - j) * j as f64);
-                    sum.reduce(|a, b| a + b).unwrap_or(B::zero()) / k as f64
+                    let slope = |m: usize| {
+                        let mut square: B = y[0] * y[m];
+                        for i in 1..=m {
+                            square += y[i] * y[m - i];
+                        }
+                        if m == 0 { -square + 1.0 } else { -square }
+                    };
+                    let mut sum = self.coefficients[1] * slope(k - 1) * 1.0;
+                    for j in 2..=k {
+                        sum += self.coefficients[j] * slope(k - j) * j as f64;
+                    }
+                    sum / k as f64
                 }
             }),
             Function::Asin => self.integrate(value(), one.over((one - self * self).apply(Function::Sqrt))),

@@ -14,8 +14,8 @@ use std::marker::PhantomData;
 use crate::formula::SymbolId;
 use crate::mechanics::LinearSolver;
 use crate::notes::claims::Range;
-use crate::scalar::Modular;
 use crate::scalar::prime_field::Modulus;
+use crate::scalar::{Modular, cross, dot};
 
 use crate::check::model::sampling::Spread;
 use crate::check::model::state_cache::Row;
@@ -43,7 +43,7 @@ pub(crate) const OTHER_WAYS: &str = "hypotheses that may have more than one solu
 pub(crate) fn determinant<F: Modulus>(columns: &[Vec<Modular<F>>]) -> Modular<F> {
     let vector = |column: &Vec<Modular<F>>| Vector3::new(column[0], column[1], column[2]);
     match columns {
-        [a, b, c] => vector(a).cross(&vector(b)).dot(&vector(c)),
+        [a, b, c] => dot(&cross(&vector(a), &vector(b)), &vector(c)),
         columns => columns[0][0],
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::Result;
 use crate::formula::evaluate::{Unavailable, evaluate_to};
-use crate::formula::{Expr, IndexId, Relation, Value};
-use crate::scalar::{Number, Series};
+use crate::formula::{Expr, IndexId, Relation, Sign, Value};
+use crate::scalar::{Number, Series, cross};
 
 use crate::check::model::claim::Hypothesis;
 use crate::check::state::residual;
@@ -48,10 +48,13 @@ pub(crate) fn difference_to<B: Number>(
 fn apart<D: Number>((lhs, rhs): (Value<D>, Value<D>), hypothesis: &Hypothesis) -> Result<Vec<D>, Unavailable> {
     Ok(match (lhs, rhs) {
         (Value::Vector(a), Value::Vector(b)) if hypothesis.relation == Relation::Proportional => {
-            a.cross(&b).iter().copied().collect()
+            cross(&a, &b).as_slice().to_vec()
         }
         (Value::Scalar(a), Value::Scalar(b)) => vec![a - b],
-        (a, b) if a.shape() == b.shape() => a.entries().iter().zip(b.entries()).map(|(a, b)| *a - b).collect(),
+        (mut a, b) if a.shape() == b.shape() => {
+            a.add(&b, Sign::Minus);
+            a.entries()
+        }
         (a, _) if hypothesis.rhs.is_zero() => a.entries(),
         _ => return Err(Unavailable::Operation("a hypothesis between different shapes")),
     })

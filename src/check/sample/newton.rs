@@ -4,7 +4,7 @@
 //! at the first base, and later bases use it again.
 
 use nalgebra::{DMatrix, DVector};
-use num_dual::Dual64;
+use num_dual::{Dual, Dual64};
 
 use crate::Result;
 use crate::formula::Relation;
@@ -195,10 +195,11 @@ impl<'m> Projection<'m> {
 
     /// The rows with their derivatives by one number of the base.
     fn column(&self, base: &[f64], slot: usize, rows: &[Row]) -> Result<Option<Vec<Dual64>>> {
-        let mut dual: Vec<Dual64> = base.iter().map(|x| Dual64::from_re(*x)).collect();
-        dual[slot].eps = 1.0;
-        let values = self.values(&self.state(&dual, self.terms)?, rows);
-        Ok(values.filter(|values| values.iter().all(|value| value.re.is_finite() && value.eps.is_finite())))
+        let mut dual: Vec<Dual<RunningError>> = base.iter().map(|x| Dual::from_re(RunningError::new(*x))).collect();
+        dual[slot].eps = RunningError::new(1.0);
+        let Some(values) = self.values(&self.state(&dual, self.terms)?, rows) else { return Ok(None) };
+        let column: Vec<Dual64> = values.iter().map(|x| Dual64::new(x.re.value, x.eps.value)).collect();
+        Ok(Some(column).filter(|column| column.iter().all(|x| x.re.is_finite() && x.eps.is_finite())))
     }
 
     /// Whether the value of a row changes with a number, at a generic base.
@@ -211,11 +212,12 @@ impl<'m> Projection<'m> {
         for step in [0.0, 0.5, 1.0] {
             let mut moved = base.to_vec();
             moved[slot] += step;
+            let moved: Vec<RunningError> = moved.into_iter().map(RunningError::new).collect();
             let Some(value) = self.values(&self.state(&moved, self.terms)?, &[row]) else { return Ok(false) };
-            values.push(value[0]);
+            values.push(value[0].value);
         }
-        let bend: f64 = values[0] - 2.0 * values[1] + values[2];
-        Ok(bend.abs() <= 1e-9 * values.iter().map(|v: &f64| v.abs()).sum::<f64>())
+        let bend = values[0] - 2.0 * values[1] + values[2];
+        Ok(bend.abs() <= 1e-9 * values.iter().map(|v| v.abs()).sum::<f64>())
     }
 
     /// The Jacobian and the values of the planned rows.

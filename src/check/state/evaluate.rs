@@ -22,10 +22,10 @@ impl<'m, B: Number> SampledState<'m, B> {
     }
 
     /// A scalar or vector symbol, from its numbers in their order.
-    fn numbers(&self, id: SymbolId, indices: &[u8], pick: impl Fn(usize) -> Option<Series<B>>) -> Valued<B> {
+    fn numbers(&self, id: SymbolId, indices: &[u8], pick: &dyn Fn(usize) -> Option<Series<B>>) -> Valued<B> {
         let kind = self.model.symbols.entry(id).kind;
         let first = kind.numbers() * self.place_of(id, indices);
-        Value::of_numbers(kind, |at| pick(first + at)).ok_or(Unavailable::Symbol(id))
+        Value::of_numbers(kind, &mut |at| pick(first + at)).ok_or(Unavailable::Symbol(id))
     }
 
     /// The value of a symbol by its meaning, before all rules, to this number of terms.
@@ -35,13 +35,13 @@ impl<'m, B: Number> SampledState<'m, B> {
         if let Some(member) = self.substitutes.member(id, indices, Value::clone) {
             return Ok(member);
         }
-        let fixed = |numbers: &[B]| self.numbers(id, indices, |at| numbers.get(at).map(|x| self.constant(*x)));
+        let fixed = |numbers: &[B]| self.numbers(id, indices, &|at| numbers.get(at).map(|x| self.constant(*x)));
         match self.model.meaning(id).ok_or_else(none)? {
             Meaning::Coordinate(i) => Ok(Value::Scalar(self.coordinates()[*i])),
             Meaning::Constant(i) => fixed(self.base.constant(*i)),
             Meaning::Varying(i) => {
                 let known = self.terms().min(terms);
-                self.numbers(id, indices, |at| self.base.varying(*i, at, known))
+                self.numbers(id, indices, &|at| self.base.varying(*i, at, known))
             }
             Meaning::Time => Ok(Value::Scalar(Series::time(self.base.time).truncated(self.terms()))),
             Meaning::System(quantity) => self.system.quantity(*quantity, indices).ok_or_else(none),
@@ -189,7 +189,7 @@ impl<B: Number> Environment<Series<B>> for SampledState<'_, B> {
     }
 
     fn integral(&self, region: SymbolId, _integrand: Option<&Expr>, body: Body<'_, Series<B>>) -> Valued<B> {
-        self.integrate(region, body, |x| self.constant(x))
+        self.integrate(region, body, &|x| self.constant(x))
     }
 
     fn shrinking(&self, region: SymbolId, body: Body<'_, Series<B>>) -> Valued<B> {

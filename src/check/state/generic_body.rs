@@ -15,7 +15,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::formula::{Expr, SymbolId};
 use crate::scalar::prime_field::Modulus;
-use crate::scalar::{Modular, Number};
+use crate::scalar::{Modular, Number, cross, dot};
 
 use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::model::Model;
@@ -115,7 +115,8 @@ impl<F: Modulus> GenericBody<Modular<F>> {
         }
         let (w, v) = (Modular::<F>::random_plain(), Vector3::from_fn(|_, _| Modular::random_plain()));
         let turned = |x: Vector3<Modular<F>>| {
-            (x * (w * w - v.dot(&v)) + (v * v.dot(&x) + v.cross(&x) * w) * Modular::from(2.0)) / (w * w + v.dot(&v))
+            (x * (w * w - dot(&v, &v)) + (v * dot(&v, &x) + cross(&v, &x) * w) * Modular::from(2.0))
+                / (w * w + dot(&v, &v))
         };
         let axes = Matrix3::from_fn(|row, at| Modular::from(if row == at { 1.0 } else { 0.0 }));
         let axes = Matrix3::from_rows(&[0, 1, 2].map(|at| turned(axes.column(at).into()).transpose()));

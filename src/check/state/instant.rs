@@ -69,7 +69,7 @@ impl<B: Number> SampledState<'_, B> {
         let numbers = |pick: &dyn Fn(usize) -> Option<B>| {
             let kind = model.symbols.entry(id).kind;
             let first = kind.numbers() * place();
-            Value::of_numbers(kind, |at| pick(first + at).map(Primal))
+            Value::of_numbers(kind, &mut |at| pick(first + at).map(Primal))
         };
         match model.meaning(id)? {
             Meaning::Coordinate(i) => Some(Value::Scalar(Primal(self.coordinates().get(*i)?.rate(order)?))),
@@ -161,13 +161,13 @@ impl<B: Number> Environment<Primal<B>> for Now<'_, '_, B> {
     fn integral(&self, region: SymbolId, integrand: Option<&Expr>, body: Body<'_, Primal<B>>) -> Valued<B> {
         let state = self.0;
         let Some(integrand) = integrand.filter(|_| state.is_nowhere()) else {
-            return state.integrate(region, body, Primal);
+            return state.integrate(region, body, &Primal);
         };
         let is_it = |(at, of, _): &&(SymbolId, Expr, Value<Primal<B>>)| *at == region && of == integrand;
         if let Some((.., value)) = state.memo.integrals.borrow().iter().find(is_it) {
             return Ok(value.clone());
         }
-        let value = state.integrate(region, body, Primal)?;
+        let value = state.integrate(region, body, &Primal)?;
         state.memo.integrals.borrow_mut().push((region, integrand.clone(), value.clone()));
         Ok(value)
     }

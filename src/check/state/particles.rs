@@ -10,7 +10,7 @@ use crate::check::model::Model;
 use crate::check::state::generic_body::GenericBody;
 use crate::formula::{Expr, IndexId, SymbolId, Symbols, Value};
 use crate::mechanics::Nodes;
-use crate::scalar::{Number, Series};
+use crate::scalar::{Number, Series, each};
 
 /// Particles that replace the members of some families.
 pub struct Particles<B: Number> {
@@ -34,8 +34,8 @@ impl<B: Number> Particles<B> {
         label: IndexId,
         constant: impl Fn(B) -> Series<B>,
     ) -> Self {
-        let masses = nodes.points.iter().map(|(_, m)| Value::Scalar(constant(*m))).collect();
-        let positions = nodes.points.iter().map(|(x, _)| Value::Vector(x.map(&constant))).collect();
+        let masses = each(&nodes.points, &|(_, m)| Value::Scalar(constant(*m)));
+        let positions = each(&nodes.points, &|(x, _)| Value::Vector(x.map(&constant)));
         Particles { members: vec![(mass, masses), (position, positions)], label, joined: false }
     }
 

@@ -183,12 +183,12 @@ impl<B: Number> SampledState<'_, B> {
         &self,
         region: SymbolId,
         integrand: Integrand<'_, D>,
-        constant: impl Fn(B) -> D,
+        constant: &dyn Fn(B) -> D,
     ) -> Result<Value<D>, Unavailable> {
         let (at, continuum) = self.continuum(region)?;
-        let (value, _) = self.sum_over_nodes((at, DEGREE), integrand, &constant)?;
+        let (value, _) = self.sum_over_nodes((at, DEGREE), integrand, constant)?;
         if !continuum.solids.is_empty() {
-            let (finer, scale) = self.sum_over_nodes((at, FINER), integrand, &constant)?;
+            let (finer, scale) = self.sum_over_nodes((at, FINER), integrand, constant)?;
             let same = |(a, b): (&D, &D)| (a.re() - b.re()).abs() <= 1e-10 * scale;
             if !value.entries().iter().zip(&finer.entries()).all(same) {
                 return Err(Unavailable::Operation(
@@ -204,7 +204,7 @@ impl<B: Number> SampledState<'_, B> {
         &self,
         (at, degree): (usize, usize),
         integrand: Integrand<'_, D>,
-        constant: impl Fn(B) -> D,
+        constant: &dyn Fn(B) -> D,
     ) -> Result<(Value<D>, f64), Unavailable> {
         let known = self.memo.nodes.borrow().get(&(at, degree)).cloned();
         let nodes = match known {

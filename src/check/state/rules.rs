@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use crate::formula::evaluate::{ALL, Unavailable, evaluate};
 use crate::formula::{Expr, IndexId, Kind, Sign, SymbolId, Value};
-use crate::scalar::{Number, Series};
+use crate::scalar::{Number, Series, dot};
 
 use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::state::sampled_state::SampledState;
@@ -39,10 +39,10 @@ impl<B: Number> SampledState<'_, B> {
             }
             Action::Parallel(along) => match (before()?, self.formula_to(terms, along, &letters)?) {
                 (Value::Vector(v), Value::Vector(a)) => {
-                    let square = a.dot(&a);
+                    let square = dot(&a, &a);
                     match square.value().is_zero() {
                         true => Value::Vector(Vector3::zeros()),
-                        false => Value::Vector(a * (v.dot(&a) / square)),
+                        false => Value::Vector(a * (dot(&v, &a) / square)),
                     }
                 }
                 _ => return Err(wrong),
@@ -136,12 +136,13 @@ impl<B: Number> SampledState<'_, B> {
         let mut members = vec![Vec::new()];
         for (_, letter) in &self.model.symbols.entry(id).slots {
             // The largest number of members, so that the place of a member does not depend on the actual number.
-            let count = self.model.symbols.indices[letter.0].upper;
-            members = members
-                .into_iter()
-                .flat_map(|member: Vec<u8>| (1..=count).map(move |value| [member.as_slice(), &[value]].concat()))
-                .collect();
+            members = each_extended(&members, self.model.symbols.indices[letter.0].upper);
         }
         Ok(members)
     }
+}
+
+/// Every list with every value up to `count` after it.
+fn each_extended(members: &[Vec<u8>], count: u8) -> Vec<Vec<u8>> {
+    members.iter().flat_map(|member| (1..=count).map(move |value| [member.as_slice(), &[value]].concat())).collect()
 }

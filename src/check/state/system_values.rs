@@ -12,7 +12,7 @@ use crate::check::state::numbers::Base;
 use crate::check::state::values::matrix;
 use crate::formula::Value;
 use crate::mechanics::{LinearSolver, Quantities, System};
-use crate::scalar::{Number, Primal, Series};
+use crate::scalar::{Number, Primal, Series, each};
 
 /// The coordinates of a state as series in time, and the quantities of the system, computed on demand.
 pub(crate) struct SystemValues<'m, B: Number> {
@@ -41,7 +41,7 @@ impl<'m, B: Number> SystemValues<'m, B> {
         terms: usize,
     ) -> Result<Self> {
         let system = model.system.as_deref();
-        let parameters: Vec<B> = model.parameters.iter().map(|place| base.constant(*place)[0]).collect();
+        let parameters = each(&model.parameters, &|place| base.constant(*place)[0]);
         let coordinates = match system {
             Some(system) if mode.on_shell => {
                 let q: Vec<B> = base.coordinates().map(|jet| jet[0]).collect();
@@ -77,10 +77,8 @@ impl<'m, B: Number> SystemValues<'m, B> {
     /// The quantities of the system at the instant.
     fn values(&self) -> Option<&Quantities<Primal<B>>> {
         let compute = || {
-            let derivative = |order: usize| -> Option<Vec<_>> {
-                self.coordinates.iter().map(|q| q.rate(order).map(Primal)).collect()
-            };
-            let parameters: Vec<_> = self.parameters.iter().map(|parameter| Primal(*parameter)).collect();
+            let derivative = |order: usize| try_each(&self.coordinates, &|q| q.rate(order).map(Primal));
+            let parameters = each(&self.parameters, &|parameter| Primal(*parameter));
             let time = Primal(self.time);
             Some(Box::new(self.system?.quantities(time, &derivative(0)?, &derivative(1)?, &parameters)))
         };
@@ -121,9 +119,7 @@ impl<'m, B: Number> SystemValues<'m, B> {
 
     /// The Euler–Lagrange residuals of the system, one for each coordinate.
     pub(crate) fn euler_lagrange(&self) -> Option<Vec<B>> {
-        let derivative = |order: usize| -> Option<Vec<B>> {
-            self.coordinates.iter().map(|q| q.nth_derivative_value(order)).collect()
-        };
+        let derivative = |order: usize| try_each(&self.coordinates, &|q| q.nth_derivative_value(order));
         let (q, v, a) = (derivative(0)?, derivative(1)?, derivative(2)?);
         Some(self.system?.euler_lagrange(self.time, &q, &v, &self.parameters, &a))
     }
@@ -133,11 +129,11 @@ impl<'m, B: Number> SystemValues<'m, B> {
     }
 
     fn velocities(&self) -> Vec<Series<B>> {
-        self.coordinates.iter().map(Series::derivative).collect()
+        each(&self.coordinates, &Series::derivative)
     }
 
     fn constants(&self) -> Vec<Series<B>> {
-        self.parameters.iter().map(|x| Series::constant(*x).truncated(self.terms)).collect()
+        each(&self.parameters, &|x| Series::constant(*x).truncated(self.terms))
     }
 }
 
@@ -162,4 +158,13 @@ fn one_of<D: Number>(all: &Quantities<D>, quantity: Quantity, indices: &[u8]) ->
         Quantity::BodyAxes => Value::Vector(all.orientation.as_ref()?.row(place(0)?).transpose()),
         Quantity::EffectivePotential | Quantity::SpaceAxes => return None,
     })
+}
+
+/// `f` of every entry, if there is one of each.
+fn try_each<A, B>(entries: &[A], f: &dyn Fn(&A) -> Option<B>) -> Option<Vec<B>> {
+    let mut all = Vec::with_capacity(entries.len());
+    for entry in entries {
+        all.push(f(entry)?);
+    }
+    Some(all)
 }

@@ -15,7 +15,7 @@ impl MatrixFunction {
         match self {
             _ if m.nrows() != m.ncols() || m.nrows() > LARGEST => None,
             MatrixFunction::Determinant => Some(determinant(m)),
-            MatrixFunction::Trace => Some((0..m.nrows()).map(|k| m[(k, k)]).sum()),
+            MatrixFunction::Trace => Some(sum(m.nrows(), &mut |k| m[(k, k)])),
         }
     }
 }
@@ -26,13 +26,19 @@ pub fn determinant<D: Number>(m: &DMatrix<D>) -> D {
         0 => D::one(),
         1 => m[(0, 0)],
         2 => m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)],
-        n => (0..n)
-            .map(|j| {
-                let part = m[(0, j)] * determinant(&m.clone().remove_row(0).remove_column(j));
-                if j.is_multiple_of(2) { part } else { -part }
-            })
-            .sum(),
+        n => sum(n, &mut |j| {
+            let part = m[(0, j)] * determinant(&m.clone().remove_row(0).remove_column(j));
+            if j.is_multiple_of(2) { part } else { -part }
+        }),
     }
+}
+
+fn sum<D: Number>(n: usize, term: &mut dyn FnMut(usize) -> D) -> D {
+    let mut sum = D::zero();
+    for k in 0..n {
+        sum += term(k);
+    }
+    sum
 }
 
 /// The inverse of a square matrix by its cofactors; `None` for one that is not square or too large.

@@ -11,7 +11,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::rules::{gauss_legendre, interval, sphere};
-use crate::scalar::Number;
+use crate::scalar::{Number, each};
 
 /// A uniform body in its canonical position: centred at the origin; a rod along z, a lamina and a disc in the xy plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +60,48 @@ impl<D: Number> Body<D> {
 
     /// Nodes that integrate every polynomial in x, y, z up to the total degree `degree` exactly.
     pub fn nodes(&self, degree: usize) -> Nodes<D> {
-        self.scaled(match self {
+        self.scaled(self.unit().unit_nodes(degree))
+    }
+
+    /// The body of this form of unit edges or radius.
+    fn unit(&self) -> Body<f64> {
+        match self {
+            Body::Box { .. } => Body::Box { edges: [1.0; 3] },
+            Body::Ball { .. } => Body::Ball { radius: 1.0 },
+            Body::Shell { .. } => Body::Shell { radius: 1.0 },
+            Body::Rod { .. } => Body::Rod { length: 1.0 },
+            Body::Lamina { .. } => Body::Lamina { edges: [1.0; 2] },
+            Body::Disc { .. } => Body::Disc { radius: 1.0 },
+        }
+    }
+
+    /// The body cut into k equal cells along each of its edges (k³, k² or k cells): their midpoints, and their volume,
+    /// area or length. The sum differs from the integral by O(1/k²). Only what has edges: a box, a lamina, a rod.
+    pub fn cells(&self, k: usize) -> Option<Nodes<D>> {
+        self.unit().unit_cells(k).map(|cells| self.scaled(cells))
+    }
+
+    /// Nodes of the body of unit edges or radius, at the size of this one.
+    fn scaled(&self, unit: Vec<(Vector3<f64>, f64)>) -> Nodes<D> {
+        let one = D::one();
+        let (sizes, measure) = match *self {
+            Body::Box { edges: [a, b, c] } => ([a, b, c], a * b * c),
+            Body::Ball { radius } => ([radius; 3], radius * radius * radius),
+            Body::Shell { radius } | Body::Disc { radius } => ([radius; 3], radius * radius),
+            Body::Rod { length } => ([one, one, length], length),
+            Body::Lamina { edges: [a, b] } => ([a, b, one], a * b),
+        };
+        let of = |at: &Vector3<f64>, i: usize| sizes[i] * at[i];
+        let node =
+            |(at, weight): &(Vector3<f64>, f64)| (Vector3::new(of(at, 0), of(at, 1), of(at, 2)), measure * *weight);
+        Nodes { points: each(&unit, &node) }
+    }
+}
+
+// The rules are doubles whatever the number of the size is.
+impl Body<f64> {
+    fn unit_nodes(&self, degree: usize) -> Vec<(Vector3<f64>, f64)> {
+        match self {
             Body::Box { .. } | Body::Lamina { .. } | Body::Rod { .. } => {
                 let segment: Vec<_> = gauss_legendre(degree / 2 + 1).iter().map(|(x, w)| (x / 2.0, w / 2.0)).collect();
                 grid(&segment, self.edges())
@@ -84,15 +125,13 @@ impl<D: Number> Body<D> {
                     })
                     .collect()
             }
-        })
+        }
     }
 
-    /// The body cut into k equal cells along each of its edges (k³, k² or k cells): their midpoints, and their volume,
-    /// area or length. The sum differs from the integral by O(1/k²). Only what has edges: a box, a lamina, a rod.
-    pub fn cells(&self, k: usize) -> Option<Nodes<D>> {
+    fn unit_cells(&self, k: usize) -> Option<Vec<(Vector3<f64>, f64)>> {
         let segment: Vec<_> = (0..k).map(|i| ((i as f64 + 0.5) / k as f64 - 0.5, 1.0 / k as f64)).collect();
         let edges = self.edges();
-        (!edges.is_empty()).then(|| self.scaled(grid(&segment, edges)))
+        (!edges.is_empty()).then(|| grid(&segment, edges))
     }
 
     /// The coordinate axes along which it has edges; none if it is round.
@@ -103,20 +142,6 @@ impl<D: Number> Body<D> {
             Body::Rod { .. } => &[2],
             Body::Ball { .. } | Body::Shell { .. } | Body::Disc { .. } => &[],
         }
-    }
-
-    /// Nodes of the body of unit edges or radius, at the size of this one.
-    fn scaled(&self, unit: Vec<(Vector3<f64>, f64)>) -> Nodes<D> {
-        let one = D::one();
-        let (sizes, measure) = match *self {
-            Body::Box { edges: [a, b, c] } => ([a, b, c], a * b * c),
-            Body::Ball { radius } => ([radius; 3], radius * radius * radius),
-            Body::Shell { radius } | Body::Disc { radius } => ([radius; 3], radius * radius),
-            Body::Rod { length } => ([one, one, length], length),
-            Body::Lamina { edges: [a, b] } => ([a, b, one], a * b),
-        };
-        let node = |(at, weight): (Vector3<f64>, f64)| (Vector3::from_fn(|i, _| sizes[i] * at[i]), measure * weight);
-        Nodes { points: unit.into_iter().map(node).collect() }
     }
 }
 
@@ -142,7 +167,11 @@ pub struct Nodes<D> {
 impl<D: Number> Nodes<D> {
     /// Σ w f(x).
     pub fn integral(&self, f: impl Fn(&Vector3<D>) -> D) -> D {
-        self.points.iter().map(|(x, w)| *w * f(x)).fold(D::zero(), |sum, term| sum + term)
+        let mut sum = D::zero();
+        for (x, w) in &self.points {
+            sum += *w * f(x);
+        }
+        sum
     }
 
     /// Σ w: the volume, area, length or mass.
@@ -182,7 +211,7 @@ impl<D: Number> Nodes<D> {
 
     /// This with the other taken away: its weights count negative. It should lie within.
     pub fn without(mut self, other: Nodes<D>) -> Self {
-        self.points.extend(other.points.into_iter().map(|(x, weight)| (x, -weight)));
+        self.points.extend(each(&other.points, &|(x, weight)| (*x, -*weight)));
         self
     }
 }

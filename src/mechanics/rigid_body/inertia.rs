@@ -7,14 +7,14 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use num_dual::Dual;
 
 use crate::mechanics::quadrature::Nodes;
-use crate::scalar::Number;
+use crate::scalar::{Number, cross, dot, each};
 use crate::{Error, Result};
 
 /// T = ½ Σ m |ω × r|² of particles (weights are masses) that turn about the origin with angular velocity ω.
 pub fn kinetic_energy<D: Number>(particles: &Nodes<D>, angular_velocity: &Vector3<D>) -> D {
     particles.integral(|r| {
-        let v = angular_velocity.cross(r);
-        v.dot(&v) * 0.5
+        let v = cross(angular_velocity, r);
+        dot(&v, &v) * 0.5
     })
 }
 
@@ -22,7 +22,7 @@ pub fn kinetic_energy<D: Number>(particles: &Nodes<D>, angular_velocity: &Vector
 /// the unit rate about b is its second derivative by both.
 pub fn inertia_tensor<D: Number>(particles: &Nodes<D>) -> Matrix3<D> {
     let lift = |(r, mass): &(Vector3<D>, D)| (r.map(Dual::from_re), Dual::from_re(*mass));
-    let lifted = Nodes { points: particles.points.iter().map(lift).collect() };
+    let lifted = Nodes { points: each(&particles.points, &lift) };
     let mut tensor = Matrix3::zeros();
     for a in 0..3 {
         for b in a..3 {

@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual;
 
 use crate::mechanics::{Lagrangian, State};
-use crate::scalar::Number;
+use crate::scalar::{Number, cross};
 
 /// A coordinate axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +61,8 @@ pub fn euler_angles<D: Number>(phi: D, theta: D, psi: D) -> Matrix3<D> {
 pub fn angular_velocity<D: Number>(r: &Matrix3<D>, rate: &Matrix3<D>) -> Vector3<D> {
     let mut twice = Vector3::zeros();
     for a in 0..3 {
-        twice += r.row(a).transpose().cross(&rate.row(a).transpose());
+        let of = |m: &Matrix3<D>| Vector3::new(m[(a, 0)], m[(a, 1)], m[(a, 2)]);
+        twice += cross(&of(r), &of(rate));
     }
     twice.map(|component| component * 0.5)
 }

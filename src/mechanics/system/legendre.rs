@@ -7,7 +7,7 @@ use num_dual::Dual;
 use super::traced_system::System;
 use crate::Result;
 use crate::mechanics::newton::invert;
-use crate::scalar::Number;
+use crate::scalar::{Number, each};
 
 impl System {
     /// The Hamiltonian H(q, p, t) = Σ pᵢ q̇ᵢ − L.
@@ -78,14 +78,17 @@ impl System {
             v
         };
         let what = if over.len() == v.len() { "mass matrix" } else { "mass matrix of the cyclic velocities" };
-        let wanted: Vec<D> = over.iter().map(|&i| p[i]).collect();
-        let start: Vec<D> = over.iter().map(|&i| v[i]).collect();
+        let wanted = each(over, &|&i| p[i]);
+        let start = each(over, &|&i| v[i]);
         let solved = invert(what, start, &wanted, |solved| {
             let (momenta, mass) = self.momenta_and_mass(time, q, &with(solved), parameters);
-            let momenta = over.iter().map(|&i| momenta[i]).collect();
+            let momenta = each(over, &|&i| momenta[i]);
             Ok((momenta, DMatrix::from_fn(over.len(), over.len(), |i, j| mass[(over[i], over[j])])))
         })?;
-        let pv: D = solved.iter().zip(&wanted).map(|(&v, &p)| p * v).sum();
+        let mut pv = D::zero();
+        for (&v, &p) in solved.iter().zip(&wanted) {
+            pv += p * v;
+        }
         let v = with(&solved);
         Ok((pv - self.lagrangian(time, q, &v, parameters), v))
     }

@@ -15,7 +15,7 @@ use num_traits::One;
 use super::layout::Layout;
 use crate::Result;
 use crate::mechanics::tape::Tape;
-use crate::scalar::{Graph, Number, Series, Symbol, TERMS};
+use crate::scalar::{Graph, Number, Series, Symbol, TERMS, each, up_to};
 
 /// The multipliers of a system and their constraints.
 pub(super) struct Multipliers {
@@ -97,7 +97,9 @@ impl Multipliers {
 
     /// The inputs of the tapes with all multipliers 0.
     pub fn without<D: Number>(&self, layout: Layout, mut inputs: Vec<D>) -> Vec<D> {
-        self.places.iter().for_each(|&k| inputs[layout.q(k)] = D::zero());
+        for &k in &self.places {
+            inputs[layout.q(k)] = D::zero();
+        }
         inputs
     }
 
@@ -127,12 +129,12 @@ impl Multipliers {
     ) -> Result<Vec<Series<D>>> {
         let is_multiplier = |k: usize| self.places.contains(&k);
         let start = |k: usize| if is_multiplier(k) { vec![D::zero(), D::zero()] } else { vec![q[k], v[k]] };
-        let mut derivatives: Vec<Vec<D>> = (0..q.len()).map(start).collect();
+        let mut derivatives: Vec<Vec<D>> = up_to(q.len(), &mut { start });
         let mut multipliers: Vec<Vec<D>> = vec![Vec::new(); q.len()];
         for known in 2..=(order + 2).min(TERMS - 1) {
-            let q: Vec<_> = derivatives.iter().map(|known| Series::from_derivatives(known)).collect();
-            let v: Vec<_> = q.iter().map(Series::derivative).collect();
-            let q: Vec<_> = q.iter().map(|q| q.truncated(known - 1)).collect();
+            let q = each(&derivatives, &|known| Series::from_derivatives(known));
+            let v = each(&q, &Series::derivative);
+            let q = each(&q, &|q| q.truncated(known - 1));
             for (k, value) in solve(&q, &v, known)?.iter().enumerate() {
                 let value = value.nth_derivative_value(known - 2).unwrap_or(D::from(f64::NAN));
                 match is_multiplier(k) {

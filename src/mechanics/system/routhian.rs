@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::traced_system::System;
 use crate::mechanics::linear_solver::{LinearSolver, solve_with};
-use crate::scalar::Number;
+use crate::scalar::{Number, each};
 use crate::{Error, Result};
 
 impl System {
@@ -37,7 +37,7 @@ impl System {
         let wanted = self.quantities(time, q, v, parameters).momenta;
         let (momenta, mass) = self.momenta_and_mass(time, q, &rest, parameters);
         let mass = DMatrix::from_fn(cyclic.len(), cyclic.len(), |i, j| mass[(cyclic[i], cyclic[j])]);
-        let missing = cyclic.iter().map(|&i| wanted[i] - momenta[i]).collect();
+        let missing = each(&cyclic, &|&i| wanted[i] - momenta[i]);
         let solved = solve_with(LinearSolver::CramersRule, "mass matrix of the cyclic velocities", mass, missing)?;
         let mut at = rest;
         for (&i, &value) in cyclic.iter().zip(&solved) {
@@ -51,7 +51,10 @@ impl System {
             )
             .help("use effective_potential, which solves for the velocities numerically"));
         }
-        let pv: D = cyclic.iter().map(|&i| at[i] * wanted[i]).sum();
+        let mut pv = D::zero();
+        for &i in &cyclic {
+            pv += at[i] * wanted[i];
+        }
         Ok(pv - self.lagrangian(time, q, &at, parameters))
     }
 

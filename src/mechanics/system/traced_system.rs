@@ -8,7 +8,7 @@ use super::programs::Programs;
 use super::tracing::{Applied, Recorded, Traced, trace, traced};
 use crate::mechanics::linear_solver::{self, LinearSolver};
 use crate::mechanics::{Lagrangian, motion};
-use crate::scalar::{Number, Series, Symbol};
+use crate::scalar::{Number, Series, Symbol, each};
 use crate::{Error, Result};
 
 /// The quantities of one state.
@@ -190,7 +190,13 @@ impl System {
     pub fn euler_lagrange<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D], a: &[D]) -> Vec<D> {
         let (mass, bias) = self.dynamics(&self.inputs(time, q, v, parameters));
         let a = self.each_coordinate(a);
-        (0..bias.len()).map(|i| a.iter().enumerate().fold(bias[i], |sum, (j, &a)| sum + mass[(i, j)] * a)).collect()
+        let mut residuals = bias;
+        for (i, residual) in residuals.iter_mut().enumerate() {
+            for (j, &a) in a.iter().enumerate() {
+                *residual += mass[(i, j)] * a;
+            }
+        }
+        residuals
     }
 
     /// The mass matrix M_ij = ∂²L/∂q̇ᵢ∂q̇ⱼ.
@@ -226,7 +232,9 @@ impl System {
     pub fn accelerations<D: Number>(&self, time: D, q: &[D], v: &[D], parameters: &[D]) -> Result<Vec<D>> {
         let (mass, right) = self.to_solve(time, q, v, parameters);
         let mut solution = linear_solver::solve("mass matrix", mass, right)?;
-        self.multipliers().iter().for_each(|&k| solution[k] = D::from(f64::NAN));
+        for &k in self.multipliers() {
+            solution[k] = D::from(f64::NAN);
+        }
         Ok(solution)
     }
 
@@ -235,12 +243,12 @@ impl System {
         let inputs = self.inputs(time, q, v, parameters);
         let Some(multipliers) = &self.traced.multipliers else {
             let (mass, bias) = self.dynamics(&inputs);
-            return (mass, bias.iter().map(|&h| -h).collect());
+            return (mass, each(&bias, &|&h| -h));
         };
         let layout = Layout { coordinates: self.coordinates.len(), parameters: self.parameters.len() };
         let inputs = multipliers.without(layout, inputs);
         let (mut mass, bias) = self.dynamics(&inputs);
-        let mut right: Vec<D> = bias.iter().map(|&h| -h).collect();
+        let mut right = each(&bias, &|&h| -h);
         multipliers.complete(&inputs, &mut mass, &mut right);
         (mass, right)
     }
@@ -279,7 +287,7 @@ impl System {
         order: usize,
     ) -> Result<Vec<Series<D>>> {
         let time = Series::time(time);
-        let parameters: Vec<_> = parameters.iter().copied().map(Series::constant).collect();
+        let parameters = each(parameters, &|&x| Series::constant(x));
         let solve = |q: &[Series<D>], v: &[Series<D>], known: usize| {
             let (mass, right) = self.to_solve(time, q, v, &parameters);
             match (solver, known) {
@@ -305,5 +313,7 @@ fn named(name: &str, traced: Result<Traced>) -> Result<Traced> {
 
 /// The first `n` entries; one that is missing is NaN.
 fn exactly<D: Number>(x: &[D], n: usize) -> Vec<D> {
-    (0..n).map(|i| x.get(i).copied().unwrap_or(D::from(f64::NAN))).collect()
+    let mut entries = x[..n.min(x.len())].to_vec();
+    entries.resize(n, D::from(f64::NAN));
+    entries
 }

@@ -3,7 +3,7 @@
 //! A tape runs over any kind of number ([`Tape::evaluate`]). Its constants are those of the traced function, with no
 //! further rounding. Optimisations for `f64` change a copy only, the [`program`].
 
-use crate::scalar::{Function, Graph, Number, Symbol};
+use crate::scalar::{Function, Graph, Number, Symbol, each};
 
 pub(super) mod blocks;
 pub(super) mod program;
@@ -133,7 +133,7 @@ impl Tape {
     /// The outputs for `inputs`, over any number. An input that is not given counts as NaN.
     pub fn evaluate<D: Number>(&self, inputs: &[D]) -> Vec<D> {
         let x = self.registers(inputs);
-        self.outputs.iter().map(|&output| x[output as usize]).collect()
+        each(&self.outputs, &|&output| x[output as usize])
     }
 
     /// All registers for `inputs`: the inputs, then the result of each operation.

@@ -13,7 +13,7 @@
 //! sentences are wrong exactly at such places. They are visited on purpose: each number zero, much larger and much
 //! smaller than the rest; similar symbols equal, opposite and both zero; angles at multiples of π/2.
 
-use num_dual::Dual64;
+use num_dual::{Dual, Dual64};
 
 use crate::code::Code;
 use crate::formula::{Expr, Relation, SymbolId, text};
@@ -230,12 +230,13 @@ fn obey(state: &mut Atoms, variable: SymbolId, model: &Model, hypotheses: &[Hypo
 fn newton(state: &mut Atoms, id: SymbolId, hypothesis: &Hypothesis, model: &Model) -> bool {
     for _ in 0..40 {
         let at = state.iter().position(|(known, _)| *known == id);
-        let seeded = |place: usize, x: f64| Dual64::new(x, if Some(place) == at { 1.0 } else { 0.0 });
+        let slope = |place: usize| RunningError::new(if Some(place) == at { 1.0 } else { 0.0 });
         let mut place = 0;
-        let value = difference::<Dual64>(state, hypothesis, model, |x| {
+        let value = difference::<Dual<RunningError>>(state, hypothesis, model, |x| {
             place += 1;
-            seeded(place - 1, x)
+            Dual::new(RunningError::new(x), slope(place - 1))
         });
+        let value = value.map(|x| Dual64::new(x.re.value, x.eps.value));
         let Some(value) = value.filter(|v| v.re.is_finite() && v.eps.is_finite()) else { return false };
         if value.re == 0.0 {
             return true;
