@@ -4,6 +4,7 @@
 //! are two of them. Names that a formula defines are replaced by it first, so that ∂T/∂θ̇ is found where T is printed
 //! with ẋ and x = l sin θ. What depends on the variable in a way that no formula tells has no derivative here.
 
+use super::calculus::any_function;
 use super::ids::{Index, SymbolId, Variable};
 use super::shape::{Shape, shape_of};
 use super::symbols::Symbols;
@@ -139,6 +140,9 @@ impl Differentiator<'_> {
             | Node::Epsilon(_)
             | Node::Delta(_) => self.zero_like(expr),
             Node::Symbol { id, indices, dots } => return self.of_symbol(*id, indices, *dots, depth),
+            Node::Sum(_) if any_function::value_of(expr, self.symbols).is_some() => {
+                return self.of_any_function(expr, depth);
+            }
             Node::Sum(terms) => {
                 let terms = terms.iter().map(|term| Ok((term.sign, again(&term.expr)?)));
                 self.sum(terms.collect::<Result<_, _>>()?, expr)
@@ -277,6 +281,24 @@ impl Differentiator<'_> {
             }
             How::Partial(_) => Ok(self.zero_like(&symbol(dots))),
         }
+    }
+
+    /// The derivative of a value of a function without a formula, by the chain rule. It has the form of such a value again.
+    fn of_any_function(&self, expr: &Expr, depth: usize) -> Derived {
+        let Some(value) = any_function::value_of(expr, self.symbols) else { return Ok(self.zero_like(expr)) };
+        // One order more would be the same at all places, or 0.
+        if value.orders.iter().sum::<u32>() + 2 > value.function.degree {
+            return Err(NoDerivative::Operation("so high an order of a function without a formula"));
+        }
+        let mut terms = Vec::new();
+        for (at, argument) in value.arguments.iter().enumerate() {
+            let change = self.of(argument, depth)?;
+            let mut orders = value.orders.clone();
+            orders[at] += 1;
+            let slope = any_function::at(value.function, &orders, &value.arguments, self.span);
+            terms.push((Sign::Plus, self.product(vec![self.copy(&slope), change])));
+        }
+        Ok(self.sum(terms, expr))
     }
 
     fn of_power(&self, base: &Expr, exponent: &Expr, depth: usize) -> Derived {

@@ -42,8 +42,8 @@ pub struct Entry {
     pub derived: bool,
     /// Whether it is a coefficient of an arbitrary function, which no author writes.
     pub hidden: bool,
-    /// Whether it is a coefficient of the polynomial that stands for any function.
-    pub coefficient: bool,
+    /// The function without a formula of whose polynomial it is a coefficient.
+    pub coefficient: Option<Arc<AnyFunction>>,
     /// Whether the display that defines it says that it is constant; a derivative by a symbol leaves it fixed.
     pub conserved: bool,
     /// Whether it was the letter of a sum or an integral, which occurs in no formula after that.
@@ -76,6 +76,17 @@ impl Entry {
     pub fn is_momentum(&self) -> bool {
         self.momentum || matches!(self.name.base.as_str(), "p" | "P")
     }
+}
+
+/// The coefficients of the polynomial that stands for a function without a formula: Σ c x^a y^b / (a! b!).
+#[derive(Debug, PartialEq, Eq)]
+pub struct AnyFunction {
+    /// Its name.
+    pub name: Name,
+    /// Each coefficient with the exponents of the arguments; the one without any comes first.
+    pub terms: Vec<(SymbolId, Vec<u32>)>,
+    /// The largest sum of exponents.
+    pub degree: u32,
 }
 
 /// The axes of a vector's components.
@@ -261,7 +272,7 @@ impl Symbols {
             bound: false,
             momentum: false,
             hidden: false,
-            coefficient: false,
+            coefficient: None,
             members: Vec::new(),
             measure: None,
             density: None,

@@ -87,3 +87,23 @@ fn isolated_points_are_excepted() {
         }
     }
 }
+
+/// Between the two roots of a radicand a side has no value, however close they are.
+#[test]
+fn a_narrow_gap_in_a_domain_is_found() {
+    for (latex, verdict) in [
+        (r"\sqrt{(x - 1)(x - 1.000001)}^2 = (x - 1)(x - 1.000001)", Domain),
+        (r"\sqrt{(x - 3)(x - 3.000000001)} \sqrt{(x - 3)(x - 3.000000001)} = (x - 3)(x - 3.000000001)", Domain),
+        (r"e^{\ln((x - 2)(x - 2.0000001))} = (x - 2)(x - 2.0000001)", Domain),
+    ] {
+        assert_eq!(under(latex, &[]).verdict, verdict, "{latex}");
+    }
+    // The same without a gap, or beyond it.
+    for (latex, hypotheses) in [
+        (r"\sqrt{(x - 1)^2}^2 = (x - 1)^2", &[][..]),
+        (r"\sqrt{(x - 1)(x - 1.000001)}^2 = (x - 1)(x - 1.000001)", &["x > 2"]),
+    ] {
+        let found = under(latex, hypotheses);
+        assert!(found.verdict.holds(), "{latex}: {found:?}");
+    }
+}

@@ -260,3 +260,19 @@ fn an_inequality_of_families_is_tried_where_members_are_special() {
         assert_eq!((crowd(only_in_general), crowd(always)), (Refuted, Verified), "{only_in_general}");
     }
 }
+
+/// A factor that vanishes at the numbers of members that anybody would try. What passes says which were tried.
+#[test]
+fn a_family_is_tried_with_more_members_than_can_be_guessed() {
+    let judge = |factor: &str, claim: Json| {
+        let claims = json!({
+            "indices": { "i": "1..n" }, "constants": { "a, x_i": "any" }, "equations": { "1": claim },
+        });
+        let latex = format!(r"\left|\sum_i x_i\right| = \left|\sum_i x_i\right| + a {factor}");
+        let found = document(&claims, &numbered(&[&latex]), &Registry::standard(), None).unwrap();
+        found.equations[0].finding.clone()
+    };
+    let up_to_nine: String = (1..=9).map(|n| format!("(n - {n})")).collect();
+    let found = judge(&up_to_nine, json!({ "expect": "refuted", "because": "it fails for ten members" }));
+    assert_eq!(found.verdict, Refuted, "{found:?}");
+}

@@ -1,6 +1,6 @@
 //! Sums and integrals in notes as textbooks print them: each display is true, and each has a slip beside it that is false.
 
-use onshell::check::Verdict::{Refuted, Unreadable, Verified};
+use onshell::check::Verdict::{Refuted, Undecided, Unreadable, Verified};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
@@ -133,5 +133,38 @@ fn a_function_without_a_formula_is_not_integrated() {
     ] {
         assert_eq!(judge(slip), Refuted, "{slip}");
         assert_eq!(judge(holds), Verified, "{holds}");
+    }
+}
+
+/// Nine coefficients stand for a function of one variable, and obey equations among ten values that other functions do not.
+#[test]
+fn a_function_without_a_formula_is_not_taken_for_a_polynomial() {
+    let claims = json!({
+        "constants": { "a, h, x, y": "any" }, "functions": { "V": "of x", "W": "of x, y" },
+    });
+    let judge = |latex: &str| {
+        let found = document(&claims, &numbered(&[latex]), &Registry::standard(), None).unwrap();
+        outcome(&found.equations[0].finding)
+    };
+    let difference = |n: u64| {
+        let choose = |k: u64| (0..k).fold(1, |c, i| c * (n - i) / (i + 1));
+        let term = |k: u64| format!("{} {} V(x + {k} h)", if (n - k) % 2 == 0 { "+" } else { "-" }, choose(k));
+        (0..=n).map(term).collect::<String>()
+    };
+    for (of_polynomials, verdict) in [
+        (format!("0 {} = 0", difference(9)), Undecided),
+        (r"\frac{d^4}{dx^4} V'''(x) = \frac{d^4}{da^4} V'''(a)".to_owned(), Refuted),
+        (r"\frac{d^4}{dx^4} V''''(x) = 0".to_owned(), Unreadable),
+        (r"\frac{\partial^2}{\partial x^2} \frac{\partial^3 W}{\partial y^3} = 0".to_owned(), Unreadable),
+    ] {
+        assert_eq!(judge(&of_polynomials), verdict, "{of_polynomials}");
+    }
+    for of_all in [
+        r"V(x)^2 - V(x + h)^2 = (V(x) - V(x + h))(V(x) + V(x + h))",
+        r"\frac{d}{dx}\left(x V'(x + h)\right) = V'(x + h) + x V''(x + h)",
+        r"\frac{d^2}{dx^2}\left(V(a x) V(x)\right) = a^2 V''(a x) V(x) + 2 a V'(a x) V'(x) + V(a x) V''(x)",
+        r"\frac{\partial}{\partial x} \left(x W(x + h, y)\right) = W(x + h, y) + x \frac{\partial}{\partial x} W(x + h, y)",
+    ] {
+        assert_eq!(judge(of_all), Verified, "{of_all}");
     }
 }

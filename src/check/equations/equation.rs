@@ -316,6 +316,7 @@ impl Checker<'_> {
                 }
                 _ => identity::check(&link, &context)?,
             };
+            let finding = context.for_every_function(finding, &[&link.lhs, &link.rhs]);
             links.push(JudgedLink { at, finding, relation: *relation });
         }
         let mut parts = Vec::new();

@@ -271,7 +271,7 @@ fn claim(
     for statement in statements {
         for (at, (relation, _)) in statement.relations.iter().enumerate() {
             let link = checker.link(&statement.members[at], *relation, &statement.members[at + 1])?;
-            findings.push(match (&sentence.claim.limit, relation) {
+            let finding = match (&sentence.claim.limit, relation) {
                 (_, Relation::Approximately) if !sentence.claim.small.is_empty() => {
                     checker.small(&link, &sentence.claim, context)?
                 }
@@ -286,7 +286,8 @@ fn claim(
                     limit::check(&link, variable, towards, context)?
                 }
                 _ => identity::check(&link, context)?,
-            });
+            };
+            findings.push(context.for_every_function(finding, &[&link.lhs, &link.rhs]));
         }
         if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {
             findings.push(conserved::check(last, context)?);

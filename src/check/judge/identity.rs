@@ -33,7 +33,7 @@ use crate::check::verdict::finding::Finding;
 /// # Errors
 /// If the mass matrix of the system is singular.
 pub fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
-    let finding = judged(link, context)?;
+    let finding = context.for_every_function(judged(link, context)?, &[&link.lhs, &link.rhs]);
     Ok(if context.options.explain { difference::explained(link, context, finding) } else { finding })
 }
 

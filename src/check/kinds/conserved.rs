@@ -23,6 +23,11 @@ use crate::check::verdict::finding::Finding;
 /// # Errors
 /// When the system's mass matrix is singular.
 pub fn check(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
+    let rate = Expr::new(Node::TimeDerivative(1, Box::new(expr.clone())), expr.span);
+    Ok(context.for_every_function(judged(expr, context)?, &[&rate]))
+}
+
+fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     if !context.model.has_motion() {
         return Ok(context.finding(
             Code::NoMotion,

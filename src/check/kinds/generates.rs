@@ -13,7 +13,7 @@ use num_dual::Dual;
 use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::{Unavailable, evaluate, evaluate_to};
-use crate::formula::{Expr, SymbolId, Value, text};
+use crate::formula::{Expr, Node, SymbolId, Value, text};
 use crate::scalar::prime_field::Modulus;
 use crate::scalar::{Modular, RunningError, Series};
 
@@ -33,6 +33,12 @@ use crate::check::verdict::finding::{Counterexample, Finding};
 /// # Errors
 /// When the system's mass matrix is singular.
 pub fn check(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
+    // Hamilton's equations differentiate it once, as a time derivative does.
+    let rate = Expr::new(Node::TimeDerivative(1, Box::new(hamiltonian.clone())), hamiltonian.span);
+    Ok(context.for_every_function(judged(hamiltonian, context)?, &[&rate]))
+}
+
+fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     let model = context.model;
     if model.system.is_none() {
         return Ok(context.finding(

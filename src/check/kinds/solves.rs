@@ -45,6 +45,18 @@ fn check_solutions(
     all_of_them: bool,
     context: &Context<'_>,
 ) -> Result<Finding> {
+    let finding = judged(target, unknown, branches, all_of_them, context)?;
+    let formulas: Vec<&Expr> = [&target.lhs, &target.rhs].into_iter().chain(branches).collect();
+    Ok(context.for_every_function(finding, &formulas))
+}
+
+fn judged(
+    target: &Link,
+    unknown: SymbolId,
+    branches: &[Expr],
+    all_of_them: bool,
+    context: &Context<'_>,
+) -> Result<Finding> {
     if !mentions(&target.lhs, unknown) && !mentions(&target.rhs, unknown) {
         let name = context.model.name(unknown);
         return Ok(context.finding(

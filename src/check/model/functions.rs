@@ -1,15 +1,19 @@
 //! Functions that a claims file declares, `"functions": { "V": "of r" }`: any smooth function.
 //!
-//! Such a function is a polynomial whose coefficients are drawn anew for each state. Its value and its derivatives up to
-//! the degree are then independent random numbers at each point, as those of any smooth function are. So an equation
-//! that holds for all these polynomials, and has derivatives up to that order, holds for every smooth function. Over
+//! Such a function is a polynomial whose coefficients are drawn anew for each state. Its values and derivatives are then
+//! independent random numbers, as those of any smooth function are, as long as there are no more of them than coefficients. So an
+//! equation that holds for all these polynomials holds for every smooth function, if it has no more values of them:
+//! [`crate::check::model::independent_values`] counts them, and no claim with more passes. Over
 //! the field the coefficients are free numbers, like any constants. An integral of the function is not of that kind: a rule
 //! of Gauss or Simpson is exact for all these polynomials. So such integrals are refused, except of a derivative of the
 //! function (the reader of integrals knows the coefficients by [`crate::formula::symbols::Entry::coefficient`]).
 
-use crate::formula::symbols::Name;
-use crate::formula::tree::{Expr, Node, Term, Variable};
-use crate::formula::{Kind, Sign, SymbolId, text};
+use std::sync::Arc;
+
+use crate::formula::calculus::any_function;
+use crate::formula::symbols::{AnyFunction, Name};
+use crate::formula::tree::{Expr, Node, Variable};
+use crate::formula::{Kind, SymbolId, text};
 use crate::latex::names;
 use crate::notes::claims::{Claims, Declaration, Range, Role, Spanned};
 use crate::source::Span;
@@ -20,8 +24,8 @@ use crate::check::model::builder::Builder;
 use crate::check::model::meaning::{Meaning, Variable as Drawn};
 
 /// The degree of the polynomial, by the number of arguments. Equations of motion and their rates contain derivatives of
-/// a potential up to the third order.
-const DEGREES: [u32; 3] = [7, 4, 3];
+/// a potential up to the third order. No derivative is of the order of the degree, since that is the same at all places.
+const DEGREES: [u32; 3] = [8, 5, 4];
 
 /// Adds a function whose arguments became known after the declarations; returns whether they all are.
 ///
@@ -95,24 +99,28 @@ impl Builder<'_> {
         let name = self.name(latex)?;
         let mut terms = Vec::new();
         for powers in exponents(variables.len(), degree) {
-            let mut own = name.clone();
-            own.subscript.push("(".to_owned());
-            own.subscript.extend(powers.iter().map(u32::to_string));
-            own.subscript.push(")".to_owned());
-            let coefficient = self.model.symbols.add(own, Kind::Scalar).ok_or_else(|| {
+            let mut named = name.clone();
+            named.subscript.push("(".to_owned());
+            named.subscript.extend(powers.iter().map(u32::to_string));
+            named.subscript.push(")".to_owned());
+            let coefficient = self.model.symbols.add(named, Kind::Scalar).ok_or_else(|| {
                 self.error(latex, format!("{name} is declared twice")).help("remove one of the two declarations")
             })?;
-            let entry = self.model.symbols.entry_mut(coefficient);
-            (entry.hidden, entry.coefficient) = (true, true);
+            self.model.symbols.entry_mut(coefficient).hidden = true;
             self.model.mean(coefficient, Meaning::Constant(self.model.constants.len()));
             self.model.constants.push(Drawn::number(coefficient, Range::Any));
             terms.push((coefficient, powers));
         }
-        let value = polynomial(&terms, &variables, &vec![0; variables.len()]);
+        let function = Arc::new(AnyFunction { name: name.clone(), terms, degree });
+        for (coefficient, _) in &function.terms {
+            self.model.symbols.entry_mut(*coefficient).coefficient = Some(function.clone());
+        }
+        let own: Vec<Expr> = variables.iter().map(own).collect();
+        let value = any_function::at(&function, &vec![0; variables.len()], &own, Span::default());
         let id = self.add(latex, Kind::Scalar, Meaning::Defined(Box::new(value.clone())))?;
         self.model.symbols.mark_defined(id, &value, false);
         self.model.symbols.entry_mut(id).arguments.clone_from(&variables);
-        self.derivatives_of(id, &name, (&terms, &variables));
+        self.derivatives_of(id, &name, (&function, &variables, &own));
         let of = arguments.iter().map(|argument| text::plain(argument)).collect::<Vec<_>>().join(", ");
         self.model.inferred.push(format!("{} is any smooth function of {of}", self.shown(id)));
         Ok(())
@@ -122,9 +130,14 @@ impl Builder<'_> {
 impl Builder<'_> {
     /// Adds the derivatives of a function as symbols: `V'`, `V''`, … of one argument, `\frac{\partial V}{\partial x}`, …
     /// of several. The last ones have none of their own.
-    fn derivatives_of(&mut self, function: SymbolId, name: &Name, (terms, variables): (&[Monomial], &[Variable])) {
+    fn derivatives_of(
+        &mut self,
+        id: SymbolId,
+        name: &Name,
+        (function, variables, own): (&AnyFunction, &[Variable], &[Expr]),
+    ) {
         let most = if variables.len() == 1 { 4 } else { 2 };
-        let mut known: Vec<(Vec<u32>, SymbolId)> = vec![(vec![0; variables.len()], function)];
+        let mut known: Vec<(Vec<u32>, SymbolId)> = vec![(vec![0; variables.len()], id)];
         let mut at = 0;
         while let Some((orders, id)) = known.get(at).cloned() {
             at += 1;
@@ -143,7 +156,7 @@ impl Builder<'_> {
                 else {
                     return;
                 };
-                let formula = polynomial(terms, variables, &orders);
+                let formula = any_function::at(function, &orders, own, Span::default());
                 self.model.symbols.mark_defined(id, &formula, false);
                 self.model.symbols.entry_mut(id).arguments = variables.to_vec();
                 self.model.mean(id, Meaning::Defined(Box::new(formula)));
@@ -170,17 +183,10 @@ impl Builder<'_> {
     }
 }
 
-/// A coefficient, and the exponent of each argument.
-type Monomial = (SymbolId, Vec<u32>);
-
-/// The derivative of these orders of the polynomial Σ c x^a y^b / (a! b!).
-fn polynomial(terms: &[Monomial], variables: &[Variable], orders: &[u32]) -> Expr {
-    let kept = terms.iter().filter_map(|(coefficient, powers)| {
-        let left: Option<Vec<u32>> =
-            powers.iter().zip(orders).map(|(power, order)| power.checked_sub(*order)).collect();
-        Some(Term { sign: Sign::Plus, sign_span: None, expr: monomial(*coefficient, variables, &left?) })
-    });
-    Expr::new(Node::Sum(kept.collect()), Span::default())
+/// An argument as a formula.
+fn own(variable: &Variable) -> Expr {
+    let Variable { id, indices, dots } = variable.clone();
+    Expr::new(Node::Symbol { id, indices, dots }, Span::default())
 }
 
 /// All exponents of so many variables with a sum up to `degree`.
@@ -192,31 +198,5 @@ fn exponents(variables: usize, degree: u32) -> Vec<Vec<u32>> {
                 exponents(variables - 1, degree - first).into_iter().map(move |rest| [vec![first], rest].concat())
             })
             .collect(),
-    }
-}
-
-/// `c x^a y^b / (a! b!)`, so that the terms are of like size.
-fn monomial(coefficient: SymbolId, variables: &[Variable], powers: &[u32]) -> Expr {
-    let node = |node: Node| Expr::new(node, Span::default());
-    let number = |value: u32| Expr::integer(value, Span::default());
-    let mut factors = vec![node(Node::Symbol { id: coefficient, indices: Vec::new(), dots: 0 })];
-    let mut below = 1;
-    for (variable, power) in variables.iter().zip(powers) {
-        let Variable { id, indices, dots } = variable.clone();
-        let base = node(Node::Symbol { id, indices, dots });
-        match power {
-            0 => {}
-            1 => factors.push(base),
-            _ => factors.push(node(Node::Power(Box::new(base), Box::new(number(*power))))),
-        }
-        below *= (1..=*power).product::<u32>();
-    }
-    let above = match factors.len() {
-        1 => factors.swap_remove(0),
-        _ => node(Node::Product(factors)),
-    };
-    match below {
-        1 => above,
-        _ => node(Node::Quotient(Box::new(above), Box::new(number(below)))),
     }
 }

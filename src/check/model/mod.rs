@@ -28,6 +28,7 @@ pub(crate) mod claims_error;
 pub(crate) mod declarations;
 pub(crate) mod free_symbols;
 pub(crate) mod functions;
+pub(crate) mod independent_values;
 pub(crate) mod meaning;
 pub(crate) mod order;
 pub(crate) mod particles;

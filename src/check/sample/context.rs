@@ -10,6 +10,7 @@ use crate::source::Span;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
+use crate::check::model::independent_values;
 use crate::check::model::order::derivatives;
 use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::ensemble::Ensemble;
@@ -144,6 +145,23 @@ impl<'a> Context<'a> {
         Finding {
             not_certified_because: Some(about.to_owned()),
             ..self.finding(Code::Holds, Verdict::Verified, message)
+        }
+    }
+
+    /// A finding about these formulas; one that passes is withheld where they contain more values of a function without a formula
+    /// than can be chosen freely.
+    #[must_use]
+    pub(crate) fn for_every_function(&self, finding: Finding, formulas: &[&Expr]) -> Finding {
+        if !finding.verdict.passes() || finding.verdict == Verdict::Definition {
+            return finding;
+        }
+        let premises = self.hypotheses.iter().flat_map(|hypothesis| [&hypothesis.lhs, &hypothesis.rhs]);
+        let rules = self.local.iter().flat_map(|rule| rule.action.formulas());
+        let premises: Vec<&Expr> = premises.chain(rules).collect();
+        let motion = self.on_shell != Some(false) && self.model.has_motion();
+        match independent_values::too_many(self.model, formulas, &premises, motion) {
+            Some(message) => finding.replaced(Code::NotDecided, Verdict::Undecided, message),
+            None => finding,
         }
     }
 

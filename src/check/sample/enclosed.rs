@@ -12,7 +12,7 @@ use nalgebra::DVector;
 use num_dual::DualStruct;
 
 use crate::formula::evaluate::constant_exponent;
-use crate::formula::{Expr, IndexId, Node, Relation};
+use crate::formula::{Expr, IndexId, Node, Relation, Value};
 use crate::scalar::enclosure::{Enclosure, evaluate_to};
 use crate::scalar::{Primal, RunningError};
 
@@ -179,6 +179,20 @@ pub(crate) fn is_found_in_doubles(model: &Model) -> bool {
         _ => false,
     };
     !model.continua.is_empty() || model.meanings.iter().flatten().any(is_in_doubles)
+}
+
+/// Whether a number is certainly negative at a state that solves nothing, however close to 0 it is.
+pub(crate) fn is_negative(formula: &Expr, state: &SampledState<'_, RunningError>, projection: &Projection<'_>) -> bool {
+    if !state.is_as_drawn() || is_found_in_doubles(state.model()) || !projection.record.plan.is_empty() {
+        return false;
+    }
+    let base: Vec<f64> = state.base.numbers().iter().map(|x| x.value).collect();
+    let found = evaluate_to(PRECISIONS[0], STEPS, || {
+        let state = projection.state(&refined(&base, projection)?, projection.mode.order + 1).ok()?;
+        let Value::Scalar(Primal(value)) = state.instant(formula, &[]).ok()? else { return None };
+        Some(value.is_known() && value.excludes_zero() && value.re() < 0.0)
+    });
+    found.unwrap_or(false)
 }
 
 /// The decision at one precision, or how wide the difference is at most, as a power of 2 of the terms; `None` where a

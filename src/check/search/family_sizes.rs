@@ -24,8 +24,12 @@ use crate::check::state::residual::Point;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-/// The numbers of members that are tried beside 3 and 4.
-const OTHERS: [u32; 3] = [2, MANY, 7];
+/// The numbers of members that are tried beside 3 and 4: all up to the last one here, and then some that nobody can guess.
+const OTHERS: [u32; 6] = [2, MANY, 7, 6, 8, 9];
+
+/// The numbers of members among which further ones are drawn, and how many are drawn.
+const LARGE: std::ops::RangeInclusive<u32> = 10..=30;
+const DRAWN: usize = 2;
 
 /// A number of members that no reader takes to be a special case.
 const MANY: u32 = 5;
@@ -88,12 +92,23 @@ pub(crate) fn at_other_sizes(link: &Link, context: &Context<'_>, mode: Mode, fin
     let hypotheses = context.hypotheses.iter().flat_map(|hypothesis| [&hypothesis.lhs, &hypothesis.rhs]);
     let all: Vec<&Expr> = sides.into_iter().chain(hypotheses).collect();
     let named = GrowthAnalysis::new(context.model, context.local).distinguished_members(&all, &[]);
-    for size in OTHERS.into_iter().filter(|size| *size >= named) {
+    let mut draw = context.draw(mode, "numbers of members");
+    let large: Vec<u32> =
+        (0..DRAWN).map(|_| LARGE.start() + (draw.unit() * f64::from(LARGE.end() - LARGE.start())) as u32).collect();
+    let tried = || OTHERS.into_iter().chain(large.iter().copied()).filter(|size| *size >= named);
+    for size in tried() {
         if let Some(refuted) = fails_at(link, context, mode, (size, &finding))? {
             return Ok(refuted);
         }
     }
-    Ok(finding)
+    let mut sizes: Vec<u32> = tried().chain([3, 4]).collect();
+    sizes.sort_unstable();
+    sizes.dedup();
+    let (small, large): (Vec<u32>, Vec<u32>) = sizes.into_iter().partition(|size| *size < 10);
+    let small = small.first().zip(small.last()).map(|(first, last)| format!("{first} to {last}"));
+    let words: Vec<String> = small.into_iter().chain(large.iter().map(u32::to_string)).collect();
+    let message = format!("{}; tried with {} members only", finding.message, words.join(", "));
+    Ok(Finding { message, ..finding })
 }
 
 /// The counterexample to a claim at a number of members, among a few states.

@@ -115,7 +115,7 @@ pub(crate) fn judged(
             }
             Ok(Point::OneSided(failure)) if ends.is_none() => {
                 let side = if failure.lhs.is_finite() { &link.rhs } else { &link.lhs };
-                ends = has_no_value(side, state).then_some((state, failure));
+                ends = has_no_value(side, state, projection).then_some((state, failure));
             }
             _ => {}
         }
@@ -134,7 +134,7 @@ pub(crate) fn judged_closely(
     passed: &Finding,
 ) -> Option<Finding> {
     let mut known = states[..closely].iter().filter(|state| is_moderate(link, state));
-    known.find_map(|state| match enclosed::decided(link, state, projection) {
+    let differs = known.find_map(|state| match enclosed::decided(link, state, projection) {
         Decision::Differ(failure) => Some(Finding {
             points: passed.points,
             tried: passed.tried + states.len(),
@@ -143,7 +143,10 @@ pub(crate) fn judged_closely(
             ..context.finding(Code::SidesDiffer, Verdict::Refuted, message)
         }),
         _ => None,
-    })
+    });
+    // Between two roots of a radicand, however close, a side has no value.
+    let has_no_value = |finding: &Finding| finding.verdict == Verdict::Domain;
+    differs.or_else(|| judged(link, context, (projection, &states[..closely]), message, passed).filter(has_no_value))
 }
 
 /// Whether a claim contains eigenvalues or eigenvectors, through definitions too.
@@ -212,9 +215,14 @@ fn is_moderate(link: &Link, state: &SampledState<'_, RunningError>) -> bool {
 }
 
 /// Whether a formula contains a root, a logarithm or an angle that clearly has no value.
-fn has_no_value(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
+fn has_no_value(expr: &Expr, state: &SampledState<'_, RunningError>, projection: &Projection<'_>) -> bool {
     let argument = |inner: &Expr| number(inner, state).filter(|value| value.value.is_finite());
-    let is_negative = |inner: &Expr| argument(inner).is_some_and(|value| value.value < -GROSS * value.magnitude);
+    let is_negative = |inner: &Expr| {
+        argument(inner).is_some_and(|value| {
+            value.value < -GROSS * value.magnitude
+                || value.value <= 0.0 && enclosed::is_negative(inner, state, projection)
+        })
+    };
     let own = match &expr.node {
         Node::Root(degree, inner) => degree % 2 == 0 && is_negative(inner),
         Node::Call(Function::Ln, inner) => is_negative(inner),
@@ -226,10 +234,10 @@ fn has_no_value(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
                 && argument(exponent).is_some_and(|power| (power.value - power.value.round()).abs() > GROSS)
         }
         Node::Symbol { id, .. } => match state.model().meaning(*id) {
-            Some(Meaning::Defined(formula)) => has_no_value(formula, state),
+            Some(Meaning::Defined(formula)) => has_no_value(formula, state, projection),
             _ => false,
         },
         _ => false,
     };
-    own || expr.children().into_iter().any(|child| has_no_value(child, state))
+    own || expr.children().into_iter().any(|child| has_no_value(child, state, projection))
 }

@@ -6,6 +6,7 @@
 //!
 //! | file | content |
 //! | --- | --- |
+//! | [`any_function`] | functions without a formula, at any arguments |
 //! | `build` | sums, products and quotients without zeros and ones |
 //! | [`expansion`] | a formula as a sum of terms c·xⁿ·e^{γx²+αx+β}·sin(ωx+φ) |
 //! | [`definite`] | definite integrals |
@@ -14,6 +15,7 @@
 //! | [`series`] | sums over a whole number up to a letter, or to infinity |
 
 mod algebraic;
+pub mod any_function;
 mod build;
 pub mod definite;
 pub mod expansion;

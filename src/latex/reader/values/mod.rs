@@ -111,7 +111,7 @@ impl Reader<'_> {
     /// Refuses what contains a function without a formula. A polynomial stands for it, and what holds for the sum or
     /// the integral of every such polynomial need not hold for every function.
     pub(super) fn without_any_function(&self, body: &Expr) -> Read<()> {
-        let is_coefficient = |(id, _): &(SymbolId, u8)| self.symbols.entry(*id).coefficient;
+        let is_coefficient = |(id, _): &(SymbolId, u8)| self.symbols.entry(*id).coefficient.is_some();
         match body.symbols().iter().any(is_coefficient) {
             true => Err(unclear(body.span, "a function in it is declared without a formula")),
             false => Ok(()),
