@@ -14,6 +14,7 @@ pub(crate) mod generates;
 pub(crate) mod limit;
 pub(crate) mod printed_solution;
 pub(crate) mod rate;
+pub(crate) mod same_motion;
 pub(crate) mod shapes;
 pub(crate) mod small;
 pub(crate) mod solution;
