@@ -285,3 +285,125 @@ fn the_equations_of_a_routhian() {
         )],
     );
 }
+
+/// The finding's verdict and message on the last display, under a claim of its own.
+fn said(claims: &Json, displays: &[&str], claim: Json) -> (Verdict, String) {
+    let found = crate::support::equation(claims, displays, claim).finding;
+    (crate::support::outcome(&found), found.message)
+}
+
+#[test]
+fn lagrangians_with_the_same_motion() {
+    let claims = with(&spring(), "constants", json!({ "m, k, a": "> 0" }));
+    let same = || json!({ "same motion as": "L" });
+    for (right, how) in [
+        (r"F = L + 3 a x^2\dot x", "they differ by d/dt of a·x^3"),
+        (r"F = \frac12 m\dot x^2 - \frac12 k x^2 + 2 a x\dot x t + a x^2", "they differ by d/dt of a·x^2·t"),
+        (r"F = L + a\dot x\cos x", "they differ by a total time derivative"),
+        (r"F = L - 2 a", "they differ by the constant −2·a"),
+        (r"F = a m\dot x^2 - a k x^2", "it is 2·a times it"),
+    ] {
+        let (verdict, message) = said(&claims, &[SPRING, right], same());
+        assert_eq!(verdict, Verified, "{right}: {message}");
+        assert!(message.contains(how) || how.contains("x^2·t") && message.contains("d/dt of"), "{right}: {message}");
+    }
+    for wrong in [
+        r"F = L + 3 a x^2",
+        r"F = \frac12 m\dot x^2 - \frac12 k x^2 + 2 a x\dot x t - a x^2",
+        r"F = a m\dot x^2 - k x^2",
+        r"F = \dot x L",
+    ] {
+        assert_eq!(said(&claims, &[SPRING, wrong], same()).0, Refuted, "{wrong}");
+    }
+    // Nothing is said by the same formula.
+    let (verdict, _) = said(&claims, &[SPRING, r"F = \frac12 m\dot x^2 - \frac12 k x^2"], same());
+    assert_eq!(verdict, Verdict::Undecided);
+}
+
+#[test]
+fn a_lagrangian_that_is_printed_again_may_lack_a_total_derivative() {
+    let claims = json!({
+        "coordinates": { r"\theta": "angle" },
+        "constants": { "m, g, l": "> 0" },
+        "functions": { "X": "of t" },
+        "means": { "L": "Lagrangian" },
+    });
+    let first = r"L = \frac12 m(l^2\dot\theta^2 + 2 l\dot\theta\dot X\cos\theta + \dot X^2) + m g l\cos\theta";
+    all(
+        &claims,
+        &[first],
+        &[(
+            r"L = \frac12 m l^2\dot\theta^2 - m l\ddot X\sin\theta + m g l\cos\theta + \frac12 m\dot X^2",
+            r"L = \frac12 m l^2\dot\theta^2 + m l\ddot X\sin\theta + m g l\cos\theta + \frac12 m\dot X^2",
+        )],
+    );
+}
+
+#[test]
+fn normal_frequencies_solve_the_secular_equation() {
+    let claims = json!({
+        "coordinates": { "x_1, x_2": "any" },
+        "constants": { r"m, k, \kappa": "> 0" },
+        "means": { "L": "Lagrangian", r"\omega": "normal frequency" },
+    });
+    let before = [
+        r"L = \frac12 m(\dot x_1^2 + \dot x_2^2) - \frac12 k(x_1^2 + x_2^2) - \frac12\kappa(x_1 - x_2)^2",
+        r"M = \begin{pmatrix} m & 0 \\ 0 & m \end{pmatrix}, \quad K = \begin{pmatrix} k + \kappa & -\kappa \\ -\kappa & k + \kappa \end{pmatrix}",
+    ];
+    all(
+        &claims,
+        &before,
+        &[
+            (r"\det(K - \omega^2 M) = 0", r"\det(K + \omega^2 M) = 0"),
+            (r"(k + \kappa - m\omega^2)^2 = \kappa^2", r"(k + \kappa - m\omega^2)^2 = 2\kappa^2"),
+            (r"(m\omega^2 - k)(m\omega^2 - k - 2\kappa) = 0", r"m\omega^2 - k = 0"),
+        ],
+    );
+    // A pendulum has one.
+    let pendulum = json!({
+        "coordinates": { r"\theta": "angle" },
+        "constants": { "m, g, l": "> 0" },
+        "means": { "L": "Lagrangian", r"\omega": "normal frequency" },
+    });
+    let before = [r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta"];
+    all(&pendulum, &before, &[(r"\omega = \sqrt{\frac gl}", r"\omega = \sqrt{\frac lg}")]);
+}
+
+#[test]
+fn claims_about_a_part_a_row_and_a_step() {
+    let check = |displays: &[&str], equations: Json| {
+        let claims = with(&spring(), "equations", equations);
+        let notes = crate::support::numbered(displays);
+        crate::support::document(&claims, &notes, &onshell::systems::Registry::standard(), None)
+    };
+    let ok = |displays: &[&str], equations: Json| {
+        let document = check(displays, equations).expect("the claims fit the notes");
+        document.equations.last().expect("there are displays").ok
+    };
+    let parts = [SPRING, r"m\ddot x = -k x, \quad x = 0"];
+    let at_rest = json!({ "throughout": r"\dot x = 0" });
+    assert!(ok(&parts, json!({ "2 part 2": at_rest })));
+    assert!(!ok(&parts, json!({ "2 part 1": at_rest })));
+    assert!(!ok(&parts, json!({})));
+    let rows = [SPRING, r"\begin{aligned} m\ddot x &= -k x \\ x &= 0 \end{aligned}"];
+    assert!(ok(&rows, json!({ "2 row 2": at_rest })));
+    assert!(!ok(&rows, json!({ "2 row 1": at_rest })));
+    let chain = [SPRING, r"-m\ddot x = k x = 0"];
+    assert!(ok(&chain, json!({ "2 step 2": at_rest })));
+    assert!(!ok(&chain, json!({ "2 step 1": at_rest })));
+    // What is expected of a part concerns that part.
+    let wrong = json!({ "expect": "refuted", "because": "a misprint" });
+    assert!(ok(&parts, json!({ "2 part 2": wrong })));
+    assert!(!ok(&parts, json!({ "2 part 1": wrong })));
+    assert!(check(&parts, json!({ "2 part 3": at_rest })).is_err());
+    assert!(check(&parts, json!({ "2 part 1, 1": at_rest })).is_err());
+}
+
+#[test]
+fn one_row_that_cannot_be_read_leaves_the_others() {
+    let claims = spring();
+    let display = r"\begin{aligned} m\ddot x &= -k x \\ y &= 3 x + \foo \\ \ddot x &= \frac km x \end{aligned}";
+    let found = crate::support::equation(&claims, &[SPRING, display], json!({}));
+    let verdicts: Vec<Verdict> = found.parts.iter().map(|part| crate::support::outcome(&part.finding)).collect();
+    assert_eq!(verdicts, [Verified, Unreadable, Refuted]);
+}

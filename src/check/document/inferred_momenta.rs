@@ -54,7 +54,9 @@ fn of_a_hamiltonian(claims: &Claims, notes: &Notes, model: &mut Model) {
         let long = names::parse(&format!("p_{{{}}}", model.name(q))).map(|(name, _)| name);
         let brief = short.iter().find(|(other, _)| *other == q).map(|(_, name)| name.clone());
         let brief = brief.filter(|name| is_used(&name.to_string(), notes, model));
-        let brief = brief.filter(|name| !is_taken(&name.to_string(), claims, notes));
+        let is_defined =
+            |name: &Name| claims.define.iter().any(|(other, _)| plain(&other.value) == plain(&name.to_string()));
+        let brief = brief.filter(|name| !is_defined(name));
         let is_long = long.as_ref().is_some_and(|long| {
             brief.is_none() || notes.equations.iter().any(|display| has_name(&display.text, &long.to_string()))
         });

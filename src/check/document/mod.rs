@@ -9,6 +9,8 @@ pub(crate) mod inferred_momenta;
 pub(crate) mod integration_constants;
 pub(crate) mod motion_by_laws;
 pub(crate) mod names;
+pub(crate) mod normal_frequencies;
+pub(crate) mod part_claims;
 pub(crate) mod printed_lagrangian;
 pub(crate) mod reading;
 pub(crate) mod reread;

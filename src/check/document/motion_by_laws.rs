@@ -225,7 +225,9 @@ fn define_quantities(model: &mut Model, symbol: SymbolId, coordinates: &[SymbolI
             _ => continue,
         };
         let before = model.symbols.entry(id).definition.clone();
-        model.define(id, formula);
+        // As a sum of one term it differs from a formula that a display prints, which is then checked.
+        let term = Term { sign: Sign::Plus, sign_span: None, expr: formula };
+        model.define(id, Expr::new(Node::Sum(vec![term]), Span::default()));
         // A printed H keeps the formula in momenta by which it is differentiated.
         model.symbols.entry_mut(id).definition = before;
     }

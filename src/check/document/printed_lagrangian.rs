@@ -16,8 +16,8 @@ use crate::scalar::Symbol;
 use crate::source::Fault;
 use crate::{Error, Result};
 
-use crate::check::document::motion_by_laws;
 use crate::check::document::unreadable::faults;
+use crate::check::document::{motion_by_laws, normal_frequencies};
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::claims_error::formula_error;
@@ -234,6 +234,7 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
             .help("write it with the declared coordinates, their dots, constants and the time"));
     }
     model.constraints = constraints(model, symbol, system.multipliers())?;
+    model.constraints.extend(normal_frequencies::conditions(model, symbol)?);
     (model.system, model.parameters) = (Some(Arc::new(system)), places);
     Ok(())
 }

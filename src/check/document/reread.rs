@@ -74,3 +74,9 @@ pub(crate) fn says_the_same(a: &Statement, b: &Statement) -> bool {
     let relations = |s: &Statement| s.relations.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
     a.members == b.members && relations(a) == relations(b) && a.constant.is_some() == b.constant.is_some()
 }
+
+/// Whether a display may have a derivative by a symbol or a Poisson bracket: its reading then contains the derivatives of
+/// definitions in place of their names.
+pub(crate) fn forms_derivatives(text: &str) -> bool {
+    ["\\partial", "\\frac{d", "\\{", "]_"].iter().any(|mark| text.contains(mark))
+}

@@ -4,7 +4,7 @@ use std::sync::{Arc, LazyLock};
 
 use crate::code::Code;
 use crate::latex::Macros;
-use crate::notes::address::Address;
+use crate::notes::address::{Address, Item, Point};
 use crate::notes::claims::{Claim, Claims};
 use crate::notes::{Display, Form, MacroDefinition, Notes};
 use crate::systems::Registry;
@@ -127,8 +127,13 @@ fn repeated_numbers(notes: &Notes) -> Result<()> {
 /// The claim of each display, where the claims file makes one.
 pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option<&'c Claim>>> {
     let mut assigned: Vec<Option<&Claim>> = vec![None; notes.equations.len()];
+    let mut parts = Vec::new();
     for (address, claim) in &claims.equations {
         unsupported(claims, address, claim)?;
+        if address.single().is_some_and(is_partial) {
+            parts.extend(address.resolve(notes, &claims.source)?);
+            continue;
+        }
         for at in address.resolve(notes, &claims.source)? {
             if assigned[at].replace(claim).is_some() {
                 let message = "this equation has two claims";
@@ -136,6 +141,10 @@ pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option
                     .help("put all keys of the equation under one address"));
             }
         }
+    }
+    // A display with a claim about a part is checked as a whole.
+    for at in parts {
+        assigned[at].get_or_insert(&NOTHING_MORE);
     }
     // A step of a derivation is checked even without a claim of its own.
     for derivation in &claims.steps {
@@ -162,10 +171,20 @@ pub(crate) fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> 
     if let Some((key, span)) = spans.into_iter().find_map(|(key, span)| Some((key, span?))) {
         return Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported")));
     }
-    let partial = address.single().is_some_and(|p| p.row.is_some() || p.part.is_some() || p.step.is_some());
-    if partial {
-        return Err(Error::at(&claims.source, address.span, "claims about a part of an equation are not supported")
-            .help("make the claim about the whole equation"));
+    let is_in_a_list = address.items.len() > 1
+        && address.items.iter().any(|item| matches!(item, Item::One(point) if is_partial(point)));
+    if is_in_a_list {
+        return Err(Error::at(&claims.source, address.span, "a part of an equation cannot be in a list of addresses")
+            .help("give each part an address of its own"));
+    }
+    if address.single().is_some_and(is_partial) && (!claim.errata.is_empty() || claim.for_each.is_some()) {
+        return Err(Error::at(&claims.source, address.span, "\"erratum\" and \"for each\" are about a whole equation")
+            .help("put them under the address of the equation"));
     }
     Ok(())
+}
+
+/// Whether a point names a row, a part or a step of a display.
+fn is_partial(point: &Point) -> bool {
+    point.row.or(point.part).or(point.step).is_some()
 }

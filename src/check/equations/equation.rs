@@ -58,7 +58,7 @@ impl Checker<'_> {
                 parts.iter().any(is_expected)
                     && parts.iter().all(|part| is_expected(part) || part.finding.verdict.passes())
             }
-            None => passes(&parts),
+            None => parts.iter().all(|part| part.ok),
         };
         if !claim.errata.is_empty() {
             let corrected = self.parts(place, reading, claim, &topic)?;
@@ -130,9 +130,37 @@ impl Checker<'_> {
         reading
     }
 
-    /// Every statement of a reading of the display, and what else is claimed of it. The text that was read starts at
-    /// `offset` of the file.
+    /// Every statement of a reading of the display, and what else is claimed of it or of its parts. The text that was read
+    /// starts at `offset` of the file.
     pub(crate) fn parts(
+        &self,
+        place: (usize, usize),
+        reading: &Reading,
+        claim: &Claim,
+        topic: &str,
+    ) -> Result<Vec<Part>> {
+        let pieces = self.pieces(place.0, reading)?;
+        if let [(_, None)] = pieces.as_slice() {
+            return self.parts_under(place, reading, claim, topic);
+        }
+        let mut all = Vec::new();
+        for (at, (piece, own)) in pieces.iter().enumerate() {
+            let topic = format!("{topic} piece {}", at + 1);
+            let mut parts = self.parts_under(place, piece, own.unwrap_or(claim), &topic)?;
+            if let Some(expect) = own.and_then(|own| own.expect.as_ref()) {
+                parts.iter_mut().for_each(|part| part.ok |= part.finding.verdict == expected(expect));
+                // A part that was to fail, and passes, is not as expected.
+                if parts.iter().all(|part| part.finding.verdict.passes()) {
+                    parts.iter_mut().for_each(|part| part.ok = false);
+                }
+            }
+            all.extend(parts);
+        }
+        Ok(all)
+    }
+
+    /// Every statement of a reading, judged under one claim.
+    fn parts_under(
         &self,
         (display, offset): (usize, usize),
         reading: &Reading,
@@ -265,6 +293,7 @@ impl Checker<'_> {
             // A definition is checked by its uses, unless the chain continues or the claim says more of the name.
             let says_more = claim.also_equals.is_some()
                 || claim.generates.is_some()
+                || claim.same_motion_as.is_some()
                 || claim.solves.is_some()
                 || claim.conserved.is_some()
                 || statement.constant.is_some();

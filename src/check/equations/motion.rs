@@ -10,7 +10,7 @@ use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::judge::identity;
 use crate::check::kinds::printed_solution::Solution;
-use crate::check::kinds::solution;
+use crate::check::kinds::{same_motion, solution};
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::outcome::run;
@@ -109,11 +109,29 @@ impl Checker<'_> {
         Ok(solution::check(printed, &others, &quick)?.verdict.holds())
     }
 
+    /// The finding that a formula printed for the Lagrangian gives the same motion as its definition, if it does.
+    fn another_lagrangian(&self, link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+        let printed =
+            self.model.printed_lagrangian.as_ref().and_then(|printed| self.model.symbols.find(&printed.lagrangian));
+        let is_it = |side: &Expr| {
+            side.as_plain_symbol().is_some() && side.as_plain_symbol() == printed.as_ref().map(|(id, _)| *id)
+        };
+        if !is_it(&link.lhs) || !context.hypotheses.is_empty() {
+            return Ok(None);
+        }
+        let quick = Context { options: Options { explain: false, ..context.options }, ..*context };
+        let found = same_motion::check(&link.rhs, &link.lhs, &quick)?;
+        Ok(found.verdict.holds().then_some(found))
+    }
+
     /// What a link is that was refuted: an orbit of the motion, or an equation that holds along a printed solution; else the same
     /// finding.
     pub(crate) fn along_the_motion(&self, link: &Link, found: Finding, context: &Context<'_>) -> Result<Finding> {
         if found.verdict != Verdict::Refuted {
             return Ok(found);
+        }
+        if let Some(same) = self.another_lagrangian(link, context)? {
+            return Ok(same);
         }
         if let Some(orbit) = solution::orbit(link, context)? {
             return Ok(orbit);

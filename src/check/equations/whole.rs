@@ -3,7 +3,7 @@
 use crate::check::document::checker::Checker;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::identity;
-use crate::check::kinds::{conserved, generates, solves};
+use crate::check::kinds::{conserved, generates, same_motion, solves};
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
@@ -111,6 +111,10 @@ impl Checker<'_> {
                 }
                 parts.push(self.part(finding, format!("{} is constant", text::formula(&what, &self.model.symbols))));
             }
+        }
+        if let Some(other) = &claim.same_motion_as {
+            let finding = same_motion::check(printed, &self.formula(other)?, &context)?;
+            parts.push(self.part(finding, format!("the same motion as {}", other.value)));
         }
         if claim.generates.is_some() {
             let finding = generates::check(printed, &context)?;

@@ -11,6 +11,7 @@ use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
+use crate::check::document::reread::forms_derivatives;
 use crate::check::kinds::definitions::Approximations;
 use crate::check::model::Model;
 use crate::check::sample::context::Options;
@@ -38,7 +39,7 @@ impl Checker<'_> {
     fn is_judged_as_a_whole(&self, at: usize, introduced: &DefinedSymbol) -> Result<bool> {
         let text = &self.notes.equations[at].text;
         let name = &self.model.symbols.entry(introduced.symbol).name.base;
-        if (text.contains("\\partial") || text.contains("\\frac{d")) && text.contains(name.as_str()) {
+        if forms_derivatives(text) && text.contains(name.as_str()) {
             return Ok(true);
         }
         let depends = |member: &Expr| self.model.depends_on(member, &[introduced.symbol]);
@@ -69,7 +70,7 @@ impl Checker<'_> {
         let none = Claim::default();
         let (display, claim) = (&self.notes.equations[at], self.assigned[at].unwrap_or(&none));
         let mut reading = self.without_definitions(at);
-        if display.text.contains("\\partial") || display.text.contains("\\frac{d") {
+        if forms_derivatives(&display.text) {
             let again = Checker { model, units: None, ..*self }.as_printed(&display.text, claim, &model.macros);
             let before = &self.readings[at];
             let kept = |n: usize| !before.introduced.iter().any(|new| new.statement == n);

@@ -15,6 +15,7 @@ pub(crate) mod identified;
 pub(crate) mod limit;
 pub(crate) mod printed_solution;
 pub(crate) mod rate;
+pub(crate) mod same_motion;
 pub(crate) mod shapes;
 pub(crate) mod small;
 pub(crate) mod solution;

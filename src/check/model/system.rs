@@ -180,6 +180,12 @@ impl Builder<'_> {
                 Ok(true)
             }
             "kinetic energy" | "potential energy" => Ok(true),
+            "normal frequency" => {
+                let id = self.add(latex, Kind::Scalar, Meaning::Constant(self.model.constants.len()))?;
+                self.model.constants.push(Variable::number(id, Range::Positive));
+                self.model.normal_frequencies.push(id);
+                Ok(true)
+            }
             "rotation matrix" | "angular velocity" | "body axes" | "space axes" => Err(self
                 .error(meaning, format!("a Lagrangian that the notes define has no {}", meaning.value))
                 .help("name a system of a rigid body under \"system\"")),

@@ -12,7 +12,7 @@ use crate::notes::claims::Claim;
 use crate::check::document::checker::Checker;
 use crate::check::document::printed_lagrangian;
 use crate::check::document::reading::for_each;
-use crate::check::document::reread::defined;
+use crate::check::document::reread::{defined, forms_derivatives};
 use crate::check::model::Model;
 use crate::check::sample::context::Options;
 
@@ -55,7 +55,7 @@ impl Checker<'_> {
     fn derive_again(&self, model: &Model, edited: usize, readings: &mut [Reading]) {
         let none = Claim::default();
         for (at, display) in self.notes.equations.iter().enumerate() {
-            let has_any = display.text.contains("\\partial") || display.text.contains("\\frac{d");
+            let has_any = forms_derivatives(&display.text);
             if at == edited || !has_any || !readings[at].introduced.is_empty() {
                 continue;
             }

@@ -58,6 +58,8 @@ pub struct Claim {
     pub continuum_limit_of: Option<Address>,
     /// `true exactly when`: the alternatives, each a list of conditions that hold together.
     pub exactly_when: Vec<Vec<Spanned<String>>>,
+    /// `same motion as`: another Lagrangian.
+    pub same_motion_as: Option<Spanned<String>>,
     /// `units`: the place of `off`.
     pub units_off: Option<Span>,
 }
@@ -170,6 +172,7 @@ pub(super) const KEYS: &[&str] = &[
     "order",
     "continuum limit of",
     "true exactly when",
+    "same motion as",
     "units",
 ];
 
@@ -231,6 +234,7 @@ pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Faul
         small: small(fields, source)?,
         continuum_limit_of: fields.text("continuum limit of")?.map(|of| Address::parse(&of, source)).transpose()?,
         exactly_when: exactly_when(fields)?,
+        same_motion_as: fields.text("same motion as")?,
         units_off: units.map(|off| fields::word(&off, "units", &[("off", ())])).transpose()?.map(|off| off.span),
     })
 }
