@@ -6,7 +6,7 @@ use crate::source::Span;
 
 use super::layout::{Item, typeset_items};
 use super::macros::Macros;
-use super::pieces::pieces;
+use super::pieces::{Piece, pieces};
 use super::rows::rows;
 
 /// A line of a display. All places are bytes of its text.
@@ -57,6 +57,62 @@ pub fn lines(text: &str, macros: &Macros) -> Vec<Line> {
         found.extend(current.map(|(line, _)| line));
     }
     found
+}
+
+/// What may stand between two statements that are read one by one.
+const BETWEEN: [&str; 22] = [
+    "\\\\",
+    "\\qquad",
+    "\\quad",
+    "\\nonumber",
+    "\\notag",
+    "\\hfill",
+    "\\displaystyle",
+    "\\text{and}",
+    "\\text{ and }",
+    "\\mbox{and}",
+    "\\,",
+    "\\;",
+    "\\:",
+    "\\!",
+    "\\ ",
+    "{}",
+    "&",
+    ",",
+    ";",
+    ".",
+    "~",
+    "*",
+];
+
+/// The statements of a display, where each can be read without the others and nothing else stands between them.
+pub fn apart(text: &str, macros: &Macros) -> Option<Vec<Span>> {
+    let items = typeset_items(text, macros).ok()?;
+    let pieces = pieces(&items, false);
+    let is_whole = |piece: &Piece<'_>| {
+        let says = piece.links.len() > 1 && piece.links.iter().all(|link| !link.items.is_empty());
+        piece.fault.is_none() && piece.conditions.is_empty() && piece.constant.is_none() && says
+    };
+    let spans: Vec<Span> = pieces.iter().map(Piece::span).collect();
+    let are_apart = spans.windows(2).all(|pair| text.get(pair[0].end..pair[1].start).is_some_and(is_separator));
+    (spans.len() > 1 && pieces.iter().all(is_whole) && are_apart).then_some(spans)
+}
+
+/// Whether a text between statements says nothing of its own.
+fn is_separator(text: &str) -> bool {
+    let mut rest = text.trim_start();
+    while !rest.is_empty() {
+        let length = rest.strip_prefix("[").and_then(|inner| inner.split_once(']')).filter(|(length, _)| {
+            length.ends_with(|c: char| c.is_ascii_alphabetic())
+                && length.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '.')
+        });
+        let Some(after) = BETWEEN.iter().find_map(|mark| rest.strip_prefix(mark)).or(length.map(|(_, after)| after))
+        else {
+            return false;
+        };
+        rest = after.trim_start();
+    }
+    true
 }
 
 #[cfg(test)]

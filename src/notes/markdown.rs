@@ -79,13 +79,33 @@ fn structure(text: &str) -> Structure {
     structure
 }
 
+/// The number of bytes of the settings before a document, between lines `---` (YAML) or `+++` (TOML).
+fn front_matter(text: &str) -> usize {
+    let begin = text.len() - text.trim_start_matches('\u{feff}').len();
+    let mut lines = text[begin..].split_inclusive('\n');
+    let Some(fence) = lines.next().filter(|line| matches!(line.trim_end(), "---" | "+++")) else { return 0 };
+    let mut end = begin + fence.len();
+    for (at, line) in lines.enumerate() {
+        end += line.len();
+        // A rule is also written as `---`, so the first line must be a setting.
+        if at == 0 && !line.contains([':', '=', '#']) {
+            return 0;
+        }
+        if line.trim_end() == fence.trim_end() || line.trim_end() == "..." {
+            return end;
+        }
+    }
+    0
+}
+
 fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Result<(), Fault> {
     let bytes = text.as_bytes();
     let mut blocks = structure.blocks.iter().peekable();
     // Once no `\]` follows, none follows later: without this, many unclosed `\[` would be quadratic.
     let mut brackets_close = true;
     let mut doubled_close = true;
-    let mut i = 0;
+    let mut i = front_matter(text);
+    found.blank.extend((i > 0).then(|| Span::new(0, i)));
     while i < bytes.len() {
         while blocks.next_if(|block| block.span.start < i).is_some() {}
         if let Some(block) = blocks.next_if(|block| block.span.start == i) {

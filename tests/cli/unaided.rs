@@ -223,12 +223,13 @@ fn a_lecture_follows_from_the_lagrangian_that_it_prints() {
     for file in ["notes.md", "notes.tex"] {
         let (equations, code) = report("lecture", file, LECTURE);
         let verdicts: Vec<&str> = equations.iter().filter_map(|equation| equation["verdict"].as_str()).collect();
-        let certified = "certified";
-        assert_eq!(verdicts, ["definition", certified, certified, certified, certified], "{file}");
+        let (defined, certified) = ("definition", "certified");
+        // The two rows of the first display are two equations.
+        assert_eq!(verdicts, [defined, defined, certified, certified, certified, certified], "{file}");
         assert_eq!(code, 0);
         let (equations, code) = report("lecture-slip", file, &LECTURE.replace("-\\frac{g}{l}", "\\frac{g}{l}"));
-        assert_eq!((equations[4]["verdict"].as_str(), code), (Some("refuted"), 1));
-        assert_eq!(equations[4]["id"], "L17");
+        assert_eq!((equations[5]["verdict"].as_str(), code), (Some("refuted"), 1));
+        assert_eq!(equations[5]["id"], "L17");
     }
 }
 
@@ -262,4 +263,62 @@ fn a_function_of_a_defined_name_takes_no_other_guess_with_it() {
         (Some("definition"), Some("refuted"))
     );
     assert_eq!(code, 1);
+}
+
+#[test]
+fn each_row_of_an_align_has_a_verdict_of_its_own() {
+    let rows = r"\begin{align}
+(a+b)^2 &= a^2 + 2 a b + b^2, \\
+\nabla^\mu_\nu f &= 0, \\
+(a-b)^2 &= a^2 - 2 a b \\
+        &\quad + b^2, \\[2pt]
+(a+b)(a-b) &= a^2 + b^2 .
+\end{align}
+";
+    for file in ["notes.md", "notes.tex"] {
+        let (equations, code) = report("rows", file, rows);
+        let ids: Vec<&str> = equations.iter().filter_map(|equation| equation["id"].as_str()).collect();
+        let verdicts: Vec<&str> = equations.iter().filter_map(|equation| equation["verdict"].as_str()).collect();
+        assert_eq!(ids, ["L2", "L3", "L4", "L6"], "{file}");
+        assert_eq!((verdicts[0], verdicts[2], verdicts[3]), ("certified", "certified", "refuted"), "{file}");
+        assert_ne!(verdicts[1], "refuted");
+        assert_eq!(code, 1);
+    }
+}
+
+#[test]
+fn rows_that_do_not_stand_alone_stay_one_display() {
+    for together in [
+        r"\begin{align} x &= 1 \quad\text{if } a > 0 \\ x &= 2 \quad\text{otherwise} \end{align}",
+        r"$$ y = a + b \text{ with a word between } z = c $$",
+    ] {
+        let (equations, _) = report("together", "notes.md", together);
+        assert_eq!(equations.len(), 1, "{together}");
+    }
+}
+
+#[test]
+fn the_letter_d_is_a_quantity_where_it_is_no_differential() {
+    let (equations, _) = report("letter-d", "notes.md", &page(&[r"(c+d)^2 = c^2 + d^2", r"W = F d \cos\alpha"]));
+    assert_eq!(equations[0]["verdict"], "refuted");
+    assert_eq!(equations[1]["verdict"], "definition");
+    let operator = [r"x = l\sin\theta", r"\frac{d}{dt} x = l\dot\theta\cos\theta", r"W = \int F \, d x"];
+    let (equations, code) = report("operator-d", "notes.md", &page(&operator));
+    assert_eq!((equations[1]["verdict"].as_str(), code), (Some("certified"), 0));
+}
+
+#[test]
+fn settings_before_a_page_and_literal_blocks_are_no_displays() {
+    let slip = "$$ (a+b)^2 = a^2 + b^2 $$\n";
+    for settings in
+        ["---\ntitle: \"a $$ b\"\n---\n", "\u{feff}---\r\ntitle: a $$ b\r\n---\r\n", "+++\ntitle = '$$'\n+++\n"]
+    {
+        let (equations, code) = report("settings", "notes.md", &format!("{settings}\n{slip}"));
+        assert_eq!((equations.len(), code), (1, 1), "{settings}");
+    }
+    let (equations, _) = report("rule", "notes.md", &format!("---\n\n{slip}\n---\n"));
+    assert_eq!(equations.len(), 1);
+    let rest = ".. math:: (a+b)^2 = a^2 + b^2\n\nCode::\n\n   .. math:: 1 = 2\n\n.. code-block:: rst\n\n   .. math:: 1 = 3\n\nText\n";
+    let (equations, code) = report("literal", "notes.rst", rest);
+    assert_eq!((equations.len(), code), (1, 1));
 }

@@ -64,8 +64,13 @@ pub(crate) fn of_the_hamiltonian(claims: &Claims, model: &mut Model) -> Result<(
 
 /// Whether the traced Lagrangian gives no accelerations at any state that is tried.
 pub(crate) fn is_singular(model: &Model) -> bool {
-    let setting =
-        Setting { hypotheses: &[], local: &[], mode: Mode { on_shell: true, order: 2 }, spread: Spread::Declared };
+    let setting = Setting {
+        hypotheses: &[],
+        local: &[],
+        mode: Mode { on_shell: true, order: 2 },
+        spread: Spread::Declared,
+        effort: usize::MAX,
+    };
     Ensemble::named(model, &setting, STATES, 1, "regular").is_err()
 }
 

@@ -176,7 +176,8 @@ impl<'w, 'a> MissingPart<'w, 'a> {
             if one.statements.iter().any(std::result::Result::is_err) {
                 if hole.slip == Slip::Term {
                     let named = self.vectors(hole);
-                    proposals.extend(if named.is_empty() { self.multiples(hole) } else { named });
+                    let is_short = self.checker.options.deduction || !named.is_empty();
+                    proposals.extend(if is_short { named } else { self.multiples(hole) });
                 }
                 continue;
             }
@@ -341,7 +342,9 @@ impl<'w, 'a> MissingPart<'w, 'a> {
         link: (&Link, usize),
         one: &Reading,
     ) -> Option<Found> {
-        self.product(hole, needed, link.0).or_else(|| self.sum(hole, needed, link, one))
+        // Without a claims file the search is kept short: a lost sum is rare.
+        let is_short = self.checker.options.deduction;
+        self.product(hole, needed, link.0).or_else(|| if is_short { None } else { self.sum(hole, needed, link, one) })
     }
 
     /// The formula for a hole as a product of powers.

@@ -15,6 +15,7 @@
 
 use rayon::prelude::*;
 use std::cell::Cell;
+use std::collections::HashSet;
 
 use crate::Result;
 use crate::formula::{Expr, Node, Statement};
@@ -51,7 +52,7 @@ const LIKELY: usize = 3;
 const NEAR: usize = 12;
 
 /// Without a claims file: the most edits that are tried with one pool, the likeliest kinds of slip first.
-const MOST_EDITS: usize = 120;
+const MOST_EDITS: usize = 180;
 
 /// A suggestion, with the reading of the edited display.
 pub(crate) struct Suggestion {
@@ -172,7 +173,7 @@ fn places(equation: &Equation, body: Span) -> Vec<Span> {
 /// As for a check of the display itself.
 pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, search: Search) -> Result<Vec<Suggestion>> {
     let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
-    let mut tried = Vec::new();
+    let mut tried: HashSet<(Span, String)> = HashSet::new();
     let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);
     // Without a claims file the parts come from the displays shortly before: a book has too many others.
     let first = if checker.options.deduction { wrong.at.saturating_sub(NEAR) } else { 0 };
@@ -186,6 +187,15 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
     let prose = || Pool::of(said(), symbols, macros, MISSING).factors_only();
     let like = || own().of_like_terms(symbols, macros);
     let pools: [&dyn Fn() -> Pool; 5] = [&|| own().factors_only(), &|| all().factors_only(), &all, &prose, &like];
+    // Without a claims file few displays that do not follow are wrong, so the search is kept short.
+    let is_short = checker.options.deduction;
+    let few: [&dyn Fn() -> Pool; 2] = [pools[0], pools[2]];
+    let pools: &[&dyn Fn() -> Pool] = if is_short { &few } else { &pools };
+    let fitted = || -> Result<Vec<Suggestion>> {
+        let mut found = passing_edits(checker, wrong, &missing_terms::edits(checker, wrong)?)?;
+        found.retain(|suggestion| !suggestion.vacuous);
+        Ok(found)
+    };
     // An edit that removes something often makes a true equation that was not meant, so the search then goes on.
     let mut removals: Vec<Suggestion> = Vec::new();
     // An edit after which the equation says nothing is offered only if there is no other.
@@ -194,14 +204,13 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
     for (at, pool) in pools.iter().take(far).enumerate() {
         // Fitted terms come after parts of the document, and before parts that only resemble them.
         if at == LAST {
-            let mut found = passing_edits(checker, wrong, &missing_terms::edits(checker, wrong)?)?;
-            found.retain(|suggestion| !suggestion.vacuous);
+            let found = fitted()?;
             if !found.is_empty() {
                 return Ok(distinct(checker, removals.into_iter().chain(found)));
             }
         }
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
-        edits.retain(|edit| wrong.concerns(edit) && !tried.contains(edit));
+        edits.retain(|edit| wrong.concerns(edit) && !tried.contains(&(edit.span, edit.replacement.clone())));
         // A ± is inserted only before a root, or where the text has another ±.
         let has_root = |edit: &Edit| match edit.slip {
             Slip::Term => edit.replacement.contains("sqrt"),
@@ -209,18 +218,23 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
             _ => true,
         };
         edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(wrong.text) || has_root(edit));
-        if checker.options.deduction {
+        if is_short {
+            edits.retain(|edit| !is_removal(edit));
             edits.sort_by_key(|edit| edit.slip);
             edits.truncate(MOST_EDITS);
         }
         let mut found = passing_edits(checker, wrong, &edits)?;
-        tried.extend(edits);
+        tried.extend(edits.into_iter().map(|edit| (edit.span, edit.replacement)));
         found.sort_by_key(|suggestion| rank(wrong.text, &suggestion.edit, suggestion.step));
         vacuous.extend(found.extract_if(.., |suggestion| suggestion.vacuous).filter(|_| at < LAST));
         let is_less = found.iter().all(|suggestion| is_removal(&suggestion.edit));
         removals.extend(found);
         if !is_less {
             break;
+        }
+        let is_last = at + 1 == pools.len();
+        if is_short && is_last && search == Search::Thorough && removals.is_empty() {
+            removals = fitted()?;
         }
     }
     Ok(distinct(checker, if removals.is_empty() { vacuous } else { removals }))

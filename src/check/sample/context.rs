@@ -20,6 +20,9 @@ use crate::check::sample::unmet_hypotheses;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
+/// The most work for the states of a deduction. Most sets of premises that are tried are of no use.
+const DEDUCTION: usize = 40_000;
+
 /// The options of a check.
 ///
 /// Start from [`Options::default`] and change what you need: fields may be added.
@@ -86,7 +89,13 @@ impl<'a> Context<'a> {
 
     /// The setting of its states.
     pub(crate) fn setting(&self, mode: Mode) -> Setting<'a> {
-        Setting { hypotheses: self.hypotheses, local: self.local, mode, spread: self.spread }
+        Setting {
+            hypotheses: self.hypotheses,
+            local: self.local,
+            mode,
+            spread: self.spread,
+            effort: if self.options.deduction { DEDUCTION } else { usize::MAX },
+        }
     }
 
     /// States of the claim.

@@ -56,7 +56,7 @@ impl<'m> Projection<'m> {
         let Some(Projected { base, state, obeys }) = self.solve(base)? else {
             self.record.moved.0 += 1;
             // A search that has found nothing so far costs most and finds least.
-            self.record.hopeless |= self.record.moved.1 == 0 && self.record.moved.0 == GIVEN_UP;
+            self.record.hopeless |= self.record.moved.1 == 0 && self.record.moved.0 == GIVEN_UP || self.is_spent();
             return Ok(None);
         };
         self.record.moved.1 += 1;
@@ -195,6 +195,9 @@ impl<'m> Projection<'m> {
 
     /// The rows with their derivatives by one number of the base.
     fn column(&self, base: &[f64], slot: usize, rows: &[Row]) -> Result<Option<Vec<Dual64>>> {
+        if !self.spend(rows.len()) {
+            return Ok(None);
+        }
         let mut dual: Vec<Dual<RunningError>> = base.iter().map(|x| Dual::from_re(RunningError::new(*x))).collect();
         dual[slot].eps = RunningError::new(1.0);
         let Some(values) = self.values(&self.state(&dual, self.terms)?, rows) else { return Ok(None) };

@@ -16,6 +16,7 @@
 //! shell, since a state that is no motion refutes nothing about motions.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::formula::{Expr, Node, Relation};
 use crate::mechanics::LinearSolver;
@@ -51,6 +52,8 @@ pub struct Projection<'m> {
     /// The number of derivatives that the solved hypotheses need.
     pub(crate) terms: usize,
     layout: Arc<Layout>,
+    /// The most work that may go into solving, and what was spent so far; in values of rows.
+    effort: (usize, AtomicUsize),
 }
 
 impl<'m> Projection<'m> {
@@ -76,9 +79,21 @@ impl<'m> Projection<'m> {
             record: ProjectionRecord::default(),
             terms,
             layout: Layout::of(model, mode),
+            effort: (setting.effort, AtomicUsize::new(0)),
         };
         projection.terms = projection.needed();
         projection
+    }
+
+    /// Counts the work of so many rows with their derivatives; false, if that is too much.
+    pub(crate) fn spend(&self, rows: usize) -> bool {
+        let work = rows * self.terms;
+        self.effort.1.fetch_add(work, Ordering::Relaxed) + work <= self.effort.0
+    }
+
+    /// Whether no more work may go into solving.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.effort.1.load(Ordering::Relaxed) > self.effort.0
     }
 
     /// For each hypothesis whether it is a rule.

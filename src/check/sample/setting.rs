@@ -15,6 +15,8 @@ pub struct Setting<'c> {
     pub mode: Mode,
     /// How wide the ranges are.
     pub spread: Spread,
+    /// The most work that may go into solving the hypotheses, in values of rows.
+    pub effort: usize,
 }
 
 /// The least number of states for a pass.

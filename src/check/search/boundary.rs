@@ -12,7 +12,6 @@ use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::prescribed_values::PrescribedValues;
-use crate::check::sample::setting::Setting;
 use crate::check::state::sampled_state::SampledState;
 
 /// The number of states from which the boundary is sought.
@@ -65,8 +64,7 @@ pub(crate) fn states<'m>(
     ensemble: &Ensemble<'m>,
     special: &Ensemble<'m>,
 ) -> Result<Vec<SampledState<'m, RunningError>>> {
-    let setting =
-        Setting { hypotheses: context.hypotheses, local: context.local, mode: ensemble.mode, spread: context.spread };
+    let setting = context.setting(ensemble.mode);
     let mut found = Vec::new();
     for (at, (lhs, rhs)) in comparisons.iter().enumerate() {
         if comparisons[..at].contains(&comparisons[at]) {

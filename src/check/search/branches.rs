@@ -85,7 +85,7 @@ fn drawn_under<'m>(
     context: &Context<'m>,
     ensemble: &Ensemble<'m>,
 ) -> Result<Vec<SampledState<'m, RunningError>>> {
-    let setting = Setting { hypotheses, local: context.local, mode: ensemble.mode, spread: context.spread };
+    let setting = Setting { hypotheses, ..context.setting(ensemble.mode) };
     let mut draw = Sampler::new(context.options.seed, &format!("{}/another way", context.topic));
     Ok(Ensemble::draw(context.model, &setting, OF_EACH, &mut draw)?.states)
 }

@@ -17,6 +17,7 @@ use crate::check::unaided::gate::{self, Basis};
 use crate::check::unaided::premises::{self, Premise};
 use crate::check::unaided::prose::{self, Announced, Words};
 use crate::check::unaided::scope::Scope;
+use crate::check::unaided::screen;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, SymbolId, text};
@@ -24,9 +25,6 @@ use crate::notes::claims::Claim;
 
 /// The most sets of premises with which a slip is sought.
 const SETS_FOR_SLIPS: usize = 2;
-
-/// The number of states at which a set of premises is tried first.
-const SCREENED: usize = 3;
 
 /// The number of displays that are first judged by themselves at once.
 const AT_ONCE: usize = 16;
@@ -54,7 +52,6 @@ pub(super) fn judged_again(
         run,
         checker: explained,
         quick: with_options(checker, false),
-        screen: with_points(with_options(checker, false), SCREENED),
         known: Vec::new(),
         seen: HashMap::new(),
         at_first: VecDeque::new(),
@@ -84,19 +81,12 @@ fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
     Checker { options, units: checker.units.clone(), ..*checker }
 }
 
-fn with_points(mut checker: Checker<'_>, points: usize) -> Checker<'_> {
-    checker.options.points = points.min(checker.options.points);
-    checker
-}
-
 /// The way through the displays.
 struct Course<'c, 'a> {
     run: &'c Run<'c>,
     checker: &'c Checker<'a>,
     /// The same checker without explanations.
     quick: Checker<'a>,
-    /// The same with a few states.
-    screen: Checker<'a>,
     /// What was taken for granted so far.
     known: Vec<Premise>,
     /// The symbols of the displays so far, with the first display of each.
@@ -234,9 +224,7 @@ impl Course<'_, '_> {
     /// The finding that a display follows from premises, if it does.
     fn follows_from(&self, at: usize, set: &[&Premise]) -> Result<Option<Equation>> {
         let claim = premises::claim(set);
-        // Most sets are of no use, which a few states tell.
-        let first = self.equation(&self.screen, at, &claim)?;
-        if first.finding.verdict == Verdict::Refuted {
+        if !screen::may_follow(&self.quick, at, &claim)? {
             return Ok(None);
         }
         let mut found = self.equation(&self.quick, at, &claim)?;
@@ -264,20 +252,21 @@ impl Course<'_, '_> {
         {
             return Ok(None);
         }
-        let mut found = self.equation(checker, at, claim)?;
-        if found.finding.verdict != Verdict::Refuted {
+        let quick = self.equation(&self.quick, at, claim)?;
+        if quick.finding.verdict != Verdict::Refuted {
             return Ok(None);
         }
-        found.repairs = checker.own_repairs(at, &found, claim, search)?;
+        let mut repairs = checker.own_repairs(at, &quick, claim, search)?;
         let around = gate::Around { model: checker.model, before: &self.seen, basis, words, solves };
-        found.repairs.retain(|repair| gate::is_likely(repair, display, &around));
-        if solves && found.repairs.is_empty() {
-            found.repairs = checker.repairs_of_own_definition(self.run, at)?;
-            found.repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        if solves && repairs.is_empty() {
+            repairs = checker.repairs_of_own_definition(self.run, at)?;
+            repairs.retain(|repair| gate::is_likely(repair, display, &around));
         }
-        if found.repairs.is_empty() {
+        if repairs.is_empty() {
             return Ok(None);
         }
+        let mut found = Equation { repairs, ..self.equation(checker, at, claim)? };
         if !set.is_empty() {
             found.finding.message = format!("{}, given {}", found.finding.message, named(set));
         }

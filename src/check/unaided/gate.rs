@@ -66,6 +66,10 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
             return false;
         }
     }
+    // In other words, what one relation says is a law of its own more often than a slip, unless the author says otherwise.
+    if basis == Basis::Premise && !is_announced && members.len() < 3 {
+        return false;
+    }
     if basis != Basis::Definitions {
         return true;
     }

@@ -227,7 +227,7 @@ impl Guess {
 fn is_reserved(usage: &Usage) -> bool {
     let is_quantity = match usage.name.base.as_str() {
         "i" => usage.moves || usage.arguments.is_some(),
-        "d" => usage.divides,
+        "d" => usage.divides || !usage.precedes,
         _ => false,
     };
     is_reserved_name(&usage.name) && !is_quantity

@@ -28,6 +28,9 @@ mod prose;
 mod scope;
 #[cfg(feature = "cli")]
 mod scopes;
+mod screen;
+
+use std::collections::HashSet;
 
 #[cfg(feature = "cli")]
 use std::sync::Arc;
@@ -35,13 +38,15 @@ use std::sync::Arc;
 #[cfg(feature = "cli")]
 use crate::Error;
 use crate::Result;
-use crate::check::document::setup::{Run, with_checker};
+use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::run::check_in;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::{Document, Equation};
+use crate::latex::{Macros, lines};
 #[cfg(feature = "cli")]
 use crate::mechanics::System;
-use crate::notes::{Claims, Notes, Numbered};
+use crate::notes::{Claims, Display, Notes, Numbered};
+use crate::source::Span;
 
 #[cfg(feature = "cli")]
 pub use draft::draft;
@@ -53,11 +58,11 @@ pub use draft::draft;
 #[cfg(feature = "cli")]
 pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
     let notes = with_ids(notes);
-    let sections = scopes::sections(&notes);
+    let outline = scopes::Outline::of(&notes);
     let (mut equations, mut inferred) = (Vec::new(), Vec::new());
     // A letter that a later section uses for something else is another letter, so a new scope begins there.
     while equations.len() < notes.equations.len() {
-        let (part, scope) = scopes::from(run, &notes, equations.len(), &sections);
+        let (part, scope) = scopes::from(run, &notes, equations.len(), &outline);
         let claims = inference::claims(run, &part)?;
         let (found, concluded) = judged(run, &claims, &part, &scope)?;
         equations.extend(found);
@@ -74,10 +79,10 @@ pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
 #[cfg(feature = "cli")]
 pub fn system(run: &Run<'_>, notes: &Notes) -> Result<Option<Arc<System>>> {
     let notes = with_ids(notes);
-    let sections = scopes::sections(&notes);
+    let outline = scopes::Outline::of(&notes);
     let mut seen = 0;
     while seen < notes.equations.len() {
-        let (part, scope) = scopes::from(run, &notes, seen, &sections);
+        let (part, scope) = scopes::from(run, &notes, seen, &outline);
         let claims = inference::claims(run, &part)?;
         if let Some(system) = system_of(run, &claims, &part)? {
             return Ok(Some(system));
@@ -174,12 +179,16 @@ fn document(
     }
 }
 
-/// The notes, in which each display without a number has the name `L` and its line, and no number is there twice.
+/// The notes, in which each statement of a display without a number is a display of its own, each display without a number
+/// has the name `L` and its line, and no number is there twice.
 fn with_ids(notes: &Notes) -> Notes {
     let mut notes = notes.clone();
-    let mut known: Vec<String> = Vec::new();
+    let mut macros = Macros::default();
+    define_macros(&notes.macros, &mut macros);
+    notes.equations = notes.equations.iter().flat_map(|display| statements_of(display, &notes, &macros)).collect();
+    let mut known: HashSet<String> = HashSet::new();
     for display in &mut notes.equations {
-        let own = display.id().filter(|id| !known.iter().any(|other| other == id)).map(str::to_owned);
+        let own = display.id().filter(|id| !known.contains(*id)).map(str::to_owned);
         let id = own.clone().unwrap_or_else(|| {
             let line = format!("L{}", display.line);
             let more = (2..).map(|n| format!("{line}.{n}"));
@@ -189,7 +198,39 @@ fn with_ids(notes: &Notes) -> Notes {
             display.number = Some(Numbered { id: id.clone(), span: display.body });
             display.labels.clear();
         }
-        known.push(id);
+        known.insert(id);
     }
     notes
+}
+
+/// The statements of a display without a number, as displays: each row has a verdict of its own.
+fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Display> {
+    let spans = match display.id() {
+        None if display.parts.len() < 2 => lines::apart(&display.text, macros),
+        _ => None,
+    };
+    let Some(spans) = spans else { return vec![display.clone()] };
+    let last = spans.len() - 1;
+    let one = |(at, span): (usize, &Span)| {
+        let body = span.shifted(display.body.start);
+        let start = if at == 0 { display.span.start } else { body.start };
+        let end = if at == last { display.span.end } else { body.end };
+        let line = display.line + notes.source.text[display.span.start..body.start].matches('\n').count();
+        Display {
+            span: Span::new(start, end),
+            body,
+            parts: vec![body],
+            text: display.text[span.start..span.end].to_owned(),
+            automatic: display
+                .automatic
+                .get(at)
+                .filter(|_| display.automatic.len() == spans.len())
+                .cloned()
+                .into_iter()
+                .collect(),
+            line,
+            ..display.clone()
+        }
+    };
+    spans.iter().enumerate().map(one).collect()
 }

@@ -22,6 +22,8 @@ pub(in crate::check) struct Usage {
     pub product: Option<Vec<Name>>,
     /// Whether it is all of a numerator or a denominator.
     pub divides: bool,
+    /// Whether it stands directly before another name somewhere, as the d of dx does.
+    pub precedes: bool,
     /// Whether something is differentiated by it, or by its rate.
     pub differentiates: bool,
     /// The first display with it.
@@ -187,6 +189,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             follows: false,
             product: None,
             divides: false,
+            precedes: false,
             differentiates: false,
             first: at,
             introduced: None,
@@ -213,6 +216,7 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             let usage = entry(found, &printed.name, at);
             usage.moves |= printed.dots > 0 || place.moves;
             usage.positive |= place.positive;
+            usage.precedes |= items[index + 1..].iter().find(|next| !is_space(next)).is_some_and(is_factor);
             usage.angle |= here.angle && !follows.is_some_and(is_variable);
             if let Some(arguments) = follows.and_then(names_in_parentheses) {
                 usage.arguments.get_or_insert(arguments);
@@ -236,7 +240,8 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             }
             Layout::Fraction(above, below) => {
                 let moves = is_by_time(below);
-                let differentiated = is_differential(above);
+                let is_operator = is_differential(below) && is_letter_d(above);
+                let differentiated = is_differential(above) || is_operator;
                 let above_place = Place { moves: moves && differentiated, ..place };
                 walk(&contents(above)[usize::from(differentiated)..], above_place, at, found);
                 match is_differential(below) {
@@ -292,6 +297,16 @@ fn is_differential(item: &Item) -> bool {
         },
         [] => false,
     }
+}
+
+/// Whether an item is the letter d alone, as above dt in d/dt.
+fn is_letter_d(item: &Item) -> bool {
+    matches!(contents(item), [Item { layout: Layout::Letter('d'), .. }])
+}
+
+/// Whether d before an item is a differential: before a name or a parenthesis.
+fn is_factor(item: &Item) -> bool {
+    names::printed(item, None).is_some() || matches!(item.layout, Layout::Fence(Delimiter::Round, _))
 }
 
 fn is_by_time(below: &Item) -> bool {

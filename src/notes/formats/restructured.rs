@@ -27,6 +27,12 @@ pub(super) fn write(view: &mut Builder, text: &str, lines: &[Span], copy: fn(&mu
         let Some(argument) = text[own.range()].strip_prefix(".. math::") else {
             prose(view, text, own, copy);
             view.written(Span::at(line.end), "\n");
+            if is_before_literal(&text[own.range()]) {
+                let depth = indent(text, line);
+                let is_inside = |line: &&Span| trimmed(text, **line).range().is_empty() || indent(text, **line) > depth;
+                let inside = lines[at..].iter().take_while(is_inside);
+                at += inside.map(|line| view.written(Span::at(line.end), "\n")).count();
+            }
             continue;
         };
         let depth = indent(text, line);
@@ -67,6 +73,16 @@ pub(super) fn write(view: &mut Builder, text: &str, lines: &[Span], copy: fn(&mu
             let open = if n == 0 { own } else { group[0] };
             blocks::display(view, open, group, label.filter(|_| n == 0), copy);
         }
+    }
+}
+
+/// Whether the indented lines after this one are code, or another text that is printed as it stands.
+fn is_before_literal(line: &str) -> bool {
+    const DIRECTIVES: [&str; 5] =
+        [".. code", ".. sourcecode::", ".. parsed-literal::", ".. highlight::", ".. prompt::"];
+    match line.starts_with("..") {
+        true => DIRECTIVES.iter().any(|directive| line.starts_with(directive)),
+        false => line.ends_with("::"),
     }
 }
 
