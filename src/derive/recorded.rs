@@ -102,7 +102,8 @@ impl Recorded {
         let resting = system.quantities(time, &q, &still, &parameters);
         let mass = system.mass_matrix(time, &q, &v, &parameters);
         let parts = places.moving(time, &q, &v, &parameters);
-        let along = |x: &[Symbol], rates: &[Symbol]| x.iter().zip(rates).map(|(&x, &r)| Dual::new(x, r)).collect::<Vec<_>>();
+        let along =
+            |x: &[Symbol], rates: &[Symbol]| x.iter().zip(rates).map(|(&x, &r)| Dual::new(x, r)).collect::<Vec<_>>();
         let fixed = parameters.iter().copied().map(Dual::from_re).collect::<Vec<_>>();
         let motion = system.quantities(Dual::new(time, Symbol::one()), &along(&q, &v), &along(&v, &a), &fixed);
         let triple = |from: usize, of: fn(&Dual<Symbol>) -> Symbol| std::array::from_fn(|i| of(&parts[from + i]));

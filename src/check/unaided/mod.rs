@@ -32,9 +32,9 @@ mod scopes;
 #[cfg(feature = "cli")]
 use std::sync::Arc;
 
-use crate::Result;
 #[cfg(feature = "cli")]
 use crate::Error;
+use crate::Result;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::run::check_in;
 use crate::check::verdict::Verdict;
