@@ -35,6 +35,9 @@ fn main() -> ExitCode {
     let trials = vec![
         trial("pages_of_a_report", pages_of_a_report),
         trial("page_with_mistakes", page_with_mistakes),
+        trial("pages_of_a_lagrangian_in_notes", pages_of_a_lagrangian_in_notes),
+        trial("page_of_a_tex_document", page_of_a_tex_document),
+        trial("page_of_a_derivation", page_of_a_derivation),
         trial("single_page", single_page),
         trial("pages_of_a_class", pages_of_a_class),
         trial("what_is_wrong_is_found", what_is_wrong_is_found),
@@ -158,6 +161,35 @@ fn page_with_mistakes(browser: &Browser) -> Result<(), String> {
     );
     std::fs::write(folder.join("notes.md"), notes).expect("the notes can be written");
     onshell(&folder, &["report", "notes.md", "--out", "pages"]);
+    browser.expect_none(&folder.join("pages"))
+}
+
+/// With pictures, derived terms beside printed ones, and the curves of a wrong equation.
+fn pages_of_a_lagrangian_in_notes(browser: &Browser) -> Result<(), String> {
+    let folder = desk("lagrangian");
+    let notes = "# A bead\n\nThe Lagrangian is\n\n$$ L = \\frac12 m R^2 (\\dot\\theta^2 + \\Omega^2 \\sin^2\\theta) + m g R \\cos\\theta $$\n\n\
+                 $$ m R^2 \\ddot\\theta = m R^2 \\Omega^2 \\sin\\theta\\cos\\theta + m g R \\sin\\theta $$\n";
+    std::fs::write(folder.join("bead.md"), notes).expect("the notes can be written");
+    onshell(&folder, &["report", "bead.md", "--out", "pages"]);
+    browser.expect_none(&folder.join("pages"))
+}
+
+fn page_of_a_tex_document(browser: &Browser) -> Result<(), String> {
+    let folder = desk("tex");
+    let notes = "\\documentclass{article}\n\\begin{document}\n\\section{Squares}\nIt is \\emph{known} that\n\\begin{itemize}\n\\item $a > 0$\n\
+                 \\end{itemize}\n\\[ (a+b)^2 = a^2 + b^2 \\]\n\\end{document}\n";
+    std::fs::write(folder.join("notes.tex"), notes).expect("the notes can be written");
+    onshell(&folder, &["report", "notes.tex", "--out", "pages"]);
+    browser.expect_none(&folder.join("pages"))
+}
+
+fn page_of_a_derivation(browser: &Browser) -> Result<(), String> {
+    let folder = desk("derivation");
+    let run =
+        Command::new(env!("CARGO_BIN_EXE_onshell")).args(["derive", "kepler", "--steps", "--format", "html"]).output();
+    std::fs::create_dir_all(folder.join("pages")).expect("the folder can be made");
+    std::fs::write(folder.join("pages/kepler.html"), run.expect("the program runs").stdout)
+        .expect("the page can be written");
     browser.expect_none(&folder.join("pages"))
 }
 

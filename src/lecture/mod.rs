@@ -11,12 +11,14 @@
 //! | `start` | from the parts of the system to L |
 //! | `motion` | from L to the equations of motion, the energy and H |
 //! | `precession` | the effective potential, and steady precession |
+//! | `beside` | printed equations beside the derived ones: term by term, and as curves |
 //! | `sample` | the sampled state and the value of a line in it |
 //! | `json` | the lecture for programs |
 //! | `text` | the lecture on a terminal |
 //!
 //! This folder may know `check`, `derive`, `notes`, and what these know.
 
+mod beside;
 pub mod json;
 mod motion;
 mod passage;
@@ -37,6 +39,7 @@ use crate::source::Source;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
+pub use beside::{Beside, Sides};
 use passage::NOTES;
 pub use passage::{Line, Passage};
 pub use sample::Sample;

@@ -5,7 +5,7 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use crate::Result;
 use crate::derive::Derivation;
-use crate::formula::{Assignment, Expr, SymbolId, Value, evaluate, text};
+use crate::formula::{Assignment, Expr, Node, SymbolId, Symbols, Value, evaluate, text};
 use crate::latex::names;
 use crate::mechanics::System;
 use crate::scalar::Series;
@@ -18,6 +18,8 @@ pub struct Sample {
     pub(super) time: f64,
     coordinates: Vec<(String, [f64; 3], [f64; 2])>,
     parameters: Vec<(String, f64)>,
+    /// L, E and H.
+    functions: [f64; 3],
 }
 
 impl Sample {
@@ -35,6 +37,14 @@ impl Sample {
         let v: Vec<f64> = system.coordinates().iter().map(|_| draw(0.1, 0.7)).collect();
         let parameters: Vec<f64> = system.parameters().iter().map(|_| draw(0.8, 2.0)).collect();
         let time = if system.depends_on_time() { draw(0.1, 0.9) } else { 0.0 };
+        Sample::at(system, time, [q, v, parameters])
+    }
+
+    /// The state with these coordinates, velocities and parameters.
+    ///
+    /// # Errors
+    /// When the mass matrix is singular there.
+    pub(super) fn at(system: &System, time: f64, [q, v, parameters]: [Vec<f64>; 3]) -> Result<Sample> {
         let a = system.accelerations(time, &q, &v, &parameters)?;
         let there = system.quantities(time, &q, &v, &parameters);
         let name = |latex: &String, dots: u8| text::plain(&text::with_dots(latex, dots));
@@ -51,12 +61,17 @@ impl Sample {
             |(i, latex): (usize, &String)| (latex.clone(), [q[i], v[i], a[i]], [there.momenta[i], there.forces[i]]);
         let coordinates = system.coordinates().iter().enumerate().map(coordinate).collect();
         let parameters = system.parameters().iter().cloned().zip(parameters).collect();
-        Ok(Sample { drawn, time, coordinates, parameters })
+        let functions = [there.lagrangian, there.energy, there.energy];
+        Ok(Sample { drawn, time, coordinates, parameters, functions })
     }
 
     /// The value of a derived formula at the state; `None` where it has none.
     pub fn value(&self, derivation: &Derivation, formula: &Expr) -> Option<f64> {
-        let symbols = derivation.symbols();
+        self.value_in(derivation, derivation.symbols(), formula)
+    }
+
+    /// The value of a formula that was read with these symbols, which begin with those of the derivation.
+    pub(super) fn value_in(&self, derivation: &Derivation, symbols: &Symbols, formula: &Expr) -> Option<f64> {
         let id = |latex: &str| -> Option<SymbolId> {
             let (name, _) = names::parse(latex)?;
             symbols.find(&name).map(|(id, _)| id)
@@ -71,6 +86,11 @@ impl Sample {
         for (latex, value) in &self.parameters {
             known.set(id(latex)?, 0, *value);
         }
+        for (function, value) in derivation.functions().iter().zip(self.functions) {
+            if let Node::Symbol { id, .. } = &function.node {
+                known.set(*id, 0, value);
+            }
+        }
         let value: Value<Series<f64>> = evaluate(formula, &known, &[]).ok()?;
         match value {
             Value::Scalar(value) => Some(value.value()).filter(|value| value.is_finite()),
@@ -79,8 +99,7 @@ impl Sample {
     }
 
     /// Coordinates, velocities and parameters.
-    #[cfg(test)]
-    pub fn numbers(&self) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    pub(super) fn numbers(&self) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let of = |order: usize| self.coordinates.iter().map(|(_, motion, _)| motion[order]).collect();
         (of(0), of(1), self.parameters.iter().map(|(_, value)| *value).collect())
     }

@@ -47,7 +47,8 @@ pub(super) fn lecture(lecture: &Lecture, prefix: &str, pictures: &Markup) -> Mar
     }
 }
 
-fn passages(lecture: &Lecture, prefix: &str) -> Markup {
+/// The passages of a lecture without its title.
+pub(super) fn passages(lecture: &Lecture, prefix: &str) -> Markup {
     let mut section = 0..;
     html! {
         @for passage in &lecture.passages {

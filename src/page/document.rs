@@ -4,8 +4,9 @@ use maud::{Markup, html};
 
 use super::corrections::{self, Correction};
 use super::evidence;
-use super::{badge, chips, equation_anchor, graph, prose, tone, typeset};
+use super::{badge, beside, chips, equation_anchor, graph, prose, tone, typeset};
 use crate::check::{Document, Equation};
+use crate::lecture::Beside;
 use crate::notes::{Display, Kind, MacroDefinition, Notes};
 
 /// The displays of a document and the macros of its author.
@@ -39,8 +40,8 @@ pub(super) fn title(document: &Document) -> String {
     heading.map(|title| title.trim().to_owned()).filter(|title| !title.is_empty()).or_else(stem).unwrap_or_default()
 }
 
-/// The page of a document; `prefix` stands before the anchors of its equations.
-pub(super) fn document(document: &Document, prefix: &str, pictures: &Markup) -> Markup {
+/// The page of a document; `prefix` stands before the anchors of its equations, and `after` follows its text.
+pub(super) fn document(document: &Document, prefix: &str, derived: Option<&Beside>, after: &Markup) -> Markup {
     let kind = kind(document);
     let (displays, macros) = displays(document);
     let text = &document.source.text;
@@ -48,7 +49,7 @@ pub(super) fn document(document: &Document, prefix: &str, pictures: &Markup) -> 
     let mut blocks = Vec::new();
     for display in &displays {
         blocks.push(prose::prose(text.get(from..display.span.start).unwrap_or_default(), kind, &macros));
-        blocks.push(shown(document, display, &displays, &macros, prefix));
+        blocks.push(shown((document, derived), display, &displays, &macros, prefix));
         from = display.span.end;
     }
     blocks.push(prose::prose(text.get(from..).unwrap_or_default(), kind, &macros));
@@ -63,11 +64,11 @@ pub(super) fn document(document: &Document, prefix: &str, pictures: &Markup) -> 
         @if let Some(graph) = graph::graph(document, prefix) {
             section { h2 { "Which equation rests on which" } (graph) }
         }
-        (pictures)
+        (after)
         @if !document.sentences.is_empty() {
             section {
                 h2 { "Sentences that were checked" }
-                @for sentence in &document.sentences { (equation(sentence, None, document, &macros, prefix)) }
+                @for sentence in &document.sentences { (equation(sentence, None, (document, None), &macros, prefix)) }
             }
         }
         @if !document.inferred.is_empty() {
@@ -77,7 +78,7 @@ pub(super) fn document(document: &Document, prefix: &str, pictures: &Markup) -> 
 }
 
 fn shown(
-    document: &Document,
+    (document, derived): (&Document, Option<&Beside>),
     display: &Display,
     displays: &[Display],
     macros: &[MacroDefinition],
@@ -85,7 +86,7 @@ fn shown(
 ) -> Markup {
     let is_it = |item: &&Equation| display_of(item, displays).is_some_and(|found| found.span == display.span);
     match document.equations.iter().find(is_it) {
-        Some(item) => equation(item, Some(display), document, macros, prefix),
+        Some(item) => equation(item, Some(display), (document, derived), macros, prefix),
         None => html! {
             div class="display wide" tabindex="0" role="group" aria-label="A display that was not checked" {
                 (typeset::block(&display.text, macros))
@@ -98,7 +99,7 @@ fn shown(
 fn equation(
     item: &Equation,
     display: Option<&Display>,
-    document: &Document,
+    (document, derived): (&Document, Option<&Beside>),
     macros: &[MacroDefinition],
     prefix: &str,
 ) -> Markup {
@@ -119,7 +120,11 @@ fn equation(
                     span class="number" { "(" (item.id) ")" } " " (badge(verdict, item.ok))
                     span class="hint" { (evidence::short(item)) }
                 }
-                div class="evidence" { (evidence::evidence(item, document, display, macros, prefix)) }
+                div class="evidence" {
+                    (evidence::evidence(item, document, display, macros, prefix))
+                    (beside::lineup(item, display, derived))
+                    (beside::sides(item, display, derived))
+                }
             }
             @if let Some(found) = display.and_then(|display| corrections::errata(item, display)) {
                 (corrected(&found, "Corrected", macros))

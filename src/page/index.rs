@@ -8,7 +8,7 @@ use crate::check::{Document, Equation, Report, Verdict};
 use crate::lecture::Lecture;
 
 /// The index. `link` gives the address of each document.
-pub(super) fn index(report: &Report, lectures: &[Lecture], link: &dyn Fn(usize) -> String, single: bool) -> Markup {
+pub(super) fn index(report: &Report, lectures: &[&Lecture], link: &dyn Fn(usize) -> String, single: bool) -> Markup {
     let is_found = |item: &&Equation| !item.ok || !item.finding.verdict.passes();
     let address = |at: usize, item: &Equation| {
         let before =

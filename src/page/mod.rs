@@ -5,6 +5,7 @@
 //! nothing; it shows what [`crate::check`] found. [`pages`] gives the texts, and `cli` writes them. It may know `check`,
 //! `notes`, `report`, `formula` and level 0.
 
+mod beside;
 mod corrections;
 mod derivation;
 mod document;
@@ -16,6 +17,7 @@ mod mathml;
 mod prose;
 mod student;
 mod style;
+mod tex_prose;
 mod typeset;
 
 pub use student::class_pages;
@@ -25,7 +27,8 @@ use std::path::Path;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::check::{Document, Report, Verdict};
-use crate::lecture::Lecture;
+use crate::lecture::{Beside, Lecture};
+use crate::plot::Picture;
 
 /// A file of the report.
 #[derive(Clone, Debug)]
@@ -36,44 +39,83 @@ pub struct Page {
     pub text: String,
 }
 
+/// What follows from the system of some documents, to be shown beside them.
+pub struct Exhibit {
+    /// The derivation, line by line, where there is one.
+    pub lecture: Option<Lecture>,
+    /// The derived equations, to be held beside the printed ones.
+    pub beside: Option<Beside>,
+    /// The pictures of the system.
+    pub pictures: Vec<Picture>,
+    /// The paths of the documents.
+    pub documents: Vec<String>,
+}
+
 /// The pages of a report: an index and a page for each document, or one page with all.
-pub fn pages(report: &Report, lectures: &[Lecture], single: bool) -> Vec<Page> {
+pub fn pages(report: &Report, exhibits: &[&Exhibit], single: bool) -> Vec<Page> {
     let names = names(report);
     let page = |name: &str, title: &str, body: &Markup| Page {
         name: name.to_owned(),
         text: framed(title, &way_back(name), body, single).into_string(),
     };
     let link = |at: usize| if single { format!("#{}", anchor(&names[at])) } else { names[at].clone() };
-    let index = index::index(report, lectures, &link, single);
+    let mut lectures: Vec<&Lecture> = exhibits.iter().filter_map(|exhibit| exhibit.lecture.as_ref()).collect();
+    // Documents that are checked one by one may have the same system.
+    lectures.sort_by(|a, b| a.name.cmp(&b.name));
+    lectures.dedup_by(|a, b| a.name == b.name);
+    let index = index::index(report, &lectures, &link, single);
+    let exhibit = |at: usize| -> Option<&Exhibit> {
+        let path = &report.documents[at].path;
+        exhibits.iter().copied().find(|exhibit| exhibit.documents.contains(path))
+    };
+    let document = |at: usize, prefix: &str| {
+        let after = html! { @if let Some(exhibit) = exhibit(at) { (beside::after(exhibit, prefix, single)) } };
+        document::document(
+            &report.documents[at],
+            prefix,
+            exhibit(at).and_then(|exhibit| exhibit.beside.as_ref()),
+            &after,
+        )
+    };
+    let whole = |exhibit: &Exhibit, prefix: &str| {
+        let pictures = beside::pictures(exhibit);
+        html! { @if let Some(lecture) = &exhibit.lecture { (derivation::lecture(lecture, prefix, &pictures)) } }
+    };
     if single {
         let body = html! {
             (index)
-            @for (document, name) in report.documents.iter().zip(&names) {
-                section id=(anchor(name)) { (document::document(document, &prefix(name), &html! {})) }
+            @for (at, name) in names.iter().enumerate() {
+                section id=(anchor(name)) { (document(at, &prefix(name))) }
             }
-            @for lecture in lectures {
-                section id=(lecture_anchor(lecture)) {
-                    (derivation::lecture(lecture, &format!("{}-", lecture_anchor(lecture)), &html! {}))
+            @for exhibit in exhibits.iter().copied() {
+                @if let Some(lecture) = &exhibit.lecture {
+                    @let anchor = lecture_anchor(lecture);
+                    section id=(anchor) { (whole(exhibit, &format!("{anchor}-"))) }
                 }
             }
         };
         return vec![page("index.html", "Checked equations", &body)];
     }
     let mut all = vec![page("index.html", "Checked equations", &index)];
-    for (at, (document, name)) in report.documents.iter().zip(&names).enumerate() {
+    for (at, name) in names.iter().enumerate() {
         let beside = |at: usize| report.documents.get(at).map(|other| (document::title(other), names[at].as_str()));
         let body = html! {
-            (document::document(document, "", &html! {}))
+            (document(at, ""))
             nav class="site" aria-label="Before and after" {
                 @if let Some((title, name)) = at.checked_sub(1).and_then(beside) { a href=(name) rel="prev" { "← " (prose::inline(&title, &[])) } }
                 @if let Some((title, name)) = beside(at + 1) { a href=(name) rel="next" { (prose::inline(&title, &[])) " →" } }
             }
         };
-        all.push(page(name, &document::title(document), &body));
+        all.push(page(name, &document::title(&report.documents[at]), &body));
     }
-    for lecture in lectures {
-        let body = derivation::lecture(lecture, "", &html! {});
-        all.push(page(&format!("{}.html", lecture_anchor(lecture)), &derivation::title(lecture), &body));
+    for exhibit in exhibits.iter().copied() {
+        if let Some(lecture) = &exhibit.lecture {
+            let name = format!("{}.html", lecture_anchor(lecture));
+            if all.iter().any(|page| page.name == name) {
+                continue;
+            }
+            all.push(page(&name, &derivation::title(lecture), &whole(exhibit, "")));
+        }
     }
     all.push(Page { name: "style.css".to_owned(), text: style::STYLE.to_owned() });
     all
@@ -87,9 +129,9 @@ fn way_back(name: &str) -> Markup {
     }
 }
 
-/// The page of a lecture by itself, with its style in it.
-pub fn lecture(lecture: &Lecture) -> String {
-    let body = derivation::lecture(lecture, "", &html! {});
+/// The page of a lecture by itself, with the pictures of its system and its style in it.
+pub fn lecture(lecture: &Lecture, pictures: &[Picture]) -> String {
+    let body = derivation::lecture(lecture, "", &beside::figures(pictures));
     framed(&derivation::title(lecture), &way_back("index.html"), &body, true).into_string()
 }
 

@@ -3,19 +3,14 @@
 use maud::{Markup, PreEscaped, html};
 use pulldown_cmark::{Event, Options, Parser};
 
-use super::typeset;
+use super::{tex_prose, typeset};
 use crate::notes::{Kind, MacroDefinition};
 
 /// A part of the text between two displays.
 pub(super) fn prose(text: &str, kind: Kind, macros: &[MacroDefinition]) -> Markup {
     match kind {
         Kind::Markdown => markdown(text, macros),
-        _ => {
-            let is_text = |line: &&str| !line.trim_start().starts_with(['%', '\\']);
-            let plain: String = text.lines().filter(is_text).map(|line| format!("{line}\n")).collect();
-            let paragraphs: Vec<&str> = plain.split("\n\n").map(str::trim).filter(|part| !part.is_empty()).collect();
-            html! { @for paragraph in paragraphs { p { (inline(paragraph, macros)) } } }
-        }
+        _ => tex_prose::prose(text, macros),
     }
 }
 
@@ -37,11 +32,26 @@ fn markdown(text: &str, macros: &[MacroDefinition]) -> Markup {
     PreEscaped(out.replace("<table>", box_of_table).replace("</table>", "</table></div>"))
 }
 
-/// Links and pictures without their addresses: a page loads nothing and leads nowhere that the author did not check.
+/// Links to pages of the web stay; others, and pictures, are named by their address: a page loads nothing, and leads
+/// nowhere that its reader does not see.
 fn safe<'a>(events: impl Iterator<Item = Event<'a>>) -> impl Iterator<Item = Event<'a>> {
     use pulldown_cmark::{Tag, TagEnd};
-    events.filter(|event| {
-        !matches!(event, Event::Start(Tag::Link { .. } | Tag::Image { .. }) | Event::End(TagEnd::Link | TagEnd::Image))
+    let mut open: Vec<Option<String>> = Vec::new();
+    events.map(move |event| match &event {
+        Event::Start(Tag::Link { dest_url, .. }) => {
+            let is_web = dest_url.starts_with("https://") || dest_url.starts_with("http://");
+            open.push((!is_web).then(String::new));
+            if is_web { event } else { Event::Text("".into()) }
+        }
+        Event::Start(Tag::Image { dest_url, .. }) => {
+            open.push(Some(format!(" ({dest_url})]")));
+            Event::Text("[picture: ".into())
+        }
+        Event::End(TagEnd::Link | TagEnd::Image) => match open.pop().flatten() {
+            Some(words) => Event::Text(words.into()),
+            None => event,
+        },
+        _ => event,
     })
 }
 

@@ -7,8 +7,11 @@ use plotters::prelude::*;
 
 use crate::{Error, Result};
 
-/// The size of the canvas. Places are whole numbers, so it is larger than what is shown.
-const SIZE: (u32, u32) = (1500, 1000);
+/// The size of the canvas. Places are whole numbers, so it is larger than what is shown; not so large that the names would
+/// be illegible on a phone.
+const SIZE: (u32, u32) = (860, 620);
+/// What the axes take of the width and of the height.
+const AROUND: (u32, u32) = (168, 178);
 
 /// How a line looks: a colour of the page, and dashes.
 const LOOKS: [(&str, &str, &str); 5] = [
@@ -56,7 +59,9 @@ impl Figure {
         let (mut x, mut y) = (range(|p| p.0), range(|p| p.1));
         if self.is_square {
             let (low, high) = (x.0.min(y.0), x.1.max(y.1));
-            (x, y) = ((1.3 * low, 1.3 * high), (low, high));
+            let ratio = f64::from(SIZE.0 - AROUND.0) / f64::from(SIZE.1 - AROUND.1);
+            let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+            (x, y) = ((middle - ratio * half, middle + ratio * half), (low, high));
         }
         let mut svg = String::new();
         self.draw(&mut svg, x, y).map_err(|error| Error::new(format!("the picture cannot be drawn: {error}")))?;
@@ -74,22 +79,22 @@ impl Figure {
         let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
         let font = |size: u32| ("sans-serif", size).into_font().color(&ink);
         let mut chart = ChartBuilder::on(&root)
-            .caption(&self.title, font(40))
-            .margin(24)
-            .x_label_area_size(90)
-            .y_label_area_size(140)
+            .caption(&self.title, font(32))
+            .margin(16)
+            .x_label_area_size(88)
+            .y_label_area_size(120)
             .build_cartesian_2d(x.0..x.1, y.0..y.1)?;
         chart
             .configure_mesh()
             .x_desc(&self.axes[0])
             .y_desc(&self.axes[1])
             .label_style(font(30))
-            .axis_desc_style(font(34))
+            .axis_desc_style(font(32))
             .axis_style(ink)
             .bold_line_style(soft)
             .light_line_style(TRANSPARENT)
-            .x_labels(8)
-            .y_labels(7)
+            .x_labels(6)
+            .y_labels(6)
             .draw()?;
         for curve in &self.curves {
             let (code, ..) = LOOKS[curve.look % LOOKS.len()];
@@ -104,9 +109,9 @@ impl Figure {
         if self.curves.iter().any(|curve| !curve.name.is_empty()) {
             chart
                 .configure_series_labels()
-                .position(SeriesLabelPosition::UpperRight)
-                .legend_area_size(80)
-                .margin(20)
+                .position(self.free_corner(x, y))
+                .legend_area_size(70)
+                .margin(12)
                 .background_style(RGBColor(3, 3, 3).mix(0.85))
                 .border_style(soft)
                 .label_font(font(30))
@@ -116,6 +121,24 @@ impl Figure {
         drop(chart);
         drop(root);
         Ok(())
+    }
+
+    /// The corner of the plane that most points stay away from.
+    fn free_corner(&self, x: (f64, f64), y: (f64, f64)) -> SeriesLabelPosition {
+        use SeriesLabelPosition::{LowerLeft, LowerRight, UpperLeft, UpperRight};
+        let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
+        let within = |right: bool, upper: bool| {
+            let points = self.curves.iter().flat_map(|curve| &curve.points).chain(&self.marks);
+            let is_there = |&&(a, b): &&(f64, f64)| {
+                let (a, b) = (share(a, x), share(b, y));
+                (if right { a > 0.62 } else { a < 0.38 }) && (if upper { b > 0.6 } else { b < 0.4 })
+            };
+            points.filter(is_there).count()
+        };
+        let corners =
+            [(UpperRight, true, true), (UpperLeft, false, true), (LowerRight, true, false), (LowerLeft, false, false)];
+        let free = corners.into_iter().min_by_key(|(_, right, upper)| within(*right, *upper));
+        free.map_or(UpperRight, |(corner, ..)| corner)
     }
 
     /// The colours of the page in place of the codes.
@@ -141,7 +164,7 @@ impl Figure {
 }
 
 const STYLE: &str = ".onshell-plot{color:#1c1c1e;--plot-paper:#fdfdfb;--plot-soft:#c9c9c4;--plot-1:#0b4f9e;--plot-2:#a3400a;\
---plot-3:#17613a;--plot-4:#7a1f7a;--plot-5:#6b5a00}@media(prefers-color-scheme:dark){.onshell-plot{color:#ececf0;\
+--plot-3:#17613a;--plot-4:#7a1f7a;--plot-5:#6b5a00}@media (prefers-color-scheme: dark){.onshell-plot{color:#ececf0;\
 --plot-paper:#17181b;--plot-soft:#4a4b52;--plot-1:#8ec2ff;--plot-2:#ffb287;--plot-3:#7fd6a4;--plot-4:#e3a0e3;--plot-5:#e0cf70}}";
 
 fn colour(code: &str) -> RGBColor {

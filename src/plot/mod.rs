@@ -2,10 +2,16 @@
 //! precession, polhodes.
 //!
 //! All numbers come from the tapes of [`crate::mechanics::System`]. `trajectory` integrates with error control, `pictures`
-//! says what is drawn, and `figure` draws it. This folder may know `mechanics`, `formula`, `scalar` and level 0.
+//! and `tops` say what is drawn, `sides` draws the two sides of an equation that is wrong, `figure` draws, and `gallery` is what
+//! suits a system. This folder may know `mechanics`, `formula`, `scalar` and level 0.
 
 mod figure;
+mod gallery;
 mod pictures;
+mod sides;
+mod tops;
 pub mod trajectory;
 
+pub use gallery::{Picture, gallery};
 pub use pictures::{Kind, Start, picture};
+pub use sides::two_sides;

@@ -1,8 +1,7 @@
 //! What each kind of picture shows, as numbers.
 
-use nalgebra::Vector3;
-
 use super::figure::{Curve, Figure};
+use super::tops::{axis, polhodes, rates};
 use super::trajectory::{self, Moment, TOLERANCE};
 use crate::formula::text::{number, plain, with_dots};
 use crate::mechanics::System;
@@ -58,17 +57,40 @@ fn name(latex: &str) -> String {
     plain(latex)
 }
 
+/// The name of a system in words.
+fn words(system: &System) -> String {
+    format!("the {}", system.name().replace(['_', '-'], " "))
+}
+
 fn motion(system: &System, start: &Start) -> Result<Figure> {
     let moments = trajectory::motion(system, (&start.q, &start.v), &start.parameters, start.end, TOLERANCE)?;
-    let curve = |(i, latex): (usize, &String)| Curve {
-        name: name(latex),
-        look: i,
+    let reach = |i: usize| {
+        let places = moments.iter().map(|moment| moment.q[i]);
+        places.clone().fold(f64::MIN, f64::max) - places.fold(f64::MAX, f64::min)
+    };
+    // An angle that turns and turns would hide the others.
+    let all = 0..system.coordinates().len();
+    let widest = all.clone().filter(|&i| !system.is_cyclic(i)).map(reach).fold(0.0, f64::max);
+    let is_shown = |i: &usize| !system.is_cyclic(*i) || widest == 0.0 || reach(*i) < 8.0 * widest;
+    let shown: Vec<usize> = all.filter(is_shown).collect();
+    let curve = |(look, &i): (usize, &usize)| Curve {
+        name: name(&system.coordinates()[i]),
+        look,
         points: moments.iter().map(|moment| (moment.time, moment.q[i])).collect(),
     };
     Ok(Figure {
-        title: format!("The motion of {}", system.name()),
-        axes: ["t".to_owned(), system.coordinates().iter().map(|latex| name(latex)).collect::<Vec<_>>().join(", ")],
-        curves: system.coordinates().iter().enumerate().map(curve).collect(),
+        title: format!("The motion of {}", words(system)),
+        axes: [
+            "time t".to_owned(),
+            shown.iter().map(|i| name(&system.coordinates()[*i])).collect::<Vec<_>>().join(", "),
+        ],
+        // One curve needs no legend: the axis has its name.
+        curves: shown
+            .iter()
+            .enumerate()
+            .map(curve)
+            .map(|curve| Curve { name: if shown.len() > 1 { curve.name } else { String::new() }, ..curve })
+            .collect(),
         marks: Vec::new(),
         is_square: false,
     })
@@ -94,8 +116,8 @@ fn drift(system: &System, start: &Start) -> Result<Figure> {
     let largest = drift.iter().map(|(_, change)| change.abs()).fold(0.0, f64::max);
     let scale = 10_f64.powf(largest.max(1e-17).log10().floor());
     Ok(Figure {
-        title: format!("The energy of {} changes by at most {}", system.name(), number(largest, 2)),
-        axes: ["t".to_owned(), format!("relative change of the energy / {scale:.0e}")],
+        title: format!("The energy of {} changes by at most {}", words(system), number(largest, 2)),
+        axes: ["time t".to_owned(), format!("relative change of the energy / {scale:.0e}")],
         curves: vec![Curve {
             name: String::new(),
             look: 0,
@@ -169,7 +191,7 @@ fn potential(system: &System, start: &Start) -> Result<Figure> {
     let shown = well.curve.iter().copied().filter(|&(_, u)| u <= top && u >= low).collect();
     let places: Vec<String> = well.turning.iter().map(|x| number(*x, 4)).collect();
     Ok(Figure {
-        title: format!("Turning points of {}: {coordinate} = {}", system.name(), places.join(", ")),
+        title: format!("Turning points of {}: {coordinate} = {}", words(system), places.join(", ")),
         axes: [coordinate, "energy".to_owned()],
         curves: vec![
             Curve { name: "U_eff".to_owned(), look: 0, points: shown },
@@ -177,184 +199,6 @@ fn potential(system: &System, start: &Start) -> Result<Figure> {
         ],
         marks: well.turning.iter().map(|&x| (x, well.energy)).collect(),
         is_square: false,
-    })
-}
-
-/// A top: the coordinate of its tilt, the one that precesses, and the one that spins.
-const TOP: [usize; 3] = [1, 0, 2];
-
-fn is_top(system: &System) -> Result<()> {
-    let [tilt, turns, spins] = TOP;
-    let cyclic = |i: usize| system.is_cyclic(i);
-    let sound = system.coordinates().len() == 3 && system.has_orientation() && cyclic(turns) && cyclic(spins);
-    match sound && !cyclic(tilt) {
-        true => Ok(()),
-        false => Err(Error::new(format!("{} is no symmetric top", system.name())).help("name heavy_top")),
-    }
-}
-
-/// The velocities with a precession of `rate`, the tilt at rest, and a momentum of the spin.
-fn spinning(system: &System, start: &Start, rate: f64, momentum: f64) -> Vec<f64> {
-    let [_, turns, spins] = TOP;
-    let mut v = vec![0.0; 3];
-    v[turns] = rate;
-    let at = system.quantities(0.0, &start.q, &v, &start.parameters);
-    let mass = system.mass_matrix(0.0, &start.q, &v, &start.parameters);
-    v[spins] = (momentum - at.momenta[spins]) / mass[(spins, spins)];
-    v
-}
-
-/// The rates of steady precession, the slow one first: the roots of the Euler–Lagrange residual of the tilt, which is
-/// quadratic in the rate, from its values at three rates.
-pub(super) fn steady_rates(system: &System, start: &Start, momentum: f64) -> Option<[f64; 2]> {
-    let [tilt, ..] = TOP;
-    let residual = |rate: f64| {
-        let v = spinning(system, start, rate, momentum);
-        system.euler_lagrange(0.0, &start.q, &v, &start.parameters, &[0.0; 3])[tilt]
-    };
-    let (below, at, above) = (residual(-1.0), residual(0.0), residual(1.0));
-    let (a, b, c) = (0.5 * (above + below) - at, 0.5 * (above - below), at);
-    let square = b * b - 4.0 * a * c;
-    (square >= 0.0 && a.abs() > 1e-12 * b.abs()).then(|| {
-        // without cancellation
-        let q = -0.5 * (b + b.signum() * square.sqrt());
-        let (one, two) = (q / a, c / q);
-        if one.abs() < two.abs() { [one, two] } else { [two, one] }
-    })
-}
-
-fn rates(system: &System, start: &Start) -> Result<Figure> {
-    is_top(system)?;
-    let [.., spins] = TOP;
-    let mass = system.mass_matrix(0.0, &start.q, &[0.0; 3], &start.parameters)[(spins, spins)];
-    let gravity = system.quantities(0.0, &start.q, &[0.0; 3], &start.parameters);
-    let scale = (gravity.forces[TOP[0]].abs() / mass).sqrt().max(1e-3);
-    let mut found: [Vec<(f64, f64)>; 2] = [Vec::new(), Vec::new()];
-    let mut far: [Vec<(f64, f64)>; 2] = [Vec::new(), Vec::new()];
-    let tilt_force = gravity.forces[TOP[0]] / start.q[TOP[0]].sin();
-    for k in 1..=600 {
-        let spin = 8.0 * scale * f64::from(k) / 600.0;
-        if let Some([slow, fast]) = steady_rates(system, start, mass * spin) {
-            if fast.abs() < 8.0 * scale * mass.max(1.0) {
-                found[0].push((spin, fast));
-            }
-            found[1].push((spin, slow));
-        }
-        // the limits of a fast spin, from the same quadratic without its last and without its first term
-        let lambda = system.mass_matrix(0.0, &start.q, &[0.0; 3], &start.parameters)[(TOP[0], TOP[0])];
-        let limits = [mass * spin / (lambda * start.q[TOP[0]].cos()), tilt_force / (mass * spin)];
-        for (at, limit) in limits.into_iter().enumerate() {
-            if limit.abs() < 8.0 * scale * mass.max(1.0) && (at == 0 || limit < 3.0 * scale) {
-                far[at].push((spin, limit));
-            }
-        }
-    }
-    let [fast, slow] = found;
-    let [far_fast, far_slow] = far;
-    let curve = |name: &str, look: usize, points: Vec<(f64, f64)>| Curve { name: name.to_owned(), look, points };
-    Ok(Figure {
-        title: "Steady precession: two rates, and their limits for a fast spin".to_owned(),
-        axes: ["ω₃".to_owned(), "Ω".to_owned()],
-        curves: vec![
-            curve("Ω₊", 0, fast),
-            curve("Ω₊, fast spin", 1, far_fast),
-            curve("Ω₋", 3, slow),
-            curve("Ω₋, fast spin", 2, far_slow),
-        ],
-        marks: Vec::new(),
-        is_square: false,
-    })
-}
-
-/// A direction in space as it is seen from the side and a little from above: right and up, and whether it is in front.
-fn seen(direction: [f64; 3]) -> ((f64, f64), bool) {
-    let (turn, rise) = (0.6_f64, 0.42_f64);
-    let [x, y, z] = direction;
-    let (right, depth) = (y * turn.cos() - x * turn.sin(), x * turn.cos() + y * turn.sin());
-    ((right, z * rise.cos() - depth * rise.sin()), depth * rise.cos() + z * rise.sin() > 0.0)
-}
-
-fn axis(system: &System, start: &Start) -> Result<Figure> {
-    is_top(system)?;
-    let [_, _, spins] = TOP;
-    let momentum = system.quantities(0.0, &start.q, &start.v, &start.parameters).momenta[spins];
-    let Some([slow, _]) = steady_rates(system, start, momentum) else {
-        return Err(Error::new("the top does not spin fast enough for steady precession")
-            .help("give it a faster spin with --set"));
-    };
-    let kinds = [("steady", slow), ("cusps", 0.0), ("loops", -0.9 * slow), ("waves", 0.45 * slow)];
-    let mut curves = Vec::new();
-    let circle =
-        |of: &dyn Fn(f64) -> [f64; 3]| (0..=120).map(|k| seen(of(f64::from(k) * 0.052_359_877_559_83)).0).collect();
-    // the equator, and the outline of the sphere
-    curves.push(Curve { name: String::new(), look: 4, points: circle(&|t| [t.cos(), t.sin(), 0.0]) });
-    curves.push(Curve {
-        name: String::new(),
-        look: 4,
-        points: (0..=120).map(|k| (f64::from(k) * 0.052_359_877_559_83).sin_cos()).collect(),
-    });
-    for (look, (kind, rate)) in kinds.into_iter().enumerate() {
-        let v = spinning(system, start, rate, momentum);
-        let moments = trajectory::motion(system, (&start.q, &v), &start.parameters, start.end, TOLERANCE)?;
-        let tip = |moment: &Moment| {
-            let at = system.quantities(0.0, &moment.q, &moment.v, &start.parameters).orientation;
-            at.map_or((f64::NAN, f64::NAN), |rows| seen([rows[(2, 0)], rows[(2, 1)], rows[(2, 2)]]).0)
-        };
-        curves.push(Curve { name: kind.to_owned(), look, points: moments.iter().map(tip).collect() });
-    }
-    Ok(Figure {
-        title: "The axis of the top on the sphere".to_owned(),
-        axes: ["to the right".to_owned(), "up".to_owned()],
-        curves,
-        marks: Vec::new(),
-        is_square: true,
-    })
-}
-
-fn polhodes(system: &System, start: &Start) -> Result<Figure> {
-    let free = system.coordinates().len() == 3 && system.parameters().len() == 3 && system.has_orientation();
-    if !free {
-        return Err(Error::new(format!("{} is no free rigid body", system.name())).help("name free_rigid_body"));
-    }
-    let moments = Vector3::from_row_slice(&start.parameters);
-    // on the ellipsoid of energy 1/2: λ₁ω₁² + λ₂ω₂² + λ₃ω₃² = 1
-    let on = |direction: [f64; 3]| {
-        let size: f64 = (0..3).map(|i| moments[i] * direction[i] * direction[i]).sum::<f64>().sqrt();
-        direction.map(|x| x / size)
-    };
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
-    let middle = order[1];
-    let along = |axis: usize, off: f64, other: usize, sign: f64| {
-        let mut direction = [0.0; 3];
-        direction[axis] = sign;
-        direction[other] = off;
-        on(direction)
-    };
-    let mut curves = Vec::new();
-    let mut draw = |name: String, look: usize, from: [f64; 3]| -> Result<()> {
-        let path = trajectory::polhode(system, &start.parameters, from, 60.0)?;
-        let points = path.iter().map(|omega| seen(*omega).0).collect();
-        curves.push(Curve { name, look, points });
-        Ok(())
-    };
-    let label = |axis: usize, kind: &str| format!("about axis {}, {kind}", axis + 1);
-    for (look, axis) in [(0, order[0]), (3, order[2])] {
-        for (off, sign) in [(0.25, 1.0), (0.55, 1.0), (0.25, -1.0), (0.55, -1.0)] {
-            let first = off == 0.25 && sign == 1.0;
-            draw(if first { label(axis, "stable") } else { String::new() }, look, along(axis, off, middle, sign))?;
-        }
-    }
-    for sign in [1.0, -1.0] {
-        let name = if sign > 0.0 { label(middle, "unstable") } else { String::new() };
-        draw(name, 1, along(middle, 0.02, order[0], sign))?;
-    }
-    Ok(Figure {
-        title: "Angular velocity of a free body on its ellipsoid of energy".to_owned(),
-        axes: ["ω to the right".to_owned(), "ω up".to_owned()],
-        curves,
-        marks: [1.0, -1.0].map(|sign| seen(along(middle, 0.0, order[0], sign)).0).to_vec(),
-        is_square: true,
     })
 }
 
@@ -399,6 +243,7 @@ impl Start {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plot::tops::steady_rates;
     use crate::systems::{FreeRigidBody, HeavyTop, Kepler, Pendulum};
 
     fn start(system: &System, given: &[(&str, f64)]) -> Start {

@@ -84,24 +84,31 @@ fn integrated<E: ODE<f64, Vec<f64>>>(
 struct Turning<'a> {
     system: &'a System,
     parameters: &'a [f64],
+    /// Takes ω along the body to the rates of the angles.
+    rates: nalgebra::Matrix3<f64>,
 }
 
-impl Turning<'_> {
-    /// The rate of ω: the body is looked at in an orientation at which its angles are sound.
-    fn rate(&self, omega: &[f64]) -> Option<[f64; 3]> {
-        let q = [0.0, std::f64::consts::FRAC_PI_2, 0.3];
-        let rates = |v: &[f64]| self.system.quantities(0.0, &q, v, self.parameters).body_rates;
+/// An orientation at which the angles of a body are sound.
+const SOUND: [f64; 3] = [0.0, std::f64::consts::FRAC_PI_2, 0.3];
+
+impl<'a> Turning<'a> {
+    fn new(system: &'a System, parameters: &'a [f64]) -> Option<Turning<'a>> {
         let mut columns = nalgebra::Matrix3::zeros();
         for i in 0..3 {
             let mut unit = [0.0; 3];
             unit[i] = 1.0;
-            columns.set_column(i, &rates(&unit)?);
+            columns.set_column(i, &system.quantities(0.0, &SOUND, &unit, parameters).body_rates?);
         }
-        let v = columns.lu().solve(&nalgebra::Vector3::from_row_slice(omega))?;
-        let a = self.system.accelerations(0.0, &q, v.as_slice(), self.parameters).ok()?;
+        Some(Turning { system, parameters, rates: columns.try_inverse()? })
+    }
+
+    /// The rate of ω: the body is looked at in an orientation at which its angles are sound.
+    fn rate(&self, omega: &[f64]) -> Option<[f64; 3]> {
+        let v = self.rates * nalgebra::Vector3::from_row_slice(omega);
+        let a = self.system.accelerations(0.0, &SOUND, v.as_slice(), self.parameters).ok()?;
         let moving = |x: &[f64], rate: &[f64]| x.iter().zip(rate).map(|(&x, &r)| Dual::new(x, r)).collect::<Vec<_>>();
         let still = |x: &[f64]| x.iter().map(|&x| Dual::from_re(x)).collect::<Vec<_>>();
-        let (q, v, p) = (moving(&q, v.as_slice()), moving(v.as_slice(), &a), still(self.parameters));
+        let (q, v, p) = (moving(&SOUND, v.as_slice()), moving(v.as_slice(), &a), still(self.parameters));
         let along = self.system.quantities(Dual::from_re(0.0), &q, &v, &p).body_rates?;
         Some([along[0].eps, along[1].eps, along[2].eps])
     }
@@ -119,10 +126,11 @@ impl ODE<f64, Vec<f64>> for Turning<'_> {
 /// # Errors
 /// When the system has no orientation, or the integration ends before.
 pub fn polhode(system: &System, parameters: &[f64], omega: [f64; 3], end: f64) -> Result<Vec<[f64; 3]>> {
-    let turning = Turning { system, parameters };
-    let states = integrated(&turning, omega.to_vec(), end, 400, TOLERANCE).ok_or_else(|| {
+    let lost = || {
         Error::new("a polhode cannot be integrated")
             .help("polhodes are drawn of a free rigid body, such as free_rigid_body")
-    })?;
+    };
+    let turning = Turning::new(system, parameters).ok_or_else(lost)?;
+    let states = integrated(&turning, omega.to_vec(), end, 240, TOLERANCE).ok_or_else(lost)?;
     Ok(states.iter().map(|(_, y)| [y[0], y[1], y[2]]).collect())
 }

@@ -102,3 +102,62 @@ fn steps_of_another_seed_have_other_values_and_the_same_lines() {
     assert_eq!(one["notes"], two["notes"]);
     assert_ne!(one["steps"], two["steps"]);
 }
+
+/// A bead on a hoop that turns; the sign of the second term of (2) is `sign`.
+fn bead(sign: &str) -> String {
+    format!(
+        "# A bead\n\nThe Lagrangian is\n\n$$ L = \\frac12 m R^2 (\\dot\\theta^2 + \\Omega^2 \\sin^2\\theta) + m g R \\cos\\theta \\tag{{1}} $$\n\n\
+         $$ m R^2 \\ddot\\theta = m R^2 \\Omega^2 \\sin\\theta\\cos\\theta {sign} m g R \\sin\\theta \\tag{{2}} $$\n"
+    )
+}
+
+#[test]
+fn what_follows_from_the_lagrangian_of_notes_is_derived_and_drawn() {
+    let desk = Desk::new("derive-notes");
+    desk.write("bead.md", bead("-"));
+    let run = desk.onshell(&["derive", "bead.md"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.out.contains("R^2·m·θ\u{308} = R^2·Ω^2·m·sin(θ)·cos(θ) − R·g·m·sin(θ)"), "{}", run.out);
+    let steps = desk.onshell(&["derive", "bead.md", "--steps"]);
+    assert_eq!(steps.code, 0, "{}", steps.err);
+    assert!(steps.out.contains("7 certified"), "{}", steps.out);
+    // With gravity as strong as the hoop turns fast, θ swings as the energy allows: from 0.9 to −0.9.
+    let drawn = desk.onshell(&["plot", "bead.md", "--as", "potential"]);
+    assert!(drawn.out.contains("Turning points of the bead: θ = -0.9000, 0.9000"), "{}", drawn.err);
+    // must-fail cases: no Lagrangian, a function without a formula, and no such notes
+    desk.write("plain.md", "$$ (a+b)^2 = a^2 + 2ab + b^2 $$\n");
+    let none = desk.onshell(&["derive", "plain.md"]);
+    assert_eq!(none.code, 2);
+    assert!(none.err.contains("defines no Lagrangian"), "{}", none.err);
+    desk.write("orbit.md", "$$ L = \\frac12 m (\\dot r^2 + r^2 \\dot\\phi^2) - V(r) \\tag{1} $$\n");
+    desk.write(
+        "orbit.json",
+        r#"{ "notes": "orbit.md", "coordinates": { "r": "> 0", "\\phi": "angle" }, "constants": { "m": "> 0" },
+             "functions": { "V": "of r" }, "means": { "L": "Lagrangian" } }"#,
+    );
+    let free = desk.onshell(&["derive", "orbit.md"]);
+    assert_eq!(free.code, 2);
+    assert!(free.err.contains("a function without a formula"), "{}", free.err);
+    assert!(desk.onshell(&["derive", "absent.md"]).err.contains("there are no notes absent.md"));
+}
+
+#[test]
+fn a_force_beside_the_lagrangian_has_its_place_in_the_steps() {
+    let desk = Desk::new("derive-forces");
+    desk.write("damped.md", "$$ L = \\frac12 m \\dot x^2 - \\frac12 k x^2 \\tag{1} $$\n");
+    let claims = |forces: &str| {
+        format!(
+            r#"{{ "notes": "damped.md", "coordinates": {{ "x": "any" }}, "constants": {{ "m, k, b": "> 0" }},
+                 "means": {{ "L": "Lagrangian" }}{forces} }}"#
+        )
+    };
+    desk.write("damped.json", claims(r#", "forces": { "x": "-b \\dot x" }"#));
+    let run = desk.onshell(&["derive", "damped.md", "--steps"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.out.contains("m·x\u{308} = −b·x\u{307} − k·x"), "{}", run.out);
+    assert!(run.out.contains("acts the force") && !run.out.contains("is constant"), "{}", run.out);
+    // the twin: without the force the energy is conserved
+    desk.write("damped.json", claims(""));
+    let run = desk.onshell(&["derive", "damped.md", "--steps"]);
+    assert!(!run.out.contains("acts the force") && run.out.contains("is constant"), "{}", run.out);
+}

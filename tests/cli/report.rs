@@ -85,6 +85,16 @@ fn every_equation_of_the_derivations_is_on_its_page_with_its_verdict() {
             assert!(known || is_page || page.contains(&format!("id=\"{}\"", link.trim_start_matches('#'))), "{link}");
         }
     }
+    for (name, words) in [
+        (
+            "06-spinning-top.html",
+            ["Steady precession: two rates", "The axis of the top", "All 32 lines", "printed and derived"],
+        ),
+        ("04-stability.html", ["ellipsoid of energy", "unstable", "The derivation, step by step", "onshell-plot"]),
+    ] {
+        let page = desk.read(&format!("pages/{name}"));
+        words.iter().for_each(|words| assert!(page.contains(words), "no {words} in {name}"));
+    }
     for link in index.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
         if let Some((page, anchor)) = link.split_once('#').filter(|(page, _)| !page.is_empty()) {
             assert!(desk.read(&format!("pages/{page}")).contains(&format!("id=\"{anchor}\"")), "{link}");
@@ -146,4 +156,53 @@ fn documents_of_the_same_name_have_pages_of_their_own_and_lost_pages_are_an_erro
     let run = desk.onshell(&["report", "a", "--out", "taken"]);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("cannot write"), "{}", run.err);
+}
+
+#[test]
+fn a_wrong_equation_of_motion_stands_beside_the_derived_one_term_by_term_and_as_curves() {
+    let desk = Desk::new("report-beside");
+    let notes = |sign: &str| {
+        format!(
+            "# A bead\n\nThe Lagrangian is\n\n$$ L = \\frac12 m R^2 (\\dot\\theta^2 + \\Omega^2 \\sin^2\\theta) + m g R \\cos\\theta \\tag{{1}} $$\n\n\
+             $$ m R^2 \\ddot\\theta = m R^2 \\Omega^2 \\sin\\theta\\cos\\theta {sign} m g R \\sin\\theta \\tag{{2}} $$\n"
+        )
+    };
+    desk.write("bead.md", notes("+"));
+    assert_eq!(desk.onshell(&["report", "bead.md", "--out", "pages"]).code, 1);
+    let page = desk.read("pages/bead.html");
+    for words in
+        ["the sign is the other one", "✓ the same", "Both sides against", "Turning points of the bead", "All 8 lines"]
+    {
+        assert!(page.contains(words), "no {words}");
+    }
+    assert_eq!(unbalanced(&page), Vec::<String>::new());
+    // the twin: a right equation has its terms lined up, and no curves that part
+    desk.write("bead.md", notes("-"));
+    assert_eq!(desk.onshell(&["report", "bead.md", "--out", "pages"]).code, 0);
+    let page = desk.read("pages/bead.html");
+    assert!(
+        page.contains("✓ the same")
+            && !page.contains("the sign is the other one")
+            && !page.contains("Both sides against")
+    );
+    let single = desk.onshell(&["report", "bead.md", "--out", "one", "--single"]);
+    assert_eq!(single.code, 0);
+    let whole = desk.read("one/index.html");
+    assert!(whole.contains("onshell-plot") && whole.contains("#derivation.bead") && !whole.contains("style.css"));
+}
+
+#[test]
+fn a_tex_document_without_claims_has_its_headings_lists_and_emphasis() {
+    let desk = Desk::new("report-tex");
+    desk.write(
+        "notes.tex",
+        "\\documentclass{article}\n\\begin{document}\n\\section{Squares}\nIt is \\emph{well known} that\n\\begin{itemize}\n\\item $a > 0$\n\\end{itemize}\n\
+         \\begin{equation} (a+b)^2 = a^2 + 2ab + b^2 \\label{eq:s} \\end{equation}\nSee \\eqref{eq:s}.\n\\end{document}\n",
+    );
+    assert_eq!(desk.onshell(&["report", "notes.tex", "--out", "pages"]).code, 0);
+    let page = desk.read("pages/notes.html");
+    for words in ["<h2>Squares</h2>", "<em>well known</em>", "<li>", "<math", "(eq:s)"] {
+        assert!(page.contains(words), "no {words} in {page}");
+    }
+    assert!(!page.contains("documentclass") && !page.contains("\\item"));
 }

@@ -5,6 +5,7 @@ use clap::ValueEnum;
 use crate::derive::{Derivation, Equation, Quantity};
 use crate::lecture::{self, Lecture};
 use crate::page;
+use crate::plot;
 use crate::report::wrap;
 use crate::systems::Registry;
 use crate::{Error, Result};
@@ -103,7 +104,7 @@ fn steps(arguments: &Arguments, registry: &Registry, width: usize) -> Result<(St
         Form::Text => lecture::text::text(&lecture, width),
         Form::Latex => lecture.notes.clone(),
         Form::Json => format!("{:#}\n", lecture::json::value(&lecture)),
-        Form::Html => page::lecture(&lecture),
+        Form::Html => page::lecture(&lecture, &plot::gallery(&subject.system)),
         Form::Rust => {
             return Err(Error::new("the steps cannot be written as Rust").help("leave out --steps, or --format"));
         }

@@ -2,15 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
+
 use crate::check::Report;
-use crate::derive::Derivation;
 use crate::error::reason;
-use crate::lecture::Lecture;
-use crate::notes::Claims;
-use crate::page;
+use crate::lecture::{Beside, Lecture};
+use crate::page::{self, Exhibit};
+use crate::plot;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
+use super::subject::Subject;
 use crate::cli::check;
 use crate::cli::outcome::{Outcome, Screen, shown};
 
@@ -38,8 +40,8 @@ pub struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
     let (report, mut errors) = check::documents(&arguments.paths, &arguments.claims, registry);
-    let lectures = lectures(&report, registry);
-    let pages = page::pages(&report, &lectures, arguments.single);
+    let exhibits = exhibits(&report, registry);
+    let pages = page::pages(&report, &exhibits.iter().collect::<Vec<_>>(), arguments.single);
     let code = if errors.is_empty() { report.exit_code() } else { 2 };
     let written = if report.documents.is_empty() { Ok(()) } else { write(&arguments.out, &pages) };
     if let Err(error) = written {
@@ -53,20 +55,50 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     Outcome { output, messages: shown(&errors, screen), code }
 }
 
-/// The derivations of the systems that the documents name, each once. A system whose equations cannot be typeset has
-/// none; `onshell derive` says why.
-fn lectures(report: &Report, registry: &Registry) -> Vec<Lecture> {
-    let mut names: Vec<String> = Vec::new();
-    for path in report.documents.iter().filter_map(|document| document.claims.as_ref()) {
-        let system = Claims::read(Path::new(path), path).ok().and_then(|claims| claims.system);
-        names.extend(system.map(|system| system.name.value).filter(|name| !names.contains(name)));
+/// What follows from the systems of the documents: each system of the registry once, and the Lagrangian of each notes that
+/// define one. A system whose equations cannot be typeset has no derivation; `onshell derive` says why.
+pub(super) fn exhibits(report: &Report, registry: &Registry) -> Vec<Exhibit> {
+    let mut all: Vec<(Subject<'_>, Vec<String>)> = Vec::new();
+    for document in &report.documents {
+        // The notes are read again for their Lagrangian only if they speak of one.
+        let text = &document.source.text;
+        if document.claims.is_none() && !text.contains("agrang") && !text.contains("partial") {
+            continue;
+        }
+        let path = document.claims.as_ref().unwrap_or(&document.path);
+        let Ok(Some(subject)) = Subject::of_notes(Path::new(path), &[], registry) else { continue };
+        let is_known =
+            |(known, _): &&mut (Subject<'_>, Vec<String>)| known.is_named() && known.name() == subject.name();
+        match all.iter_mut().find(is_known).filter(|_| subject.is_named()) {
+            Some((_, documents)) => documents.push(document.path.clone()),
+            None => all.push((subject, vec![document.path.clone()])),
+        }
     }
-    let lecture = |name: &String| {
-        let lagrangian = registry.get(name)?;
-        let derivation = Derivation::of(lagrangian).ok()?;
-        Lecture::new(&lagrangian.trace().ok()?, &derivation, SEED).ok()
+    let exhibits = all.into_par_iter().filter_map(|(subject, documents)| exhibit(&subject, documents));
+    let mut exhibits: Vec<Exhibit> = exhibits.collect();
+    // Notes of the same name in two folders have a page each.
+    let mut names: Vec<String> = Vec::new();
+    for lecture in exhibits.iter_mut().filter_map(|exhibit| exhibit.lecture.as_mut()) {
+        let own = lecture.name.clone();
+        let free = (2..).map(|n| format!("{own}-{n}"));
+        let name = std::iter::once(own.clone()).chain(free).find(|name| !names.contains(name)).unwrap_or(own);
+        names.push(name.clone());
+        lecture.name = name;
+    }
+    exhibits
+}
+
+fn exhibit(subject: &Subject<'_>, documents: Vec<String>) -> Option<Exhibit> {
+    let lecture = || {
+        let lecture = Lecture::new(&subject.system, &subject.derivation().ok()?, SEED).ok()?;
+        // The steps of notes that do not all pass would explain nothing.
+        (lecture.exit_code() == 0).then_some(lecture)
     };
-    names.iter().filter_map(lecture).collect()
+    let (lecture, (beside, pictures)) = rayon::join(lecture, || {
+        let beside = subject.derivation().and_then(|derivation| Beside::new(subject.system.clone(), derivation));
+        (beside.ok(), plot::gallery(&subject.system))
+    });
+    (lecture.is_some() || !pictures.is_empty()).then_some(Exhibit { lecture, beside, pictures, documents })
 }
 
 /// The seed of the sampled states of a derivation.

@@ -39,10 +39,24 @@ const SCRIPT: &str = r#"<script>
       const now = await (await fetch("/version?" + version)).text();
       if (now === version) continue;
       const page = new DOMParser().parseFromString(await (await fetch(location.pathname)).text(), "text/html");
-      const key = (details, at) => (details.closest("[id]") || {}).id + at;
-      const open = new Set([...document.querySelectorAll("details")].filter((d) => d.open).map((d) => key(d, d.className)));
-      page.querySelectorAll("details").forEach((d) => { if (open.has(key(d, d.className))) d.open = true; });
+      const keys = (root) => {
+        const seen = {};
+        return [...root.querySelectorAll("main details")].map((d) => {
+          const id = (d.closest("[id]") || {}).id;
+          seen[id] = (seen[id] || 0) + 1;
+          return [d, id + " " + seen[id]];
+        });
+      };
+      const open = new Set(keys(document).filter(([d]) => d.open).map(([, key]) => key));
+      keys(page).forEach(([d, key]) => { if (open.has(key)) d.open = true; });
+      const reached = "main a, main summary, main [tabindex]";
+      const focus = [...document.querySelectorAll(reached)].indexOf(document.activeElement);
+      const seen = [...document.querySelectorAll("main section[id], main h2[id]")].find((e) => e.getBoundingClientRect().bottom > 0);
+      const [id, top] = seen ? [seen.id, seen.getBoundingClientRect().top] : ["", 0];
       document.querySelector("main").innerHTML = page.querySelector("main").innerHTML;
+      const again = document.getElementById(id);
+      if (again && scrollY > 0) scrollBy(0, again.getBoundingClientRect().top - top);
+      if (focus >= 0) { const e = document.querySelectorAll(reached)[focus]; if (e) e.focus({ preventScroll: true }); }
       version = now;
     } catch { await new Promise((done) => setTimeout(done, 1000)); }
   }

@@ -81,6 +81,16 @@ impl<'r> Subject<'r> {
         named.map(Subject::named).transpose()
     }
 
+    /// The name of the system.
+    pub fn name(&self) -> &str {
+        self.system.name()
+    }
+
+    /// Whether it is a system of the registry.
+    pub fn is_named(&self) -> bool {
+        self.source.is_some()
+    }
+
     /// What follows from the system, as formulas.
     ///
     /// # Errors

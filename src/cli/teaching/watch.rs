@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::channel;
 use std::time::{Duration, SystemTime};
 
 use crate::check::Report;
@@ -14,7 +15,7 @@ use crate::cli::files::documents::{Job, find};
 use crate::cli::outcome::{Outcome, Screen, shown};
 use crate::error::reason;
 use crate::notes::Claims;
-use crate::page;
+use crate::page::{self, Exhibit};
 use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result};
@@ -70,30 +71,48 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     if let Some(server) = &server {
         println!("http://127.0.0.1:{}/", server.port);
     }
-    let mut changed: Vec<PathBuf> = all.keys().cloned().collect();
-    for look in 1_u32.. {
-        if !changed.is_empty() {
-            if let Some(server) = &server {
+    std::thread::scope(|scope| {
+        // Pictures and derivations take longer than a check, so they follow it.
+        let (send, drawn) = channel();
+        let mut exhibits: BTreeMap<PathBuf, (u32, Vec<Exhibit>)> = BTreeMap::new();
+        let mut changed: Vec<PathBuf> = all.keys().cloned().collect();
+        for look in 1_u32.. {
+            let mut is_new = !changed.is_empty();
+            for (path, at, found) in drawn.try_iter() {
+                let known = exhibits.entry(path).or_default();
+                if known.0 <= at {
+                    *known = (at, found);
+                    is_new = true;
+                }
+            }
+            if let Some(server) = server.as_ref().filter(|_| is_new) {
                 let documents = all.values().flat_map(|watched| watched.report.documents.iter().cloned());
-                server.show(page::pages(&Report::new(documents.collect()), &[], false));
+                let beside: Vec<&Exhibit> = exhibits.values().flat_map(|(_, exhibits)| exhibits).collect();
+                server.show(page::pages(&Report::new(documents.collect()), &beside, false));
+                for path in &changed {
+                    let report = all.get(path).map(|watched| watched.report.clone()).unwrap_or_default();
+                    let (path, send) = (path.clone(), send.clone());
+                    // The program may have ended before.
+                    scope.spawn(move || drop(send.send((path, look, super::report::exhibits(&report, registry)))));
+                }
             }
             // Who reads this may leave.
-            if tell(&changed, &all, screen).is_err() {
+            if !changed.is_empty() && tell(&changed, &all, screen).is_err() {
                 break;
             }
-        }
-        std::thread::sleep(PAUSE);
-        changed = all.iter().filter(|(_, watched)| watched.is_changed()).map(|(path, _)| path.clone()).collect();
-        for path in &changed {
-            if let Some(watched) = all.get_mut(path) {
-                *watched = Watched::check(path, watched.claims.clone(), registry);
+            std::thread::sleep(PAUSE);
+            changed = all.iter().filter(|(_, watched)| watched.is_changed()).map(|(path, _)| path.clone()).collect();
+            for path in &changed {
+                if let Some(watched) = all.get_mut(path) {
+                    *watched = Watched::check(path, watched.claims.clone(), registry);
+                }
+            }
+            if look.is_multiple_of(LOOKS) {
+                // A folder that is gone for a moment keeps its documents.
+                changed.extend(search(arguments, registry, &mut all).unwrap_or_default());
             }
         }
-        if look.is_multiple_of(LOOKS) {
-            // A folder that is gone for a moment keeps its documents.
-            changed.extend(search(arguments, registry, &mut all).unwrap_or_default());
-        }
-    }
+    });
     Outcome::default()
 }
 
