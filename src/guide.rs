@@ -33,6 +33,7 @@ pub mod glossary {}
 ///
 /// [claims]: claims
 /// [claims-addresses]: claims#addresses
+/// [claims-systems]: claims#systems
 /// [glossary-verdicts]: glossary#verdicts
 #[cfg_attr(doc, doc = include_str!("../docs/teaching.md"))]
 pub mod teaching {}

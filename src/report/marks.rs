@@ -101,7 +101,7 @@ pub fn rows(class: &[Marked], hints: Hints) -> Vec<[String; 13]> {
             let mut row = row();
             row[2] = line.line.to_string();
             row[3] = line.id.clone().unwrap_or_else(|| line.name.clone());
-            row[4].clone_from(&line.statement);
+            row[4] = shortened(&line.statement);
             row[5] = line.mark.word().to_owned();
             row[6] = line.credit.map(number).unwrap_or_default();
             row[7] = line.verdict.map(|verdict| verdict.word().to_owned()).unwrap_or_default();
@@ -123,6 +123,17 @@ pub fn rows(class: &[Marked], hints: Hints) -> Vec<[String; 13]> {
     }
     rows
 }
+
+/// A statement, of which at most the first characters are shown: no cell of a table holds more.
+fn shortened(statement: &str) -> String {
+    match statement.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{} …", &statement[..end]),
+        None => statement.to_owned(),
+    }
+}
+
+/// The most characters of a statement that are shown.
+const LONGEST: usize = 2000;
 
 /// A number of points, without needless digits.
 pub fn number(points: f64) -> String {
@@ -147,11 +158,12 @@ pub fn csv(class: &[Marked], hints: Hints) -> String {
     let mut out = COLUMNS.join(",") + "\r\n";
     for row in rows(class, hints) {
         // A spreadsheet would take such a text for a formula of its own.
-        let safe =
-            row.iter().map(|text| match text.starts_with(['=', '+', '@']) || text.starts_with('-') && text.len() > 1 {
+        let safe = row.iter().map(|text| {
+            match text.starts_with(['=', '+', '@', '\t', '\r']) || text.starts_with('-') && text.len() > 1 {
                 true => quoted(&format!(" {text}")),
                 false => quoted(text),
-            });
+            }
+        });
         out += &(safe.collect::<Vec<_>>().join(",") + "\r\n");
     }
     out
@@ -211,7 +223,7 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
         let width = marked.lines.iter().map(|line| line.name.len()).max().unwrap_or(0);
         for line in &marked.lines {
             let first = format!("  {} {:width$}  ", line.mark.sign(), line.name);
-            out += &(wrap(&first, &line.statement, 4 + width + 2, style.width) + "\n");
+            out += &(wrap(&first, &shortened(&line.statement), 4 + width + 2, style.width) + "\n");
             let mut notes = Vec::new();
             match line.mark {
                 Mark::Right if line.because == "follows from the problem" => {}

@@ -20,6 +20,7 @@ fn found(run: &Run, student: &str) -> Vec<String> {
     let mut found: Vec<String> = rows
         .map(|row| match row["mark"].as_str().unwrap() {
             "missing" => format!("missing:{}", row["result"].as_str().unwrap()),
+            "not read" => "unread".to_owned(),
             mark => mark.to_owned(),
         })
         .collect();
@@ -59,7 +60,9 @@ fn class(name: &str) {
         }
         assert_eq!(found(&run, &student), wanted, "{name}/{student}\n{text}");
         let is_sound = !wanted.iter().any(|word| word == "wrong" || word.starts_with("missing"));
-        assert_eq!(run.code, i32::from(!is_sound), "{name}/{student}: {}", run.err);
+        let is_open = wanted.iter().any(|word| word == "undecided" || word == "unread");
+        let code = if is_open && is_sound { 2 } else { i32::from(!is_sound) };
+        assert_eq!(run.code, code, "{name}/{student}: {}", run.err);
     }
 }
 
@@ -76,6 +79,76 @@ fn hand_ins_about_a_throw_are_marked_as_a_fair_teacher_would() {
 #[test]
 fn hand_ins_with_quantities_of_their_own_are_marked_as_a_fair_teacher_would() {
     class("incline");
+}
+
+#[test]
+fn hand_ins_about_two_masses_with_two_laws_are_marked_as_a_fair_teacher_would() {
+    class("atwood");
+}
+
+#[test]
+fn hand_ins_about_a_circuit_in_several_languages_are_marked_as_a_fair_teacher_would() {
+    class("circuit");
+}
+
+#[test]
+fn hand_ins_about_a_hoop_with_conditions_are_marked_as_a_fair_teacher_would() {
+    class("hoop");
+}
+
+#[test]
+fn hand_ins_about_a_planet_are_marked_as_a_fair_teacher_would() {
+    class("planet");
+}
+
+#[test]
+fn hand_ins_about_a_ladder_with_numbers_are_marked_as_a_fair_teacher_would() {
+    class("ladder");
+}
+
+/// A hint below the third level contains nothing of the corrected line, in any form of the output.
+#[test]
+fn no_form_of_the_output_tells_more_than_its_level() {
+    // The word `\kappa` stands only in the correction: the problem has it, and the hand-in has \lambda in its place.
+    let desk = Desk::new("mark-secrets");
+    desk.write(
+        "p.md",
+        "$$ F = \\kappa x + \\lambda y \\tag{1} $$\n\n$$ G = 2 \\kappa x + 2 \\lambda y = 2 F \\tag{2} $$\n",
+    );
+    let claims = r#"{ "notes": "p.md", "constants": { "\\kappa, \\lambda, x, y": "> 0" }, "rubric": { "results": { "2": 2 } } }"#;
+    desk.write("p.json", claims);
+    desk.write("class/a.md", "$$ F = \\lambda x + \\lambda y $$\n\n$$ G = 2 \\lambda x + 2 \\lambda y $$\n");
+    for level in ["0", "1", "2", "3"] {
+        let mut said = String::new();
+        for form in ["text", "csv", "json"] {
+            let run = ["mark", "class", "--claims", "p.json", "--format", form, "--hints", level, "--out", level];
+            let run = desk.onshell(&run);
+            assert_eq!(run.code, 1, "{}{}", run.out, run.err);
+            said += &run.out;
+        }
+        said += &desk.read(&format!("{level}/a.html"));
+        said += &desk.read(&format!("{level}/index.html"));
+        // The twin: the third level tells it.
+        assert_eq!(said.contains("kappa") || said.contains('κ'), level == "3", "{level}: {said}");
+    }
+}
+
+#[test]
+fn broken_files_and_odd_names_have_their_rows_and_stop_nobody() {
+    let desk = small("mark-broken", SLIP);
+    desk.write("class/=cmd|x, \"é\".md", SLIP);
+    desk.write("other/a.md", "$$ v = v_0 - g t $$\n");
+    desk.write("class/bytes.md", [0xff, 0xfe, 0, b'$', b'$', 0x80]);
+    desk.write("class/huge.md", format!("$$ t_1 = {}x $$", "x + ".repeat(3000)));
+    let run = desk.onshell(&["mark", "class", "other", "--claims", "p.json", "--format", "csv", "--out", "pages"]);
+    assert_eq!(run.code, 1, "{}", run.err);
+    for file in ["class/a.md", "other/a.md", "class/bytes.md", "class/huge.md", "\" =cmd|x, \"\"é\"\"\""] {
+        assert!(run.out.lines().any(|row| row.contains(file)), "{file}: {}", run.out);
+    }
+    assert!(!run.out.lines().any(|row| row.starts_with('=') || row.contains(",=")), "{}", run.out);
+    assert!(run.out.lines().all(|row| row.len() < 10_000), "a cell is too long");
+    // Two students with one name have a page each.
+    assert_ne!(desk.read("pages/a.html"), desk.read("pages/a-2.html"));
 }
 
 const SMALL: (&str, &str) = (

@@ -183,6 +183,7 @@ impl Judge<'_, '_> {
             return Ok(());
         }
         if self.is_rounded(display, reading) {
+            self.known.add(reading, false);
             (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
             line.because = "right to the printed digits, with the numbers of the student".to_owned();
             return Ok(());

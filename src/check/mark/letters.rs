@@ -180,8 +180,8 @@ const OWN_WITH_A_LINE: u32 = 1;
 fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> Vec<(u32, StandsFor)> {
     let is_used = |name: &Name| used.iter().any(|usage| usage.name == *name);
     let is_taken = |name: &Name| declared.values().any(|other| other.dots == 0 && other.name == *name);
-    let fits = |role: Role| match (usage.moves, usage.introduced.is_some()) {
-        (true, false) => role == Role::Moving,
+    let fits = |name: &Name, role: Role| match (usage.moves, usage.introduced.is_some()) {
+        (true, false) => role == Role::Moving || role == Role::Determined && alike(name, &usage.name),
         (true, true) => role != Role::Constant,
         (false, _) => true,
     };
@@ -191,7 +191,7 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
             let dots = rate(&usage.name, *angle);
             found.extend(dots.map(|dots| (1, StandsFor { name: name.clone(), dots })));
         }
-        if is_used(name) || is_taken(name) || !fits(*role) {
+        if is_used(name) || is_taken(name) || !fits(name, *role) {
             continue;
         }
         let cost = match () {

@@ -70,6 +70,15 @@ pub(super) fn found(
         };
         // A line without names of the student's own says it best.
         let right = (0..lines.len()).filter_map(reached).min().map(|(_, line)| line);
+        // The statements of a result may stand on lines of their own; the last of them reaches it.
+        let right = right.or_else(|| {
+            let says = |part: usize, at: &usize| {
+                let mut own = readings(*at).into_iter();
+                is_true(&lines[*at]) && own.any(|reading| goal.part(checker, world, reading, part).is_some())
+            };
+            let parts = (0..goal.links.len()).map(|part| (0..lines.len()).find(|at| says(part, at)));
+            parts.collect::<Option<Vec<usize>>>()?.into_iter().max().filter(|_| goal.links.len() > 1)
+        });
         // A right number for what is wanted, where no line has the formula.
         if let Some(line) = right.or_else(|| (0..lines.len()).find(|at| computed(*at))) {
             all.push(Some(Found { line, is_right: true, lost: None }));
@@ -171,24 +180,24 @@ impl Goal {
 
     /// The number of names of the student's own in a reading that says what is wanted; `None`, if it does not say it.
     fn reached(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<usize> {
+        let parts = (0..self.links.len()).map(|part| self.part(checker, world, reading, part));
+        parts.collect::<Option<Vec<usize>>>()?.into_iter().max()
+    }
+
+    /// The same for one of the statements of the result.
+    fn part(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading, part: usize) -> Option<usize> {
         let all = links(checker, reading);
         let all: Vec<(usize, &Link)> =
             all.iter().filter_map(|link| Some((self.own_names(checker, world, link)?, link))).collect();
-        let mut most = 0;
-        for wanted in &self.links {
-            let fewest = all
-                .iter()
-                .filter(|(_, link)| self.says(checker, world, link, wanted))
-                .map(|(names, _)| *names)
-                .min()?;
-            most = most.max(fewest);
-        }
-        Some(most)
+        let wanted = self.links.get(part)?;
+        all.iter().filter(|(_, link)| self.says(checker, world, link, wanted)).map(|(names, _)| *names).min()
     }
 
     fn says(&self, checker: &Checker<'_>, world: &World<'_>, link: &Link, wanted: &Link) -> bool {
         // What the problem gives is no result, though with its definitions it may say the same.
-        if !is_about_its_rates(checker, link, wanted) || !self.is_law && says_a_law(checker, world, link) {
+        let is_same = || checker.proportional(link, wanted, &[]).unwrap_or(false);
+        if !(is_about_its_rates(checker, link, wanted) || is_same()) || !self.is_law && says_a_law(checker, world, link)
+        {
             return false;
         }
         if restatement::same_but_for_letters(link, wanted) {
@@ -260,6 +269,10 @@ impl Goal {
             if is_name && link.lhs == wanted.lhs {
                 return Some(self.off_by(checker, &link.rhs, &wanted.rhs));
             }
+            let left = checker.link(&link.lhs, Relation::Equal, &wanted.lhs);
+            if !link.lhs.is_null() && left.is_ok_and(|left| self.holds(checker, &left, &[]) == Some(true)) {
+                return Some(self.off_by(checker, &link.rhs, &wanted.rhs));
+            }
             let symbols: Vec<(SymbolId, u8)> = link.lhs.symbols().into_iter().chain(link.rhs.symbols()).collect();
             let own: Vec<(SymbolId, u8)> = wanted.lhs.symbols().into_iter().chain(wanted.rhs.symbols()).collect();
             let moving = varies(&own);
@@ -319,7 +332,7 @@ fn is_about_its_rates(checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool
         let mut found = false;
         let mut look = |expr: &Expr| {
             found |= match &expr.node {
-                Node::Symbol { id, dots, .. } => *dots > 0 && determined(*id),
+                Node::Symbol { id, dots: 1, .. } => determined(*id),
                 Node::TimeDerivative(_, inner) => inner.as_plain_symbol().is_none_or(determined),
                 _ => false,
             }

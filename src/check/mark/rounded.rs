@@ -27,9 +27,10 @@ impl Known {
     /// Adds what a reading says that a symbol is, as a condition (a number) or as a true line (any formula).
     pub fn add(&mut self, reading: &Reading, is_condition: bool) {
         for statement in reading.statements.iter().flatten() {
-            let (Some(first), Some(last)) = (statement.members.first(), statement.members.last()) else { continue };
+            // The second member is the formula, and what follows may be rounded.
+            let [first, last, ..] = statement.members.as_slice() else { continue };
             let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-            let Some(id) = first.as_plain_symbol().filter(|_| is_equal && statement.members.len() > 1) else {
+            let Some(id) = first.as_plain_symbol().filter(|_| is_equal) else {
                 continue;
             };
             let symbols = last.symbols();

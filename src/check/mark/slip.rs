@@ -22,6 +22,9 @@ use super::world::World;
 /// The number of states that screen an edit.
 const STATES: usize = 6;
 
+/// The most bytes of a line in which a slip is sought: the edits of a longer one are too many.
+const LONGEST: usize = 2000;
+
 /// The kind of slip that a rubric names, for a kind of edit.
 pub(super) fn lost(slip: Slip) -> Lost {
     match slip {
@@ -54,6 +57,9 @@ pub(super) fn found(
     at: usize,
 ) -> Result<(Option<Corrected>, Option<Slipped>, Option<String>)> {
     let display = world.first + at;
+    if world.display(at).text.len() > LONGEST {
+        return Ok((None, None, None));
+    }
     let equation = checker.equation(display, None)?;
     let equation: Equation = checker.with_repairs(run, display, equation, false)?;
     let body = world.display(at).body;

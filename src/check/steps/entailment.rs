@@ -214,7 +214,7 @@ impl Checker<'_> {
     }
 
     /// Whether the difference of the sides of a link is the same multiple of that of another link at all states.
-    fn proportional(&self, link: &Link, known: &Link, hypotheses: &[Hypothesis]) -> Result<bool> {
+    pub(crate) fn proportional(&self, link: &Link, known: &Link, hypotheses: &[Hypothesis]) -> Result<bool> {
         let context = Context {
             model: self.model,
             options: self.options,
