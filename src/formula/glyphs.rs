@@ -135,7 +135,7 @@ fn mark(command: &str) -> Option<&'static str> {
 }
 
 fn letter(command: &str) -> Option<char> {
-    const LETTERS: [(&str, char); 111] = [
+    const LETTERS: [(&str, char); 112] = [
         ("sum", 'Σ'),
         ("prod", 'Π'),
         ("int", '∫'),
@@ -189,6 +189,7 @@ fn letter(command: &str) -> Option<char> {
         ("langle", '⟨'),
         ("rangle", '⟩'),
         ("otimes", '⊗'),
+        ("wedge", '∧'),
         ("oplus", '⊕'),
         ("circ", '∘'),
         ("ast", '∗'),

@@ -130,6 +130,8 @@ pub struct Inferred {
     pub abstractly: bool,
     /// The letters that are indices somewhere in the display.
     pub index_letters: HashSet<String>,
+    /// The letters that have a 0 or a 1 above them somewhere, as components have and powers have not.
+    pub component_letters: HashSet<String>,
     /// Whether letters have two indices somewhere in the display, so that a letter above may be one too.
     pub has_tensors: bool,
     /// Whether letters with a hat are operators.

@@ -239,9 +239,12 @@ impl Evidence {
             }
             // `S[q]`, the value of a functional.
             Delimiter::Square => {
-                arguments.len() == 1
+                let letter = name.base.trim_start_matches('\\');
+                let is_greek = letter.len() < name.base.len() && letter.starts_with(|c: char| c.is_uppercase());
+                // A commutator has two parts.
+                arguments.len() != 2
                     && plain.is_some()
-                    && name.base.chars().all(|c| c.is_uppercase() || !c.is_alphabetic())
+                    && (is_greek || letter.chars().all(|c| c.is_uppercase() || !c.is_alphabetic()))
                     || name.base.starts_with("\\mathcal") && plain.is_some()
             }
             _ => false,

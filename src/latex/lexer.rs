@@ -191,8 +191,6 @@ fn spelling(name: &str) -> &str {
         "implies" | "Longrightarrow" => "Rightarrow",
         "iff" | "Longleftrightarrow" => "Leftrightarrow",
         "to" => "rightarrow",
-        // as the product of vectors is printed in France and in Italy
-        "wedge" => "times",
         "overrightarrow" => "vec",
         "widehat" => "hat",
         "overline" => "bar",

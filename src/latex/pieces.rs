@@ -309,6 +309,14 @@ fn is_number_of_the_row(items: &[&Item], at: usize) -> bool {
 
 /// Whether an item is words that stand between formulas, and no name: no operator or relation is beside it.
 fn is_remark(items: &[&Item], at: usize) -> bool {
+    // `= 1.65\,\omega \ (\text{over the whole range})`
+    if let Layout::Fence(Delimiter::Round, inside) = &items[at].layout {
+        const LONG: usize = 10;
+        let is_phrase =
+            |item: &Item| matches!(&item.layout, Layout::Text(word) if word.len() >= LONG && !is_unit(word));
+        let is_apart = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
+        return is_apart && inside.iter().any(is_phrase);
+    }
     let word = match &items[at].layout {
         Layout::Text(word) => word.clone(),
         Layout::Style(style, inner) if style == "\\mathrm" => {
@@ -351,11 +359,11 @@ fn is_figure(item: &Item) -> bool {
 
 /// Whether a word after a number is a unit, and no remark: `m/s`, `eV`, `days`.
 fn is_unit(word: &str) -> bool {
-    const UNITS: [&str; 58] = [
+    const UNITS: [&str; 59] = [
         "m", "cm", "mm", "km", "nm", "fm", "pm", "s", "ms", "ns", "min", "h", "kg", "g", "mg", "N", "kN", "J", "kJ",
         "MJ", "W", "kW", "MW", "eV", "keV", "MeV", "GeV", "TeV", "K", "Pa", "kPa", "MPa", "bar", "atm", "Hz", "kHz",
         "MHz", "GHz", "V", "kV", "A", "mA", "T", "C", "mol", "rad", "sr", "deg", "days", "day", "years", "year", "yr",
-        "hours", "seconds", "rpm", "Nm", "Js",
+        "hours", "seconds", "rpm", "RPM", "Nm", "Js",
     ];
     let word = word.trim_end_matches(['.', ',', ';']);
     let is_one = |part: &str| {

@@ -137,7 +137,7 @@ pub(super) fn is_sign(item: &Item) -> bool {
 /// Whether an item is an operator between two terms or factors.
 pub(super) fn is_operator(item: &Item) -> bool {
     is_sign(item)
-        || matches!(&item.layout, Layout::Command(name) if matches!(name.as_str(), "\\cdot" | "\\times" | "\\pm" | "\\mp"))
+        || matches!(&item.layout, Layout::Command(name) if matches!(name.as_str(), "\\cdot" | "\\times" | "\\wedge" | "\\pm" | "\\mp"))
 }
 
 /// Whether an item is more than a space or an empty group.

@@ -105,7 +105,7 @@ impl Reader<'_> {
             is_list && inside.iter().all(is_place) && matches!(fence.layout, Layout::Fence(Delimiter::Round, _));
         let is_vector = entry.kind == Kind::Vector || entry.kind == Kind::Abstract;
         let has_operator = inside.iter().any(|item| {
-            matches!(&item.layout, Layout::Command(name) if ["\\nabla", "\\cdot", "\\times"].contains(&name.as_str()))
+            matches!(&item.layout, Layout::Command(name) if ["\\nabla", "\\cdot", "\\times", "\\wedge"].contains(&name.as_str()))
         });
         // `k_1[E]`: a concentration after a constant; `S[q]` is a functional.
         let is_bracketed = matches!(fence.layout, Layout::Fence(Delimiter::Square, _))
@@ -114,6 +114,7 @@ impl Reader<'_> {
             && entry.name.base.chars().all(char::is_lowercase);
         let is_product = is_pair
             || is_bracketed
+            || sup.is_some_and(super::items::is_transpose)
             || sup.is_some() && !is_function(entry) && inside.len() > 1
             || is_vector && has_operator;
         let named = match sup {
@@ -211,7 +212,10 @@ impl Reader<'_> {
         if !self.symbols.open {
             return Ok(());
         }
-        let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item));
+        let has_sign = |items: &[Item]| items.iter().skip(1).any(|item| self.is_sign(item));
+        // `mgl\left(\frac{a + b}{2}\right)` too.
+        let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item))
+            || matches!(inside.as_slice(), [Item { layout: Layout::Fraction(above, _), .. }] if has_sign(super::items::contents(above)));
         let is_plain_product =
             is_sum || is_powered || inside.iter().any(|item| has_rate(item)) || is_product_of_vectors(&inside);
         match is_function(entry) || self.is_at_a_place(name, &inside) || !is_plain_product {
@@ -273,9 +277,12 @@ impl Reader<'_> {
 
     /// Whether the time stands in a parenthesis as a term or a factor of its own, and in no function.
     fn shifts_the_time(&self, inside: &[&Item]) -> bool {
-        let is_time = |item: &&Item| names::printed(item, None).map(|printed| printed.name) == self.symbols.time;
+        let is_time = |item: &Item| names::printed(item, None).map(|printed| printed.name) == self.symbols.time;
+        // The t of Δt is no time.
+        let is_step = |item: &Item| matches!(&item.layout, Layout::Command(name) if ["\\Delta", "\\delta"].contains(&name.as_str()));
         let is_function = |item: &&Item| matches!(function_head(item), Ok(Some(_)));
-        self.symbols.time.is_some() && inside.iter().any(is_time) && !inside.iter().any(is_function)
+        let at = (0..inside.len()).any(|at| is_time(inside[at]) && !(at > 0 && is_step(inside[at - 1])));
+        self.symbols.time.is_some() && at && !inside.iter().any(is_function)
     }
 
     /// `u(x + h)`: a field at a place beside another.
@@ -354,8 +361,7 @@ fn differential_above(above: &Item) -> bool {
 
 /// Whether a product with × or · of names with an arrow or in bold stands in a parenthesis.
 fn is_product_of_vectors(inside: &[&Item]) -> bool {
-    let is_operator =
-        |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\times" || name == "\\cdot");
+    let is_operator = |item: &Item| matches!(&item.layout, Layout::Command(name) if ["\\times", "\\wedge", "\\cdot"].contains(&name.as_str()));
     let is_vector = |item: &Item| {
         names::printed(item, None).is_some_and(|printed| {
             ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| printed.name.base.contains(mark))

@@ -8,6 +8,7 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
+use super::algebra::operator_word;
 use super::items::{Joint, function_head, is_number, is_numeric, is_numeric_item, joint};
 use super::state::{Read, Reader};
 
@@ -78,6 +79,15 @@ impl Reader<'_> {
     /// The argument of a function without parentheses: the following items that can only belong to it.
     fn run_on(&mut self, function: Function, head: Span, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let start = *cursor;
+        // `\ln\det A`, `\ln\mathrm{Tr}\,e^{-\beta H}`: the argument is what the inner operator acts on, and the operator.
+        if items
+            .get(start)
+            .and_then(operator_word)
+            .is_some_and(|word| ["det", "tr", "Tr", "trace"].contains(&word.as_str()))
+        {
+            let (argument, _) = self.factor(items, cursor)?;
+            return Ok(argument);
+        }
         let run = self.gather(function, head, items, start)?;
         if run.end == start {
             return Err(match items.get(start) {

@@ -30,7 +30,8 @@ pub(super) fn joint(item: &Item) -> Option<Joint> {
         Layout::Other('×') => Some(Joint::Times),
         Layout::Command(name) => match name.as_str() {
             "\\cdot" => Some(Joint::CDot),
-            "\\times" => Some(Joint::Times),
+            // ∧ is the product of vectors in France and in Italy.
+            "\\times" | "\\wedge" => Some(Joint::Times),
             _ => None,
         },
         _ => None,

@@ -24,7 +24,10 @@ impl Reader<'_> {
         let is_power = self.is_a_power(&base, sup, span);
         let no_power = shape == Shape::Vector && whole_number(sup) != Some(2);
         let is_index = self.is_abstract()
-            && (self.symbols.inferred.has_tensors && self.is_index(sup) || matches!(whole_number(sup), Some(0 | 1)));
+            && (self.symbols.inferred.has_tensors && self.is_index(sup)
+                || self.is_index_of_several(sup)
+                || self.is_component(&base, sup)
+                || matches!(whole_number(sup), Some(0 | 1)));
         if self.is_abstract() && (is_power.is_err() || no_power || is_index) {
             return match self.marked(&base, sup, span)? {
                 Some(found) => Ok(found),
@@ -62,6 +65,10 @@ impl Reader<'_> {
             [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†'), .. }] => return Err(mark(sup.span)),
             [Item { layout: Layout::Fence(delimiter, _), .. }] if !is_bar(*delimiter) => return Err(mark(sup.span)),
             [Item { layout: Layout::Text(_), .. }] => return Err(label(sup.span)),
+            // `v^{\hat r}` is the component along a direction.
+            [Item { layout: Layout::Accent(accent, _), .. }] if self.symbols.open && accent == "\\hat" => {
+                return Err(label(sup.span));
+            }
             [Item { layout: Layout::Style(style, inner), .. }]
                 if style == "\\mathrm" && contents(inner).len() > 1 && !self.is_declared(marks[0]) =>
             {

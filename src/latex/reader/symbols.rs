@@ -7,7 +7,7 @@ use crate::suggest::declaration;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{differential, differential_of_many, is_minus_one, is_transpose, whole_number};
+use super::items::{contents, differential, differential_of_many, is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -191,7 +191,9 @@ impl Reader<'_> {
         let name = &printed.name;
         let next = items.get(*cursor).filter(|item| names::printed(item, self.branch).is_some());
         let is_bound = self.bound.contains(&name.to_string());
-        if matches!(name.base.as_str(), "d" | "\\mathrm{d}") && name.subscript.is_empty() && next.is_some() {
+        // `d^\dagger` is an operator.
+        let is_bare = printed.sup.is_none_or(|sup| !matches!(contents(sup), [Item { layout: Layout::Command(_), .. }]));
+        if matches!(name.base.as_str(), "d" | "\\mathrm{d}") && name.subscript.is_empty() && next.is_some() && is_bare {
             return Err(Fault::ambiguous(span, "d x may be a differential or the product of d and x")
                 .help("write \\frac{d}{dt} for a derivative, or use another letter for the factor"));
         }

@@ -81,13 +81,14 @@ pub(super) fn is_space(item: &Item) -> bool {
 fn is_operator(item: &Item) -> bool {
     match &item.layout {
         Layout::Other('/' | '*' | '·' | '⋅' | '×') => true,
-        Layout::Command(name) => name == "\\cdot" || name == "\\times",
+        Layout::Command(name) => ["\\cdot", "\\times", "\\wedge"].contains(&name.as_str()),
         _ => false,
     }
 }
 
 pub(super) fn is_times(item: &Item) -> bool {
-    matches!(&item.layout, Layout::Command(name) if name == "\\times") || item.layout == Layout::Other('×')
+    matches!(&item.layout, Layout::Command(name) if name == "\\times" || name == "\\wedge")
+        || item.layout == Layout::Other('×')
 }
 
 /// The name of a command, with or without scripts.

@@ -171,7 +171,7 @@ impl Finder<'_> {
             let swapped = Span::new(before.span().start, factor.span().end);
             let (a, b) = (self.slice(before.span()).to_owned(), self.slice(factor.span()).to_owned());
             match factor.operator.map(|operator| (operator.span, self.slice(operator.span))) {
-                Some((span, "\\times")) => self.edit(Slip::Order, span, "\\cdot"),
+                Some((span, "\\times" | "\\wedge")) => self.edit(Slip::Order, span, "\\cdot"),
                 Some((span, "\\cdot")) => self.edit(Slip::Order, span, "\\times"),
                 _ => {}
             }

@@ -28,6 +28,35 @@ fn are_refused(cases: &[&str]) {
 }
 
 #[test]
+fn a_prime_that_marks_another_quantity() {
+    are_read(&[
+        ("x' = \\gamma(x - vt)", "x' = γ·(x − v·t)"),
+        ("x' = x - vt, \\quad t' = t", "x' = x − v·t | t' = t"),
+        (
+            "x' = x\\cos a + y\\sin a, \\quad y' = y\\cos a - x\\sin a",
+            "x' = x·cos(a) + y·sin(a) | y' = y·cos(a) − x·sin(a)",
+        ),
+        ("m_1 v_1 + m_2 v_2 = m_1 v_1' + m_2 v_2'", "m_1·v_1 + m_2·v_2 = m_1·v'_1 + m_2·v'_2"),
+        ("L' = L + \\frac{dF}{dt}", "L' = L + d/dt(F)"),
+    ]);
+    // a derivative as often
+    are_refused(&["y' + y = 0", "x' = ax + by, \\quad y' = bx", "V' = V + a", "v_1' = v_1"]);
+}
+
+#[test]
+fn a_power_before_a_parenthesis_is_a_factor() {
+    are_read(&[
+        ("E^2(a + b) = c", "E^2·(a + b) = c"),
+        ("x = a (\\Delta t)^2", "x = a·Δt^2"),
+        ("x = -\\omega_0(y + v \\Delta t)", "x = −ω_0·(y + v·Δt)"),
+        ("V = gl\\left(\\frac{a + b}{2}\\right)", "V = g·l·((a + b)/2)"),
+        ("2\\sqrt2 a = b", "2·√(2)·a = b"),
+        ("\\cos\\theta(1 + \\cos\\theta) = a", "cos(θ)·(1 + cos(θ)) = a"),
+    ]);
+    are_refused(&["x = a(\\Delta t)", "2\\frac12 a = b", "x(t + T) = a"]);
+}
+
+#[test]
 fn functions_are_shown_by_their_use() {
     are_read(&[
         ("f(x+h) = f(x) + hf'(x)", "f(x + h) = f(x) + h·f'(x)"),

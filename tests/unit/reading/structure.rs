@@ -143,6 +143,68 @@ fn lists_words_and_sides_that_are_not_printed() {
 }
 
 #[test]
+fn macros_of_states_are_read_as_what_they_print() {
+    are_read(&[
+        ("H\\ket{a} = E\\ket{a}", "H·|a⟩ = E·|a⟩"),
+        ("\\braket{a|b} = \\braket{c}{d}", "⟨a|b⟩ = ⟨c|d⟩"),
+        ("\\ev{H}{a} = \\mel{a}{H}{a}", "⟨a|H|a⟩ = ⟨a|H|a⟩"),
+        ("P = \\ketbra{a}{b}", "P = |a⟩·⟨b|"),
+    ]);
+    // one state may be a mean value or a product with itself
+    are_refused(&["\\braket{a} = 1"]);
+}
+
+#[test]
+fn a_derivative_at_a_place_is_no_product() {
+    are_read(&[
+        ("\\frac{df}{dx}(a, b) = c", "(d f/dx)(a, b) = c"),
+        ("\\frac{\\partial f}{\\partial x}(0) = c", "(∂f/∂x)(0) = c"),
+        ("\\frac{\\partial L}{\\partial \\dot u(t, x)} = c", "∂L/∂u̇(t,x) = c"),
+        ("\\pdv{L}{\\dot u(t, x)} = c", "∂L/∂u̇(t,x) = c"),
+    ]);
+    assert_eq!(read("\\frac{df}{dx}(a + b) = c"), Some(vec!["∂f/∂x·(a + b) = c".into()]));
+}
+
+#[test]
+fn indices_above_are_told_from_powers() {
+    are_read(&[
+        ("H = \\dot q^n p_n - L", "H = q̇^{n}·p_n − L"),
+        ("\\partial_0 E^3 = B^2", "∂_{0}(E^{3}) = B^{2}"),
+        ("F^{i0} = E_i", "F^{i0} = E_i"),
+        ("v^{\\hat r} = a", "v^{r̂} = a"),
+    ]);
+    // powers stay powers: a series, a number above a letter without components
+    assert_eq!(read("a_n x^n = b"), Some(vec!["a_n·x^(n) = b".into()]));
+    assert_eq!(read("E^3 = B^2"), Some(vec!["E^3 = B^2".into()]));
+    are_refused(&["x^i", "x^{ab}"]);
+}
+
+#[test]
+fn a_transpose_stands_before_a_factor() {
+    are_read(&[("f = J^T g", "f = J^{T}·g"), ("f = J^T (a + b)", "f = J^{T}·(a + b)")]);
+    // alone, or where T stands elsewhere, it may be a power
+    are_refused(&["A^T", "f = J^T g T"]);
+}
+
+#[test]
+fn brackets_bars_and_sets_stay_as_they_are() {
+    are_read(&[
+        ("p = R(a|b)", "p = R(a | b)"),
+        ("v = -k_1[E][S]", "v = −k_1·[E]·[S]"),
+        ("x \\in SO(3)", "x ∈ SO(3)"),
+        ("\\omega = dq \\wedge dp", "ω = dq ∧ dp"),
+        ("\\mathcal{F}\\{f\\} = g", "F{f} = g"),
+        ("n = 0,1,2,\\dots", "n = 0, 1, 2, …"),
+        ("g = 9.8\\,\\text{m/s}^2", "g = 9.8·m/s^2"),
+    ]);
+    // a bar that closes another, a decimal comma, the adjoint
+    are_refused(&["R(|a|b|c|)", "n = 1,5", "ad_V(F) = 1"]);
+    assert_eq!(read("S[u, v, w] = 0"), Some(vec!["S(u, v, w) = 0".into()]));
+    // the product of vectors has its own sign
+    assert_eq!(read("\\vec a \\wedge \\vec b = 0"), read("\\vec a \\times \\vec b = 0"));
+}
+
+#[test]
 fn what_is_read_for_its_structure_is_printed_and_read_back() {
     for latex in [
         "F^{\\mu\\nu} = \\partial^\\mu A^\\nu - \\partial^\\nu A^\\mu",

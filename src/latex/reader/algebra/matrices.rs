@@ -140,7 +140,7 @@ impl Reader<'_> {
 }
 
 /// The word of an upright operator or command: `det` of `\det`, `tr` of `\operatorname{tr}`.
-pub(super) fn operator_word(item: &Item) -> Option<String> {
+pub(in super::super) fn operator_word(item: &Item) -> Option<String> {
     match &item.layout {
         Layout::Command(name) => name.strip_prefix('\\').map(str::to_owned),
         Layout::Style(style, inner) if style == "\\mathrm" => {

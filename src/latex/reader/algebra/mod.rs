@@ -18,6 +18,8 @@ mod poisson;
 
 pub use poisson::pairs_by_name;
 
+pub(super) use matrices::operator_word;
+
 use crate::formula::tree::Expr;
 
 use super::super::layout::Item;

@@ -6,7 +6,7 @@ use crate::formula::symbols::{Inferred, Name};
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::lexer::Space;
 use super::super::super::names;
-use super::super::items::{contents, is_transpose, whole_number};
+use super::super::items::{contents, differential, is_transpose, whole_number};
 
 /// Records it.
 pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
@@ -15,8 +15,21 @@ pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
     inferred.index_letters.extend(found.lower);
     inferred.has_tensors |= found.has_pairs;
     inferred.has_operators |= found.has_operators;
+    inferred.component_letters.extend(found.components);
+    // `\partial_0 E^3`: where the derivatives have numbers, the capitals have them too.
+    if found.has_numbered_derivatives {
+        inferred.component_letters.extend(found.capitals);
+    }
     if found.has_pairs {
         inferred.index_letters.extend(found.pairs);
+    }
+    // `\frac{\partial L}{\partial q^n} \delta q^n` beside p_n: what stands above letters and below others is an index.
+    found.upper.retain(|letter| !found.orders.contains(letter));
+    if !found.upper.is_empty() {
+        let both = found.above.into_iter().filter(|letter| found.below.contains(letter));
+        inferred.index_letters.extend(both);
+        inferred.index_letters.extend(found.upper);
+        inferred.has_tensors = true;
     }
     // `A^T P + P A`: no power of A by a T that stands nowhere else.
     let is_plain = |name: &Name| found.plain.contains(name);
@@ -99,6 +112,23 @@ const GREEK: [&str; 10] =
 /// Latin letters that are usual as indices.
 const LATIN: [&str; 9] = ["a", "b", "c", "d", "i", "j", "k", "l", "m"];
 
+/// The lone letter that stands above a letter.
+fn letter_above(item: &Item) -> Option<String> {
+    let found = names::printed(item, None)?;
+    let sup = names::printed(found.sup?, None).filter(|sup| sup.sup.is_none() && sup.name.subscript.is_empty())?;
+    (found.name.base != "e").then_some(sup.name.base)
+}
+
+/// The letters below a letter.
+fn subscripts(item: &Item) -> Vec<String> {
+    names::printed(item, None).map(|found| found.name.subscript).unwrap_or_default()
+}
+
+/// A letter with dots.
+fn is_rate(item: &Item) -> bool {
+    names::printed(item, None).is_some_and(|found| found.dots > 0)
+}
+
 /// A letter with a T above it, and no number: `J^T`, `\dot q^T`.
 fn is_transposed(item: &Item) -> bool {
     let Layout::Scripts { nucleus, sup: Some(sup), .. } = &item.layout else { return false };
@@ -130,6 +160,16 @@ struct Found {
     /// The names below a T, and all others.
     transposed: Vec<Name>,
     plain: Vec<Name>,
+    /// Letters above what is differentiated or varied, which are no powers; and the lone letters above and below any letter.
+    upper: Vec<String>,
+    /// Letters with 0 or 1 above them, capitals with any number, and whether ∂ has a number below.
+    components: Vec<String>,
+    capitals: Vec<String>,
+    has_numbered_derivatives: bool,
+    /// Letters above ∂ or d: the order of a derivative.
+    orders: Vec<String>,
+    above: Vec<String>,
+    below: Vec<String>,
     /// The number of letters below a T with another factor after them.
     transposed_factors: usize,
     /// Whether a subscript has two index letters, and the letters of superscripts with two.
@@ -152,6 +192,16 @@ impl Found {
                 names::printed(item, None).is_some()
                     || matches!(item.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _))
             };
+            let before = at.checked_sub(1).map(|before| &items[before].layout);
+            let is_varied = matches!(before, Some(Layout::Command(name)) if name == "\\delta" || name == "\\partial");
+            if let Some(letter) = letter_above(item) {
+                let is_paired = || items.iter().any(|other| subscripts(other).contains(&letter));
+                if is_varied || is_rate(item) && is_paired() {
+                    self.upper.push(letter.clone());
+                }
+                self.above.push(letter);
+            }
+            self.below.extend(subscripts(item));
             self.transposed_factors += usize::from(is_transposed(item) && next.is_some_and(is_factor));
         }
     }
@@ -169,6 +219,24 @@ impl Found {
             Layout::Scripts { nucleus, sub, sup, .. } => {
                 self.has_states |= matches!(&nucleus.layout, Layout::Command(name)
                     if ["\\partial", "\\psi", "\\Psi"].contains(&name.as_str()));
+                if let (Some(number), Some(found)) =
+                    (sup.as_deref().and_then(whole_number), names::printed(nucleus, None))
+                {
+                    match number {
+                        0 | 1 => self.components.push(found.name.base),
+                        _ if found.name.base.starts_with(|c: char| c.is_uppercase()) => {
+                            self.capitals.push(found.name.base);
+                        }
+                        _ => {}
+                    }
+                }
+                let is_partial = matches!(&nucleus.layout, Layout::Command(name) if name == "\\partial");
+                self.has_numbered_derivatives |= is_partial && sub.as_deref().and_then(whole_number).is_some();
+                if (is_partial || differential(nucleus).is_some())
+                    && let Some(sup) = sup.as_deref().and_then(|sup| names::printed(sup, None))
+                {
+                    self.orders.push(sup.name.base);
+                }
                 if names::printed(nucleus, None).is_none() {
                     self.one(nucleus);
                 }

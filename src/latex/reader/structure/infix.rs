@@ -5,6 +5,7 @@ use crate::formula::tree::{Condition, Expr, Node};
 use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Item, Layout};
+use super::super::super::names;
 use super::super::items::{Joint, beside};
 use super::super::state::{Read, Reader};
 
@@ -74,7 +75,9 @@ impl Reader<'_> {
 
     /// The same within a term; `None` if all its signs are · and ×.
     pub(in super::super) fn infix_product(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
-        let is_own = |item: &Item| sign(item, &PRODUCTS);
+        // Between vectors ∧ is their product; between differentials and other letters it is that of forms.
+        let has_vectors = items.iter().any(is_vectorial_item);
+        let is_own = |item: &Item| sign(item, &PRODUCTS) || !has_vectors && sign(item, &["\\wedge"]);
         let ends = |at: usize| at == 0 || at + 1 == items.len();
         match items.iter().enumerate().any(|(at, item)| is_own(item) && !ends(at)) {
             true => self.divided(items, &is_own, place).map(Some),
@@ -113,6 +116,7 @@ impl Reader<'_> {
             parts.push(match is_blank {
                 true => self.template("", Vec::new(), place),
                 // A set has a name of its own, `SE(3)`, `C^\infty(M)`.
+                false if is_set && is_group(part) => self.label(part, place),
                 false => match self.sum(part, place) {
                     Err(_) if is_set && part.iter().all(is_part_of_a_set) => self.label(part, place),
                     found => found?,
@@ -184,6 +188,18 @@ fn joins_digits(items: &[Item], at: usize) -> bool {
     touches && is_part(at - 1, at + 1)
 }
 
+/// Capitals before a parenthesis: `SO(3)`, `SE(2)`.
+fn is_group(part: &[Item]) -> bool {
+    let solid: Vec<&Item> = part.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    match solid.as_slice() {
+        [letters @ .., Item { layout: Layout::Fence(..), .. }] => {
+            letters.len() > 1
+                && letters.iter().all(|item| matches!(item.layout, Layout::Letter(c) if c.is_ascii_uppercase()))
+        }
+        _ => false,
+    }
+}
+
 /// Letters, numbers and parentheses: the name of a set.
 fn is_part_of_a_set(item: &Item) -> bool {
     match &item.layout {
@@ -191,6 +207,15 @@ fn is_part_of_a_set(item: &Item) -> bool {
         Layout::Scripts { nucleus, .. } => is_part_of_a_set(nucleus),
         Layout::Command(name) => name == "\\times",
         _ => false,
+    }
+}
+
+/// A letter with an arrow, in bold or with a hat.
+fn is_vectorial_item(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Fence(_, inside) => inside.iter().any(is_vectorial_item),
+        _ => names::printed(item, None)
+            .is_some_and(|found| ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| found.name.base.contains(mark))),
     }
 }
 

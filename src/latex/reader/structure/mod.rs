@@ -138,7 +138,8 @@ impl Reader<'_> {
                 // Parentheses around one factor are shown: the script belongs to all of it.
                 let is_one = matches!(inner.node, Node::Apply(..) | Node::Symbol { .. });
                 let holder = match &nucleus.layout {
-                    Layout::Fence(Delimiter::Square, _) if is_one => "[#]",
+                    // One letter in brackets has them already.
+                    Layout::Fence(Delimiter::Square, inside) if is_one && inside.len() > 1 => "[#]",
                     Layout::Fence(Delimiter::Round, inside) if is_one && !is_derivative(inside) => "(#)",
                     _ => "#",
                 };

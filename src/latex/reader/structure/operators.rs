@@ -143,10 +143,36 @@ impl Reader<'_> {
         let template = |hole: &str| format!("\\frac{{{frame}{mark} {hole}}}{{{}}}", printed(below));
         if above[1..].iter().any(|item| !matches!(item.layout, Layout::Space(_))) {
             let inner = self.sum(&above[1..], item.span)?;
-            return Ok(Some(self.template(&template("#"), vec![inner], item.span)));
+            let derivative = self.template(&template("#"), vec![inner], item.span);
+            return self.derivative_at(derivative, items, cursor).map(Some);
         }
         let applied = self.on_the_rest(items, cursor)?;
         Ok(Some(self.acting(&template(""), applied, item.span)))
+    }
+
+    /// `\frac{\partial f}{\partial x}(x_0, y)`: a derivative at a place, if names, numbers or a list stand in parentheses.
+    fn derivative_at(&mut self, derivative: Expr, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span }) = items.get(*cursor) else {
+            return Ok(derivative);
+        };
+        let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
+        let is_place = |item: &&Item| {
+            is_comma(item)
+                || matches!(item.layout, Layout::Number(_) | Layout::Space(_))
+                || names::printed(item, None).is_some_and(|found| found.sup.is_none())
+        };
+        let solid = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count();
+        if !(inside.iter().any(is_comma) || solid == 1 && inside.iter().all(|item| is_place(&item))) {
+            return Ok(derivative);
+        }
+        let mut parts = vec![derivative];
+        for argument in inside.split(is_comma) {
+            parts.push(self.sum(argument, *span)?);
+        }
+        *cursor += 1;
+        let holes = vec!["#"; parts.len() - 1].join(", ");
+        let whole = parts[0].span.to(*span);
+        Ok(self.template(&format!("(#)({holes})"), parts, whole))
     }
 
     /// ∂ or ∇ with an index or alone, a box, `\frac{d}{dt}` without an operand.
@@ -170,7 +196,7 @@ impl Reader<'_> {
             *cursor += 1;
         }
         if let (Some(next), "\\nabla") = (items.get(*cursor), name.as_str())
-            && matches!(&next.layout, Layout::Command(sign) if ["\\cdot", "\\times", "\\otimes"].contains(&sign.as_str()))
+            && matches!(&next.layout, Layout::Command(sign) if ["\\cdot", "\\times", "\\wedge", "\\otimes"].contains(&sign.as_str()))
         {
             text.push_str(&printed(std::slice::from_ref(next)));
             *cursor += 1;

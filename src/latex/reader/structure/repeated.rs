@@ -35,7 +35,10 @@ impl Reader<'_> {
             Node::Power(base, exponent) if matches!(base.node, Node::Symbol { .. }) => {
                 let id = exponent.as_plain_symbol()?;
                 let name = &self.symbols.entry(id).name;
-                let is_letter = ["i", "j", "k", "l"].contains(&name.base.as_str()) && name.subscript.is_empty();
+                // Of a rate or a variation any letter: `\dot q^n p_n`.
+                let is_rate = matches!(base.node, Node::Symbol { dots: 1.., .. });
+                let is_letter =
+                    (is_rate || ["i", "j", "k", "l"].contains(&name.base.as_str())) && name.subscript.is_empty();
                 (is_letter && !self.bound.contains(&name.base)).then(|| name.base.clone())
             }
             _ => None,

@@ -28,10 +28,37 @@ impl Reader<'_> {
                     || !is_number && matches!(whole_number(sup), Some(0 | 1))
                     || !is_number && is_word(sup)
                     || !is_number && self.is_index(sup)
+                    || self.is_component(base, sup)
+                    || self.has_subscript(base) && is_lone_letter(sup)
                     || has_no_powers && (is_minus_one(sup) || whole_number(sup).is_none())
             }
         };
         Ok(is_mark.then(|| self.template(&format!("#^{{{text}}}"), vec![base.clone()], span)))
+    }
+
+    /// Whether a base has a subscript, so that a letter above it is a second label as often as a power: `j^\phi_n`.
+    fn has_subscript(&self, base: &Expr) -> bool {
+        match &base.node {
+            Node::Symbol { id, .. } => !self.symbols.entry(*id).name.subscript.is_empty(),
+            Node::Apply(id, _) => self.symbols.entry(*id).name.base.contains("#_{"),
+            _ => false,
+        }
+    }
+
+    /// `F^{i 0}`: letters and digits above a base, of which none can be a power beside the others.
+    pub(in super::super) fn is_index_of_several(&self, sup: &Item) -> bool {
+        contents(sup).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count() > 1 && self.is_index(sup)
+    }
+
+    /// `P^2` beside `P^0`: a digit above a letter that has components in the display.
+    pub(in super::super) fn is_component(&self, base: &Expr, sup: &Item) -> bool {
+        match &base.node {
+            Node::Symbol { id, .. } => {
+                let name = &self.symbols.entry(*id).name;
+                matches!(whole_number(sup), Some(0..=4)) && self.symbols.inferred.component_letters.contains(&name.base)
+            }
+            _ => false,
+        }
     }
 
     /// Whether letters above a base are indices.
@@ -57,6 +84,11 @@ impl Reader<'_> {
 
 /// The usual indices of space and time, which are no exponents.
 const SPACETIME: [&str; 5] = ["\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda"];
+
+/// Whether one letter stands above.
+fn is_lone_letter(sup: &Item) -> bool {
+    names::printed(sup, None).is_some_and(|found| found.sup.is_none() && found.name.subscript.is_empty())
+}
 
 /// Whether letters above a symbol spell one of the usual labels.
 fn is_word(sup: &Item) -> bool {
@@ -92,6 +124,7 @@ fn is_sign(sup: &Item) -> bool {
         [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†' | '!'), .. }] => true,
         [Item { layout: Layout::Fence(Delimiter::Round, _), .. }] => true,
         [Item { layout: Layout::Text(_), .. }] => true,
+        [Item { layout: Layout::Accent(accent, _), .. }] if accent == "\\hat" => true,
         [Item { layout: Layout::Style(style, inner), .. }] if style == "\\mathrm" => contents(inner).len() > 1,
         [Item { layout: Layout::Style(style, _), .. }] => style == "\\mathbf",
         _ => false,

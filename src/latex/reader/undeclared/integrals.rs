@@ -10,7 +10,9 @@ use crate::source::{Fault, Span};
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
 use super::super::super::typeset;
-use super::super::items::{beside, contents, differential, differential_of_many, extent, is_integral, joint};
+use super::super::items::{
+    beside, contents, differential, differential_of_many, extent, is_any_integral, is_integral, joint,
+};
 use super::super::state::{Read, Reader};
 use super::super::structure::printed;
 use super::simple_text;
@@ -103,7 +105,7 @@ impl Reader<'_> {
             _ => false,
         };
         let first = items.iter().position(is_sign)?;
-        let at = items[..first].iter().position(is_integral)?;
+        let at = items[..first].iter().position(is_any_integral)?;
         let end = own_differential(&items[at + 1..])? + at + 1;
         (first < end).then_some(end + 1)
     }
