@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::corrections::{self, Correction};
 use super::evidence;
-use super::{badge, beside, chips, equation_anchor, graph, prose, tone, typeset};
+use super::{badge, beside, chips, equation_anchor, graph, prose, tex_prose, tone, typeset};
 use crate::check::{Document, Equation};
 use crate::lecture::Beside;
 use crate::notes::{Display, Kind, MacroDefinition, Notes};
@@ -48,11 +48,11 @@ pub(super) fn document(document: &Document, prefix: &str, derived: Option<&Besid
     let mut from = 0;
     let mut blocks = Vec::new();
     for display in &displays {
-        blocks.push(prose::prose(text.get(from..display.span.start).unwrap_or_default(), kind, &macros));
+        blocks.push(words(text.get(from..display.span.start).unwrap_or_default(), kind, &macros));
         blocks.push(shown((document, derived), display, &displays, &macros, prefix));
         from = display.span.end;
     }
-    blocks.push(prose::prose(text.get(from..).unwrap_or_default(), kind, &macros));
+    blocks.push(words(text.get(from..).unwrap_or_default(), kind, &macros));
     let has_heading = kind == Kind::Markdown && text.lines().any(|line| line.starts_with("# "));
     html! {
         header class="page" {
@@ -74,6 +74,14 @@ pub(super) fn document(document: &Document, prefix: &str, derived: Option<&Besid
         @if !document.inferred.is_empty() {
             details { summary { "What was inferred" } ul { @for line in &document.inferred { li { (line) } } } }
         }
+    }
+}
+
+/// A part of the text between two displays.
+pub(super) fn words(text: &str, kind: Kind, macros: &[MacroDefinition]) -> Markup {
+    match kind {
+        Kind::Markdown => prose::markdown(text, macros),
+        _ => tex_prose::prose(text, macros),
     }
 }
 

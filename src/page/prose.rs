@@ -1,20 +1,13 @@
-//! The prose of notes as HTML: Markdown with inline formulas; TeX as paragraphs. Raw HTML in notes is shown as text.
+//! The prose of Markdown notes as HTML, with inline formulas. Raw HTML in notes is shown as text.
 
 use maud::{Markup, PreEscaped, html};
 use pulldown_cmark::{Event, Options, Parser};
 
-use super::{tex_prose, typeset};
-use crate::notes::{Kind, MacroDefinition};
+use super::typeset;
+use crate::notes::MacroDefinition;
 
-/// A part of the text between two displays.
-pub(super) fn prose(text: &str, kind: Kind, macros: &[MacroDefinition]) -> Markup {
-    match kind {
-        Kind::Markdown => markdown(text, macros),
-        _ => tex_prose::prose(text, macros),
-    }
-}
-
-fn markdown(text: &str, macros: &[MacroDefinition]) -> Markup {
+/// A part of Markdown between two displays.
+pub(super) fn markdown(text: &str, macros: &[MacroDefinition]) -> Markup {
     let options = Options::ENABLE_TABLES | Options::ENABLE_MATH;
     let events = Parser::new_ext(text, options).filter_map(|event| match event {
         Event::InlineMath(latex) => Some(Event::InlineHtml(in_line(&latex, macros).into_string().into())),

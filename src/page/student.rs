@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::{Page, framed, prose, style, typeset, way_back};
+use super::{Page, framed, style, typeset, way_back};
 use crate::check::mark::{Line, Mark, Marked, Reached};
 use crate::notes::{Kind, MacroDefinition, Notes};
 use crate::report::marks::{Hints, called, correction, hint, number};
@@ -72,13 +72,13 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
     let mut from = 0;
     let mut blocks = Vec::new();
     for display in &displays {
-        blocks.push(prose::prose(text.get(from..display.span.start).unwrap_or_default(), kind, &macros));
+        blocks.push(super::document::words(text.get(from..display.span.start).unwrap_or_default(), kind, &macros));
         for (at, line) in marked.lines.iter().enumerate().filter(|(_, line)| display.span.contains(line.span)) {
             blocks.push(shown(marked, (at, line), &macros, hints));
         }
         from = display.span.end;
     }
-    blocks.push(prose::prose(text.get(from..).unwrap_or_default(), kind, &macros));
+    blocks.push(super::document::words(text.get(from..).unwrap_or_default(), kind, &macros));
     let inline: Vec<(usize, &Line)> = marked.lines.iter().enumerate().filter(|(_, line)| line.inline).collect();
     html! {
         header {

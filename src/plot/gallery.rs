@@ -1,6 +1,7 @@
 //! The pictures that suit a system, each with what it shows in a sentence.
 
-use super::pictures::{Kind, Start, picture};
+use super::pictures::{Kind, picture};
+use super::start::Start;
 use crate::formula::text::{number, plain, with_dots};
 use crate::mechanics::System;
 

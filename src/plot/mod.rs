@@ -9,9 +9,11 @@ mod figure;
 mod gallery;
 mod pictures;
 mod sides;
+mod start;
 mod tops;
 pub mod trajectory;
 
 pub use gallery::{Picture, gallery};
-pub use pictures::{Kind, Start, picture};
+pub use pictures::{Kind, picture};
 pub use sides::two_sides;
+pub use start::Start;

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::figure::{Curve, Figure};
-use super::pictures::Start;
+use super::start::Start;
 use super::trajectory::{self, Moment, TOLERANCE};
 use crate::mechanics::System;
 use crate::{Error, Result};
@@ -103,7 +103,7 @@ fn seen(direction: [f64; 3], above: f64) -> ((f64, f64), bool) {
 }
 
 /// From how far above a top and an ellipsoid are seen.
-const ABOVE: [f64; 2] = [1.0, 0.42];
+const ABOVE: [f64; 2] = [1.25, 0.42];
 
 pub(super) fn axis(system: &System, start: &Start) -> Result<Figure> {
     is_top(system)?;

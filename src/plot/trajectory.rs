@@ -131,6 +131,6 @@ pub fn polhode(system: &System, parameters: &[f64], omega: [f64; 3], end: f64) -
             .help("polhodes are drawn of a free rigid body, such as free_rigid_body")
     };
     let turning = Turning::new(system, parameters).ok_or_else(lost)?;
-    let states = integrated(&turning, omega.to_vec(), end, 240, TOLERANCE).ok_or_else(lost)?;
+    let states = integrated(&turning, omega.to_vec(), end, 160, 1e-9).ok_or_else(lost)?;
     Ok(states.iter().map(|(_, y)| [y[0], y[1], y[2]]).collect())
 }

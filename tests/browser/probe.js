@@ -39,7 +39,7 @@
     const seen = new Set();
     page.querySelectorAll("body *").forEach((element) => {
       const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
-      if (!own || ["SCRIPT", "STYLE", "title"].includes(element.tagName)) return;
+      if (!own || ["SCRIPT", "STYLE", "style", "title"].includes(element.tagName)) return;
       let behind = [255, 255, 255];
       for (let at = element; at; at = at.parentElement) {
         const [r, g, b, a] = numbers(style(at).backgroundColor);

@@ -88,7 +88,7 @@ fn every_equation_of_the_derivations_is_on_its_page_with_its_verdict() {
     for (name, words) in [
         (
             "06-spinning-top.html",
-            ["Steady precession: two rates", "The axis of the top", "All 32 lines", "printed and derived"],
+            ["Steady precession: two rates", "The axis of the top", "All 31 lines", "printed and derived"],
         ),
         ("04-stability.html", ["ellipsoid of energy", "unstable", "The derivation, step by step", "onshell-plot"]),
     ] {

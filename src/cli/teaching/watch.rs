@@ -73,7 +73,7 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     }
     std::thread::scope(|scope| {
         // Pictures and derivations take longer than a check, so they follow it.
-        let (send, drawn) = channel();
+        let (send, drawn) = channel::<(PathBuf, u32, Vec<Exhibit>)>();
         let mut exhibits: BTreeMap<PathBuf, (u32, Vec<Exhibit>)> = BTreeMap::new();
         let mut changed: Vec<PathBuf> = all.keys().cloned().collect();
         for look in 1_u32.. {
@@ -81,8 +81,8 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
             for (path, at, found) in drawn.try_iter() {
                 let known = exhibits.entry(path).or_default();
                 if known.0 <= at {
+                    is_new |= !(known.1.is_empty() && found.is_empty());
                     *known = (at, found);
-                    is_new = true;
                 }
             }
             if let Some(server) = server.as_ref().filter(|_| is_new) {
