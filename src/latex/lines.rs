@@ -94,7 +94,9 @@ pub fn apart(text: &str, macros: &Macros) -> Option<Vec<Span>> {
         piece.fault.is_none() && piece.conditions.is_empty() && piece.constant.is_none() && says
     };
     let spans: Vec<Span> = pieces.iter().map(Piece::span).collect();
-    let are_apart = spans.windows(2).all(|pair| text.get(pair[0].end..pair[1].start).is_some_and(is_separator));
+    // What stands beside a statement on its row often says what is meant by a letter in it.
+    let is_break = |gap: &str| gap.contains(r"\\") && is_separator(gap);
+    let are_apart = spans.windows(2).all(|pair| text.get(pair[0].end..pair[1].start).is_some_and(is_break));
     (spans.len() > 1 && pieces.iter().all(is_whole) && are_apart).then_some(spans)
 }
 
