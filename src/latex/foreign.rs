@@ -144,7 +144,7 @@ fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) 
     let is_bound = before.ends_with(binds) || after.starts_with(|c: char| "=+-*/^_<>)}]|(".contains(c));
     let is_first = before.is_empty() || before.ends_with([',', ';', '.', '&']) || before.ends_with("\\\\");
     !words.is_empty()
-        && !KNOWN.iter().any(|word| known(&word))
+        && !KNOWN.iter().any(|word| known(word))
         && !is_bound
         && (count > 1 || is_apart || is_first)
         && words.chars().filter(|c| c.is_alphabetic()).count() > 2
@@ -220,8 +220,7 @@ fn units(text: &str, from: usize) -> Option<(usize, i32)> {
     let mut power = 0;
     let mut sign = 1;
     let mut end = None;
-    loop {
-        let Some((next, more)) = unit(text, at) else { break };
+    while let Some((next, more)) = unit(text, at) {
         power += sign * more;
         end = Some(next);
         let rest = &text[skipped(text, next)..];
@@ -267,7 +266,7 @@ fn whole(text: &str) -> Option<i32> {
 fn words(text: &str) -> Option<i32> {
     let mut power = 0;
     let mut sign = 1;
-    let text = text.replace("\\,", " ").replace("\\cdot", " ").replace("\\ ", " ").replace('~', " ").replace('·', " ");
+    let text = text.replace("\\,", " ").replace("\\cdot", " ").replace("\\ ", " ").replace(['~', '·'], " ");
     let text = text.replace('²', "^2").replace('³', "^3").replace('/', " / ");
     let mut any = false;
     for word in text.split_whitespace() {
@@ -361,7 +360,7 @@ mod tests {
         for (text, new) in [
             (r"x = 57{,}7\,m", r"x = 57.7  \,m"),
             (r"x = 0,5 t", "x = 0.5 t"),
-            (r"a = b \quad \text{y también} \quad c = d", r"a = b \quad \quad               \quad c = d"),
+            (r"a = b \quad \text{y también} \quad c = d", r"a = b \quad \quad             \quad c = d"),
             // The twins: a list, a subscript, a word that is read.
             ("f(1,2)", "f(1,2)"),
             (r"E_\text{kin max} = 1", r"E_\text{kin max} = 1"),
