@@ -100,7 +100,7 @@ pub fn system(run: &Run<'_>, notes: &Notes) -> Result<Option<Arc<System>>> {
 pub fn system_of(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Option<Arc<System>>> {
     with_checker(run, claims, notes, |checker| {
         let model = checker.model;
-        let is_coefficient = |at: &&usize| model.symbols.entry(model.constants[**at].symbol).coefficient;
+        let is_coefficient = |at: &&usize| model.symbols.entry(model.constants[**at].symbol).coefficient.is_some();
         if model.printed_lagrangian.is_some() && model.parameters.iter().any(|at| is_coefficient(&at)) {
             return Err(Error::new("the Lagrangian of the notes contains a function without a formula")
                 .help("write its formula in the Lagrangian, such as -k/r for V(r)"));
