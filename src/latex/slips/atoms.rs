@@ -32,6 +32,7 @@ impl Finder<'_> {
             Layout::Fraction(a, b) if starts_with_d(a) && starts_with_d(b) => {}
             Layout::Fraction(a, b) => {
                 if self.inside(item, a).is_some() && self.inside(item, b).is_some() {
+                    self.marks(a, b);
                     let braced = |span| {
                         let text = self.slice(span);
                         if text.starts_with('{') { text.to_owned() } else { format!("{{{text}}}") }

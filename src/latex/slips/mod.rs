@@ -19,6 +19,7 @@
 
 mod atoms;
 mod candidates;
+mod derivatives;
 mod edit;
 mod exchanges;
 mod finder;
