@@ -144,7 +144,7 @@ fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) 
     let is_bound = before.ends_with(binds) || after.starts_with(|c: char| "=+-*/^_<>)}]|(".contains(c));
     let is_first = before.is_empty() || before.ends_with([',', ';', '.', '&']) || before.ends_with("\\\\");
     !words.is_empty()
-        && !KNOWN.iter().any(|word| known(word))
+        && !KNOWN.iter().any(known)
         && !is_bound
         && (count > 1 || is_apart || is_first)
         && words.chars().filter(|c| c.is_alphabetic()).count() > 2

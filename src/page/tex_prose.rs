@@ -154,7 +154,7 @@ fn styled(text: &str, macros: &[MacroDefinition]) -> Markup {
 /// The first place of a command outside of formulas.
 fn outside(text: &str, command: &str) -> Option<usize> {
     let found = text.match_indices(command).map(|(at, _)| at);
-    found.into_iter().find(|at| text[..*at].matches('$').count() % 2 == 0)
+    found.into_iter().find(|at| text[..*at].matches('$').count().is_multiple_of(2))
 }
 
 /// The words of a text: signs for the commands that print them; formulas stay between dollar signs.

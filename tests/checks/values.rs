@@ -148,7 +148,7 @@ fn a_function_without_a_formula_is_not_taken_for_a_polynomial() {
     };
     let difference = |n: u64| {
         let choose = |k: u64| (0..k).fold(1, |c, i| c * (n - i) / (i + 1));
-        let term = |k: u64| format!("{} {} V(x + {k} h)", if (n - k) % 2 == 0 { "+" } else { "-" }, choose(k));
+        let term = |k: u64| format!("{} {} V(x + {k} h)", if (n - k).is_multiple_of(2) { "+" } else { "-" }, choose(k));
         (0..=n).map(term).collect::<String>()
     };
     for (of_polynomials, verdict) in [

@@ -182,7 +182,7 @@ fn joins_digits(items: &[Item], at: usize) -> bool {
     let touches = items[at - 1].span.end == items[at].span.start && items[at].span.end == items[at + 1].span.start;
     let is_part = |before: usize, after: usize| match (digits(before), digits(after)) {
         (Some(_), Some(3)) => true,
-        (Some(_), Some(_)) => !is_comma(after + 1) && !(before > 0 && is_comma(before - 1)),
+        (Some(_), Some(_)) => !(is_comma(after + 1) || before > 0 && is_comma(before - 1)),
         _ => false,
     };
     touches && is_part(at - 1, at + 1)
