@@ -8,7 +8,7 @@ use crate::unaided::page;
 /// The verdict on the last display of a page, and the text of its first correction.
 fn last(name: &str, displays: &[&str]) -> (String, Option<String>) {
     let desk = Desk::new(&format!("unaided-solutions-{name}"));
-    desk.write("notes.md", &page(displays));
+    desk.write("notes.md", page(displays));
     let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
     let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
     let equations = report["documents"][0]["equations"].as_array().expect("a list").clone();
