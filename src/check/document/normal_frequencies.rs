@@ -1,10 +1,11 @@
-//! Normal frequencies: names for the ω with det(K − ω²M) = 0, where K and M are the second derivatives of −L and of L by the
-//! coordinates and by the velocities, with all coordinates at 0 and at rest.
+//! The frequency of small oscillations of one coordinate: a name for the ω with K − ω²M = 0, where K and M are the second
+//! derivatives of −L and of L by the coordinate and by the velocity, with the coordinate at 0 and at rest.
 //!
-//! The condition is a hypothesis on shell, so what is printed of ω must hold for each root.
+//! With several coordinates the condition det(K − ω²M) = 0 has several roots, and a state that solves it may always be at the
+//! same one. What holds for one root would pass, so this is rejected.
 
 use crate::formula::derivative::{self, Scope};
-use crate::formula::tree::{MatrixFunction, Variable};
+use crate::formula::tree::Variable;
 use crate::formula::{Expr, Node, Relation, SymbolId, text};
 use crate::source::Span;
 use crate::{Error, Result};
@@ -15,35 +16,24 @@ use crate::check::model::claim::{Hypothesis, Link};
 /// The conditions that the normal frequencies of the document obey.
 ///
 /// # Errors
-/// Where the Lagrangian has no such derivatives as formulas, or couples coordinates to velocities.
+/// Where the Lagrangian has several coordinates, or no such derivatives as formulas.
 pub(crate) fn conditions(model: &Model, lagrangian: SymbolId) -> Result<Vec<Hypothesis>> {
     let Some(first) = model.normal_frequencies.first() else { return Ok(Vec::new()) };
     let name = text::plain(&model.name(*first));
     let unsupported = |what: &str| Error::new(format!("{name} is no normal frequency: {what}"));
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
-    let second = |a: (SymbolId, u8), b: (SymbolId, u8)| at_rest(model, lagrangian, [a, b], &coordinates);
+    let [only] = coordinates.as_slice() else {
+        return Err(unsupported("the Lagrangian has more than one coordinate, and so several of them")
+            .help("declare it as a constant, and claim that it solves the printed secular equation, with \"solves\""));
+    };
+    let second = |a: u8, b: u8| {
+        let found = at_rest(model, lagrangian, [(*only, a), (*only, b)], &coordinates);
+        found.ok_or_else(|| unsupported("the Lagrangian has no second derivatives as formulas"))
+    };
     let mut conditions = Vec::new();
     for omega in &model.normal_frequencies {
-        let mut rows = Vec::new();
-        for a in &coordinates {
-            let mut row = Vec::new();
-            for b in &coordinates {
-                let no_derivative = || unsupported("the Lagrangian has no second derivatives as formulas");
-                let stiffness = second((*a, 0), (*b, 0)).ok_or_else(no_derivative)?.negated();
-                let mass = second((*a, 1), (*b, 1)).ok_or_else(no_derivative)?;
-                if !second((*a, 0), (*b, 1)).ok_or_else(no_derivative)?.is_zero() {
-                    return Err(unsupported("the Lagrangian couples coordinates to velocities"));
-                }
-                let omega = symbol(*omega, 0);
-                let square = node(Node::Power(Box::new(omega), Box::new(number(2))));
-                row.push(stiffness.minus(node(Node::Product(vec![square, mass]))));
-            }
-            rows.push(row);
-        }
-        let lhs = match rows.as_mut_slice() {
-            [row] => row.remove(0),
-            _ => node(Node::OfMatrix(MatrixFunction::Determinant, Box::new(node(Node::Matrix(rows))))),
-        };
+        let square = node(Node::Power(Box::new(symbol(*omega, 0)), Box::new(number(2))));
+        let lhs = second(0, 0)?.negated().minus(node(Node::Product(vec![square, second(1, 1)?])));
         let link = Link { lhs, relation: Relation::Equal, rhs: number(0), free: Vec::new() };
         conditions.push(Hypothesis::of(link, false));
     }
