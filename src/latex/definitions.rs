@@ -108,7 +108,7 @@ impl Unknown {
         let mut name = |item: &Item, squared: bool| {
             let printed = names::printed(item, branch).filter(|printed| printed.dots == 0)?;
             let reserved = printed.name.subscript.is_empty() && ["d", "\\pi"].contains(&printed.name.base.as_str())
-                || place != Place::First && is_number_by_custom(&printed.name)
+                || (squared || place != Place::First) && is_number_by_custom(&printed.name)
                 || Some(&printed.name) == symbols.time.as_ref();
             let raised = match printed.sup {
                 None => !squared,

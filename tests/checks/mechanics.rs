@@ -383,7 +383,7 @@ fn claims_about_a_part_a_row_and_a_step() {
     let rows = [SPRING, r"\begin{aligned} m\ddot x &= -k x \\ x &= 0 \end{aligned}"];
     assert!(ok(&rows, json!({ "2 row 2": at_rest })));
     assert!(!ok(&rows, json!({ "2 row 1": at_rest })));
-    let chain = [SPRING, r"-m\ddot x = k x = 0"];
+    let chain = [SPRING, r"-\frac{m}{k}\ddot x = x = 0"];
     assert!(ok(&chain, json!({ "2 step 2": at_rest })));
     assert!(!ok(&chain, json!({ "2 step 1": at_rest })));
     // What is expected of a part concerns that part.

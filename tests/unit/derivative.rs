@@ -45,7 +45,10 @@ proptest! {
         let symbols = table(true);
         let by = Variable { id: SymbolId(at), indices: Vec::new(), dots };
         let scope = Scope { symbols: &symbols, fixed: &[] };
-        let found = partial(&expr, &by, scope, Span::default()).expect("formulas of numbers have derivatives");
+        let found = match partial(&expr, &by, scope, Span::default()) {
+            Err(NoDerivative::Operation("a formula as long as this")) => return Ok(()),
+            found => found.expect("formulas of numbers have derivatives"),
+        };
         let derivative = over_duals(&found, &symbols, &by).map(|value| value.re);
         if let (Some(dual), Some(derivative)) = (over_duals(&expr, &symbols, &by), derivative) {
             prop_assert!(agree(dual.eps, derivative), "{} and {}", dual.eps, derivative);
@@ -56,7 +59,11 @@ proptest! {
     fn a_rate_is_linear_in_the_rates_of_the_letters(expr in open()) {
         let symbols = table(true);
         let scope = Scope { symbols: &symbols, fixed: &[] };
-        let found = rate(&expr, scope, Span::default()).expect("formulas of numbers have rates");
+        let found = match rate(&expr, scope, Span::default()) {
+            // Powers within powers have rates of many thousand parts.
+            Err(NoDerivative::Operation("a formula as long as this")) => return Ok(()),
+            found => found.expect("formulas of numbers have rates"),
+        };
         let by = |at: usize, dots: u8| Variable { id: SymbolId(at), indices: Vec::new(), dots };
         let mut sum = 0.0;
         for at in 0..SCALARS.len() {

@@ -90,11 +90,43 @@ pub(crate) fn of_the_lagrangian(model: &mut Model, symbol: SymbolId) -> bool {
         return false;
     }
     let Some(law) = euler_lagrange(&changed, symbol) else { return false };
+    // λ(r − a) = 0 holds with λ = 0 or with r = a, and a state that solves it is always at one of the two.
+    if law.hypotheses.iter().any(|equation| may_have_branches(&changed, equation)) {
+        return false;
+    }
     changed.laws.push(law);
     let shown = text::plain(&changed.name(symbol));
     changed.inferred.push(format!("{shown} does not give all accelerations, so its equations of motion hold as laws"));
     *model = changed;
     true
+}
+
+/// Whether an equation may be met in more than one way: it has no derivative and is not linear in the coordinates, or it is a
+/// product of several factors that vary.
+fn may_have_branches(model: &Model, equation: &Hypothesis) -> bool {
+    let coordinates: Vec<SymbolId> = model.symbols.canonical.iter().map(|(q, _)| *q).collect();
+    let varies = |expr: &Expr| model.depends_on(expr, &coordinates);
+    let is_product = |expr: &Expr| match &expr.node {
+        Node::Product(factors) => factors.iter().filter(|factor| varies(factor)).count() > 1,
+        _ => false,
+    };
+    let is_one_product = match &equation.lhs.node {
+        Node::Sum(terms) => matches!(terms.as_slice(), [only] if is_product(&only.expr)),
+        _ => is_product(&equation.lhs),
+    };
+    if derivatives(&equation.lhs, model) > 0 || derivatives(&equation.rhs, model) > 0 {
+        return is_one_product;
+    }
+    let scope = Scope { symbols: &model.symbols, fixed: &coordinates };
+    let by = |expr: &Expr, id: SymbolId| {
+        let by = Variable { id, indices: Vec::new(), dots: 0 };
+        derivative::partial(expr, &by, scope, Span::default()).ok()
+    };
+    let is_linear = coordinates.iter().all(|a| {
+        let first = by(&equation.lhs, *a);
+        coordinates.iter().all(|b| first.as_ref().and_then(|first| by(first, *b)).is_some_and(|both| both.is_zero()))
+    });
+    !is_linear
 }
 
 /// Forms the laws again, with the definitions as they are now; returns whether there are any.

@@ -158,8 +158,10 @@ fn ways(used: &[Usage], known: &Names, declared: &Letters) -> Vec<Letters> {
                     next.push((cost + more, way));
                 }
             }
-            // Each name may also be one of the student's own.
-            next.push((cost + own, way.clone()));
+            // Each name may also be one of the student's own; i is the current that the problem has, if it has one.
+            if usage.name.base != "i" || options.is_empty() {
+                next.push((cost + own, way.clone()));
+            }
         }
         next.sort_by_key(|(cost, _)| *cost);
         next.truncate(WAYS * 4);

@@ -221,7 +221,6 @@ fn what_is_no_lagrangian_is_refused_with_its_place_and_advice() {
             json!({ "varies with time": { "f": "any" } }),
             &["f, which varies freely", "of t"],
         ),
-        ("accelerated", r"L = \frac12 m \theta \ddot\theta", json!({}), &["L contains accelerations"]),
         ("circle", r"L = \frac12 p_\theta^2", json!({}), &["L contains p_θ, which follows from L"]),
     ] {
         let mut all = pendulum();
