@@ -322,3 +322,19 @@ fn settings_before_a_page_and_literal_blocks_are_no_displays() {
     let (equations, code) = report("literal", "notes.rst", rest);
     assert_eq!((equations.len(), code), (1, 1));
 }
+
+#[test]
+fn a_lagrangian_is_known_by_the_squares_of_its_rates() {
+    let lagrangian = r"L = \frac12 \mu \dot r^2 + \frac12 \mu r^2 \dot\varphi^2 + \frac{k}{r}";
+    let momentum = r"\ell = \mu r^2 \dot\varphi";
+    let last = |name: &str, displays: &[&str]| {
+        let (equations, _) = report(name, "notes.md", &page(displays));
+        equations.last().expect("a display")["verdict"].clone()
+    };
+    let radial = r"\mu \ddot r = \frac{\ell^2}{\mu r^3} - \frac{k}{r^2}";
+    assert_eq!(last("squares", &[lagrangian, momentum, radial]), "certified");
+    let wrong = radial.replace("- \\frac", "+ \\frac");
+    assert_eq!(last("squares-wrong", &[lagrangian, momentum, &wrong]), "refuted");
+    // An angular momentum is no Lagrangian.
+    assert_eq!(last("no-squares", &[r"L = \mu r^2 \dot\varphi", radial]), "assumed");
+}

@@ -77,7 +77,8 @@ fn missing(readings: &[crate::latex::Reading]) -> Vec<String> {
     readings.iter().flat_map(|reading| faults(reading).filter_map(of).collect::<Vec<_>>()).collect()
 }
 
-/// The name of the Lagrangian, if a display defines one and the notes speak of it or differentiate it.
+/// The name of the Lagrangian, if a display defines one, and the notes speak of it, differentiate it, or square a rate in it: an
+/// angular momentum has no such square.
 fn lagrangian<'u>(notes: &Notes, usages: &'u [Usage]) -> Option<&'u Name> {
     let text = &notes.source.text;
     let is_spoken_of = text.contains("agrangian") || text.contains("Euler--Lagrange") || text.contains("\\partial L");
@@ -85,7 +86,23 @@ fn lagrangian<'u>(notes: &Notes, usages: &'u [Usage]) -> Option<&'u Name> {
         ["L", "\\mathcal{L}"].contains(&usage.name.base.as_str()) && usage.name.subscript.is_empty() && defined(usage)
     };
     let moves = usages.iter().any(|usage| usage.moves);
-    usages.iter().find(is_it).filter(|_| is_spoken_of && moves).map(|usage| &usage.name)
+    let is_kinetic = |usage: &&Usage| {
+        usage.introduced.and_then(|at| notes.equations.get(at)).is_some_and(|display| squares_a_rate(&display.text))
+    };
+    usages.iter().find(is_it).filter(|usage| moves && (is_spoken_of || is_kinetic(usage))).map(|usage| &usage.name)
+}
+
+/// Whether a text has a dotted name with the power 2: `\dot x^2`, `\dot{\theta}_1^{2}`.
+fn squares_a_rate(text: &str) -> bool {
+    text.split("\\dot").skip(1).any(|after| {
+        let after = after.trim_start_matches(['{', ' ']);
+        let name = after.trim_start_matches('\\').trim_start_matches(|c: char| c.is_ascii_alphabetic());
+        let script = name.trim_start_matches('}').trim_start();
+        let script = script.strip_prefix('_').map_or(script, |index| {
+            index.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || "{}\\".contains(c))
+        });
+        script.starts_with("^2") || script.starts_with("^{2}")
+    })
 }
 
 /// A coordinate that is a multiple of another one, x = Rφ, where the Lagrangian is differentiated by the first.
