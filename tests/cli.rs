@@ -41,6 +41,8 @@ mod report;
 mod reprint;
 #[path = "cli/requests.rs"]
 mod requests;
+#[path = "cli/schema.rs"]
+mod schema;
 #[path = "cli/steps.rs"]
 mod steps;
 #[path = "cli/strangers.rs"]

@@ -18,6 +18,7 @@ mod mutate;
 mod outcome;
 mod progress;
 mod read;
+mod schema;
 mod teaching;
 mod terminal;
 
@@ -57,6 +58,7 @@ enum Command {
     Plot(plot::Arguments),
     Read(read::Arguments),
     Report(report::Arguments),
+    Schema(schema::Arguments),
     Watch(watch::Arguments),
 }
 
@@ -79,6 +81,7 @@ pub fn run(registry: &Registry) -> ExitCode {
         Ok(Command::Plot(arguments)) => plot::run(&arguments, registry, screen),
         Ok(Command::Read(arguments)) => read::run(&arguments, screen),
         Ok(Command::Report(arguments)) => report::run(&arguments, registry, screen),
+        Ok(Command::Schema(arguments)) => schema::run(&arguments),
         Ok(Command::Watch(arguments)) => watch::run(&arguments, registry, screen),
         // Help and the version are no failure.
         Err(help) if !help.use_stderr() => Outcome::done(help.render().to_string()),

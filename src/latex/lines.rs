@@ -1,14 +1,19 @@
 //! The lines of a display, as a reader sees them: each statement, and each row of a chain that runs over several rows.
 
+#[cfg(feature = "cli")]
 use std::collections::HashMap;
 
 use crate::source::Span;
 
-use super::layout::{Item, typeset_items};
+#[cfg(feature = "cli")]
+use super::layout::Item;
+use super::layout::typeset_items;
 use super::macros::Macros;
 use super::pieces::{Piece, pieces};
+#[cfg(feature = "cli")]
 use super::rows::rows;
 
+#[cfg(feature = "cli")]
 /// A line of a display. All places are bytes of its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
@@ -20,6 +25,7 @@ pub struct Line {
     pub is_statement: bool,
 }
 
+#[cfg(feature = "cli")]
 /// The lines of a display; none, if it cannot be typeset.
 pub fn lines(text: &str, macros: &Macros) -> Vec<Line> {
     let Ok(items) = typeset_items(text, macros) else { return Vec::new() };
@@ -117,7 +123,7 @@ fn is_separator(text: &str) -> bool {
     true
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 mod tests {
     use super::*;
 

@@ -22,12 +22,13 @@
 
 #[cfg(feature = "notes")]
 pub mod definitions;
+#[cfg(feature = "cli")]
 pub mod foreign;
 #[cfg(feature = "notes")]
 mod inference;
 pub mod layout;
 pub mod lexer;
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 pub mod lines;
 #[cfg(feature = "notes")]
 pub mod macros;

@@ -12,6 +12,8 @@ mod continua;
 mod fields;
 mod range;
 mod rubric;
+#[cfg(feature = "cli")]
+pub mod schema;
 mod sentence;
 mod vectors;
 

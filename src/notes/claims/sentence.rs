@@ -84,9 +84,10 @@ pub enum Sign {
     Changes,
 }
 
-const KEYS: &[&str] = &["name", "quote", "in", "against", "claim", "not always", "of", "refers to", "containing"];
+pub(super) const KEYS: &[&str] =
+    &["name", "quote", "in", "against", "claim", "not always", "of", "refers to", "containing"];
 /// Keys that need `of`.
-const OF: &[&str] =
+pub(super) const OF: &[&str] =
     &["independent of", "sign", "minima", "maxima", "tends to", "rises with", "falls with", "solutions"];
 
 /// Reads a sentence.

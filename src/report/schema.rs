@@ -1,0 +1,121 @@
+//! The JSON Schema of the report of `onshell check --format json`.
+//!
+//! [`super::json`] writes the report, and the tests hold every report against this schema.
+
+use serde_json::{Value, json};
+
+use crate::check::Verdict;
+
+/// The JSON Schema, draft 2020-12. New fields may come at any time, so other fields are allowed.
+#[must_use]
+pub fn report() -> Value {
+    let number = json!({ "description": "Infinities and NaN are words.", "type": ["number", "string"] });
+    let maybe = |schema: Value| json!({ "anyOf": [schema, { "type": "null" }] });
+    let count = json!({ "type": "integer", "minimum": 0 });
+    let place = json!({
+        "type": "object",
+        "properties": { "start": count, "end": count, "line": count, "column": count },
+        "required": ["start", "end", "line", "column"]
+    });
+    let formula = json!({
+        "type": "object",
+        "properties": { "latex": { "type": "string" }, "text": { "type": "string" } },
+        "required": ["latex", "text"]
+    });
+    let verdicts: Vec<&str> = Verdict::ALL.iter().map(|verdict| verdict.word()).collect();
+    let finding = json!({
+        "id": { "type": "string" },
+        "code": { "type": "string" },
+        "file": { "type": "string" },
+        "line": count,
+        "column": count,
+        "span": { "$ref": "#/$defs/span" },
+        "latex": { "type": "string" },
+        "reading": { "type": "string" },
+        "verdict": { "enum": verdicts },
+        "ok": { "type": "boolean" },
+        "points": count,
+        "tried": count,
+        "max_residual": maybe(number.clone()),
+        "false_accept_log2": maybe(json!({ "type": "number" })),
+        "not_certified_because": maybe(json!({ "type": "string" })),
+        "message": { "type": "string" },
+        "counterexample": maybe(json!({ "$ref": "#/$defs/counterexample" })),
+        "difference": maybe(formula.clone()),
+        "derived": maybe(formula.clone()),
+        "missing": { "type": "array", "items": formula },
+        "repairs": { "type": "array", "items": { "$ref": "#/$defs/repair" } },
+        "elsewhere": { "type": "array", "items": { "type": "string" } },
+        "parts": { "type": "array", "items": { "$ref": "#/$defs/finding" } }
+    });
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "onshell report",
+        "description": "What `onshell check --format json` prints.",
+        "type": "object",
+        "properties": {
+            "schema": { "const": 1 },
+            "documents": { "type": "array", "items": { "$ref": "#/$defs/document" } },
+            "errors": { "type": "array", "items": { "$ref": "#/$defs/error" } },
+            "summary": { "type": "object", "additionalProperties": count },
+            "error": { "$ref": "#/$defs/error" }
+        },
+        "required": ["schema"],
+        "$defs": {
+            "span": place,
+            "document": {
+                "type": "object",
+                "properties": {
+                    "path": { "type": "string" },
+                    "claims": { "type": "string" },
+                    "inferred": { "type": "array", "items": { "type": "string" } },
+                    "unnumbered": count,
+                    "equations": { "type": "array", "items": { "$ref": "#/$defs/finding" } },
+                    "sentences": { "type": "array", "items": { "$ref": "#/$defs/finding" } }
+                },
+                "required": ["path", "inferred", "unnumbered", "equations", "sentences"]
+            },
+            "finding": {
+                "type": "object",
+                "properties": finding,
+                "required": ["id", "code", "file", "line", "column", "span", "latex", "reading", "verdict", "ok", "message"]
+            },
+            "counterexample": {
+                "type": "object",
+                "properties": {
+                    "state": { "type": "object", "additionalProperties": number },
+                    "lhs": number,
+                    "rhs": number,
+                    "entry": maybe(json!({ "type": "string" }))
+                },
+                "required": ["state", "lhs", "rhs"]
+            },
+            "repair": {
+                "description": "An edit of the file: the bytes from start to end become the replacement.",
+                "type": "object",
+                "properties": {
+                    "start": count,
+                    "end": count,
+                    "replacement": { "type": "string" },
+                    "slip": { "type": "string" },
+                    "verdict": { "enum": verdicts },
+                    "step": { "type": "boolean" }
+                },
+                "required": ["start", "end", "replacement", "slip", "verdict"]
+            },
+            "error": {
+                "type": "object",
+                "properties": {
+                    "code": { "type": "string" },
+                    "message": { "type": "string" },
+                    "help": maybe(json!({ "type": "string" })),
+                    "file": { "type": "string" },
+                    "line": count,
+                    "column": count,
+                    "span": { "$ref": "#/$defs/span" }
+                },
+                "required": ["code", "message"]
+            }
+        }
+    })
+}
