@@ -61,9 +61,11 @@ impl Checker<'_> {
             let symbol = self.symbol(unknown)?;
             let name = text::plain(&self.model.name(symbol));
             let branches: Vec<Expr> = statements.iter().filter_map(|s| s.members.last().cloned()).collect();
-            let finding = solves::check(&target, symbol, &branches, &context)?;
-            parts.push(self.part(finding, format!("all solutions of ({}) for {name}", address.value)));
-            if branches.len() > 1 {
+            if solves.complete {
+                let finding = solves::check(&target, symbol, &branches, &context)?;
+                parts.push(self.part(finding, format!("all solutions of ({}) for {name}", address.value)));
+            }
+            if branches.len() > 1 || !solves.complete {
                 for (statement, branch) in statements.iter().zip(&branches) {
                     let span = statement.span.shifted(offset);
                     let of_branch = Context { span, ..context };

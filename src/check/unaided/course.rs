@@ -18,6 +18,8 @@ use crate::check::unaided::premises::{self, Premise};
 use crate::check::unaided::prose::{self, Announced, Words};
 use crate::check::unaided::scope::Scope;
 use crate::check::unaided::screen;
+use crate::check::unaided::signs::{self, Positive};
+use crate::check::unaided::solutions;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, SymbolId, text};
@@ -161,16 +163,42 @@ impl Course<'_, '_> {
         };
         let words = prose::before(self.checker.notes, at);
         let sets = premises::sets(&self.known, &symbols, &words.named);
+        let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
+        if let Some(positive) = &positive
+            && let Some(follows) = self.follows_where(at, positive, claim)?
+        {
+            return Ok(gate::as_it_counts(follows));
+        }
         for set in &sets {
-            if let Some(follows) = self.follows_from(at, set)? {
+            if let Some(follows) = self.follows_from(at, set, positive.as_ref())? {
                 return Ok(gate::as_it_counts(follows));
+            }
+        }
+        let solved = solutions::solved((at, &symbols), &self.known, self.checker.readings, self.checker.model);
+        for solution in &solved {
+            let found = self.equation(&self.quick, at, &solution.claim)?;
+            if found.finding.verdict.passes() {
+                // What is solved says more than the relation did: it is a premise too.
+                let found = solution.found(found);
+                self.take_for_granted(at);
+                return Ok(gate::as_it_counts(found));
             }
         }
         if let Some(wrong) = self.slip(at, claim, &[], &words)? {
             return Ok(wrong);
         }
+        if let Some(positive) = &positive
+            && let Some(wrong) = self.slip(at, &positive.added_to(claim), &[], &words)?
+        {
+            return Ok(wrong);
+        }
         for set in sets.iter().take(SETS_FOR_SLIPS) {
             if let Some(wrong) = self.slip(at, &premises::claim(set), set, &words)? {
+                return Ok(wrong);
+            }
+        }
+        for solution in solved.iter().filter(|solution| solution.same_symbols).take(SETS_FOR_SLIPS) {
+            if let Some(wrong) = self.slip(at, &solution.claim, &[solution.of], &words)? {
                 return Ok(wrong);
             }
         }
@@ -221,21 +249,36 @@ impl Course<'_, '_> {
         Some(found)
     }
 
-    /// The finding that a display follows from premises, if it does.
-    fn follows_from(&self, at: usize, set: &[&Premise]) -> Result<Option<Equation>> {
+    /// The finding that a display follows from premises, if it does, perhaps only where some constants are positive.
+    fn follows_from(&self, at: usize, set: &[&Premise], positive: Option<&Positive>) -> Result<Option<Equation>> {
         let claim = premises::claim(set);
-        if !screen::may_follow(&self.quick, at, &claim)? {
+        let mut found = self.passes(at, &claim)?;
+        if found.is_none()
+            && let Some(positive) = positive
+        {
+            found = self.follows_where(at, positive, &claim)?;
+        }
+        Ok(found.map(|mut found| {
+            found.finding.message = match found.finding.message.as_str() {
+                "" => format!("follows from {}", named(set)),
+                message => format!("{message}; it follows from {}", named(set)),
+            };
+            found
+        }))
+    }
+
+    /// The finding that a display holds where some constants are positive, if it does.
+    fn follows_where(&self, at: usize, positive: &Positive, claim: &Claim) -> Result<Option<Equation>> {
+        let found = self.passes(at, &positive.added_to(claim))?;
+        Ok(found.map(|found| positive.found(found)))
+    }
+
+    /// The finding that a display passes with a claim, if it does.
+    fn passes(&self, at: usize, claim: &Claim) -> Result<Option<Equation>> {
+        if !screen::may_follow(&self.quick, at, claim)? {
             return Ok(None);
         }
-        let mut found = self.equation(&self.quick, at, &claim)?;
-        if !found.finding.verdict.passes() {
-            return Ok(None);
-        }
-        found.finding.message = match found.finding.message.as_str() {
-            "" => format!("follows from {}", named(set)),
-            message => format!("{message}; it follows from {}", named(set)),
-        };
-        Ok(Some(found))
+        Ok(Some(self.equation(&self.quick, at, claim)?).filter(|found| found.finding.verdict.passes()))
     }
 
     /// The finding that a display is wrong, if a likely slip separates it from what follows.
@@ -243,6 +286,7 @@ impl Course<'_, '_> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         let (basis, search) = match set {
             [] => (Basis::Definitions, Search::Thorough),
+            _ if claim.solves.is_some() => (Basis::Solution, Search::Likely),
             [_] => (Basis::Premise, Search::Likely),
             _ => (Basis::Premises, Search::Likely),
         };
@@ -257,7 +301,8 @@ impl Course<'_, '_> {
             return Ok(None);
         }
         let mut repairs = checker.own_repairs(at, &quick, claim, search)?;
-        let around = gate::Around { model: checker.model, before: &self.seen, basis, words, solves };
+        let is_solution = solves || basis == Basis::Solution;
+        let around = gate::Around { model: checker.model, before: &self.seen, basis, words, solves: is_solution };
         repairs.retain(|repair| gate::is_likely(repair, display, &around));
         if solves && repairs.is_empty() {
             repairs = checker.repairs_of_own_definition(self.run, at)?;
@@ -268,7 +313,10 @@ impl Course<'_, '_> {
         }
         let mut found = Equation { repairs, ..self.equation(checker, at, claim)? };
         if !set.is_empty() {
-            found.finding.message = format!("{}, given {}", found.finding.message, named(set));
+            found.finding.message = match basis {
+                Basis::Solution => format!("this does not solve {}", named(set)),
+                _ => format!("{}, given {}", found.finding.message, named(set)),
+            };
         }
         Ok(Some(found))
     }

@@ -33,6 +33,8 @@ pub(super) enum Basis {
     Premise,
     /// Several of them.
     Premises,
+    /// One relation that the display solves for a symbol.
+    Solution,
 }
 
 /// What stands around a display.
@@ -45,7 +47,7 @@ pub(super) struct Around<'a> {
     pub basis: Basis,
     /// The words before the display.
     pub words: &'a Words,
-    /// Whether the display prints a solution of an equation of motion, which is a claim and no definition.
+    /// Whether the display prints a solution of an equation, which is a claim and no definition.
     pub solves: bool,
 }
 

@@ -29,6 +29,8 @@ mod scope;
 #[cfg(feature = "cli")]
 mod scopes;
 mod screen;
+mod signs;
+mod solutions;
 
 use std::collections::HashSet;
 

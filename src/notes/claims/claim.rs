@@ -89,6 +89,8 @@ pub struct Solves {
     pub of: Solved,
     /// For which unknowns.
     pub unknowns: Vec<Spanned<String>>,
+    /// Whether the printed branches must be all solutions.
+    pub complete: bool,
 }
 
 /// What is solved.
@@ -296,7 +298,7 @@ fn solves(fields: &Fields<'_>, source: &Source) -> Result<Option<Solves>, Fault>
         "equations of motion" => Solved::EquationsOfMotion(of.span),
         _ => Solved::Equation(Address::parse(&of, source)?),
     };
-    Ok(Some(Solves { of, unknowns: fields.texts("for")? }))
+    Ok(Some(Solves { of, unknowns: fields.texts("for")?, complete: true }))
 }
 
 fn limit(fields: &Fields<'_>) -> Result<Option<Text>, Fault> {

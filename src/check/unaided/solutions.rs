@@ -1,0 +1,90 @@
+//! Displays that print the solutions of an earlier relation for one of its symbols, as x = −p ± √(p² − q) after
+//! x² + 2px + q = 0.
+//!
+//! Each printed branch, substituted for the symbol, must satisfy the relation. Notes may give one of several solutions, so it
+//! is not asked whether there are others.
+
+use crate::check::model::Model;
+use crate::check::model::meaning::Meaning;
+use crate::check::unaided::premises::Premise;
+use crate::check::verdict::report::Equation;
+use crate::formula::{Expr, Relation, Statement, SymbolId};
+use crate::latex::Reading;
+use crate::notes::Address;
+use crate::notes::claims::{Claim, Solved, Solves, Spanned};
+use crate::source::Span;
+
+/// The most relations that a display is taken to solve.
+const MOST: usize = 3;
+
+/// A relation that a display may solve.
+pub(super) struct Solution<'p> {
+    /// The relation.
+    pub of: &'p Premise,
+    /// The claim that the display solves it.
+    pub claim: Claim,
+    /// Whether the display relates the same symbols, and the relation is no formula for the unknown already. What relates
+    /// fewer may be a special case.
+    pub same_symbols: bool,
+}
+
+/// The last relations before a display that contain the one symbol for which it gives a formula. `symbols` are those of the
+/// display; `readings` are the readings of all displays.
+pub(super) fn solved<'p>(
+    (at, symbols): (usize, &[SymbolId]),
+    known: &'p [Premise],
+    readings: &[Reading],
+    model: &Model,
+) -> Vec<Solution<'p>> {
+    let Some(unknown) = unknown(&readings[at], model) else { return Vec::new() };
+    let name = model.name(unknown);
+    let about = known.iter().rev().filter(|premise| premise.symbols.contains(&unknown));
+    about
+        .take(MOST)
+        .map(|of| {
+            let address = Address { text: of.id.clone(), span: Span::default(), items: Vec::new() };
+            let unknowns = vec![Spanned::new(name.clone(), Span::default())];
+            let solves = Some(Solves { of: Solved::Equation(address), unknowns, complete: false });
+            let is_same = of.symbols.len() == symbols.len() && of.symbols.iter().all(|id| symbols.contains(id));
+            let same_symbols = is_same && !is_formula(&readings[of.at], unknown);
+            Solution { of, claim: Claim { solves, ..Claim::default() }, same_symbols }
+        })
+        .collect()
+}
+
+/// Whether a display gives a formula for a symbol.
+fn is_formula(reading: &Reading, id: SymbolId) -> bool {
+    let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+    members.filter_map(Expr::as_plain_symbol).any(|member| member == id)
+}
+
+/// The symbol for which each statement of a display gives a formula that does not contain it.
+fn unknown(reading: &Reading, model: &Model) -> Option<SymbolId> {
+    let mut found = None;
+    for statement in &reading.statements {
+        let Ok(Statement { members, relations, .. }) = statement else { return None };
+        let (first, others) = members.split_first()?;
+        let id = first.as_plain_symbol()?;
+        let is_free = matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Varying(_)));
+        let contains = |member: &Expr| member.symbols().iter().any(|(other, _)| *other == id);
+        let is_equality = relations.iter().all(|(relation, _)| *relation == Relation::Equal);
+        if !is_free
+            || !is_equality
+            || others.is_empty()
+            || others.iter().any(contains)
+            || found.is_some_and(|f| f != id)
+        {
+            return None;
+        }
+        found = Some(id);
+    }
+    found
+}
+
+impl Solution<'_> {
+    /// The finding, with what is solved.
+    pub fn found(&self, mut found: Equation) -> Equation {
+        found.finding.message = format!("solves ({})", self.of.id);
+        found
+    }
+}
