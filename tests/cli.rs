@@ -51,6 +51,8 @@ mod strangers;
 mod typst;
 #[path = "cli/unaided.rs"]
 mod unaided;
+#[path = "cli/unaided_sentences.rs"]
+mod unaided_sentences;
 #[path = "cli/unaided_solutions.rs"]
 mod unaided_solutions;
 #[path = "cli/watch.rs"]

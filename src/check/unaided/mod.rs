@@ -20,6 +20,7 @@ mod draft;
 mod gate;
 #[cfg(feature = "cli")]
 mod inference;
+mod inline;
 mod laws;
 #[cfg(feature = "cli")]
 pub(super) mod names;
@@ -32,7 +33,7 @@ mod screen;
 mod signs;
 mod solutions;
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 #[cfg(feature = "cli")]
 use std::sync::Arc;
@@ -168,6 +169,7 @@ fn document(
     if let Some(only) = run.only {
         equations.retain(|equation| equation.id == only);
     }
+    let inferred = [inferred, taken_from_sentences(notes, &mut equations)].concat();
     Document {
         path: notes.source.path.clone(),
         claims: None,
@@ -181,13 +183,30 @@ fn document(
     }
 }
 
+/// Takes the formulas in sentences out of the findings; returns what they define.
+fn taken_from_sentences(notes: &Notes, equations: &mut Vec<Equation>) -> Vec<String> {
+    let inline = notes.equations.iter().filter(|display| inline::is_inline(notes, display));
+    let lines: HashMap<&str, (usize, &str)> =
+        inline.filter_map(|display| Some((display.id()?, (display.line, display.text.trim())))).collect();
+    let mut found = Vec::new();
+    equations.retain(|equation| {
+        let Some((line, text)) = lines.get(equation.id.as_str()) else { return true };
+        if matches!(equation.finding.verdict, Verdict::Definition | Verdict::Assumed) {
+            found.push(format!("{text}, as the sentence in line {line} says"));
+        }
+        false
+    });
+    found
+}
+
 /// The notes, in which each statement of a display without a number is a display of its own, each display without a number
 /// has the name `L` and its line, and no number is there twice.
 fn with_ids(notes: &Notes) -> Notes {
     let mut notes = notes.clone();
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
-    notes.equations = notes.equations.iter().flat_map(|display| statements_of(display, &notes, &macros)).collect();
+    let displays = notes.equations.iter().flat_map(|display| statements_of(display, &notes, &macros)).collect();
+    notes.equations = inline::with_definitions(&notes, displays, &macros);
     let mut known: HashSet<String> = HashSet::new();
     for display in &mut notes.equations {
         let own = display.id().filter(|id| !known.contains(*id)).map(str::to_owned);

@@ -34,6 +34,9 @@ pub(in crate::check) struct Usage {
     pub arguments: Option<Vec<Name>>,
 }
 
+/// Environments whose rows are statements.
+const ROWS: [&str; 8] = ["equation", "align", "aligned", "alignedat", "gather", "gathered", "split", "eqnarray"];
+
 /// Where an item stands.
 #[derive(Clone, Copy, Default)]
 struct Place {
@@ -46,7 +49,7 @@ struct Place {
 pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
     let (mut found, mut statements) = (Vec::new(), Vec::new());
     for (at, display) in displays.iter().enumerate() {
-        let Ok(items) = typeset_items(&display.text, macros) else { continue };
+        let Ok(items) = typeset_items(&display.text, macros).map(unwrapped) else { continue };
         let mut left = true;
         for (row, item) in items.iter().enumerate() {
             // The left side of a statement: a name alone, perhaps with arguments or a square, before the relation.
@@ -69,6 +72,35 @@ pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<U
         }
     }
     follow(&statements, &mut found);
+    found
+}
+
+/// The items of a display, where an environment that is all of it or one of its rows, as in `$$\\begin{equation}…$$`, gives its
+/// own rows.
+fn unwrapped(items: Vec<Item>) -> Vec<Item> {
+    let is_rows = |item: &Item| match &item.layout {
+        Layout::Environment(name, _) => ROWS.contains(&name.trim_end_matches('*')),
+        _ => false,
+    };
+    let mut found = Vec::with_capacity(items.len());
+    for item in items {
+        if !is_rows(&item) {
+            found.push(item);
+            continue;
+        }
+        let Item { layout: Layout::Environment(_, rows), span } = item else { continue };
+        for (row, cells) in rows.into_iter().enumerate() {
+            if row > 0 {
+                found.push(Item { layout: Layout::Row, span });
+            }
+            for (column, cell) in cells.into_iter().enumerate() {
+                if column > 0 {
+                    found.push(Item { layout: Layout::Align, span });
+                }
+                found.extend(unwrapped(cell));
+            }
+        }
+    }
     found
 }
 

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use crate::notes::Notes;
 
+use crate::check::unaided::inline::is_inline;
+
 /// The most bytes before a display that are taken for its words.
 const LONGEST: usize = 400;
 
@@ -152,7 +154,8 @@ fn cited(notes: &Notes, at: usize, words: &str) -> Vec<usize> {
 fn range(notes: &Notes, at: usize) -> Range<usize> {
     let text = &notes.source.text;
     let end = notes.equations[at].span.start;
-    let before = notes.equations[..at].iter().map(|display| display.span.end).filter(|before| *before <= end).max();
+    let displays = notes.equations[..at].iter().filter(|display| !is_inline(notes, display));
+    let before = displays.map(|display| display.span.end).filter(|before| *before <= end).max();
     let mut start = before.unwrap_or(0).max(end.saturating_sub(LONGEST));
     while !text.is_char_boundary(start) {
         start += 1;

@@ -1,0 +1,123 @@
+//! The formulas in sentences that define a name: "where $\omega^2 = k/m$", "put $2\gamma = b/m$".
+//!
+//! Such a formula becomes a display of the notes while they are judged, and is left out of the report: it is no display of the
+//! author's. Only what the words announce is taken. A condition ("if $x = x_0$"), a value and a name for a name are none, and
+//! neither is a formula of a name that displays further back use: it may be a special case.
+
+use crate::latex::Macros;
+use crate::notes::{Display, Notes};
+use crate::source::Span;
+
+use crate::check::unaided::names::{Usage, names_of};
+
+/// Words that announce a definition.
+const ANNOUNCE: [&str; 14] = [
+    "where",
+    "with",
+    "put",
+    "let",
+    "define",
+    "defining",
+    "write",
+    "writing",
+    "set",
+    "setting",
+    "introduce",
+    "introducing",
+    "denote",
+    "abbreviate",
+];
+
+/// Words after which a formula is a condition or a case.
+const CONDITION: [&str; 15] = [
+    "if", "when", "whenever", "for", "at", "as", "until", "unless", "near", "limit", "case", "assuming", "suppose",
+    "initial", "because",
+];
+
+/// The most bytes before a formula that are taken for its words.
+const LONGEST: usize = 300;
+
+/// The most words between the one that announces a definition and the formula.
+const MOST_WORDS: usize = 8;
+
+/// Whether a display is a formula in a sentence.
+pub(super) fn is_inline(notes: &Notes, display: &Display) -> bool {
+    notes.inline.contains(&display.span)
+}
+
+/// The displays of notes with the formulas in sentences that define a name, in order.
+pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &Macros) -> Vec<Display> {
+    let usages = names_of(&displays, macros);
+    let mut found = displays;
+    let mut defined: Vec<String> = Vec::new();
+    for span in &notes.inline {
+        let Some(display) = formula(notes, *span).filter(|_| is_announced(notes, *span)) else { continue };
+        let at = found.iter().position(|other| other.span.start > span.start).unwrap_or(found.len());
+        let authors = found[..at].iter().filter(|display| !is_inline(notes, display)).count();
+        let Some(name) = name(&display, macros).filter(|name| !defined.contains(name)) else { continue };
+        let is_free = |usage: &Usage| usage.introduced.is_none() && usage.first + 1 >= authors;
+        if usages.iter().find(|usage| usage.name.to_string() == name).is_some_and(is_free) {
+            defined.push(name);
+            found.insert(at, display);
+        }
+    }
+    found
+}
+
+/// The formula in a sentence as a display, if it is one equality.
+fn formula(notes: &Notes, span: Span) -> Option<Display> {
+    let text = notes.source.text.get(span.range())?;
+    let marks = [("$", "$"), ("\\(", "\\)")];
+    let (open, inner) = marks.iter().find_map(|(open, close)| {
+        Some((open.len(), text.strip_prefix(open)?.strip_suffix(close).filter(|inner| !inner.starts_with('$'))?))
+    })?;
+    let is_plain = !["%", "\n>", "\\text", "\\pm", "\\mp", "<", ">", "\\approx", "\\to", ","]
+        .iter()
+        .any(|mark| inner.contains(mark));
+    let body = Span::new(span.start + open, span.start + open + inner.len());
+    let line = 1 + notes.source.text[..span.start].matches('\n').count();
+    (is_plain && inner.matches('=').count() == 1).then(|| Display {
+        span,
+        body,
+        parts: vec![body],
+        text: inner.to_owned(),
+        number: None,
+        labels: Vec::new(),
+        automatic: Vec::new(),
+        line,
+    })
+}
+
+/// The name that a formula defines: the only one on its left side, where the right side has other names and is more than one.
+fn name(display: &Display, macros: &Macros) -> Option<String> {
+    let (left, right) = display.text.split_once('=')?;
+    let side = |text: &str| names_of(&[Display { text: text.to_owned(), ..display.clone() }], macros);
+    let (left, names) = (side(left), side(right));
+    let [only] = left.as_slice() else { return None };
+    let is_known = |usage: &Usage| ["\\pi", "t", "d"].contains(&usage.name.to_string().as_str());
+    let is_more = names.len() > 1 || right.contains(['^', '/', '+', '-']) || right.contains("\\frac");
+    let stands_alone = !only.moves && !is_known(only) && only.arguments.is_none();
+    let is_other = !names.is_empty() && names.iter().all(|usage| usage.name != only.name);
+    (stands_alone && is_other && is_more).then(|| only.name.to_string())
+}
+
+/// Whether the words before a formula in a sentence announce a definition.
+fn is_announced(notes: &Notes, span: Span) -> bool {
+    let text = &notes.source.text;
+    let start = notes.equations.iter().map(|display| display.span.end).filter(|end| *end <= span.start).max();
+    let mut from = start.unwrap_or(0).max(span.start.saturating_sub(LONGEST));
+    while !text.is_char_boundary(from) {
+        from += 1;
+    }
+    // Formulas are no words.
+    let mut words = text[from..span.start].to_owned();
+    for other in notes.inline.iter().filter(|other| other.start >= from && other.end <= span.start) {
+        words.replace_range(other.start - from..other.end - from, &" ".repeat(other.end - other.start));
+    }
+    let sentence = words.rsplit(['.', '?', '!', ';', ':']).next().unwrap_or_default();
+    let sentence = sentence.rsplit("\n\n").next().unwrap_or_default().to_lowercase();
+    let words: Vec<&str> = sentence.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).collect();
+    let last = |list: &[&str]| words.iter().rposition(|word| list.contains(word));
+    let Some(announced) = last(&ANNOUNCE) else { return false };
+    last(&CONDITION).is_none_or(|condition| condition < announced) && words.len() - announced <= MOST_WORDS
+}
