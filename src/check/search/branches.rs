@@ -12,7 +12,7 @@ use crate::check::model::claim::{Hypothesis, is_equality};
 use crate::check::model::free_symbols::drawn;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
-use crate::check::sample::sampler::{Sampler, contains};
+use crate::check::sample::sampler::contains;
 use crate::check::sample::setting::Setting;
 use crate::check::state::sampled_state::SampledState;
 
@@ -86,6 +86,7 @@ fn drawn_under<'m>(
     ensemble: &Ensemble<'m>,
 ) -> Result<Vec<SampledState<'m, RunningError>>> {
     let setting = Setting { hypotheses, ..context.setting(ensemble.mode) };
-    let mut draw = Sampler::new(context.options.seed, &format!("{}/another way", context.topic));
-    Ok(Ensemble::draw(context.model, &setting, OF_EACH, &mut draw)?.states)
+    // The same branches are sought for each correction that is tried, so these states are cached.
+    let stream = format!("{}/another way", context.topic);
+    Ok(Ensemble::named(context.model, &setting, OF_EACH, context.options.seed, &stream)?.states)
 }
