@@ -50,6 +50,9 @@ fn verdict(a: &str, b: &str) -> Result<Option<(Verdict, String)>, String> {
     let start = Instant::now();
     let found = compare(a, b, &[], Options::default());
     let elapsed = start.elapsed();
+    if elapsed > Duration::from_secs(1) {
+        println!("takes {elapsed:?}: {a} = {b}");
+    }
     if elapsed > Duration::from_secs(20) {
         return Err(format!("takes {elapsed:?}: {a} = {b}"));
     }

@@ -87,9 +87,8 @@ fn symbols(hypothesis: &Hypothesis, context: &Context<'_>) -> Vec<Expr> {
 /// common factor that vanishes, and nobody who divides by it means that state.
 fn says_something(hypothesis: &Hypothesis, state: &SampledState<'_, RunningError>) -> bool {
     let sides = [&hypothesis.lhs, &hypothesis.rhs];
-    let is_zero = |side: &&Expr| {
-        state.now(side, &[]).is_ok_and(|value| value.entries().iter().all(|entry| entry.value == 0.0))
-    };
+    let is_zero =
+        |side: &&Expr| state.now(side, &[]).is_ok_and(|value| value.entries().iter().all(|entry| entry.value == 0.0));
     sides.iter().any(|side| side.is_null()) || !sides.iter().all(is_zero)
 }
 
