@@ -7,6 +7,8 @@
 mod damage;
 #[path = "fuzz/draw.rs"]
 mod draw;
+#[path = "fuzz/nasty.rs"]
+mod nasty;
 #[path = "fuzz/pairs.rs"]
 mod pairs;
 #[path = "fuzz/tree.rs"]
@@ -124,6 +126,15 @@ fn no_text_makes_the_reader_panic() {
         let _ = Formula::read_all(&text);
         let elapsed = start.elapsed();
         if elapsed > Duration::from_secs(5) { Err(format!("takes {elapsed:?}: {text}")) } else { Ok(()) }
+    });
+}
+
+/// Searches have budgets in steps. The limit in seconds is far above what these cost, so that a loaded machine passes.
+#[test]
+fn no_short_formula_takes_long() {
+    all("hard formulas", 150, |case| {
+        let (a, b) = nasty::pair(&mut Draw::new(6, case));
+        verdict(&a, &b).map(|_| ())
     });
 }
 
