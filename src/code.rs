@@ -134,6 +134,12 @@ codes! {
     /// For example, `x^2/x = x` has no left side at `x = 0`. Restrict the range of the symbol in the claims file, or
     /// write the condition under which the equation holds.
     DomainDiffers = "domain-differs",
+    /// The equation holds on one branch of an inverse function or of a root, and on no other.
+    ///
+    /// For example, `\varphi = \arctan(y/x)` and `x = \sqrt{x^2 + y^2}\cos\varphi` hold together for `x > 0` only, since
+    /// the arctangent lies between −π/2 and π/2. Restrict the range in the claims file (for example, assume `x > 0`), or
+    /// define the angle by its cosine and its sine.
+    OneBranch = "one-branch",
     /// No state was found that obeys the hypotheses.
     ///
     /// The hypotheses may contradict each other or the declared ranges, for example `x > 1` and `x < 0`. Or they are

@@ -35,6 +35,8 @@ mod laws;
 mod mechanics;
 #[path = "checks/names.rs"]
 mod names;
+#[path = "checks/other_branches.rs"]
+mod other_branches;
 #[path = "checks/own_system.rs"]
 mod own_system;
 #[path = "checks/rates.rs"]

@@ -7,8 +7,12 @@
 mod damage;
 #[path = "fuzz/draw.rs"]
 mod draw;
+#[path = "fuzz/nasty.rs"]
+mod nasty;
 #[path = "fuzz/pairs.rs"]
 mod pairs;
+#[path = "fuzz/statements.rs"]
+mod statements;
 #[path = "fuzz/tree.rs"]
 mod tree;
 
@@ -50,6 +54,9 @@ fn verdict(a: &str, b: &str) -> Result<Option<(Verdict, String)>, String> {
     let start = Instant::now();
     let found = compare(a, b, &[], Options::default());
     let elapsed = start.elapsed();
+    if elapsed > Duration::from_secs(1) {
+        println!("takes {elapsed:?}: {a} = {b}");
+    }
     if elapsed > Duration::from_secs(20) {
         return Err(format!("takes {elapsed:?}: {a} = {b}"));
     }
@@ -121,6 +128,46 @@ fn no_text_makes_the_reader_panic() {
         let _ = Formula::read_all(&text);
         let elapsed = start.elapsed();
         if elapsed > Duration::from_secs(5) { Err(format!("takes {elapsed:?}: {text}")) } else { Ok(()) }
+    });
+}
+
+/// The verdict on a statement under its claims, with the message.
+fn judged(case: u64, is_true: bool, registry: &Registry) -> (Verdict, String) {
+    let made = statements::statement(&mut Draw::new(7, case), is_true);
+    let notes = format!("# Notes\n\n$$\n{}\n\\tag{{1}}\n$$\n", made.display);
+    match check_text(&notes, &made.claims.to_string(), registry) {
+        Ok(document) => {
+            let finding = &document.equations[0].finding;
+            (finding.verdict, format!("{}: {:?}: {}", made.display, finding.verdict, finding.message))
+        }
+        Err(error) => (Verdict::Unreadable, format!("{}: {error}", made.display)),
+    }
+}
+
+#[test]
+fn what_is_true_under_claims_is_never_refuted() {
+    let registry = Registry::standard();
+    all("true statements", 30, |case| match judged(case, true, &registry) {
+        (Verdict::Refuted | Verdict::Unreadable, message) => Err(message),
+        _ => Ok(()),
+    });
+}
+
+#[test]
+fn what_is_false_under_claims_is_never_accepted() {
+    let registry = Registry::standard();
+    all("false statements", 30, |case| match judged(case, false, &registry) {
+        (verdict, message) if verdict.passes() || verdict == Verdict::Unreadable => Err(message),
+        _ => Ok(()),
+    });
+}
+
+/// Searches have budgets in steps. The limit in seconds is far above what these cost, so that a loaded machine passes.
+#[test]
+fn no_short_formula_takes_long() {
+    all("hard formulas", 150, |case| {
+        let (a, b) = nasty::pair(&mut Draw::new(6, case));
+        verdict(&a, &b).map(|_| ())
     });
 }
 

@@ -44,12 +44,18 @@ impl Algebra {
             known[place] = self.of(*node, &known)?;
             // the cost of the next product is the product of the lengths
             done += known[place].len().pow(2);
-            if self.work.is_some_and(|most| done > most) {
-                return Err(Error::new("the expression has too many terms to be typeset")
-                    .help("ask for a simpler quantity, such as the energy or the mass matrix"));
-            }
+            self.within_work(done)?;
         }
         Ok(outputs.iter().map(|output| known[output.place() as usize].clone()).collect())
+    }
+
+    /// An error, if so much work is more than the limit.
+    fn within_work(&self, done: usize) -> Result<()> {
+        match self.work {
+            Some(most) if done > most => Err(Error::new("the expression has too many terms to be typeset")
+                .help("ask for a simpler quantity, such as the energy or the mass matrix")),
+            _ => Ok(()),
+        }
     }
 
     fn of(&mut self, node: Node, known: &[Fraction]) -> Result<Fraction> {
@@ -187,6 +193,8 @@ impl Algebra {
             let sum = sine.times(&c)?.plus(&cosine.times(&s)?, Exact::one())?;
             cosine = cosine.times(&c)?.minus(&sine.times(&s)?)?;
             sine = sum;
+            // Each term of the argument doubles the length, and the relations between sines and cosines cost its square.
+            self.within_work((sine.len() + cosine.len()).pow(2))?;
         }
         Ok((self.canonical(&sine)?, self.canonical(&cosine)?))
     }

@@ -171,6 +171,25 @@ fn nothing_true_is_called_wrong() {
     }
 }
 
+/// The premise is divided by its common factor, so the line after the wrong one follows from it.
+#[test]
+fn a_true_line_after_a_wrong_one_is_not_called_wrong() {
+    let page = |force: &str| {
+        format!(
+            "The torques about the foot give\n\n$$ S l\\sin\\beta = \\frac12 G l\\cos\\beta $$\n\nso that\n\n$$ S = {force} $$\n\n\
+             and\n\n$$ \\frac{{S}}{{G}} = \\frac{{1}}{{2\\tan\\beta}} $$\n"
+        )
+    };
+    for (name, force, wrong) in [
+        ("torque-true", r"\frac{G}{2\tan\beta}", [false, false, false]),
+        ("torque-slip", r"\frac{G}{\tan\beta}", [false, true, false]),
+    ] {
+        let (equations, _) = report(name, "notes.md", &page(force));
+        let refuted: Vec<bool> = equations.iter().map(|equation| equation["verdict"] == "refuted").collect();
+        assert_eq!(refuted, wrong, "{name}: {equations:?}");
+    }
+}
+
 /// Displays, which of them is looked at, and its verdict.
 pub const SLIPS: [(&[&str], usize, &str); 11] = [
     (&[r"(a+b)^2 = a^2 + b^2"], 0, "refuted"),

@@ -9,6 +9,7 @@ use crate::check::certificate::negligible_terms;
 use crate::check::judge::at_states::{AtStates, tested_against_mutants};
 use crate::check::judge::conclusion::conclude;
 use crate::check::judge::difference;
+use crate::check::judge::other_branches;
 use crate::check::judge::trivial::trivial;
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::order::derivatives;
@@ -147,7 +148,10 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         Ok(outcome) => outcome,
         Err(reason) => return Ok((context.unavailable(&reason), Next::Settled)),
     };
-    let finding = conclude(&states, context, &ensemble, &outcome);
+    let mut finding = conclude(&states, context, &ensemble, &outcome);
+    if finding.verdict == Verdict::Refuted && is_equality(link.relation) {
+        finding = other_branches::on_another_branch(link, context, &ensemble, finding);
+    }
     // An inequality that holds off shell is tested on shell as well, since it may fail on the motions only.
     let open = outcome.failure.is_some() || outcome.doubtful > 0 || !is_equality(link.relation);
     let next = if open { Next::OnShell } else { Next::Settled };

@@ -113,23 +113,43 @@ struct Slips<'a> {
 }
 
 impl Slips<'_> {
-    /// The copies of a formula with one mistake anywhere in it.
+    /// The copies of a formula with one mistake anywhere in it. Each is copied once, however deep the mistake is.
     fn of(&self, expr: &Expr) -> Vec<(Expr, Slip, String)> {
-        let mut slips = self.here(expr);
-        let count = expr.children().len();
-        for at in 0..count {
-            if matches!(&expr.node, Node::Power(..)) && at == 1 {
-                continue;
-            }
-            let inside = self.of(expr.children()[at]);
-            let kept = inside.into_iter().filter(|_| self.stride == 1 || count < MOST / 8 || self.is_wanted());
-            for (changed, slip, change) in kept {
-                let mut whole = expr.clone();
-                *whole.children_mut()[at] = changed;
-                slips.push((whole, slip, change));
+        let mut slips = Vec::new();
+        self.within((expr, &mut Vec::new()), expr, 0, &mut slips);
+        slips
+    }
+
+    /// The copies of a whole formula with one mistake in the part at the end of a path. `wide` counts the formulas around it
+    /// with so many parts that a sample of the mistakes in each is enough.
+    fn within(
+        &self,
+        (whole, path): (&Expr, &mut Vec<usize>),
+        part: &Expr,
+        wide: usize,
+        slips: &mut Vec<(Expr, Slip, String)>,
+    ) {
+        for (changed, slip, change) in self.here(part) {
+            if (0..wide).all(|_| self.is_wanted()) {
+                let mut copy = whole.clone();
+                let mut place = &mut copy;
+                for at in path.iter() {
+                    place = place.children_mut().swap_remove(*at);
+                }
+                *place = changed;
+                slips.push((copy, slip, change));
             }
         }
-        slips
+        let children = part.children();
+        let wide = wide + usize::from(self.stride > 1 && children.len() >= MOST / 8);
+        for (at, child) in children.into_iter().enumerate() {
+            if matches!(&part.node, Node::Power(..)) && at == 1 {
+                continue;
+            }
+            path.push(at);
+            self.within((whole, path), child, wide, slips);
+            path.pop();
+        }
     }
 
     /// Whether the next possible mistake is made.

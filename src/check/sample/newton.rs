@@ -163,8 +163,11 @@ impl<'m> Projection<'m> {
         let n = columns.len();
         let planned = DMatrix::from_fn(n, n, |i, j| columns[j][i].eps);
         let planned = (n > 0).then(|| planned.lu());
-        let (mut other, mut outside) = (None, None);
+        let (mut vanishing, mut other, mut outside): (Option<usize>, _, _) = (None, None, None);
         for slot in candidates {
+            if vanishing.is_some_and(|known| class(&self.slots[known]) > class(&self.slots[slot])) {
+                break;
+            }
             let Some(column) = self.column(base, slot, &rows)? else { continue };
             // The change of the row with the number while the planned numbers keep the planned rows constant.
             let mut moved = DVector::from_fn(n, |i, _| column[i].eps);
@@ -182,15 +185,18 @@ impl<'m> Projection<'m> {
                 // The planned numbers follow, so a number may go to 0 although the row alone leaves it elsewhere.
                 let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / change);
                 let vanishes = goes_to.abs() <= 1e-9 * base[slot].abs();
-                if !vanishes || contains(&self.slots[slot].range, 0.0) {
+                if !vanishes {
                     return Ok(Some(slot));
                 }
-                outside = outside.or(Some(slot));
+                // l (a − b) = 0 says that a = b: a number that has to vanish is a common factor, and comes after the others
+                // of its class.
+                let last = if contains(&self.slots[slot].range, 0.0) { &mut vanishing } else { &mut outside };
+                *last = last.or(Some(slot));
                 continue;
             }
             other = other.or(Some(slot));
         }
-        Ok(other.or(outside))
+        Ok(vanishing.or(other).or(outside))
     }
 
     /// The rows with their derivatives by one number of the base.

@@ -43,6 +43,9 @@ pub(crate) fn states<'m>(
             found.extend(drawn_under(&hypotheses, context, ensemble)?);
         }
     }
+    if context.options.deduction {
+        found.retain(|state| context.hypotheses.iter().all(|hypothesis| says_something(hypothesis, state)));
+    }
     Ok(found)
 }
 
@@ -78,6 +81,15 @@ fn symbols(hypothesis: &Hypothesis, context: &Context<'_>) -> Vec<Expr> {
     });
     let name = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, hypothesis.lhs.span);
     numbers.map(name).collect()
+}
+
+/// Whether a premise says something at a state. Where both of its sides are 0, and neither is written so, they have a
+/// common factor that vanishes, and nobody who divides by it means that state.
+fn says_something(hypothesis: &Hypothesis, state: &SampledState<'_, RunningError>) -> bool {
+    let sides = [&hypothesis.lhs, &hypothesis.rhs];
+    let is_zero =
+        |side: &&Expr| state.now(side, &[]).is_ok_and(|value| value.entries().iter().all(|entry| entry.value == 0.0));
+    sides.iter().any(|side| side.is_null()) || !sides.iter().all(is_zero)
 }
 
 fn drawn_under<'m>(

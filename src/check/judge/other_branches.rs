@@ -1,0 +1,273 @@
+//! Claims that hold on one branch of an inverse function or of a root, and fail on the others.
+//!
+//! With φ = arctan(y/x) the equation x = √(x² + y²) cos φ holds for x > 0. For x < 0 the angle that is meant is φ + π: the
+//! definition is a way of speaking, and the equation is no slip. The same goes for a root that a definition takes with the
+//! one sign, and for a root that solves a definition.
+//!
+//! So a claim that is refuted is tested once more at each state where it fails, with other branches there. If it holds on one
+//! at each of them, and there is a condition under which it holds as printed, the finding names this condition, and
+//! nothing is called wrong. A condition says that something is *positive*: x = −r cos φ holds for x < 0, and is a slip.
+
+use crate::code::Code;
+use crate::formula::tree::Function;
+use crate::formula::{Expr, Node, Sign, SymbolId, text};
+use crate::scalar::RunningError;
+
+use crate::check::hypotheses::rule::{Action, Rule};
+use crate::check::model::Model;
+use crate::check::model::claim::Link;
+use crate::check::model::free_symbols::drawn;
+use crate::check::model::meaning::Meaning;
+use crate::check::sample::context::Context;
+use crate::check::sample::ensemble::Ensemble;
+use crate::check::state::residual::{self, Point};
+use crate::check::state::sampled_state::SampledState;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+/// The largest depth of definitions within definitions.
+const DEEPEST: usize = 6;
+
+/// The most symbols that are replaced by their definitions.
+const MOST_REPLACED: usize = 200;
+
+/// The most functions whose branches are combined.
+const MOST_FUNCTIONS: usize = 3;
+
+/// The most conditions that are tried, and of which pairs are tried.
+const MOST_CONDITIONS: usize = 12;
+
+/// The fewest states that must obey the condition under which a claim holds.
+const FEWEST_THAT_HOLD: usize = 3;
+
+type States<'s, 'm> = &'s [SampledState<'m, RunningError>];
+
+/// A refuted finding, or in its place the finding that the claim holds on one branch.
+pub(crate) fn on_another_branch(
+    link: &Link,
+    context: &Context<'_>,
+    ensemble: &Ensemble<'_>,
+    finding: Finding,
+) -> Finding {
+    let definitions = Definitions { model: context.model, rules: &ensemble.rules };
+    let mut functions = definitions.functions_of(link);
+    if functions.is_empty() {
+        return finding;
+    }
+    let link = Link { lhs: definitions.expanded(&link.lhs), rhs: definitions.expanded(&link.rhs), ..link.clone() };
+    let outcome = |state| match residual::test(&link, state) {
+        Ok(Point::Holds(_)) => Some(true),
+        Ok(Point::Fails(_)) => Some(false),
+        _ => None,
+    };
+    let outcomes: Vec<Option<bool>> = ensemble.states.iter().map(outcome).collect();
+    let with = |wanted| outcomes.iter().filter(|outcome| **outcome == Some(wanted)).count();
+    if with(true) < FEWEST_THAT_HOLD || with(false) == 0 {
+        return finding;
+    }
+    let all_hold = |functions: &[Expr]| {
+        let variants = variants(&link, functions);
+        let holds = |state| variants.iter().any(|other| matches!(residual::test(other, state), Ok(Point::Holds(_))));
+        let mut failing = ensemble.states.iter().zip(&outcomes).filter(|(_, outcome)| **outcome == Some(false));
+        failing.all(|(state, _)| holds(state))
+    };
+    if !all_hold(&functions) {
+        return finding;
+    }
+    // Only those that are needed are named.
+    for at in (0..functions.len()).rev() {
+        let others = [&functions[..at], &functions[at + 1..]].concat();
+        if all_hold(&others) {
+            functions = others;
+        }
+    }
+    let Some(condition) = condition(&link, &functions, context.model, (&ensemble.states, &outcomes)) else {
+        return finding;
+    };
+    let names: Vec<String> = functions.iter().map(|function| text::formula(function, &context.model.symbols)).collect();
+    let message = format!("holds where {condition}; elsewhere another branch of {} is meant", names.join(" or "));
+    Finding { max_residual: None, ..finding.replaced(Code::OneBranch, Verdict::Domain, message) }
+}
+
+/// The definitions of the document and of a claim.
+struct Definitions<'a> {
+    model: &'a Model,
+    rules: &'a [Rule],
+}
+
+impl Definitions<'_> {
+    /// The formula of a symbol without indices.
+    fn of(&self, id: SymbolId) -> Option<&Expr> {
+        let by_rule = self.rules.iter().rev().find(|rule| rule.symbol == id && rule.letters.is_empty());
+        match (by_rule.map(|rule| &rule.action), self.model.meaning(id)) {
+            (Some(Action::Equals(formula)), _) => Some(formula),
+            (None, Some(Meaning::Defined(formula))) => Some(formula),
+            _ => None,
+        }
+    }
+
+    /// A formula with definitions in place of all names.
+    fn expanded(&self, formula: &Expr) -> Expr {
+        let mut expanded = formula.clone();
+        let mut left = MOST_REPLACED;
+        self.expand(&mut expanded, DEEPEST, &mut left);
+        expanded
+    }
+
+    fn expand(&self, formula: &mut Expr, depth: usize, left: &mut usize) {
+        if let Node::Symbol { id, indices, dots } = &formula.node
+            && indices.is_empty()
+            && let Some(definition) = self.of(*id)
+        {
+            if depth == 0 || *left == 0 {
+                return;
+            }
+            *left -= 1;
+            let (dots, span) = (*dots, formula.span);
+            let mut inner = definition.clone();
+            self.expand(&mut inner, depth - 1, left);
+            *formula = if dots == 0 { inner } else { Expr::new(Node::TimeDerivative(dots, Box::new(inner)), span) };
+            return;
+        }
+        formula.children_mut().into_iter().for_each(|child| self.expand(child, depth, left));
+    }
+
+    /// The functions with several branches on which a claim rests, expanded: inverse functions, and the even roots that
+    /// stand in a definition or contain a defined name.
+    fn functions_of(&self, link: &Link) -> Vec<Expr> {
+        let mut found = Vec::new();
+        let mut known = Vec::new();
+        for side in [&link.lhs, &link.rhs] {
+            self.collect(side, false, &mut known, &mut found);
+        }
+        // The likeliest first: an angle that is given by two lengths, then other angles, then roots.
+        found.sort_by_key(|function| match &function.node {
+            Node::Call(Function::Arctan, inner) if matches!(inner.node, Node::Quotient(..)) => 0,
+            Node::Call(..) => 1,
+            _ => 2,
+        });
+        found.truncate(MOST_FUNCTIONS);
+        found
+    }
+
+    fn collect(&self, formula: &Expr, is_defined: bool, known: &mut Vec<SymbolId>, into: &mut Vec<Expr>) {
+        formula.walk(&mut |part| {
+            let is_root = |inner: &Expr| is_defined || inner.symbols().iter().any(|(id, _)| self.of(*id).is_some());
+            let is_one = match &part.node {
+                Node::Call(Function::Arctan | Function::Arcsin | Function::Arccos, _) => true,
+                Node::Root(degree, inner) => degree % 2 == 0 && is_root(inner),
+                _ => false,
+            };
+            if is_one {
+                let part = self.expanded(part);
+                if !into.contains(&part) {
+                    into.push(part);
+                }
+            }
+            if let Node::Symbol { id, .. } = &part.node
+                && let Some(definition) = self.of(*id).filter(|_| !known.contains(id))
+            {
+                known.push(*id);
+                self.collect(definition, true, known, into);
+            }
+        });
+    }
+}
+
+/// The other values of a function with several branches.
+fn other_values(function: &Expr) -> Vec<Expr> {
+    let pi = |times: u32| {
+        let node = Node::Product(vec![Expr::integer(times, function.span), Expr::new(Node::Pi, function.span)]);
+        Expr::new(node, function.span)
+    };
+    let own = || function.clone();
+    match &function.node {
+        Node::Call(Function::Arctan, _) => vec![own().minus(pi(1).negated()), own().minus(pi(1))],
+        Node::Call(Function::Arcsin, _) => vec![pi(1).minus(own()), pi(1).negated().minus(own())],
+        Node::Call(Function::Arccos, _) => vec![own().negated(), pi(2).minus(own())],
+        _ => vec![own().negated()],
+    }
+}
+
+/// The claim with every combination of other branches.
+fn variants(link: &Link, functions: &[Expr]) -> Vec<Link> {
+    let mut found = vec![link.clone()];
+    for function in functions {
+        let others = other_values(function);
+        let replaced = |link: &Link, other: &Expr| {
+            let mut link = link.clone();
+            for side in [&mut link.lhs, &mut link.rhs] {
+                side.substitute(&|node| (*node == function.node).then(|| other.clone()));
+            }
+            link
+        };
+        let more: Vec<Link> = found
+            .iter()
+            .flat_map(|link| others.iter().map(|other| replaced(link, other)).collect::<Vec<_>>())
+            .collect();
+        found.extend(more);
+    }
+    found.remove(0);
+    found
+}
+
+/// A condition under which a claim holds at all states, in words.
+fn condition(
+    link: &Link,
+    functions: &[Expr],
+    model: &Model,
+    (states, outcomes): (States<'_, '_>, &[Option<bool>]),
+) -> Option<String> {
+    let mut candidates: Vec<Expr> = Vec::new();
+    let mut add = |formula: &Expr| {
+        if !candidates.contains(formula) && !formula.symbols().is_empty() {
+            candidates.push(formula.clone());
+        }
+    };
+    for function in functions {
+        if let Node::Call(Function::Arctan, inner) = &function.node
+            && let Node::Quotient(_, below) = &inner.node
+        {
+            add(below);
+        }
+    }
+    let sides = [&link.lhs, &link.rhs];
+    for id in drawn(&sides, model) {
+        add(&Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, link.lhs.span));
+    }
+    let begins_with_plus = |side: &&Expr| matches!(&side.node, Node::Sum(terms) if terms.first().is_some_and(|term| term.sign == Sign::Plus));
+    sides.into_iter().filter(begins_with_plus).for_each(&mut add);
+    for side in sides {
+        side.walk(&mut |part| {
+            if matches!(part.node, Node::Call(Function::Sin | Function::Cos | Function::Tan, _)) {
+                add(part);
+            }
+        });
+    }
+    candidates.truncate(MOST_CONDITIONS);
+    let positive = |formula: &Expr| -> Vec<bool> {
+        let is_positive = |state: &SampledState<'_, RunningError>| {
+            state.now(formula, &[]).is_ok_and(|value| value.entries().first().is_some_and(|entry| entry.value > 0.0))
+        };
+        states.iter().map(is_positive).collect()
+    };
+    let obeyed: Vec<(&Expr, Vec<bool>)> = candidates.iter().map(|formula| (formula, positive(formula))).collect();
+    let suffices = |all: &[&Vec<bool>]| {
+        let within = |at: &usize| all.iter().all(|obeyed| obeyed[*at]);
+        let inside = (0..states.len()).filter(within).map(|at| outcomes[at]);
+        let (mut count, mut holds) = (0, true);
+        inside.for_each(|outcome| {
+            count += usize::from(outcome == Some(true));
+            holds &= outcome != Some(false);
+        });
+        holds && count >= FEWEST_THAT_HOLD
+    };
+    let said = |formula: &Expr| format!("{} > 0", text::formula(formula, &model.symbols));
+    if let Some((formula, _)) = obeyed.iter().find(|(_, obeyed)| suffices(&[obeyed])) {
+        return Some(said(formula));
+    }
+    obeyed.iter().enumerate().find_map(|(at, (first, one))| {
+        let (second, _) = obeyed[at + 1..].iter().find(|(_, other)| suffices(&[one, other]))?;
+        Some(format!("{} and {}", said(first), said(second)))
+    })
+}
