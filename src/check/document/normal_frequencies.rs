@@ -62,7 +62,7 @@ pub(crate) fn exist<'f>(formulas: impl Iterator<Item = &'f Expr>, model: &Model)
         at += 1;
         if names.contains(&next) {
             let link = Link { lhs: (**square).clone(), relation: Relation::Greater, rhs: number(0), free: Vec::new() };
-            return Some(Hypothesis::of(link, false));
+            return Some(Hypothesis { implied: true, ..Hypothesis::of(link, false) });
         }
         if let Some(Meaning::Defined(formula)) = model.meaning(next) {
             let more: Vec<SymbolId> = formula.symbols().into_iter().map(|(id, _)| id).collect();
