@@ -402,3 +402,57 @@ fn one_row_that_cannot_be_read_leaves_the_others() {
     let verdicts: Vec<Verdict> = found.parts.iter().map(|part| crate::support::outcome(&part.finding)).collect();
     assert_eq!(verdicts, [Verified, Unreadable, Refuted]);
 }
+
+/// A bead on a turning hoop: at the bottom it is at rest for slow and for fast hoops, and swings only for slow ones.
+fn hoop() -> Json {
+    json!({
+        "coordinates": { r"\theta": "angle" },
+        "constants": { "m, g, R, h": "> 0", r"\Omega": "> 0", r"\theta_0": r"(0, \pi/2)" },
+        "means": { "L": "Lagrangian", r"\omega": "normal frequency" },
+    })
+}
+
+const HOOP: &str = r"L = \frac12 m R^2 (\dot\theta^2 + \Omega^2\sin^2\theta) + m g R\cos\theta";
+
+#[test]
+fn a_normal_frequency_is_a_formula_and_no_condition_of_what_does_not_contain_it() {
+    // ω² = (K/M) at 0 = g/R − Ω², by hand.
+    all(&hoop(), &[HOOP], &[(r"\omega^2 = \frac gR - \Omega^2", r"\omega^2 = \frac gR + \Omega^2")]);
+    // Its derivative follows the formula: dω/dR = −g/(2R²ω).
+    let slope = (r"\frac{d\omega}{dR} = -\frac{g}{2 R^2\omega}", r"\frac{d\omega}{dR} = 0");
+    all(&hoop(), &[HOOP], &[slope]);
+    // The bead rests at θ₀ only where the bottom is unstable, and ω does not exist.
+    let rest = |latex: &str| verdict(&hoop(), &[HOOP, latex], json!({ "2": { "throughout": r"\theta = \theta_0" } }));
+    assert_eq!(rest(r"\cos\theta_0 = \frac{g}{R\Omega^2}"), Verified);
+    assert_eq!(rest(r"\cos\theta_0 = \frac{R\Omega^2}{g}"), Refuted);
+}
+
+#[test]
+fn a_small_coordinate_may_have_a_small_rate() {
+    let claims = json!({
+        "coordinates": { r"x": "any", r"\theta": "angle" },
+        "constants": { "m, M, l, g": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let cart =
+        r"L = \frac12 (M + m)\dot x^2 + m l\dot x\dot\theta\cos\theta + \frac12 m l^2\dot\theta^2 + m g l\cos\theta";
+    let swing = |below: &str| {
+        let latex = format!(r"\ddot\theta \approx -\frac{{(M + m) g}}{{{below}}}\theta");
+        verdict(&claims, &[cart, &latex], json!({ "2": { "small": r"\theta" } }))
+    };
+    assert_eq!(swing("M l"), Verified);
+    assert_eq!(swing("m l"), Refuted);
+}
+
+#[test]
+fn each_part_of_a_display_may_be_a_solution_with_constants_of_its_own() {
+    let claims = json!({
+        "coordinates": { "x, y": "any" },
+        "constants": { r"m, k": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let before = [r"L = \frac12 m(\dot x^2 + \dot y^2) - \frac12 k(x^2 + y^2)"];
+    let ellipse =
+        |rate: &str| format!(r"x(t) = a\cos(\nu t), \quad y(t) = b\sin({rate}\nu t), \quad \nu = \sqrt{{\frac km}}");
+    all(&claims, &before, &[(&ellipse(""), &ellipse("2"))]);
+}

@@ -20,6 +20,7 @@ use crate::source::{Fault, Missing, Source};
 use crate::{Error, Result, suggest};
 
 use crate::check::document::names::{shown, symbol};
+use crate::check::document::normal_frequencies;
 use crate::check::document::units::Units;
 use crate::check::hypotheses::components;
 use crate::check::hypotheses::rule::{Action, Rule, depends_through_rules};
@@ -94,6 +95,7 @@ impl Checker<'_> {
                 hypotheses.push(Hypothesis::of(link, false));
             }
         }
+        hypotheses.extend(normal_frequencies::exist(statement.members.iter(), self.model));
         Ok(hypotheses)
     }
 

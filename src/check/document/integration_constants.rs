@@ -3,7 +3,7 @@
 //! A solution holds for every value of its constants, so nothing need be said of them in a claims file. A name that stands
 //! beside the time, as ω does in `\cos\omega t`, is no such constant: its value decides whether the solution is one.
 
-use crate::formula::{Expr, Kind, Node, SymbolId, Symbols, text};
+use crate::formula::{Expr, Kind, Node, Statement, SymbolId, Symbols, text};
 use crate::latex::{Reading, names, read_display};
 use crate::notes::claims::Range;
 use crate::source::{Fault, Missing};
@@ -27,27 +27,28 @@ pub(crate) fn declare(text: &str, reading: &Reading, model: &mut Model) -> bool 
     };
     let mut symbols = model.symbols.clone();
     let mut new: Vec<SymbolId> = Vec::new();
-    let mut reading = reading.clone();
+    let (mut reading, mut with_introduced) = (reading.clone(), symbols.clone());
     while let Some(name) = missing(&reading) {
         let Some((name, 0)) = names::parse(&name) else { return false };
         let Some(id) = symbols.add(name, Kind::Scalar).filter(|_| new.len() < MOST) else { return false };
         new.push(id);
-        reading = read_display(text, &mut symbols.clone(), &model.macros);
+        with_introduced = symbols.clone();
+        reading = read_display(text, &mut with_introduced, &model.macros);
     }
-    let is_solution = reading.introduced.is_empty() && reading.statements.len() == 1;
-    let Some(Ok(statement)) = reading.statements.first().filter(|_| is_solution && !new.is_empty()) else {
-        return false;
-    };
-    let [left, rest @ ..] = statement.members.as_slice() else { return false };
-    let is_coordinate = left.as_plain_symbol().is_some_and(|id| model.is_coordinate(id));
-    let fits = |member: &Expr| member.symbols().iter().all(|(id, _)| new.contains(id) || is_known(*id, model));
-    let all_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-    let in_time = rest.iter().any(|member| contains_time(member, &symbols));
-    let beside_time = |id: &SymbolId| rest.iter().any(|member| stands_beside_time(member, *id, false, &symbols));
-    if !is_coordinate || !all_equal || !in_time || !rest.iter().all(fits) || new.iter().any(beside_time) {
+    if new.is_empty() || reading.introduced.iter().any(|introduced| new.contains(&introduced.symbol)) {
         return false;
     }
-    let coordinate = left.as_plain_symbol().map(|id| text::plain(&model.name(id))).unwrap_or_default();
+    let statements: Option<Vec<&Statement>> =
+        reading.statements.iter().map(|statement| statement.as_ref().ok()).collect();
+    let Some(statements) = statements else { return false };
+    // The parts of a display without a constant of integration say something else: `\omega = \sqrt{g/l}`.
+    let has_new = |member: &Expr| member.symbols().iter().any(|(id, _)| new.contains(id));
+    let with_new = statements.into_iter().filter(|statement| statement.members.iter().any(has_new));
+    let solved: Option<Vec<SymbolId>> =
+        with_new.map(|statement| solved_coordinate(statement, &new, &with_introduced, &reading, model)).collect();
+    let Some(solved) = solved.filter(|solved| !solved.is_empty()) else { return false };
+    let solved: Vec<String> = solved.into_iter().map(|id| text::plain(&model.name(id))).collect();
+    let coordinate = solved.join(", ");
     model.symbols = symbols;
     for id in new {
         model.mean(id, Meaning::Constant(model.constants.len()));
@@ -60,11 +61,31 @@ pub(crate) fn declare(text: &str, reading: &Reading, model: &mut Model) -> bool 
     true
 }
 
-/// Whether a symbol of the model is a constant, the time, or defined by these.
-fn is_known(id: SymbolId, model: &Model) -> bool {
+/// The coordinate that a statement gives as a function of the time, of known constants and of new ones.
+fn solved_coordinate(
+    statement: &Statement,
+    new: &[SymbolId],
+    symbols: &Symbols,
+    reading: &Reading,
+    model: &Model,
+) -> Option<SymbolId> {
+    let [left, rest @ ..] = statement.members.as_slice() else { return None };
+    let coordinate = left.as_plain_symbol().filter(|id| model.is_coordinate(*id))?;
+    let is_known = |id: SymbolId| new.contains(&id) || is_known(id, reading, model);
+    let fits = |member: &Expr| member.symbols().iter().all(|(id, _)| is_known(*id));
+    let all_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+    let in_time = rest.iter().any(|member| contains_time(member, symbols));
+    let beside_time = |id: &SymbolId| rest.iter().any(|member| stands_beside_time(member, *id, false, symbols));
+    (all_equal && in_time && rest.iter().all(fits) && !new.iter().any(beside_time)).then_some(coordinate)
+}
+
+/// Whether a symbol is a constant, the time, or defined by these, in the model or by the display itself.
+fn is_known(id: SymbolId, reading: &Reading, model: &Model) -> bool {
+    let all_known = |formula: &Expr| formula.symbols().iter().all(|(id, _)| is_known(*id, reading, model));
     match model.meaning(id) {
         Some(Meaning::Constant(_) | Meaning::Time) => true,
-        Some(Meaning::Defined(formula)) => formula.symbols().iter().all(|(id, _)| is_known(*id, model)),
+        Some(Meaning::Defined(formula)) => all_known(formula),
+        None => reading.introduced.iter().any(|introduced| introduced.symbol == id && all_known(&introduced.formula)),
         _ => false,
     }
 }

@@ -1,25 +1,31 @@
-//! The frequency of small oscillations of one coordinate: a name for the ω with K − ω²M = 0, where K and M are the second
-//! derivatives of −L and of L by the coordinate and by the velocity, with the coordinate at 0 and at rest.
+//! The frequency of small oscillations of one coordinate: a name for ω = √(K/M), where K and M are the second derivatives of −L
+//! and of L by the coordinate and by the velocity, with the coordinate at 0 and at rest.
 //!
-//! With several coordinates the condition det(K − ω²M) = 0 has several roots, and a state that solves it may always be at the
-//! same one. What holds for one root would pass, so this is rejected.
+//! It is a formula, and no condition: so its derivatives follow, and what does not contain it holds where 0 is unstable too. With
+//! several coordinates det(K − ω²M) = 0 has several roots, and what holds for one of them could pass. So that is rejected.
 
 use crate::formula::derivative::{self, Scope};
 use crate::formula::tree::Variable;
-use crate::formula::{Expr, Node, Relation, SymbolId, text};
+use crate::formula::{Expr, Kind, Node, Relation, SymbolId, text};
 use crate::source::Span;
 use crate::{Error, Result};
 
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::model::meaning::Meaning;
 
-/// The conditions that the normal frequencies of the document obey.
+/// Gives the normal frequencies of the document their formula, once the Lagrangian is defined.
 ///
 /// # Errors
 /// Where the Lagrangian has several coordinates, or no such derivatives as formulas.
-pub(crate) fn conditions(model: &Model, lagrangian: SymbolId) -> Result<Vec<Hypothesis>> {
-    let Some(first) = model.normal_frequencies.first() else { return Ok(Vec::new()) };
-    let name = text::plain(&model.name(*first));
+pub(crate) fn define(model: &mut Model) -> Result<()> {
+    let Some(first) = model.normal_frequencies.first() else { return Ok(()) };
+    let name = text::plain(&first.to_string());
+    let printed = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));
+    let Some((lagrangian, _)) = printed.filter(|(id, _)| matches!(model.meaning(*id), Some(Meaning::Defined(_))))
+    else {
+        return Ok(());
+    };
     let unsupported = |what: &str| Error::new(format!("{name} is no normal frequency: {what}"));
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
     let [only] = coordinates.as_slice() else {
@@ -30,14 +36,40 @@ pub(crate) fn conditions(model: &Model, lagrangian: SymbolId) -> Result<Vec<Hypo
         let found = at_rest(model, lagrangian, [(*only, a), (*only, b)], &coordinates);
         found.ok_or_else(|| unsupported("the Lagrangian has no second derivatives as formulas"))
     };
-    let mut conditions = Vec::new();
-    for omega in &model.normal_frequencies {
-        let square = node(Node::Power(Box::new(symbol(*omega, 0)), Box::new(number(2))));
-        let lhs = second(0, 0)?.negated().minus(node(Node::Product(vec![square, second(1, 1)?])));
-        let link = Link { lhs, relation: Relation::Equal, rhs: number(0), free: Vec::new() };
-        conditions.push(Hypothesis::of(link, false));
+    let square = node(Node::Quotient(Box::new(second(0, 0)?.negated()), Box::new(second(1, 1)?)));
+    let formula = node(Node::Root(2, Box::new(square)));
+    for omega in model.normal_frequencies.clone() {
+        let id = match model.symbols.find(&omega) {
+            Some((id, _)) => id,
+            None => model.symbols.add(omega, Kind::Scalar).ok_or_else(|| unsupported("its name has two meanings"))?,
+        };
+        model.redefine(id, formula.clone());
     }
-    Ok(conditions)
+    Ok(())
+}
+
+/// The condition that the normal frequencies in these formulas exist: that the square of each is positive.
+pub(crate) fn exist<'f>(formulas: impl Iterator<Item = &'f Expr>, model: &Model) -> Option<Hypothesis> {
+    let omega = model.normal_frequencies.first()?;
+    let (id, _) = model.symbols.find(omega)?;
+    let Some(Meaning::Defined(formula)) = model.meaning(id) else { return None };
+    let Node::Root(2, square) = &formula.node else { return None };
+    let names = model.normal_frequencies.iter().filter_map(|omega| model.symbols.find(omega));
+    let names: Vec<SymbolId> = names.map(|(id, _)| id).collect();
+    let mut seen: Vec<SymbolId> = formulas.flat_map(Expr::symbols).map(|(id, _)| id).collect();
+    let mut at = 0;
+    while let Some(next) = seen.get(at).copied() {
+        at += 1;
+        if names.contains(&next) {
+            let link = Link { lhs: (**square).clone(), relation: Relation::Greater, rhs: number(0), free: Vec::new() };
+            return Some(Hypothesis { implied: true, ..Hypothesis::of(link, false) });
+        }
+        if let Some(Meaning::Defined(formula)) = model.meaning(next) {
+            let more: Vec<SymbolId> = formula.symbols().into_iter().map(|(id, _)| id).collect();
+            seen.extend(more.into_iter().filter(|id| !seen.contains(id)).collect::<Vec<_>>());
+        }
+    }
+    None
 }
 
 /// A second derivative of the Lagrangian where all coordinates and velocities are 0.

@@ -234,7 +234,7 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
             .help("write it with the declared coordinates, their dots, constants and the time"));
     }
     model.constraints = constraints(model, symbol, system.multipliers())?;
-    model.constraints.extend(normal_frequencies::conditions(model, symbol)?);
+    normal_frequencies::define(model)?;
     (model.system, model.parameters) = (Some(Arc::new(system)), places);
     Ok(())
 }

@@ -21,8 +21,8 @@ use crate::notes::claims::{Claim, Claims, Components, Declaration, Erratum, Span
 use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
-use crate::check::document::integration_constants;
 use crate::check::document::unreadable::{UnreadableDisplays, faults};
+use crate::check::document::{integration_constants, normal_frequencies};
 use crate::check::model::claim::is_equality;
 use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::{Meaning, Quantity};
@@ -61,6 +61,7 @@ pub(crate) fn read_all(
         definitions: claims.define.iter().collect(),
         of_particles: claims.means.iter().filter(|(_, meaning)| particles::quantity(meaning).is_some()).collect(),
         functions: functions::later(claims, model),
+        frequencies: model.normal_frequencies.clone(),
     };
     pending.define_what_is_ready(model);
     loop {
@@ -159,12 +160,14 @@ pub(crate) fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> R
     Ok(text)
 }
 
-/// The definitions of the claims file that use names which are not known yet.
+/// The definitions of the claims file that use names which are not known yet, and the frequencies that follow from a
+/// Lagrangian which no display has defined yet.
 struct Pending<'a> {
     claims: &'a Claims,
     definitions: Vec<&'a (Spanned<String>, Spanned<String>)>,
     of_particles: Vec<&'a (Spanned<String>, Spanned<String>)>,
     functions: Vec<&'a Declaration>,
+    frequencies: Vec<Name>,
 }
 
 impl Pending<'_> {
@@ -178,9 +181,11 @@ impl Pending<'_> {
             self.definitions.retain(|(name, body)| define(self.claims, name, body, model).is_err());
             self.of_particles.retain(|(name, meaning)| particles::declare(self.claims, name, meaning, model).is_err());
             if before == self.definitions.len() + self.of_particles.len() + self.functions.len() {
-                return;
+                break;
             }
         }
+        self.frequencies
+            .retain(|name| normal_frequencies::define(model).is_err() || model.symbols.find(name).is_none());
     }
 
     /// The reading of a display, if all of it can be read and it introduces no name that is still pending.
@@ -196,6 +201,9 @@ impl Pending<'_> {
     /// Whether a reading introduces a name that is still pending.
     fn introduces_pending(&self, symbols: &Symbols, reading: &Reading) -> bool {
         let reserved = |name: &Name| {
+            if self.frequencies.contains(name) {
+                return true;
+            }
             let all = self.definitions.iter().chain(&self.of_particles);
             all.filter_map(|(latex, _)| name_search::parse_decorated(&latex.value)).any(|pending| pending == *name)
         };

@@ -28,20 +28,11 @@ impl Checker<'_> {
                 Expr::new(node, link.lhs.span)
             })
             .collect();
-        // A small oscillation has a small velocity too.
-        let with_rates = |names: &[Expr]| -> Vec<Expr> {
-            let rate = |name: &Expr| match &name.node {
-                Node::Symbol { id, indices, dots } => {
-                    let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots + 1 };
-                    Some(Expr::new(node, name.span))
-                }
-                _ => None,
-            };
-            names.iter().cloned().chain(names.iter().filter_map(rate)).collect()
-        };
         let mut tried: Vec<Vec<Expr>> = coordinates.chunks(1).map(<[Expr]>::to_vec).collect();
         tried.extend((coordinates.len() > 1).then(|| coordinates.clone()));
-        tried.extend(tried.clone().iter().map(|names| with_rates(names)));
+        // A small oscillation has a small velocity too.
+        let with_rates: Vec<_> = tried.iter().filter_map(|names| small::with_rates(names, model)).collect();
+        tried.extend(with_rates);
         // cos θ ≈ 1 − θ²/2 and a Lagrangian for small oscillations keep the second order.
         for (order, small) in (1..=3).flat_map(|order| tried.iter().map(move |small| (order, small))) {
             let found = small::check(link, small, order, context)?;

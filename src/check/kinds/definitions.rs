@@ -134,12 +134,12 @@ pub fn check(
             surviving.retain(|(mutant, _)| !other.detect(mutant));
         }
     }
-    // An equivalent mutant makes nothing fail.
+    // An equivalent mutant makes nothing fail, and one without a value, such as √(2 − √4) beside its rates, cannot be tried.
     let mode = context.mode(false, &[formula]);
     let states = context.ensemble(mode, true, context.options.points)?;
     surviving.retain(|(mutant, _)| {
         let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
-        !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
+        !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0)
     });
     // The sign of the whole is often a convention, such as that of a root that is only used squared.
     let whole = formula.clone().negated();

@@ -18,7 +18,7 @@ use std::sync::Arc;
 use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
-use crate::formula::{Expr, Node, Value};
+use crate::formula::{Expr, Node, Value, text};
 use crate::scalar::{Enclosure, RunningError};
 
 use crate::check::judge::mutants::mutants_of;
@@ -84,7 +84,7 @@ struct Followed<'m> {
 /// A state and the failure there.
 type Shown<'s, 'm> = (&'s SampledState<'m, RunningError>, Failure);
 
-/// A few families of states that screen other texts of a claim.
+/// A few families of states that screen other texts of a claim, for each way in which its quantities are small.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
@@ -93,13 +93,27 @@ pub(crate) fn screen<'m>(
     mode: Mode,
     small: &[Expr],
     context: &Context<'_>,
-) -> Result<Vec<ShrinkingFamily<'m>>> {
-    families(model, (mode, SCREENED, 0), small, context)
+) -> Result<Vec<Vec<ShrinkingFamily<'m>>>> {
+    let ways = std::iter::once(small.to_vec()).chain(with_rates(small, model));
+    ways.map(|small| families(model, (mode, SCREENED, 0), &small, context)).collect()
 }
 
-/// Whether a claim to an order fails along one of these families for certain.
-pub(crate) fn misses_order(link: &Link, order: u32, families: &[ShrinkingFamily<'_>]) -> bool {
-    families.iter().any(|family| family.power(link).is_ok_and(|(power, _)| power < missed(order)))
+/// Whether a claim to an order fails for certain along one of the families of each way.
+pub(crate) fn misses_order(link: &Link, order: u32, ways: &[Vec<ShrinkingFamily<'_>>]) -> bool {
+    let misses = |family: &ShrinkingFamily<'_>| family.power(link).is_ok_and(|(power, _)| power < missed(order));
+    !ways.is_empty() && ways.iter().all(|families| families.iter().any(misses))
+}
+
+/// The small quantities with the rates of the coordinates among them; `None`, if these are there already.
+pub(crate) fn with_rates(small: &[Expr], model: &Model) -> Option<Vec<Expr>> {
+    let rate = |name: &Expr| match &name.node {
+        Node::Symbol { id, indices, dots: 0 } if model.is_coordinate(*id) => {
+            Some(Expr::new(Node::Symbol { id: *id, indices: indices.clone(), dots: 1 }, name.span))
+        }
+        _ => None,
+    };
+    let rates: Vec<Expr> = small.iter().filter_map(rate).filter(|rate| !small.contains(rate)).collect();
+    (!rates.is_empty()).then(|| small.iter().cloned().chain(rates).collect())
 }
 
 /// The power below which an order is missed for certain, rounding included.
@@ -107,11 +121,30 @@ fn missed(order: u32) -> f64 {
     f64::from(order) + SLACK
 }
 
-/// Checks a claim to an order in some small quantities: always, else on shell.
+/// Checks a claim to an order in some small quantities: always, else on shell. What fails for a small coordinate is tried with a
+/// small rate of it too, as in a small oscillation.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
 pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Result<Finding> {
+    let found = scaled(link, small, order, context)?;
+    let Some(with_rates) = with_rates(small, context.model).filter(|_| found.verdict == Verdict::Refuted) else {
+        return Ok(found);
+    };
+    let moving = scaled(link, &with_rates, order, context)?;
+    if !moving.verdict.passes() {
+        return Ok(found);
+    }
+    let rates = with_rates[small.len()..].iter();
+    let rates: Vec<String> = rates.map(|rate| text::formula(rate, &context.model.symbols)).collect();
+    Ok(Finding { message: format!("{}; small with their coordinates: {}", moving.message, rates.join(", ")), ..moving })
+}
+
+/// Checks a claim to an order in the quantities that are scaled.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Result<Finding> {
     let on_shell = context.on_shell.unwrap_or(context.model.has_motion());
     let wanted = f64::from(order + 1) - SLACK;
     let missed = missed(order);
@@ -165,7 +198,7 @@ pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> 
     // A term that is small off shell too is beyond the order, and is not tested.
     let free = families_of(link, small, context, false)?;
     let not_tested = |term: &Expr, alone: &Link| {
-        let words = crate::formula::text::formula(term, &context.model.symbols);
+        let words = text::formula(term, &context.model.symbols);
         let powers = free.iter().filter_map(|family| family.power(alone).ok()).map(|(power, _)| power);
         let lowest = powers.filter(|power| power.is_finite()).fold(f64::INFINITY, f64::min).round();
         // The order of the term, as far as it can be measured.

@@ -182,6 +182,10 @@ pub(crate) fn in_first_order(
             all.iter().map(|known| rate(known, order).map(small)).collect()
         };
         let (Some(q), Some(v), Some(a)) = (jet(0), jet(1), jet(2)) else { return Ok(None) };
+        // Where the frequency of the formula is no real number, there is nothing to test.
+        if [&q, &v, &a].into_iter().flatten().any(|value| !value.eps.value.is_finite()) {
+            continue;
+        }
         let parameter = |at: &usize| state.base.constant(*at).first().copied().map(Dual::from_re);
         let Some(parameters) = model.parameters.iter().map(parameter).collect::<Option<Vec<_>>>() else {
             return Ok(None);

@@ -20,13 +20,15 @@ pub struct Hypothesis {
     pub throughout: bool,
     /// Where an author states it, for messages: a place in a file, after the name of the law if it is one.
     pub stated: Option<Arc<str>>,
+    /// Whether it follows from the meaning of a name, and no author states it.
+    pub implied: bool,
 }
 
 impl Hypothesis {
     /// A link as a hypothesis.
     pub fn of(link: Link, throughout: bool) -> Self {
         let Link { lhs, relation, rhs, free } = link;
-        Hypothesis { lhs, relation, rhs, free, throughout, stated: None }
+        Hypothesis { lhs, relation, rhs, free, throughout, stated: None, implied: false }
     }
 
     /// The same hypothesis, stated at a place of a file.

@@ -98,8 +98,8 @@ pub struct Model {
     pub laws: Vec<Law>,
     /// The constraints that multipliers of the Lagrangian impose on all motions: f = 0 and ḟ = 0.
     pub constraints: Vec<Hypothesis>,
-    /// The constants that are normal frequencies of the Lagrangian in the notes.
-    pub normal_frequencies: Vec<SymbolId>,
+    /// The names of the normal frequencies of the Lagrangian in the notes.
+    pub normal_frequencies: Vec<Name>,
     /// The macros of the author.
     pub macros: Macros,
     /// Names of the claims file whose definition stands in a display that cannot be read.

@@ -181,9 +181,11 @@ impl Builder<'_> {
             }
             "kinetic energy" | "potential energy" => Ok(true),
             "normal frequency" => {
-                let id = self.add(latex, Kind::Scalar, Meaning::Constant(self.model.constants.len()))?;
-                self.model.constants.push(Variable::number(id, Range::Positive));
-                self.model.normal_frequencies.push(id);
+                if self.model.symbols.find(&name).is_some() {
+                    let twice = self.error(latex, format!("{} is declared twice", latex.value));
+                    return Err(twice.help("remove one of the two declarations"));
+                }
+                self.model.normal_frequencies.push(name);
                 Ok(true)
             }
             "rotation matrix" | "angular velocity" | "body axes" | "space axes" => Err(self

@@ -9,6 +9,12 @@ use crate::latex::slips::{Edit, Slip};
 use crate::check::trial::failed_display::OFFERED;
 use crate::check::verdict::repair::Repair;
 
+/// The rank of a pair of parentheses among the factors, in bytes.
+const PARENTHESES: usize = 6;
+
+/// The rank of a ½ among the factors, in bytes: that of a 2 with its space.
+const HALF: usize = 5;
+
 /// The rank of an edit of a text; the smallest comes first. Compared in this order: the kind of slip, whether the edit
 /// corrects one step of a chain only, how many bytes it changes, and where it is.
 pub(crate) fn rank(text: &str, edit: &Edit, step: bool) -> (Slip, bool, usize, usize) {
@@ -30,11 +36,26 @@ pub(crate) fn rank(text: &str, edit: &Edit, step: bool) -> (Slip, bool, usize, u
     let far = *slip == Slip::Number
         && matches!((old.parse::<u32>(), replacement.parse::<u32>()),
         (Ok(n), Ok(m)) if n.abs_diff(m) != 1 && n != 2 * m && m != 2 * n);
+    // Parentheses around what is printed are lost more rarely than one factor.
+    if *slip == Slip::Parenthesis && replacement.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) == Some(old)
+    {
+        return (Slip::Factor, step, PARENTHESES, span.start);
+    }
+    // A lost ½ is as likely as a lost 2.
+    if *slip == Slip::Factor && old.is_empty() && replacement.trim() == r"\frac{1}{2} \," {
+        return (Slip::Factor, step, HALF, span.start);
+    }
     let same = old.bytes().zip(replacement.bytes()).take_while(|(a, b)| a == b).count();
     let longest = old.len().max(replacement.len());
     // A term is rarely missing beside a name that is alone on its side.
     let to_name = *slip == Slip::Term && old.is_empty() && names::parse(text[..span.start].trim()).is_some();
     (*slip, step, longest - same + usize::from(far || to_name), span.start)
+}
+
+/// Whether an edit puts parentheses around what is printed, and changes nothing else.
+pub(crate) fn adds_parentheses(text: &str, edit: &Edit) -> bool {
+    let within = edit.replacement.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
+    edit.slip == Slip::Parenthesis && within == Some(&text[edit.span.range()])
 }
 
 /// Inserts repairs of another display into those of an equation's own, at most [`OFFERED`] in all.

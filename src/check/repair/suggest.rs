@@ -30,7 +30,7 @@ use crate::check::document::names::{is_plain, is_wrong};
 use crate::check::document::setup::Run;
 use crate::check::model::Model;
 use crate::check::repair::missing_terms;
-use crate::check::repair::ranking::rank;
+use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::trial::failed_display::{FailedDisplay, MISSING, OFFERED};
 use crate::check::trial::text_trial::{Answer, Trial, cut_to_step};
 use crate::check::vacuity::tautology::{is_lost, is_reordered, is_taken_back};
@@ -200,13 +200,15 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
     let mut removals: Vec<Suggestion> = Vec::new();
     // An edit after which the equation says nothing is offered only if there is no other.
     let mut vacuous: Vec<Suggestion> = Vec::new();
+    // Parentheses around what is printed often do so too; they come after a likelier edit of a later pool.
+    let mut pairs: Vec<Suggestion> = Vec::new();
     let far = if search == Search::Thorough { pools.len() } else { LIKELY };
     for (at, pool) in pools.iter().take(far).enumerate() {
         // Fitted terms come after parts of the document, and before parts that only resemble them.
         if at == LAST {
             let found = fitted()?;
             if !found.is_empty() {
-                return Ok(distinct(checker, removals.into_iter().chain(found)));
+                return Ok(distinct(checker, removals.into_iter().chain(pairs).chain(found)));
             }
         }
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
@@ -227,6 +229,7 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
         tried.extend(edits.into_iter().map(|edit| (edit.span, edit.replacement)));
         found.sort_by_key(|suggestion| rank(wrong.text, &suggestion.edit, suggestion.step));
         vacuous.extend(found.extract_if(.., |suggestion| suggestion.vacuous).filter(|_| at < LAST));
+        pairs.extend(found.extract_if(.., |suggestion| adds_parentheses(wrong.text, &suggestion.edit)));
         let is_less = found.iter().all(|suggestion| is_removal(&suggestion.edit));
         removals.extend(found);
         if !is_less {
@@ -236,6 +239,11 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
         if is_short && is_last && search == Search::Thorough && removals.is_empty() {
             removals = fitted()?;
         }
+    }
+    for pair in pairs {
+        let key = |suggestion: &Suggestion| rank(wrong.text, &suggestion.edit, suggestion.step);
+        let after = removals.iter().position(|other| key(other) > key(&pair)).unwrap_or(removals.len());
+        removals.insert(after, pair);
     }
     Ok(distinct(checker, if removals.is_empty() { vacuous } else { removals }))
 }

@@ -28,6 +28,7 @@ impl<'m> PrescribedValues<'m> {
             free: Vec::new(),
             throughout: false,
             stated: None,
+            implied: false,
         };
         let plain = Projection::new(model, setting);
         let nothing_is_solved = plain.equalities().next().is_none();

@@ -51,7 +51,7 @@ pub(crate) fn states<'m>(
 
 fn zero(expr: Expr, throughout: bool) -> Hypothesis {
     let rhs = Expr::integer(0, expr.span);
-    Hypothesis { lhs: expr, relation: Relation::Equal, rhs, free: Vec::new(), throughout, stated: None }
+    Hypothesis { lhs: expr, relation: Relation::Equal, rhs, free: Vec::new(), throughout, stated: None, implied: false }
 }
 
 /// The factors of a product that a hypothesis sets to 0, if more than one of them varies.

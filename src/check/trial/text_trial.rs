@@ -19,6 +19,7 @@ use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::{is_plain, shown};
+use crate::check::document::normal_frequencies;
 use crate::check::document::reread;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::difference;
@@ -67,7 +68,7 @@ pub(crate) struct Trial<'d, 'a> {
     /// The screening states of each statement; `None`, where the statement need not hold at each state.
     screens: Vec<Option<Ensemble<'d>>>,
     /// The screening families of each statement with ≈, along which the small quantities shrink.
-    shrinking: Vec<Vec<ShrinkingFamily<'d>>>,
+    shrinking: Vec<Vec<Vec<ShrinkingFamily<'d>>>>,
     /// The only step of a chain to check, as the statement and the member that the step leads to.
     step: Option<(usize, usize)>,
 }
@@ -79,7 +80,9 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// For a claim that does not fit the notes.
     pub fn new(checker: &'d Checker<'a>, at: usize, now: &'d Reading, claim: &'d Claim) -> Result<Self> {
         let topic = shown(&checker.notes.equations[at]);
-        let (hypotheses, local) = (checker.hypotheses(claim)?, checker.local(claim)?);
+        let (mut hypotheses, local) = (checker.hypotheses(claim)?, checker.local(claim)?);
+        let members = now.statements.iter().flatten().flat_map(|statement| &statement.members);
+        hypotheses.extend(normal_frequencies::exist(members, checker.model));
         let with = |points: usize| {
             let options = Options { points: points.min(checker.options.points), explain: false, ..checker.options };
             Checker { options, units: checker.units.clone(), ..*checker }
@@ -131,7 +134,7 @@ impl<'d, 'a> Trial<'d, 'a> {
     }
 
     /// The screening families of a statement that claims something for small quantities.
-    fn shrinking(&self, statement: usize) -> Vec<ShrinkingFamily<'d>> {
+    fn shrinking(&self, statement: usize) -> Vec<Vec<ShrinkingFamily<'d>>> {
         let (checker, topic) = (self.checker, format!("{} trial {statement}", self.topic));
         let context = self.context(&topic);
         let is_approximate = |relation: Relation| relation == Relation::Approximately;
@@ -260,9 +263,9 @@ impl<'d, 'a> Trial<'d, 'a> {
     fn fails_screen(&self, reading: &Reading) -> bool {
         let order = self.claim.order.as_ref().map_or(1, |order| order.value);
         let is_approximate = |relation: Relation| relation == Relation::Approximately;
-        let misses_order = |(n, families): (usize, &Vec<ShrinkingFamily<'_>>)| {
+        let misses_order = |(n, ways): (usize, &Vec<Vec<ShrinkingFamily<'_>>>)| {
             links(self.checker, (reading, n), self.claim, is_approximate)
-                .any(|link| small::misses_order(&link, order, families))
+                .any(|link| small::misses_order(&link, order, ways))
         };
         if reading.statements.len() == self.shrinking.len() && self.shrinking.iter().enumerate().any(misses_order) {
             return true;

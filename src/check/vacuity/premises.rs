@@ -74,13 +74,15 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
     Ok((exact && rational && !terms.is_empty()).then(|| terms.join(" + ")))
 }
 
-/// The hypotheses that a claim does not need, found by a test without each of them.
+/// The hypotheses that a claim does not need, found by a test without each of them. That a normal frequency exists is no
+/// hypothesis of an author.
 ///
 /// # Errors
 /// If the mass matrix of the system is singular.
 pub fn unneeded(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vec<String>> {
     let mut found = Vec::new();
-    for (at, dropped) in context.hypotheses.iter().enumerate() {
+    let stated = context.hypotheses.iter().enumerate();
+    for (at, dropped) in stated.filter(|(_, hypothesis)| !hypothesis.implied) {
         if holds_without(link, context, at, on_shell)? {
             let symbols = &context.model.symbols;
             let (lhs, rhs) = (text::formula(&dropped.lhs, symbols), text::formula(&dropped.rhs, symbols));
