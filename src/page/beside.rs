@@ -4,7 +4,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::typeset;
-use super::{Exhibit, derivation, lecture_anchor};
+use super::{Exhibit, derivation};
 use crate::check::{Equation, Verdict};
 use crate::formula::text::plain;
 use crate::latex::Macros;
@@ -35,13 +35,12 @@ fn figure(svg: &str, caption: &str) -> Markup {
 
 /// What follows the text of a document: pictures, and the derivation of its system. A page with everything has both
 /// once, at its end.
-pub(super) fn after(exhibit: &Exhibit, prefix: &str, single: bool) -> Markup {
+pub(super) fn after(exhibit: &Exhibit, anchor: Option<&str>, prefix: &str, single: bool) -> Markup {
     html! {
         @if !single || exhibit.lecture.is_none() { (pictures(exhibit)) }
-        @if let Some(lecture) = &exhibit.lecture {
+        @if let Some((lecture, anchor)) = exhibit.lecture.as_ref().zip(anchor) {
             section {
                 h2 { "The derivation, step by step" }
-                @let anchor = lecture_anchor(lecture);
                 @let address = if single { format!("#{anchor}") } else { format!("{anchor}.html") };
                 p {
                     "The program derived the equations of this system by itself, line by line, each certified against those "
