@@ -58,8 +58,14 @@ pub(super) fn after(exhibit: &Exhibit, anchor: Option<&str>, prefix: &str, singl
 }
 
 /// The printed equation beside the derived one, term by term.
-pub(super) fn lineup(item: &Equation, display: Option<&Display>, beside: Option<&Beside>) -> Markup {
-    let found = display.zip(beside).and_then(|(display, beside)| beside.lineup(&display.text, &Macros::default()));
+pub(super) fn lineup(
+    item: &Equation,
+    display: Option<&Display>,
+    beside: Option<&Beside>,
+    definitions: &[String],
+) -> Markup {
+    let found =
+        display.zip(beside).and_then(|(display, beside)| beside.lineup(&display.text, &Macros::default(), definitions));
     let Some(found) = found.filter(|found| !(found.is_the_same() && found.rows.len() < 2)) else { return html! {} };
     // What holds under a hypothesis, or is an erratum, may differ from the general equation and be right.
     if item.finding.verdict.passes() && !found.is_the_same() {
@@ -98,12 +104,17 @@ pub(super) fn lineup(item: &Equation, display: Option<&Display>, beside: Option<
 }
 
 /// Both sides of a wrong equation as curves.
-pub(super) fn sides(item: &Equation, display: Option<&Display>, beside: Option<&Beside>) -> Markup {
+pub(super) fn sides(
+    item: &Equation,
+    display: Option<&Display>,
+    beside: Option<&Beside>,
+    definitions: &[String],
+) -> Markup {
     let Some(display) = display.filter(|_| item.finding.verdict == Verdict::Refuted) else { return html! {} };
-    let of_system = beside.and_then(|beside| beside.sides(&display.text, &Macros::default()));
+    let of_system = beside.and_then(|beside| beside.sides(&display.text, &Macros::default(), definitions));
     let of_numbers = || {
         let found = item.finding.counterexample.as_ref()?;
-        Sides::of_counterexample(&display.text, &Macros::default(), &found.state, (found.lhs, found.rhs))
+        Sides::of_counterexample(&display.text, (&Macros::default(), definitions), &found.state, (found.lhs, found.rhs))
     };
     let Some(found) = of_system.or_else(of_numbers) else { return html! {} };
     let name = plain(&found.variable);

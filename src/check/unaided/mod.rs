@@ -153,7 +153,8 @@ fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
             }
         }
         let document = document(run, notes, (equations, sentences, checker.model.inferred.clone()));
-        Ok(Document { claims: Some(claims.source.path.clone()), ..document })
+        let definitions = checker.model.definitions();
+        Ok(Document { claims: Some(claims.source.path.clone()), definitions, ..document })
     })
 }
 
@@ -166,7 +167,10 @@ fn document(
     if let Some(only) = run.only {
         equations.retain(|equation| equation.id == only);
     }
+    let defines = |equation: &&Equation| equation.finding.verdict == Verdict::Definition;
+    let definitions = equations.iter().filter(defines).map(|equation| equation.latex.clone()).collect();
     Document {
+        definitions,
         path: notes.source.path.clone(),
         claims: None,
         is_guessed: true,
